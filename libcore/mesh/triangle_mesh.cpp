@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/triangle_mesh.hpp"
+
+#include <Eigen/Geometry>
+
+namespace impinge {
+
+Vec3 area_vector(const TriangleMesh& mesh, const Face& face) {
+  const Vec3& a = corner(mesh, face, 0);
+  return (corner(mesh, face, 1) - a).cross(corner(mesh, face, 2) - a);
+}
+
+std::vector<double> vertex_areas(const TriangleMesh& mesh) {
+  std::vector<double> area(mesh.vertices.size(), 0.0);
+  for (const Face& face : mesh.faces) {
+    const double third = area_vector(mesh, face).norm() / 6.0;
+    for (const VertexIndex v : face) area[v] += third;
+  }
+  return area;
+}
+
+TriangleMesh relative_to(TriangleMesh mesh, const Vec3& centre) {
+  for (Vec3& v : mesh.vertices) v -= centre;
+  return mesh;
+}
+
+}  // namespace impinge

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The triangle mesh: plain data, indices into a list of points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+using VertexIndex = std::uint32_t;
+
+// Corners of a face, counter-clockwise seen from outside.
+using Face = std::array<VertexIndex, 3>;
+
+// Points in millimetres. Nothing is promised about closedness, orientation or duplicates; see validation.hpp.
+struct TriangleMesh {
+  std::vector<Vec3> vertices;
+  std::vector<Face> faces;
+};
+
+// Corner k of face f.
+inline const Vec3& corner(const TriangleMesh& mesh, const Face& face, std::size_t k) {
+  return mesh.vertices[face[k]];
+}
+
+// Vector along the outward normal, twice the area of the face long (mm^2).
+Vec3 area_vector(const TriangleMesh& mesh, const Face& face);
+
+// Share of the surface that belongs to each vertex: a third of the area of its faces (mm^2).
+std::vector<double> vertex_areas(const TriangleMesh& mesh);
+
+// The same mesh with `centre` as origin (input frame to centre frame).
+TriangleMesh relative_to(TriangleMesh mesh, const Vec3& centre);
+
+}  // namespace impinge
