@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The jobs that make data: one for each experiment, from the lines in the head of its source, and one scene for
+# the generated pair and for each real joint.
+
+# tag(VARIABLE SOURCE NAME): the words after "// @NAME " in SOURCE.
+function(tag variable source name)
+  file(STRINGS "${source}" lines REGEX "^// @${name} ")
+  list(TRANSFORM lines REPLACE "^// @${name} +" "")
+  string(STRIP "${lines}" lines)
+  set(${variable} "${lines}" PARENT_SCOPE)
+endfunction()
+
+# words(VARIABLE TEXT): a list of the words.
+function(words variable text)
+  separate_arguments(list UNIX_COMMAND "${text}")
+  set(${variable} "${list}" PARENT_SCOPE)
+endfunction()
+
+# joints(FOLDER): IMPINGE_JOINTS, and for each JOINT_ball and JOINT_socket. A real joint is a sub-folder with a ball and a
+# socket mesh under one of these names, the first that is there.
+set(ball_names ball femoral_head humeral_head)
+set(socket_names socket acetabulum_facing glenoid_facing acetabulum glenoid)
+function(joints folder)
+  set(found "")
+  file(GLOB folders CONFIGURE_DEPENDS "${folder}/*")
+  foreach(joint_folder IN LISTS folders)
+    cmake_path(GET joint_folder FILENAME joint)
+    foreach(part ball socket)
+      set(${part} "")
+      foreach(name IN LISTS ${part}_names)
+        file(GLOB files "${joint_folder}/${name}.[posPOS]*")
+        if(files AND NOT ${part})
+          list(GET files 0 ${part})
+        endif()
+      endforeach()
+      set(${joint}_${part} "${${part}}" PARENT_SCOPE)
+    endforeach()
+    if(ball AND socket)
+      list(APPEND found ${joint})
+    endif()
+  endforeach()
+  set(IMPINGE_JOINTS "${found}" PARENT_SCOPE)
+endfunction()
+
+set(IMPINGE_JOINTS "")
+if(IMPINGE_BONES)
+  joints("${IMPINGE_BONES}")
+  if(NOT IMPINGE_JOINTS)
+    message(FATAL_ERROR "${IMPINGE_BONES} holds no sub-folder with a ball and a socket mesh "
+                        "(${ball_names} and ${socket_names})")
+  endif()
+endif()
+
+foreach(driver IN LISTS drivers)
+  cmake_path(GET driver STEM name)
+  set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+  foreach(key question writes writes-with-bones timing seconds)
+    tag(${key} "${source}" ${key})
+  endforeach()
+  if(NOT writes)
+    message(FATAL_ERROR "${source} has no line '// @writes NAME...': see experiments/CMakeLists.txt")
+  endif()
+  words(tables "${writes}")
+  words(seconds "${seconds}")
+  set(bones_arguments "")
+  set(bones_files "")
+  if(IMPINGE_JOINTS AND writes-with-bones)
+    words(more "${writes-with-bones}")
+    list(APPEND tables ${more})
+    set(bones_arguments --bones "${IMPINGE_BONES}")
+    foreach(joint IN LISTS IMPINGE_JOINTS)
+      list(APPEND bones_files "${${joint}_ball}" "${${joint}_socket}")
+    endforeach()
+  endif()
+  set(outputs "")
+  foreach(table IN LISTS tables)
+    list(APPEND outputs data/${table}.csv)
+    if(NOT table MATCHES "_samples$")
+      list(APPEND outputs data/${table}.json)
+    endif()
+  endforeach()
+  set(timing_option "")
+  if(timing STREQUAL "yes")
+    set(timing_option TIMING)
+  endif()
+  impinge_program(${name} program)
+  impinge_job(
+    NAME ${name} KIND data ${timing_option}
+    OUTPUTS ${outputs}
+    DEPENDS "${program}" ${bones_files}
+    COMMAND "${program}" --out @OUT@/data --profile ${IMPINGE_PROFILE} ${bones_arguments}
+    SECONDS ${seconds}
+    ARTEFACTS ${tables}
+    QUESTION "${question}")
+endforeach()
+
+# impinge_scene(NAME BALL SOCKET DEPENDS...): the scene program on one joint, into scenes/NAME.
+set(IMPINGE_SCENES "")
+function(impinge_scene name ball socket)
+  impinge_job(
+    NAME scene-${name} KIND data
+    OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
+    DEPENDS "${scene_program}" "${ball}" "${socket}"
+    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --precision 0.5 --cartilage 4
+            --out @OUT@/scenes/${name}
+    SECONDS 2 2
+    ARTEFACTS scene-${name}
+    QUESTION "Where is the joint ${name} impinged?")
+  set(IMPINGE_SCENES ${IMPINGE_SCENES} ${name} PARENT_SCOPE)
+endfunction()
+
+if(TARGET scene AND TARGET make_pair)
+  impinge_program(scene scene_program)
+  impinge_program(make_pair pair_program)
+  impinge_job(
+    NAME generated-pair KIND data
+    OUTPUTS scenes/generated/input/ball.ply scenes/generated/input/socket.ply
+    DEPENDS "${pair_program}"
+    COMMAND "${pair_program}" --faces 12000 --out @OUT@/scenes/generated/input
+    SECONDS 1 1
+    ARTEFACTS generated-pair
+    QUESTION "What does the generated ball-and-socket pair look like?")
+  set(pair "${IMPINGE_RESULTS_DIR}/scenes/generated/input")
+  impinge_scene(generated "${pair}/ball.ply" "${pair}/socket.ply")
+  foreach(joint IN LISTS IMPINGE_JOINTS)
+    impinge_scene(${joint} "${${joint}_ball}" "${${joint}_socket}")
+  endforeach()
+endif()
+set(IMPINGE_SCENES "${IMPINGE_SCENES}" PARENT_SCOPE)

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The one dependency graph: programs -> data -> tables, figures -> verdicts -> report and paper.
+#
+# impinge_job() declares one node. Ninja decides what runs; experiments/job.py runs one node so that its files
+# appear whole or not at all, keep their time stamp when their bytes are the same (so that what follows is not
+# made again), and so that nothing else runs beside a timing.
+
+set(IMPINGE_RESULTS_DIR "${PROJECT_SOURCE_DIR}/results" CACHE PATH "Where tables, figures, report and paper go")
+set(IMPINGE_PROFILE "full" CACHE STRING "Size of the experiments: quick or full")
+set(IMPINGE_BONES "" CACHE PATH "Folder with one sub-folder a real joint; empty for the generated pair alone")
+set(IMPINGE_LAUNCHER "" CACHE STRING "Prefix of every program that makes data, as srun on a Slurm cluster")
+set_property(CACHE IMPINGE_PROFILE PROPERTY STRINGS quick full)
+if(NOT IMPINGE_PROFILE MATCHES "^(quick|full)$")
+  message(FATAL_ERROR "IMPINGE_PROFILE is '${IMPINGE_PROFILE}': it must be quick or full")
+endif()
+
+# Debian's interpreter, not whichever comes first in PATH: it is the one that has the packages.
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter with numpy, pandas, matplotlib and VTK")
+endif()
+find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
+execute_process(
+  COMMAND "${Python3_EXECUTABLE}" -c "import importlib.util as u, sys; sys.exit(' '.join(m for m in ('numpy', \
+'pandas', 'matplotlib', 'vtkmodules') if u.find_spec(m) is None) or 0)"
+  ERROR_VARIABLE missing_modules OUTPUT_QUIET ERROR_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE modules_failed)
+if(modules_failed)
+  message(FATAL_ERROR "${Python3_EXECUTABLE} lacks the modules: ${missing_modules}\n"
+                      "Install the packages of experiments/packages, or set Python3_EXECUTABLE.")
+endif()
+
+set(IMPINGE_GRAPH_DIR "${PROJECT_BINARY_DIR}/graph" CACHE INTERNAL "State of the graph: jobs, locks, times")
+set(IMPINGE_JOB_RUNNER "${CMAKE_CURRENT_LIST_DIR}/job.py" CACHE INTERNAL "Runs one job")
+file(WRITE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "") # one line a job, for --list and for the time left; see impinge_write_graph()
+
+add_custom_target(programs COMMENT "")
+add_custom_target(results COMMENT "")
+
+# impinge_program(TARGET VARIABLE): a copy of the program that changes only when its bytes do, so that a comment
+# edited in the library builds again but measures nothing again. VARIABLE receives the path of the copy.
+function(impinge_program target variable)
+  set(copy "${IMPINGE_GRAPH_DIR}/programs/${target}")
+  add_custom_command(
+    OUTPUT "${copy}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${IMPINGE_GRAPH_DIR}/programs"
+    COMMAND "${CMAKE_COMMAND}" -E copy_if_different "$<TARGET_FILE:${target}>" "${copy}"
+    DEPENDS ${target}
+    COMMENT "program ${target}"
+    VERBATIM)
+  add_custom_target(program-${target} DEPENDS "${copy}")
+  add_dependencies(programs program-${target})
+  set(${variable} "${copy}" PARENT_SCOPE)
+endfunction()
+
+# impinge_job(NAME name KIND data|table|figure|verdicts|report|paper [TIMING]
+#   OUTPUTS file...        relative to the results folder; ARTEFACTS names what a reader calls them
+#   DEPENDS file...        absolute, or relative to the results folder
+#   COMMAND word...        @OUT@ stands for a fresh folder laid out as the results folder
+#   SECONDS quick full     expected on two cores; refined by the times of earlier runs
+#   QUESTION text)
+function(impinge_job)
+  cmake_parse_arguments(job "TIMING" "NAME;KIND;QUESTION" "OUTPUTS;DEPENDS;COMMAND;SECONDS;ARTEFACTS" ${ARGN})
+  set(outputs ${job_OUTPUTS})
+  list(TRANSFORM outputs PREPEND "${IMPINGE_RESULTS_DIR}/")
+  set(depends "")
+  foreach(file IN LISTS job_DEPENDS)
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${IMPINGE_RESULTS_DIR}")
+    list(APPEND depends "${file}")
+  endforeach()
+  set(options --name ${job_NAME} --results "${IMPINGE_RESULTS_DIR}" --state "${IMPINGE_GRAPH_DIR}/${IMPINGE_PROFILE}")
+  if(NOT IMPINGE_LAUNCHER) # a cluster's scheduler keeps machines apart by itself
+    list(APPEND options --lock "${IMPINGE_GRAPH_DIR}/machine.lock")
+  endif()
+  if(job_TIMING)
+    list(APPEND options --alone)
+  endif()
+  set(terminal "")
+  if(job_KIND STREQUAL "data")
+    set(terminal USES_TERMINAL)
+    separate_arguments(launcher UNIX_COMMAND "${IMPINGE_LAUNCHER}")
+    list(PREPEND job_COMMAND ${launcher})
+  endif()
+  add_custom_command(
+    OUTPUT ${outputs}
+    COMMAND "${Python3_EXECUTABLE}" "${IMPINGE_JOB_RUNNER}" ${options} --outputs ${job_OUTPUTS} -- ${job_COMMAND}
+    DEPENDS ${depends}
+    COMMENT "job ${job_NAME}"
+    VERBATIM ${terminal})
+  add_custom_target(result-${job_NAME} DEPENDS ${outputs})
+  add_dependencies(results result-${job_NAME})
+  if(job_TIMING) # no compiler beside a stopwatch
+    add_dependencies(result-${job_NAME} programs)
+  endif()
+
+  list(GET job_SECONDS 0 quick)
+  list(GET job_SECONDS 1 full)
+  set(timing no)
+  if(job_TIMING)
+    set(timing yes)
+  endif()
+  string(REPLACE ";" " " command "${job_COMMAND}")
+  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" command "${command}")
+  string(REPLACE "@OUT@" "OUT" command "${command}")
+  string(JOIN "\t" line ${job_NAME} ${job_KIND} ${quick} ${full} ${timing} "${job_ARTEFACTS}" "${job_OUTPUTS}"
+         "${job_DEPENDS}" "${command}" "${job_QUESTION}")
+  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" line "${line}")
+  file(APPEND "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${line}\n")
+  set_property(GLOBAL APPEND PROPERTY IMPINGE_OUTPUTS ${job_OUTPUTS})
+endfunction()
+
+# Called once, after the last job of the last folder.
+function(impinge_write_graph)
+  file(COPY_FILE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${IMPINGE_GRAPH_DIR}/jobs.tsv" ONLY_IF_DIFFERENT)
+  file(WRITE "${IMPINGE_GRAPH_DIR}/settings"
+       "${IMPINGE_RESULTS_DIR}\n${IMPINGE_PROFILE}\n${IMPINGE_BONES}\n")
+endfunction()
