@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The edges of a mesh, each with the faces that use it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+using Edge = std::array<VertexIndex, 2>;
+
+// Side k of face f, from its corner k to its corner k + 1.
+struct HalfEdge {
+  std::size_t face = 0;
+  std::size_t side = 0;
+};
+
+inline Edge ends(const TriangleMesh& mesh, HalfEdge h) {
+  return {mesh.faces[h.face][h.side], mesh.faces[h.face][(h.side + 1) % 3]};
+}
+
+// A face takes part in the topology of a mesh when its three corners exist and differ.
+bool has_three_corners(const TriangleMesh& mesh, const Face& face);
+
+// Half-edges of all faces with three corners, those of one edge next to each other, otherwise in the order of
+// the faces; group e is half_edges[first[e]] .. half_edges[first[e + 1] - 1].
+struct EdgeList {
+  std::vector<HalfEdge> half_edges;
+  std::vector<std::size_t> first;  // one longer than the number of edges
+  std::size_t size() const { return first.size() - 1; }
+  std::span<const HalfEdge> operator[](std::size_t e) const {
+    return std::span(half_edges).subspan(first[e], first[e + 1] - first[e]);
+  }
+};
+EdgeList edges(const TriangleMesh& mesh);
+
+// Edges with a single face, in the direction of that face (surface to the left, seen from outside) and in the
+// order of the faces.
+std::vector<Edge> boundary_edges(const TriangleMesh& mesh);
+
+}  // namespace impinge

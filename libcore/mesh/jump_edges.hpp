@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges at which the radius, seen from the centre, may end or jump.
+#pragma once
+
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// An edge of a rim (one face), of a fold (two faces on the same side of the plane through the centre and the
+// edge), or of a non-manifold place. Everywhere else the radius of a surface layer is continuous.
+struct JumpEdge {
+  VertexIndex from = 0;
+  VertexIndex to = 0;
+  double slope = 0.0;  // largest tan psi of the faces at the edge, infinite if one is edge-on
+};
+
+// mesh in the centre frame. Sorted by vertex indices; sides are decided exactly and orientation of faces is
+// ignored.
+std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
+
+}  // namespace impinge

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a mesh, in numbers. Nothing is repaired and nothing thrown: any mesh gets a report.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "mesh/edges.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// Edges, flips, components and duplicates are counted among the faces that have three different corners.
+struct MeshReport {
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t unreferenced_vertices = 0;  // corner of no face
+  std::size_t non_finite_vertices = 0;    // with a NaN or infinite coordinate
+  std::size_t invalid_faces = 0;          // naming a vertex that does not exist
+  std::size_t degenerate_faces = 0;       // a corner twice, or no area (exactly, see collinear.hpp)
+  std::size_t duplicate_faces = 0;        // the corners of an earlier face, in any order
+  std::size_t flipped_faces = 0;          // see below
+  std::size_t non_manifold_edges = 0;     // with three faces or more
+  std::size_t boundary_edges = 0;         // with one face
+  std::size_t components = 0;             // faces connected through edges
+  bool orientable = true;                 // false: some faces cannot agree (Moebius strip)
+  std::optional<double> volume;           // signed, mm^3; closed meshes of one orientation only
+
+  // Does every edge have exactly two faces?
+  bool closed() const;
+};
+
+// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in
+// opposite directions. In each part connected that way the faces of the smaller side count as flipped; a part
+// that is inside out as a whole has none, it shows as a negative volume.
+MeshReport validate(const TriangleMesh& mesh);
+
+// One line with the sizes and, if there is anything wrong, a second one that lists it. No line end after the
+// last.
+std::string describe(const MeshReport& report);
+
+}  // namespace impinge
