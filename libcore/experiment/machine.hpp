@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The machine that a result was measured on, as the operating system tells it. Nothing is ever changed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace impinge {
+
+struct Machine {
+  std::string cpu = "unknown";       // model name
+  unsigned cores = 0;                // logical processors
+  std::uint64_t memory_mib = 0;      // physical memory, MiB
+  std::string governor = "unknown";  // frequency governor of the first core
+  double load = 0.0;                 // average of runnable processes over the last minute
+  std::string system = "unknown";    // name and release of the operating system, processor family
+};
+
+Machine this_machine();
+
+}  // namespace impinge

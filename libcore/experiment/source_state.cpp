@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/source_state.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace impinge {
+namespace {
+
+std::string shell_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// What a git command prints, or nothing when it fails.
+std::optional<std::string> git(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::string command = "git -C " + shell_quoted(folder.string()) + " " + arguments + " 2>/dev/null";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return std::nullopt;
+  std::string text;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    text.append(buffer.data(), count);
+  }
+  if (::pclose(pipe) != 0) return std::nullopt;
+  return text;
+}
+
+}  // namespace
+
+SourceState source_state(const std::filesystem::path& folder) {
+  SourceState state;
+  const char* commit = std::getenv("IMPINGE_COMMIT");
+  if (commit != nullptr && *commit != '\0') {
+    state.commit = commit;
+    if (const char* dirty = std::getenv("IMPINGE_DIRTY")) {
+      const std::string_view flag = dirty;
+      state.dirty = flag == "1" || flag == "yes" || flag == "true";
+    }
+    return state;
+  }
+  if (const auto head = git(folder, "rev-parse HEAD")) {
+    state.commit = head->substr(0, head->find('\n'));
+    if (const auto changes = git(folder, "status --porcelain")) state.dirty = !changes->empty();
+  }
+  return state;
+}
+
+}  // namespace impinge

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/timing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <stdexcept>
+
+#include <benchmark/benchmark.h>
+
+namespace impinge {
+namespace {
+
+constexpr const char* kControlMark = "#control";
+
+void verify_all(const std::vector<TimedCase>& cases, Progress& progress) {
+  for (const TimedCase& work : cases) {
+    if (!work.verify) continue;
+    progress.say("verifying " + key_text(work.key));
+    work.verify();
+  }
+}
+
+// Collects the raw time of every round, under the name of its case.
+class SampleReporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      samples[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+    }
+  }
+  std::map<std::string, std::vector<double>> samples;  // milliseconds a run
+};
+
+// Work of a round. The first exception is kept, and the rounds after it do nothing.
+void register_plan(const RoundPlan& plan, const std::string& name, std::exception_ptr& failure,
+                   Progress& progress) {
+  const auto round = [&plan, &failure, &progress](benchmark::State& state) {
+    try {
+      if (failure) throw std::runtime_error("stopped");
+      if (plan.warm_up) plan.work->run();
+      for ([[maybe_unused]] auto iteration : state) plan.work->run();
+      progress.advance(plan.round_s(), plan.name);
+    } catch (...) {
+      if (!failure) failure = std::current_exception();
+      state.SkipWithError("stopped");
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), round)
+      ->Iterations(plan.batch)
+      ->Repetitions(plan.work->rounds)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+// Settles every option that the environment could change otherwise.
+void initialise_harness() {
+  std::array<std::string, 7> options{"impinge",
+                                     "--benchmark_enable_random_interleaving=true",
+                                     "--benchmark_min_warmup_time=0",
+                                     "--benchmark_out=",
+                                     "--benchmark_perf_counters=",
+                                     "--benchmark_report_aggregates_only=false",
+                                     "--benchmark_display_aggregates_only=false"};
+  std::array<char*, options.size() + 1> arguments{};
+  for (std::size_t i = 0; i < options.size(); ++i) arguments[i] = options[i].data();
+  int count = static_cast<int>(options.size());
+  benchmark::Initialize(&count, arguments.data());
+}
+
+Timing collect(const RoundPlan& plan, std::vector<double> samples) {
+  for (double& sample : samples) sample /= plan.work->units;
+  return {plan.work->key, samples, summarise(samples), plan.batch};
+}
+
+const RoundPlan& fastest(const std::vector<RoundPlan>& plans) {
+  return *std::min_element(plans.begin(), plans.end(),
+                           [](const RoundPlan& a, const RoundPlan& b) { return a.round_s() < b.round_s(); });
+}
+
+}  // namespace
+
+bool TimingRun::inconclusive(const Timing& timing) const {
+  return std::abs(control_ratio - 1.0) > options.max_control_off ||
+         timing.summary.iqr > options.max_spread * timing.summary.median;
+}
+
+TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
+                          Progress& progress) {
+  TimingRun result;
+  result.options = options;
+  if (cases.empty()) return result;
+  check_cases(cases);
+  verify_all(cases, progress);
+  std::vector<RoundPlan> plans;
+  for (const TimedCase& work : cases) plans.push_back(plan_rounds(work, options));
+  const RoundPlan& control = fastest(plans);
+  double expected = control.round_s() * control.work->rounds;
+  for (const RoundPlan& plan : plans) expected += plan.round_s() * plan.work->rounds;
+
+  progress.say("timing " + std::to_string(cases.size()) + " cases, about " + duration_text(expected));
+  progress.begin(expected);
+  std::exception_ptr failure;
+  initialise_harness();
+  benchmark::ClearRegisteredBenchmarks();
+  for (const RoundPlan& plan : plans) register_plan(plan, plan.name, failure, progress);
+  register_plan(control, control.name + kControlMark, failure, progress);
+  SampleReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter, nullptr, ".");
+  benchmark::ClearRegisteredBenchmarks();
+  if (failure) std::rethrow_exception(failure);
+
+  for (const RoundPlan& plan : plans) result.timings.push_back(collect(plan, reporter.samples[plan.name]));
+  result.control = collect(control, reporter.samples[control.name + kControlMark]);
+  const double first = result.timings[static_cast<std::size_t>(&control - plans.data())].summary.median;
+  result.control_ratio = result.control.summary.median / first;
+  return result;
+}
+
+}  // namespace impinge

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The timing protocol, on Google Benchmark: every case is verified before anything is timed; the rounds of
+// all cases run in one random order, so that a slow spell of the machine hits all of them; each round of a
+// fast case starts warm; every sample is kept; the fastest case runs twice under two names, and the ratio of
+// the two medians (A/A control) shows the noise of the run. Wall clock, one thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "experiment/progress.hpp"
+#include "experiment/statistics.hpp"
+#include "experiment/timed_case.hpp"
+
+namespace impinge {
+
+// Samples of one case, milliseconds a unit, in the order of its rounds.
+struct Timing {
+  std::vector<Cell> key;
+  std::vector<double> samples_ms;
+  Summary summary;         // of the samples
+  std::int64_t batch = 1;  // runs within a round
+};
+
+struct TimingRun {
+  std::vector<Timing> timings;                    // in the order of the cases
+  Timing control;                                 // the second registration of the control case
+  double control_ratio = 1.0;                     // its median over the median of the first
+  bool inconclusive(const Timing& timing) const;  // control off, or spread too large
+  TimingOptions options;
+};
+
+// Verifies, warms up, then times. Throws std::invalid_argument for bad cases (see check_cases); whatever
+// verify or run throws ends the measurement.
+TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
+                          Progress& progress);
+
+}  // namespace impinge

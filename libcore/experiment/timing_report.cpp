@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/timing_report.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace impinge {
+
+Table samples_table(std::vector<Column> key_columns, const TimingRun& run) {
+  Table table{std::move(key_columns), {}};
+  table.columns.push_back({"round", "1", "number of the round of this case, in the order of measurement"});
+  table.columns.push_back({"ms", "ms", "wall clock of one unit of work in this round"});
+  for (const Timing& timing : run.timings) {
+    for (std::size_t i = 0; i < timing.samples_ms.size(); ++i) {
+      std::vector<Cell> row = timing.key;
+      row.emplace_back(i + 1);
+      row.emplace_back(timing.samples_ms[i]);
+      table.add_row(std::move(row));
+    }
+  }
+  return table;
+}
+
+nlohmann::json timing_record(const TimingRun& run) {
+  nlohmann::json record;
+  record["harness"] =
+      "Google Benchmark, random interleaving of the rounds of all cases, real time, one thread";
+  record["min_round_ms"] = run.options.min_round_ms;
+  record["warm"] =
+      "each round of a case under slow_ms begins with one run that is not timed; slower cases run as they "
+      "come";
+  record["slow_ms"] = run.options.slow_ms;
+  record["batch"] = nlohmann::json::object();
+  record["inconclusive"] = nlohmann::json::array();
+  for (const Timing& timing : run.timings) {
+    record["batch"][key_text(timing.key)] = timing.batch;
+    if (run.inconclusive(timing)) record["inconclusive"].push_back(key_text(timing.key));
+  }
+  record["inconclusive_if"] = {{"control_off_by_more_than", run.options.max_control_off},
+                               {"iqr_over_median_above", run.options.max_spread}};
+  record["control"] = {{"case", key_text(run.control.key)},
+                       {"ratio", run.control_ratio},
+                       {"samples_ms", run.control.samples_ms}};
+  return record;
+}
+
+void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
+  if (std::abs(run.control_ratio - 1.0) > run.options.max_control_off) {
+    progress.say("warning: inconclusive, the control (" + key_text(run.control.key) +
+                 " against itself) is off by " + std::to_string(100.0 * std::abs(run.control_ratio - 1.0)) +
+                 " %: the machine is busy");
+    return;
+  }
+  for (const Timing& timing : run.timings) {
+    if (!run.inconclusive(timing)) continue;
+    progress.say("warning: " + key_text(timing.key) + " is inconclusive: its interquartile range is " +
+                 std::to_string(100.0 * timing.summary.iqr / timing.summary.median) + " % of its median");
+  }
+}
+
+}  // namespace impinge
