@@ -75,10 +75,7 @@ foreach(driver IN LISTS drivers)
   endif()
   set(outputs "")
   foreach(table IN LISTS tables)
-    list(APPEND outputs data/${table}.csv)
-    if(NOT table MATCHES "_samples$")
-      list(APPEND outputs data/${table}.json)
-    endif()
+    list(APPEND outputs data/${table}.csv data/${table}.json)
   endforeach()
   set(timing_option "")
   if(timing STREQUAL "yes")
@@ -89,7 +86,7 @@ foreach(driver IN LISTS drivers)
     NAME ${name} KIND data ${timing_option}
     OUTPUTS ${outputs}
     DEPENDS "${program}" ${bones_files}
-    COMMAND "${program}" --out @OUT@/data --profile ${IMPINGE_PROFILE} ${bones_arguments}
+    COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments}
     SECONDS ${seconds}
     ARTEFACTS ${tables}
     QUESTION "${question}")
@@ -103,7 +100,7 @@ function(impinge_scene name ball socket)
     OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
     DEPENDS "${scene_program}" "${ball}" "${socket}"
     COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --precision 0.5 --cartilage 4
-            --out @OUT@/scenes/${name}
+            --out scenes/${name}
     SECONDS 2 2
     ARTEFACTS scene-${name}
     QUESTION "Where is the joint ${name} impinged?")
@@ -117,7 +114,7 @@ if(TARGET scene AND TARGET make_pair)
     NAME generated-pair KIND data
     OUTPUTS scenes/generated/input/ball.ply scenes/generated/input/socket.ply
     DEPENDS "${pair_program}"
-    COMMAND "${pair_program}" --faces 12000 --out @OUT@/scenes/generated/input
+    COMMAND "${pair_program}" --faces 12000 --out scenes/generated/input
     SECONDS 1 1
     ARTEFACTS generated-pair
     QUESTION "What does the generated ball-and-socket pair look like?")

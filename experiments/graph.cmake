@@ -54,7 +54,7 @@ endfunction()
 # impinge_job(NAME name KIND data|table|figure|verdicts|report|paper [TIMING]
 #   OUTPUTS file...        relative to the results folder; ARTEFACTS names what a reader calls them
 #   DEPENDS file...        absolute, or relative to the results folder
-#   COMMAND word...        @OUT@ stands for a fresh folder laid out as the results folder
+#   COMMAND word...        runs in a fresh folder laid out as the results folder, and writes there
 #   SECONDS quick full     expected on two cores; refined by the times of earlier runs
 #   QUESTION text)
 function(impinge_job)
@@ -99,7 +99,6 @@ function(impinge_job)
   endif()
   string(REPLACE ";" " " command "${job_COMMAND}")
   string(REPLACE "${PROJECT_SOURCE_DIR}/" "" command "${command}")
-  string(REPLACE "@OUT@" "OUT" command "${command}")
   string(JOIN "\t" line ${job_NAME} ${job_KIND} ${quick} ${full} ${timing} "${job_ARTEFACTS}" "${job_OUTPUTS}"
          "${job_DEPENDS}" "${command}" "${job_QUESTION}")
   string(REPLACE "${PROJECT_SOURCE_DIR}/" "" line "${line}")
@@ -110,6 +109,8 @@ endfunction()
 # Called once, after the last job of the last folder.
 function(impinge_write_graph)
   file(COPY_FILE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${IMPINGE_GRAPH_DIR}/jobs.tsv" ONLY_IF_DIFFERENT)
+  # The same graph for asking only: with build.ninja itself, a dry run stops at "would configure again".
+  file(WRITE "${IMPINGE_GRAPH_DIR}/dry.ninja" "include build.ninja\n")
   file(WRITE "${IMPINGE_GRAPH_DIR}/settings"
        "${IMPINGE_RESULTS_DIR}\n${IMPINGE_PROFILE}\n${IMPINGE_BONES}\n")
 endfunction()

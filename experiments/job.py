@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs one job of the graph so that its outputs appear whole, or not at all.
 
-The command writes into a fresh folder (@OUT@ in its words) laid out as the results folder. When it ends well, each declared
+The command runs in a fresh folder laid out as the results folder, and writes there. When it ends well, each declared
 output is renamed into place, except where the bytes are already there: an unchanged file keeps its time stamp, and Ninja
 then leaves out what would follow from it. With --lock, a job run --alone has the machine to itself.
 """
@@ -46,10 +46,10 @@ def machine(lock: Path | None, alone: bool):
         yield
 
 
-def run(command: list[str]) -> int:
+def run(command: list[str], folder: Path) -> int:
     """Runs the command; ends it when the run that started this job is gone (killed, say)."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
-    child = subprocess.Popen(command, start_new_session=True)
+    child = subprocess.Popen(command, cwd=folder, start_new_session=True)
     try:
         while True:
             try:
@@ -80,10 +80,9 @@ def main() -> int:
     shutil.rmtree(staging, ignore_errors=True)
     for output in options.outputs:
         (staging / output).parent.mkdir(parents=True, exist_ok=True)
-    command = [word.replace("@OUT@", str(staging)) for word in options.command]
     with machine(options.lock, options.alone):
         start = time.monotonic()
-        code = run(command)
+        code = run(options.command, staging)
         seconds = time.monotonic() - start
     missing = [output for output in options.outputs if not (staging / output).is_file()]
     if code == 0 and missing:
@@ -94,7 +93,7 @@ def main() -> int:
         options.state.mkdir(parents=True, exist_ok=True)
         (options.state / options.name).write_text(f"{seconds:.2f}\n")
     else:
-        print(f"{options.name}: failed (exit {code}): {' '.join(command)}", file=sys.stderr)
+        print(f"{options.name}: failed (exit {code}): {' '.join(options.command)}", file=sys.stderr)
     shutil.rmtree(staging, ignore_errors=True)
     with contextlib.suppress(OSError):
         staging.parent.rmdir()

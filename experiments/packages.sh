@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by experiments/reproduce and tests/run.
+
+# missing_packages: the packages of experiments/packages that are not installed, on one line.
+missing_packages() {
+  local wanted
+  wanted=$(sed 's/#.*//' "$root/experiments/packages")
+  comm -23 <(tr -s ' \n' '\n' <<<"$wanted" | sed '/^$/d' | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p' | sort -u) | xargs
+}
+
+# install_packages: installs what is missing where that is allowed; otherwise says the one line that does, and returns 1.
+install_packages() {
+  local missing as_root=()
+  missing=$(missing_packages)
+  [[ -z $missing ]] && return 0
+  if [[ $EUID -ne 0 ]]; then
+    if ! sudo -n true 2>/dev/null; then
+      echo "Packages are missing. Install them with:" >&2
+      echo "  sudo apt-get update && sudo apt-get install -y --no-install-recommends $missing" >&2
+      return 1
+    fi
+    as_root=(sudo -n)
+  fi
+  echo "Installing: $missing"
+  "${as_root[@]}" apt-get update -q || return 1
+  # shellcheck disable=SC2086 # one word a package
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+}

@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Asks Ninja for the graph of results and says, in a reader's words, what happens: progress, time left, why, list.
+
+Called by experiments/reproduce. Ninja alone decides what runs; this reads build/.../graph/jobs.tsv (what can be made, with the
+expected seconds), the seconds of earlier runs, and Ninja's own output. Standard library only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import csv
+import os
+import re
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+STATUS = "@@ "  # starts every status line of Ninja, see NINJA_STATUS
+
+
+@dataclass(frozen=True)
+class Job:
+    """One node of the graph: a line of jobs.tsv."""
+
+    name: str
+    kind: str
+    seconds: float
+    timing: bool
+    artefacts: list[str]
+    outputs: list[str]
+    depends: list[str]
+    command: str
+    question: str
+
+    def names(self) -> set[str]:
+        """Everything that a reader may call it."""
+        stems = {Path(output).stem for output in self.outputs}
+        return {self.name, *self.artefacts, *self.outputs, *stems}
+
+
+def load_jobs(build: Path, profile: str) -> dict[str, Job]:
+    """All jobs by name, with the time that each took before, or else the declared one."""
+    jobs = {}
+    for line in (build / "graph" / "jobs.tsv").read_text().splitlines():
+        name, kind, quick, full, timing, artefacts, outputs, depends, command, question = line.split("\t")
+        measured = build / "graph" / profile / name
+        declared = quick if profile == "quick" else full
+        seconds = float(measured.read_text() if measured.is_file() else declared)
+        jobs[name] = Job(name, kind, seconds, timing == "yes", artefacts.split(";"), outputs.split(";"),
+                         depends.split(";"), command, question)
+    return jobs
+
+
+def find(jobs: dict[str, Job], name: str) -> Job:
+    """The job of that name, or that makes the artefact or file of that name."""
+    for job in jobs.values():
+        if name == job.name:
+            return job
+    for job in jobs.values():
+        if name in job.names():
+            return job
+    known = " ".join(sorted({job.name for job in jobs.values()} | {a for job in jobs.values() for a in job.artefacts}))
+    print(f"reproduce: there is no '{name}'. These can be made: {known}", file=sys.stderr)
+    sys.exit(2)
+
+
+def words(seconds: float) -> str:
+    """A duration as a person says it."""
+    if seconds < 1:
+        return "under 1 s"
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds >= 600 else f"{seconds // 60:.0f} min {seconds % 60:.0f} s"
+
+
+def experiments_behind(job: Job, jobs: dict[str, Job]) -> list[str]:
+    """The data jobs that a job rests on, directly or through others; itself if it makes data."""
+    if job.kind == "data":
+        return [job.name]
+    makers = {output: other for other in jobs.values() for output in other.outputs}
+    names: dict[str, None] = {}
+    for file in job.depends:
+        if file in makers:
+            names.update(dict.fromkeys(experiments_behind(makers[file], jobs)))
+    return list(names)
+
+
+def script_of(job: Job) -> str:
+    """The file that one edits to change what the job makes."""
+    for word in job.command.split():
+        if word.startswith(("analysis/", "paper/")):
+            return word
+    return f"experiments/{Path(job.command.split()[0]).name}.cpp"
+
+
+def show_list(jobs: dict[str, Job]) -> None:
+    """Each artefact once."""
+    for job in jobs.values():
+        behind = experiments_behind(job, jobs)
+        for artefact in job.artefacts:
+            print(f"{artefact}\n    {job.question}")
+            print(f"    experiment {', '.join(behind) if len(behind) < 6 else f'all {len(behind)}'}"
+                  f" · script {script_of(job)} · about {words(job.seconds)}{' alone' if job.timing else ''}")
+            print(f"    command    {job.command}")
+
+
+def ninja(build: Path, *arguments: str) -> list[str]:
+    """The command line of Ninja in the build folder."""
+    return ["ninja", "-C", str(build), *arguments]
+
+
+def start(build: Path, arguments: list[str], **environment: str) -> subprocess.Popen:
+    """Starts Ninja; it inherits the lock that experiments/reproduce holds, and keeps it if this process is killed."""
+    return subprocess.Popen(ninja(build, *arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            close_fds=False, env={**os.environ, **environment})
+
+
+def shorten(text: str, build: Path, results: Path) -> str:
+    """Paths as a reader knows them."""
+    source = Path(__file__).resolve().parent.parent
+    for folder, short in ((results, "results"), (build, "build"), (source, "")):
+        text = text.replace(f"{folder}/", f"{short}/" if short else "")
+    return text
+
+
+def why(build: Path, results: Path, job: Job) -> None:
+    """Why Ninja would make the job again: the causes, not what follows from them."""
+    run = subprocess.run(ninja(build, "-f", "graph/dry.ninja", "-n", "-d", "explain", f"result-{job.name}"), capture_output=True, text=True)
+    patterns = [
+        (r"output (\S+) doesn't exist", r"\1 is not there yet"),
+        (r"(?:restat of )?output (\S+) older than most recent input (\S+) .*", r"\2 changed after \1 was made"),
+        (r"command line (?:not found in log )?(?:changed )?for (\S+)", r"the command that makes \1 changed"),
+        (r"(\S+) is dirty", None),
+    ]
+    causes: dict[str, None] = {}
+    for line in (run.stdout + run.stderr).splitlines():
+        if not line.startswith("ninja explain: "):
+            continue
+        text = line.removeprefix("ninja explain: ")
+        for pattern, reason in patterns:
+            match = re.fullmatch(pattern, text)
+            if match and reason and "phony" not in text and "CMakeFiles/result" not in text:
+                causes[shorten(match.expand(reason), build, results)] = None
+                break
+    if "no work to do" in run.stdout or not causes:
+        print(f"{job.name} is up to date.")
+        return
+    print(f"{job.name} would be made again, because:")
+    for cause in causes:
+        print(f"  {cause}")
+
+
+class Progress:
+    """Counts jobs down and estimates the time left from the times of earlier runs."""
+
+    def __init__(self, planned: list[Job], parallel: int):
+        self.left = {job.name: job for job in planned}
+        self.total = len(planned)
+        self.parallel = parallel
+        self.last = time.monotonic()
+        self.terminal = sys.stdout.isatty()
+
+    def seconds_left(self) -> float:
+        """Timings one after another, the rest side by side."""
+        alone = sum(job.seconds for job in self.left.values() if job.kind == "data")
+        shared = sum(job.seconds for job in self.left.values() if job.kind != "data")
+        return max(alone + shared / self.parallel - (time.monotonic() - self.last), 0)
+
+    def started(self, name: str) -> None:
+        """A program with the terminal to itself has begun."""
+        job = self.left[name]
+        print(f"[{self.total - len(self.left) + 1}/{self.total}] {name}: {job.question}"
+              f" (about {words(job.seconds)}; {words(self.seconds_left())} left in all)", flush=True)
+
+    def finished(self, name: str) -> None:
+        """A job has ended."""
+        job = self.left.pop(name)
+        self.last = time.monotonic()
+        if job.kind != "data":
+            print(f"[{self.total - len(self.left)}/{self.total}] {name} ({words(self.seconds_left())} left)", flush=True)
+
+
+def refresh(build: Path) -> None:
+    """Configures again when a CMakeLists.txt, or the set of experiments, changed."""
+    done = subprocess.run(ninja(build, "build.ninja"), capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"reproduce: the configuration failed\n{done.stdout}{done.stderr}")
+
+
+def build_programs(build: Path, jobs: int) -> None:
+    """Compiles what changed; Ninja's own progress is shown, and nothing when there is nothing to do."""
+    process = start(build, ["-j", str(jobs), "programs"], NINJA_STATUS="[%f/%t] ")
+    assert process.stdout
+    lines = collections.deque(maxlen=60)
+    shown = 0.0
+    for line in process.stdout:
+        lines.append(line)
+        if line.startswith("[") and "Re-checking" not in line and (time.monotonic() - shown > 5 or "Linking" in line):
+            print(f"Building {line.strip()}", flush=True)
+            shown = time.monotonic()
+    if process.wait() != 0:
+        print("".join(lines))
+        sys.exit("reproduce: the build failed; see above")
+
+
+def planned_jobs(build: Path, target: str, jobs: dict[str, Job]) -> list[Job]:
+    """What Ninja would run, in its order."""
+    dry = subprocess.run(ninja(build, "-f", "graph/dry.ninja", "-n", target), capture_output=True, text=True,
+                         env={**os.environ, "NINJA_STATUS": STATUS})
+    if dry.returncode != 0:
+        sys.exit(f"reproduce: {dry.stdout}{dry.stderr}")
+    names = [line.removeprefix(STATUS + "job ") for line in dry.stdout.splitlines() if line.startswith(STATUS + "job ")]
+    return [jobs[name] for name in names]
+
+
+def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int:
+    """Runs the graph and relays it."""
+    progress = Progress(planned, parallel)
+    process = start(build, ["-j", str(parallel), target], NINJA_STATUS=STATUS, IMPINGE_RUN_PID=str(os.getpid()))
+    assert process.stdout
+    current = None
+    for line in process.stdout:
+        if not line.startswith(STATUS):
+            if not line.startswith("ninja: "):
+                print(f"    {line}", end="", flush=True)
+            continue
+        if current:  # Ninja goes on: the program on the terminal has ended
+            progress.finished(current)
+            current = None
+        name = line.strip().removeprefix(STATUS + "job ")
+        if name in progress.left:
+            if progress.left[name].kind == "data":
+                current = name
+                progress.started(name)
+            else:
+                progress.finished(name)
+    return process.wait()
+
+
+def closing(results: Path) -> None:
+    """Where the results are, and how the verdicts count."""
+    for name, what in (("report.html", "report"), ("paper.pdf", "paper"), ("verdicts.csv", "verdicts")):
+        if (results / name).is_file():
+            print(f"{what:9}{results / name}")
+    if (results / "verdicts.csv").is_file():
+        with (results / "verdicts.csv").open(newline="") as file:
+            counts = collections.Counter(row["verdict"] for row in csv.DictReader(file))
+        print("verdicts " + ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()))
+
+
+def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, parallel: int) -> int:
+    """Builds, then runs what is not up to date."""
+    target = f"result-{find(jobs, name).name}" if name else "results"
+    try:
+        results.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        print(f"reproduce: --results {results}: {error.strerror}", file=sys.stderr)
+        return 2
+    begin = time.monotonic()
+    build_programs(build, parallel)
+    planned = planned_jobs(build, target, jobs)
+    if not planned:
+        print(f"nothing to do: {name or 'every result'} is up to date in {results}")
+        closing(results)
+        return 0
+    print(f"{len(planned)} of {len(jobs)} jobs to run, about {words(Progress(planned, parallel).seconds_left())}")
+    if run_jobs(build, target, planned, parallel) != 0:
+        print("reproduce: a job failed, see above; what is done stays done, and the next run goes on from there",
+              file=sys.stderr)
+        return 1
+    print(f"done in {words(time.monotonic() - begin)}")
+    closing(results)
+    return 0
+
+
+def main() -> int:
+    """The command line that experiments/reproduce gives."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("action", choices=["run", "list", "why"])
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--results", type=Path, required=True)
+    parser.add_argument("--profile", required=True)
+    parser.add_argument("--jobs", type=int, required=True)
+    parser.add_argument("--name")
+    options = parser.parse_args()
+    refresh(options.build)
+    jobs = load_jobs(options.build, options.profile)
+    if options.action == "list":
+        show_list(jobs)
+    elif options.action == "why":
+        why(options.build, options.results, find(jobs, options.name))
+    else:
+        return run(options.build, options.results, jobs, options.name, options.jobs)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit("\nreproduce: stopped; the next run goes on from here")
