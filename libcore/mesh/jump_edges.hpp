@@ -16,7 +16,7 @@ struct JumpEdge {
   double slope = 0.0;  // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-// mesh in the centre frame. Sorted by vertex indices; sides are decided exactly and orientation of faces is
+// mesh in the centre frame. Sides are decided exactly and orientation of faces is
 // ignored.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
 

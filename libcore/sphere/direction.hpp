@@ -2,8 +2,9 @@
 // A direction is a unit vector from the centre of rotation; its spherical angles are those of the thesis.
 #pragma once
 
-#include <Eigen/Core>
 #include <numbers>
+
+#include <Eigen/Core>
 
 namespace impinge {
 
@@ -19,8 +20,8 @@ struct Angles {
   double theta = 0.0;  // azimuth from +x towards +y, in [0, 2 pi)
 };
 
-// Angles of a nonzero vector of any length. phi comes from atan2(hypot(x, y), z): the arccosine of Eq. 6 loses
-// half of the digits near the poles. theta at a pole is 0.
+// Angles of a nonzero vector of any length. phi comes from atan2(hypot(x, y), z): the arccosine of Eq. 6
+// loses half of the digits near the poles. theta at a pole is 0.
 Angles to_angles(const Vec3& x);
 
 // Unit vector of the given angles (Eq. 5 with d = 1).

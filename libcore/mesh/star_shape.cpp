@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/star_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "sphere/entries_inside.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "sphere/triangle_cone.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kMeasuringPrecision = 0.5;  // degrees
+
+// Does the plane through the origin with the normal a x b (a sign of it) have every corner of `first` on or
+// above it and every corner of `second` on or below it?
+bool separates(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& first,
+               const std::array<Vec3, 3>& second) {
+  for (const int sign : {1, -1}) {
+    const bool above =
+        std::ranges::all_of(first, [&](const Vec3& v) { return sign * orientation(a, b, v) >= 0; });
+    const bool below =
+        std::ranges::all_of(second, [&](const Vec3& v) { return sign * orientation(a, b, v) <= 0; });
+    if (above && below) return true;
+  }
+  return false;
+}
+
+// A cap that holds the directions of a face.
+struct Cap {
+  Vec3 axis;
+  double cos_radius;
+};
+
+Cap cap_of(const std::array<Vec3, 3>& corners) {
+  Cap cap{Vec3::Zero(), 1.0};
+  for (const Vec3& v : corners) cap.axis += v.normalized();
+  cap.axis.normalize();
+  for (const Vec3& v : corners) cap.cos_radius = std::min(cap.cos_radius, cap.axis.dot(v.normalized()));
+  return cap;
+}
+
+bool caps_meet(const Cap& a, const Cap& b) {
+  constexpr double slack = 1e-9;
+  const double sum = std::acos(a.cos_radius) + std::acos(b.cos_radius) + slack;
+  return sum >= kPi || a.axis.dot(b.axis) >= std::cos(sum);
+}
+
+// Faces near each entry of a grid whose cells are about as large as a face: two faces with a common direction
+// are both near the entry that is nearest to it.
+std::vector<std::vector<std::uint32_t>> bucket_faces(const std::vector<TriangleCone>& cones) {
+  const double size_deg = std::sqrt(4.0 * kPi / static_cast<double>(cones.size() + 1)) / kDegree;
+  const Rsid grid = Rsid::with_precision(180.0 / std::round(180.0 / std::clamp(size_deg, 0.5, 30.0)));
+  const Rsid::Walker walker = grid.walker();
+  std::vector<std::vector<std::uint32_t>> buckets(grid.size());
+  for (std::size_t f = 0; f < cones.size(); ++f) {
+    walker.visit_near(cones[f], grid.covering_radius(), [&](const DirectionRun& run) {
+      for (std::size_t k = 0; k < run.count; ++k)
+        buckets[run.first + k].push_back(static_cast<std::uint32_t>(f));
+    });
+  }
+  return buckets;
+}
+
+std::size_t count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
+  std::vector<Cap> caps;
+  for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
+  for (const auto& bucket : bucket_faces(cones)) {
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      for (std::size_t k = i + 1; k < bucket.size(); ++k) {
+        if (caps_meet(caps[bucket[i]], caps[bucket[k]])) near.emplace_back(bucket[i], bucket[k]);
+      }
+    }
+  }
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return static_cast<std::size_t>(std::ranges::count_if(near, [&](const auto& pair) {
+    return cones_overlap(cones[pair.first].corners(), cones[pair.second].corners());
+  }));
+}
+
+// Inside, not on the boundary, so that a ray through an edge counts once at the most.
+bool strictly_inside(const std::array<Vec3, 3>& corners, int side, const Vec3& u) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (side * orientation(corners[k], corners[(k + 1) % 3], u) <= 0) return false;
+  }
+  return true;
+}
+
+void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& report) {
+  const Rsid grid = Rsid::with_precision(kMeasuringPrecision);
+  const Rsid::Walker walker = grid.walker();
+  std::vector<std::uint16_t> inside(grid.size(), 0);
+  std::vector<bool> met(grid.size(), false);
+  for (const TriangleCone& cone : cones) {
+    for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
+      met[entry] = true;
+      if (inside[entry] < UINT16_MAX && strictly_inside(cone.corners(), cone.side(), u)) ++inside[entry];
+    });
+  }
+  double total = 0.0;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const Vec3 u = grid.direction(i);
+    const double weight = std::hypot(u.x(), u.y());  // sin(phi): area of the entry's patch
+    total += weight;
+    if (met[i]) report.covered += weight;
+    if (inside[i] > 1) report.violating += weight;
+  }
+  report.covered /= total;
+  report.violating /= total;
+  report.directions = grid.size();
+}
+
+}  // namespace
+
+double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
+  const double numerator = a.dot(b.cross(c));
+  return 2.0 * std::atan2(numerator, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+// The interiors of two convex cones are disjoint exactly if a plane through the apex separates them. The
+// normals of such planes form a cone themselves, whose extreme rays are normals of an edge plane of either
+// triangle or of a plane through one corner of each: if there is a separating plane, one of these fifteen is.
+bool cones_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (separates(a[k], a[(k + 1) % 3], a, b) || separates(b[k], b[(k + 1) % 3], a, b)) return false;
+  }
+  for (const Vec3& p : a) {
+    for (const Vec3& q : b) {
+      if (p.cross(q).squaredNorm() > 0.0 && separates(p, q, a, b)) return false;
+    }
+  }
+  return true;
+}
+
+StarShapeReport star_shape(const TriangleMesh& mesh) {
+  StarShapeReport report;
+  std::vector<TriangleCone> cones;
+  for (const Face& face : mesh.faces) {
+    const Vec3& a = corner(mesh, face, 0);
+    const Vec3& b = corner(mesh, face, 1);
+    const Vec3& c = corner(mesh, face, 2);
+    const int facing = orientation(a, b, c);
+    ++(facing > 0 ? report.front_facing : facing < 0 ? report.back_facing : report.edge_on);
+    if (facing == 0) continue;
+    report.solid_angle += solid_angle(a, b, c);
+    cones.emplace_back(a, b, c);
+  }
+  report.overlapping_pairs = count_overlapping_pairs(cones);
+  measure_shares(cones, report);
+  const bool one_side = report.edge_on == 0 && (report.front_facing == 0) != (report.back_facing == 0);
+  report.star_shaped = one_side && report.overlapping_pairs == 0;
+  return report;
+}
+
+std::string describe(const StarShapeReport& report) {
+  char line[256];
+  if (report.star_shaped) {
+    std::snprintf(line, sizeof line, "star-shaped about the centre (proven), meets %.1f %% of the directions",
+                  100.0 * report.covered);
+  } else {
+    std::snprintf(line, sizeof line,
+                  "not star-shaped about the centre: %.2f %% of the directions meet it more than once (%zu "
+                  "faces front, "
+                  "%zu back, %zu edge-on; %zu pairs overlap)",
+                  100.0 * report.violating, report.front_facing, report.back_facing, report.edge_on,
+                  report.overlapping_pairs);
+  }
+  return line;
+}
+
+}  // namespace impinge

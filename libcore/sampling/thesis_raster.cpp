@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sampling/thesis_raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "sampling/chart.hpp"
+#include "sampling/rim.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kOnLine = 1e-9;  // of a grid step: a line that close to an edge counts as on it
+
+// The stretch of one grid row inside a triangle, in columns, with the distance at either end.
+struct Span {
+  double left = std::numeric_limits<double>::infinity();
+  double right = -std::numeric_limits<double>::infinity();
+  double left_radius = 0.0;
+  double right_radius = 0.0;
+
+  void include(double column, double radius) {
+    if (column < left) left = column, left_radius = radius;
+    if (column > right) right = column, right_radius = radius;
+  }
+
+  double radius_at(double column) const {
+    if (right <= left) return left_radius;
+    const double share = std::clamp((column - left) / (right - left), 0.0, 1.0);
+    return left_radius + share * (right_radius - left_radius);
+  }
+};
+
+// Where the row phi = `phi` crosses the triangle.
+Span row_span(const ChartTriangle& triangle, double phi, double spacing) {
+  Span span;
+  const double slack = kOnLine * spacing;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ChartPoint& a = triangle[k];
+    const ChartPoint& b = triangle[(k + 1) % 3];
+    if (std::abs(a.phi - phi) <= slack) span.include(a.theta / spacing, a.radius);
+    if (std::min(a.phi, b.phi) < phi - slack && std::max(a.phi, b.phi) > phi + slack) {
+      const double share = (phi - a.phi) / (b.phi - a.phi);
+      span.include((a.theta + share * (b.theta - a.theta)) / spacing,
+                   a.radius + share * (b.radius - a.radius));
+    }
+  }
+  return span;
+}
+
+void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) {
+  const Rsid& scheme = table.scheme();
+  const double spacing = scheme.spacing();
+  const auto columns = static_cast<long>(scheme.columns());
+  const auto [top, bottom] = std::minmax({triangle[0].phi, triangle[1].phi, triangle[2].phi});
+  const auto last_row = std::min(static_cast<std::size_t>(bottom / spacing + kOnLine), scheme.rows() - 1);
+  for (auto i = static_cast<std::size_t>(std::ceil(top / spacing - kOnLine)); i <= last_row; ++i) {
+    const Span span = row_span(triangle, static_cast<double>(i) * spacing, spacing);
+    if (span.left > span.right) continue;
+    const auto last = static_cast<long>(std::floor(span.right + kOnLine));
+    for (auto j = static_cast<long>(std::ceil(span.left - kOnLine)); j <= last; ++j) {
+      const auto column = static_cast<std::size_t>(((j % columns) + columns) % columns);
+      keep(table.radii()[i * scheme.columns() + column], span.radius_at(static_cast<double>(j)), layer);
+    }
+  }
+}
+
+// E1 + E2 of the header for one drawn triangle.
+double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, double largest_slope) {
+  const auto [top, bottom] = std::minmax({triangle[0].phi, triangle[1].phi, triangle[2].phi});
+  const auto [left, right] = std::minmax({triangle[0].theta, triangle[1].theta, triangle[2].theta});
+  const double dphi = bottom - top;
+  const double dtheta = right - left;
+  const bool crosses_equator = top <= kPi / 2.0 && bottom >= kPi / 2.0;
+  const double s = crosses_equator ? 1.0 : std::max(std::sin(top), std::sin(bottom));
+  const double c = std::max(std::abs(std::cos(top)), std::abs(std::cos(bottom)));
+  const double length2 = dphi * dphi + s * s * dtheta * dtheta;
+  const double bend = c * dtheta * std::sqrt(s * s * dtheta * dtheta + 4.0 * dphi * dphi);
+  const double displacement = std::asin(std::min(1.0, (bend + length2) / 8.0));
+  const double psi = std::atan(cone.largest_slope()) + displacement;
+  if (psi >= kPi / 2.0) return std::numeric_limits<double>::infinity();
+  const double slope = std::tan(psi);
+  const double radius = cone.plane_distance() / std::cos(psi);
+  const double interpolation =
+      radius / 8.0 *
+      ((1.0 + 2.0 * slope * slope) * length2 + slope * c * (s * dtheta * dtheta + 2.0 * dtheta * dphi));
+  return interpolation + radius * (slope * displacement + std::expm1(largest_slope * displacement));
+}
+
+TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
+  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
+}
+
+}  // namespace
+
+RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {
+  RadialTable<Rsid> table(scheme);
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    if (cone.edge_on()) continue;
+    for (const ChartTriangle& triangle : chart_triangles(cone)) draw(triangle, layer, table);
+  }
+  mask_rim(mesh, layer, table);
+  return table;
+}
+
+double thesis_raster_bound(const TriangleMesh& mesh) {
+  double slope = 0.0;
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    if (cone.edge_on()) return std::numeric_limits<double>::infinity();
+    slope = std::max(slope, cone.largest_slope());
+  }
+  double bound = 0.0;
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    for (const ChartTriangle& triangle : chart_triangles(cone)) {
+      bound = std::max(bound, triangle_bound(cone, triangle, slope));
+    }
+  }
+  return bound;
+}
+
+}  // namespace impinge

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The radial table, the thesis' look-up table: one radius for each entry of a scheme.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+// Radius of a direction in which there is no surface. It is a NaN, so that no comparison calls it a hit and
+// any interpolation that reads it says "no surface" too.
+inline constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
+
+// Radii in mm. Rim cells, in which the surface ends or jumps, answer kNoSurface: no tap reaches across a rim.
+template <SamplingScheme S>
+class RadialTable {
+ public:
+  // A table without any surface. std::bad_alloc where it does not fit in memory; see bytes().
+  explicit RadialTable(const S& scheme) : scheme_(scheme), radii_(scheme.size(), kNoSurface) {}
+
+  const S& scheme() const { return scheme_; }
+  std::span<const double> radii() const { return radii_; }
+  std::span<double> radii() { return radii_; }
+
+  // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
+  // one bit a cell where a surface has a rim inside the reach of four entries.
+  static std::size_t bytes(const S& scheme) { return scheme.size() * sizeof(double); }
+
+  // Interpolated radius along x (any length above zero), the `smooth` interpolant: linear in r, as in the
+  // thesis.
+  double radius_at(const Vec3& x) const {
+    const Stencil stencil = scheme_.stencil(x);
+    if (is_rim_cell(stencil.cell)) return kNoSurface;
+    double radius = 0.0;
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      // A tap of weight zero does not count: on an entry the entry alone decides.
+      if (stencil.weight[k] > 0.0) radius += stencil.weight[k] * radii_[stencil.entry[k]];
+    }
+    return radius;
+  }
+
+  bool is_rim_cell(std::size_t cell) const {
+    return !rim_.empty() && (rim_[cell / 64] >> (cell % 64) & 1U) != 0U;
+  }
+
+  void mark_rim_cell(std::size_t cell) {
+    if (rim_.empty()) rim_.resize((scheme_.cells() + 63) / 64, 0U);
+    rim_[cell / 64] |= std::uint64_t{1} << (cell % 64);
+  }
+
+ private:
+  S scheme_;
+  std::vector<double> radii_;
+  std::vector<std::uint64_t> rim_;  // one bit a cell, empty where no cell is masked
+};
+
+}  // namespace impinge

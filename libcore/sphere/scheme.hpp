@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sampling scheme: which directions a table samples, and how one is looked up. Adding a scheme is adding
+// one file to sphere/schemes/; the build finds it and every table, test, experiment and plot follows.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+#include "sphere/triangle_cone.hpp"
+
+namespace impinge {
+
+// The entries that an interpolation at one direction reads, with weights that are not negative and sum to 1,
+// and the cell (patch between entries) that holds the direction. Only the first `taps` places count.
+struct Stencil {
+  std::array<std::size_t, 4> entry{};
+  std::array<double, 4> weight{};
+  std::size_t taps = 0;
+  std::size_t cell = 0;
+};
+
+// Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
+// filler tests several at once. Scratch memory of a walker.
+struct DirectionRun {
+  static constexpr std::size_t kMost = 64;
+
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::array<double, kMost> x;
+  std::array<double, kMost> y;
+  std::array<double, kMost> z;
+
+  Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+};
+
+// Visitor of runs, used to state the concept below.
+struct RunVisitor {
+  void operator()(const DirectionRun& run) const;
+};
+
+// A scheme is a regular value type of a few bytes.
+//   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument
+//   if
+//                        there is none, with one line that says why
+//   size(), cells()      number of entries and of cells
+//   direction(i)         unit vector of entry i
+//   stencil(x)           entries round the direction of x, x of any length above zero
+//   covering_radius()    largest angle from any direction to its nearest entry, radians
+//   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
+//   equator_points()     entries on the equator, or those nearest to it that stand for it
+//   walker()             an object whose visit_near(cone, margin, visit) calls visit(run) for runs that hold
+//   every entry
+//                        inside the cone or within `margin` radians of it, and perhaps some outside; each
+//                        once, with the very numbers of direction(i)
+template <class S>
+concept SamplingScheme = std::regular<S> &&
+    requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::label } -> std::convertible_to<std::string_view>;
+  { S::citation } -> std::convertible_to<std::string_view>;
+  { S::with_precision(degrees) } -> std::same_as<S>;
+  { scheme.precision_deg() } -> std::same_as<double>;
+  { scheme.size() } -> std::same_as<std::size_t>;
+  { scheme.cells() } -> std::same_as<std::size_t>;
+  { scheme.direction(i) } -> std::same_as<Vec3>;
+  { scheme.stencil(x) } -> std::same_as<Stencil>;
+  { scheme.covering_radius() } -> std::same_as<double>;
+  { scheme.stencil_radius() } -> std::same_as<double>;
+  { scheme.equator_points() } -> std::same_as<std::size_t>;
+  scheme.walker().visit_near(TriangleCone(x, x, x), degrees, RunVisitor{});
+};
+
+}  // namespace impinge

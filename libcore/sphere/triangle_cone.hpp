@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A face as the centre sees it: the cone of directions that meet it, and the radius along each.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+
+#include "sphere/orientation.hpp"
+
+namespace impinge {
+
+// Corners a, b, c in the centre frame (mm). The face may be front-facing (normal away from the centre, a
+// ball) or back-facing (normal towards it, a socket); both are met alike.
+class TriangleCone {
+ public:
+  TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c)
+      : corner_{a, b, c},
+        side_(orientation(a, b, c)),
+        normal_(side_ * (b - a).cross(c - a)),
+        offset_(normal_.dot(a)),
+        largest_radius_(std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& from = corner_[k];
+      const Vec3& to = corner_[(k + 1) % 3];
+      edge_plane_[k] = side_ * from.cross(to);
+      doubt_[k] = kPlaneTestError * from.norm() * to.norm();
+    }
+  }
+
+  // The plane of the face passes through the centre, exactly: no direction meets its inside in one point.
+  bool edge_on() const { return side_ == 0; }
+
+  // +1 front-facing, -1 back-facing, 0 edge-on.
+  int side() const { return side_; }
+
+  const std::array<Vec3, 3>& corners() const { return corner_; }
+
+  // Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
+  // vertex at least one answers yes.
+  bool contains(const Vec3& u) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double distance = edge_plane_[k].dot(u);
+      if (distance < -doubt_[k]) return false;
+      if (distance <= doubt_[k] && side_ * orientation(corner_[k], corner_[(k + 1) % 3], u) < 0) return false;
+    }
+    return true;
+  }
+
+  // Least of the three edge plane tests for u = (x, y, z): above `doubt()` the cone contains u, below
+  // -doubt() it does not, and in between contains() decides. For loops over many directions.
+  double least_edge_distance(double x, double y, double z) const {
+    const double e0 = edge_plane_[0].x() * x + edge_plane_[0].y() * y + edge_plane_[0].z() * z;
+    const double e1 = edge_plane_[1].x() * x + edge_plane_[1].y() * y + edge_plane_[1].z() * z;
+    const double e2 = edge_plane_[2].x() * x + edge_plane_[2].y() * y + edge_plane_[2].z() * z;
+    const double least = e0 < e1 ? e0 : e1;
+    return least < e2 ? least : e2;
+  }
+  double doubt() const { return std::max({doubt_[0], doubt_[1], doubt_[2]}); }
+
+  // Distance of the centre from the plane of the face, mm.
+  double plane_distance() const { return offset_ / normal_.norm(); }
+
+  // r = n.v0 / (n.u) along a unit u that the cone contains (mm). Never above the farthest corner, which only
+  // matters where u grazes the face and n.u is rounding noise.
+  double radius(const Vec3& u) const { return offset_ / std::max(normal_.dot(u), offset_ / largest_radius_); }
+
+  // Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below
+  // a limit form a convex cone, so that the largest is at a corner. This is |grad r| / r on the unit sphere.
+  double largest_slope() const {
+    double slope = 0.0;
+    for (const Vec3& v : corner_) slope = std::max(slope, normal_.cross(v).norm() / normal_.dot(v));
+    return slope;
+  }
+
+ private:
+  std::array<Vec3, 3> corner_;
+  int side_;
+  Vec3 normal_;  // turned so that offset_ > 0
+  double offset_;
+  double largest_radius_;
+  std::array<Vec3, 3> edge_plane_;
+  std::array<double, 3> doubt_{};
+};
+
+}  // namespace impinge
