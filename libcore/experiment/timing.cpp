@@ -89,6 +89,13 @@ bool TimingRun::inconclusive(const Timing& timing) const {
          timing.summary.iqr > options.max_spread * timing.summary.median;
 }
 
+const Timing& find(const TimingRun& run, const std::vector<Cell>& key) {
+  for (const Timing& timing : run.timings) {
+    if (key_text(timing.key) == key_text(key)) return timing;
+  }
+  throw std::out_of_range(key_text(key) + ": no such timing");
+}
+
 TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
                           Progress& progress) {
   TimingRun result;

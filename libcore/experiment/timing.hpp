@@ -30,6 +30,9 @@ struct TimingRun {
   TimingOptions options;
 };
 
+// The timing of a case. Throws std::out_of_range for a key that was not measured.
+const Timing& find(const TimingRun& run, const std::vector<Cell>& key);
+
 // Verifies, warms up, then times. Throws std::invalid_argument for bad cases (see check_cases); whatever
 // verify or run throws ends the measurement.
 TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,

@@ -5,6 +5,42 @@
 #include <utility>
 
 namespace impinge {
+namespace {
+
+void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
+  if (std::abs(run.control_ratio - 1.0) > run.options.max_control_off) {
+    progress.say("warning: inconclusive, the control (" + key_text(run.control.key) +
+                 " against itself) is off by " + std::to_string(100.0 * std::abs(run.control_ratio - 1.0)) +
+                 " %: the machine is busy");
+    return;
+  }
+  for (const Timing& timing : run.timings) {
+    if (!run.inconclusive(timing)) continue;
+    progress.say("warning: " + key_text(timing.key) + " is inconclusive: its interquartile range is " +
+                 std::to_string(100.0 * timing.summary.iqr / timing.summary.median) + " % of its median");
+  }
+}
+
+}  // namespace
+
+std::vector<Column> timing_columns(std::vector<Column> key_columns) {
+  key_columns.push_back({"median_ms", "ms", "median over the rounds, wall clock"});
+  key_columns.push_back({"iqr_ms", "ms", "interquartile range over the rounds; empty when extrapolated"});
+  key_columns.push_back({"rounds", "1", "rounds measured; 0 when extrapolated"});
+  key_columns.push_back({"extrapolated", "", "yes: scaled from a smaller measurement, see the parameters"});
+  return key_columns;
+}
+
+std::vector<Cell> timing_cells(const Timing& timing) {
+  std::vector<Cell> row = timing.key;
+  row.insert(row.end(), {timing.summary.median, timing.summary.iqr, timing.summary.count, false});
+  return row;
+}
+
+std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms) {
+  key.insert(key.end(), {median_ms, Cell(), 0, true});
+  return key;
+}
 
 Table samples_table(std::vector<Column> key_columns, const TimingRun& run) {
   Table table{std::move(key_columns), {}};
@@ -44,18 +80,16 @@ nlohmann::json timing_record(const TimingRun& run) {
   return record;
 }
 
-void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
-  if (std::abs(run.control_ratio - 1.0) > run.options.max_control_off) {
-    progress.say("warning: inconclusive, the control (" + key_text(run.control.key) +
-                 " against itself) is off by " + std::to_string(100.0 * std::abs(run.control_ratio - 1.0)) +
-                 " %: the machine is busy");
-    return;
-  }
-  for (const Timing& timing : run.timings) {
-    if (!run.inconclusive(timing)) continue;
-    progress.say("warning: " + key_text(timing.key) + " is inconclusive: its interquartile range is " +
-                 std::to_string(100.0 * timing.summary.iqr / timing.summary.median) + " % of its median");
-  }
+void write_timed(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                 const TimingRun& run) {
+  result.timing = timing_record(run);
+  driver.write(result);
+  Result samples = result;
+  samples.name += "_samples";
+  samples.question = "Which samples are behind " + result.name + "?";
+  samples.table = samples_table(key_columns, run);
+  driver.write(samples);
+  warn_if_inconclusive(run, driver.progress);
 }
 
 }  // namespace impinge

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a measurement leaves in the results: its raw samples and the record of its protocol.
+// What a measurement leaves in the results: a table of medians, its raw samples and the record of its
+// protocol.
 #pragma once
 
 #include <vector>
@@ -7,9 +8,19 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/csv.hpp"
+#include "experiment/driver.hpp"
 #include "experiment/timing.hpp"
 
 namespace impinge {
+
+// The given columns for the keys of the cases, then median_ms, iqr_ms, rounds and extrapolated.
+std::vector<Column> timing_columns(std::vector<Column> key_columns);
+
+// Cells of such a row: key, median, IQR, rounds, no.
+std::vector<Cell> timing_cells(const Timing& timing);
+
+// The same for a value that was scaled from a smaller measurement: no IQR, no rounds, yes.
+std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms);
 
 // One row a round: the key of the case under the given columns, then round (from 1) and ms (a unit of work).
 Table samples_table(std::vector<Column> key_columns, const TimingRun& run);
@@ -17,7 +28,9 @@ Table samples_table(std::vector<Column> key_columns, const TimingRun& run);
 // For the sidecar: protocol, batch of each case, control case with its samples and ratio, inconclusive cases.
 nlohmann::json timing_record(const TimingRun& run);
 
-// One warning a case that is inconclusive, and one for a control that is off.
-void warn_if_inconclusive(const TimingRun& run, Progress& progress);
+// Writes the result with its record of timing, then the samples behind it as NAME_samples, and warns of every
+// case that is inconclusive.
+void write_timed(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                 const TimingRun& run);
 
 }  // namespace impinge
