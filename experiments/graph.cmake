@@ -73,9 +73,8 @@ function(impinge_job)
   if(job_TIMING)
     list(APPEND options --alone)
   endif()
-  set(terminal "")
   if(job_KIND STREQUAL "data")
-    set(terminal USES_TERMINAL)
+    list(APPEND options --talks)
     separate_arguments(launcher UNIX_COMMAND "${IMPINGE_LAUNCHER}")
     list(PREPEND job_COMMAND ${launcher})
   endif()
@@ -84,7 +83,7 @@ function(impinge_job)
     COMMAND "${Python3_EXECUTABLE}" "${IMPINGE_JOB_RUNNER}" ${options} --outputs ${job_OUTPUTS} -- ${job_COMMAND}
     DEPENDS ${depends}
     COMMENT "job ${job_NAME}"
-    VERBATIM ${terminal})
+    VERBATIM)
   add_custom_target(result-${job_NAME} DEPENDS ${outputs})
   add_dependencies(results result-${job_NAME})
   if(job_TIMING) # no compiler beside a stopwatch
@@ -110,7 +109,7 @@ endfunction()
 function(impinge_write_graph)
   file(COPY_FILE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${IMPINGE_GRAPH_DIR}/jobs.tsv" ONLY_IF_DIFFERENT)
   # The same graph for asking only: with build.ninja itself, a dry run stops at "would configure again".
-  file(WRITE "${IMPINGE_GRAPH_DIR}/dry.ninja" "include build.ninja\n")
+  file(WRITE "${IMPINGE_GRAPH_DIR}/ask.ninja" "include build.ninja\n")
   file(WRITE "${IMPINGE_GRAPH_DIR}/settings"
        "${IMPINGE_RESULTS_DIR}\n${IMPINGE_PROFILE}\n${IMPINGE_BONES}\n")
 endfunction()

@@ -112,9 +112,9 @@ def ninja(build: Path, *arguments: str) -> list[str]:
     return ["ninja", "-C", str(build), *arguments]
 
 
-def start(build: Path, arguments: list[str], **environment: str) -> subprocess.Popen:
+def start(build: Path, arguments: list[str], output, **environment: str) -> subprocess.Popen:
     """Starts Ninja; it inherits the lock that experiments/reproduce holds, and keeps it if this process is killed."""
-    return subprocess.Popen(ninja(build, *arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    return subprocess.Popen(ninja(build, *arguments), stdout=output, stderr=subprocess.STDOUT, text=True,
                             close_fds=False, env={**os.environ, **environment})
 
 
@@ -128,7 +128,7 @@ def shorten(text: str, build: Path, results: Path) -> str:
 
 def why(build: Path, results: Path, job: Job) -> None:
     """Why Ninja would make the job again: the causes, not what follows from them."""
-    run = subprocess.run(ninja(build, "-f", "graph/dry.ninja", "-n", "-d", "explain", f"result-{job.name}"), capture_output=True, text=True)
+    run = subprocess.run(ninja(build, "-f", "graph/ask.ninja", "-n", "-d", "explain", f"result-{job.name}"), capture_output=True, text=True)
     patterns = [
         (r"output (\S+) doesn't exist", r"\1 is not there yet"),
         (r"(?:restat of )?output (\S+) older than most recent input (\S+) .*", r"\2 changed after \1 was made"),
@@ -154,33 +154,39 @@ def why(build: Path, results: Path, job: Job) -> None:
 
 
 class Progress:
-    """Counts jobs down and estimates the time left from the times of earlier runs."""
+    """Follows the jobs and estimates the time left from the times of earlier runs."""
 
     def __init__(self, planned: list[Job], parallel: int):
         self.left = {job.name: job for job in planned}
+        self.running: dict[str, float] = {}  # name to when it started
         self.total = len(planned)
         self.parallel = parallel
-        self.last = time.monotonic()
-        self.terminal = sys.stdout.isatty()
 
     def seconds_left(self) -> float:
         """Timings one after another, the rest side by side."""
-        alone = sum(job.seconds for job in self.left.values() if job.kind == "data")
-        shared = sum(job.seconds for job in self.left.values() if job.kind != "data")
-        return max(alone + shared / self.parallel - (time.monotonic() - self.last), 0)
+        left = {True: 0.0, False: 0.0}
+        for job in self.left.values():
+            elapsed = time.monotonic() - self.running[job.name] if job.name in self.running else 0.0
+            left[job.timing] += max(job.seconds - elapsed, 0)
+        return left[True] + left[False] / self.parallel
 
-    def started(self, name: str) -> None:
-        """A program with the terminal to itself has begun."""
-        job = self.left[name]
-        print(f"[{self.total - len(self.left) + 1}/{self.total}] {name}: {job.question}"
-              f" (about {words(job.seconds)}; {words(self.seconds_left())} left in all)", flush=True)
-
-    def finished(self, name: str) -> None:
-        """A job has ended."""
-        job = self.left.pop(name)
-        self.last = time.monotonic()
-        if job.kind != "data":
-            print(f"[{self.total - len(self.left)}/{self.total}] {name} ({words(self.seconds_left())} left)", flush=True)
+    def hear(self, event: str) -> None:
+        """One line from a job: start NAME, say NAME TEXT or end NAME."""
+        kind, name, *text = event.rstrip("\n").split(" ", 2)
+        if name not in self.left:
+            return
+        if kind == "start":
+            self.running[name] = time.monotonic()
+            if self.left[name].kind == "data":
+                print(f"        {name}: {self.left[name].question} (about {words(self.left[name].seconds)})", flush=True)
+        elif kind == "say":
+            print("        " + "".join(text), flush=True)
+        elif kind == "end":
+            job = self.left.pop(name)
+            took = time.monotonic() - self.running.pop(name)
+            done = f"[{self.total - len(self.left)}/{self.total}]"
+            rest = f"; {words(self.seconds_left())} left" if self.left else ""
+            print(f"{done:8}{name} done in {words(took)}{rest}", flush=True)
 
 
 def refresh(build: Path) -> None:
@@ -192,7 +198,7 @@ def refresh(build: Path) -> None:
 
 def build_programs(build: Path, jobs: int) -> None:
     """Compiles what changed; Ninja's own progress is shown, and nothing when there is nothing to do."""
-    process = start(build, ["-j", str(jobs), "programs"], NINJA_STATUS="[%f/%t] ")
+    process = start(build, ["-j", str(jobs), "programs"], subprocess.PIPE, NINJA_STATUS="[%f/%t] ")
     assert process.stdout
     lines = collections.deque(maxlen=60)
     shown = 0.0
@@ -208,7 +214,7 @@ def build_programs(build: Path, jobs: int) -> None:
 
 def planned_jobs(build: Path, target: str, jobs: dict[str, Job]) -> list[Job]:
     """What Ninja would run, in its order."""
-    dry = subprocess.run(ninja(build, "-f", "graph/dry.ninja", "-n", target), capture_output=True, text=True,
+    dry = subprocess.run(ninja(build, "-f", "graph/ask.ninja", "-n", target), capture_output=True, text=True,
                          env={**os.environ, "NINJA_STATUS": STATUS})
     if dry.returncode != 0:
         sys.exit(f"reproduce: {dry.stdout}{dry.stderr}")
@@ -217,27 +223,23 @@ def planned_jobs(build: Path, target: str, jobs: dict[str, Job]) -> list[Job]:
 
 
 def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int:
-    """Runs the graph and relays it."""
+    """Runs the graph and tells what the jobs tell; Ninja's own output is kept for a failure."""
     progress = Progress(planned, parallel)
-    process = start(build, ["-j", str(parallel), target], NINJA_STATUS=STATUS, IMPINGE_RUN_PID=str(os.getpid()))
-    assert process.stdout
-    current = None
-    for line in process.stdout:
-        if not line.startswith(STATUS):
-            if not line.startswith("ninja: "):
-                print(f"    {line}", end="", flush=True)
-            continue
-        if current:  # Ninja goes on: the program on the terminal has ended
-            progress.finished(current)
-            current = None
-        name = line.strip().removeprefix(STATUS + "job ")
-        if name in progress.left:
-            if progress.left[name].kind == "data":
-                current = name
-                progress.started(name)
-            else:
-                progress.finished(name)
-    return process.wait()
+    read, write = os.pipe()
+    os.set_inheritable(write, True)
+    log = build / "graph" / "ninja.log"
+    with log.open("w") as output:
+        process = start(build, ["-j", str(parallel), target], output, IMPINGE_RUN_PID=str(os.getpid()),
+                        IMPINGE_EVENTS=str(write))
+    os.close(write)
+    with os.fdopen(read, errors="replace") as events:
+        for event in events:
+            progress.hear(event)
+    code = process.wait()
+    if code != 0:
+        _, _, failure = log.read_text(errors="replace").partition("FAILED: ")
+        print("\n".join(failure.splitlines()[2:42]), file=sys.stderr)
+    return code
 
 
 def closing(results: Path) -> None:

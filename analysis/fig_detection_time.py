@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Time to test one pose against the number of triangles, ours and Table 4 of the thesis. From data/detection_time.csv."""
+
+import common
+import log_plot
+import timing
+
+
+def main() -> None:
+    """Writes figures/detection-time.svg, .png and .pdf."""
+    options = common.arguments(__doc__)
+    lines = timing.compare(options.results, timing.TABLE_4)
+    ticks = {n: f"{n:,.0f}" for n in lines.triangles.unique()}
+    figure = log_plot.draw(lines, "triangles", ticks, "triangles a model", "Testing one pose for impingement")
+    common.save_figure(figure, options.out, "detection-time")
+
+
+common.run(main)

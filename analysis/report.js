@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filters of the verdict table: artefact, verdict, and free text.
+"use strict";
+const rows = [...document.querySelectorAll("#verdicts tbody tr")];
+const artefact = document.getElementById("filter-artefact");
+const verdict = document.getElementById("filter-verdict");
+const text = document.getElementById("filter-text");
+const count = document.getElementById("count");
+
+function matches(row) {
+  return (!artefact.value || row.dataset.artefact === artefact.value) &&
+    (!verdict.value || row.dataset.verdict === verdict.value) &&
+    row.textContent.toLowerCase().includes(text.value.toLowerCase());
+}
+
+function show() {
+  rows.forEach((row) => { row.hidden = !matches(row); });
+  count.textContent = `${rows.filter((row) => !row.hidden).length} of ${rows.length} rows`;
+}
+
+[artefact, verdict].forEach((choice) => choice.addEventListener("change", show));
+text.addEventListener("input", show);
+show();

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A timing table of the thesis beside ours: times, and ratios to the thesis' own method, which is what can be compared."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+
+@dataclass(frozen=True)
+class TimingTable:
+    """What tells one timing table from another."""
+
+    artefact: str  # of the thesis
+    data: str  # name of our CSV
+    key: str  # its column that names the row
+    row_title: str
+    row_format: str  # of the key, in LaTeX
+
+
+TABLE_3 = TimingTable("table-3", "sampling_time", "precision_deg", "Precision", "{:g}\\textdegree")
+TABLE_4 = TimingTable("table-4", "detection_time", "triangles", "Triangles a model", "{:,.0f}")
+REFERENCE = "rsid"  # the thesis' name of its own method: every ratio is to it
+
+
+def thesis_times(table: TimingTable) -> dict[tuple[float, str], float]:
+    """Milliseconds by row and by the thesis' column; NaN where it prints N/A."""
+    values = common.thesis(table.artefact)
+    return {(common.number(v.row), v.column): common.number(v.value) for v in values.itertuples()}
+
+
+def compare(results: Path, table: TimingTable) -> pd.DataFrame:
+    """One row for each row of the table and method: thesis and measured time, and both as ratios to the reference."""
+    ours = common.load(results, table.data)
+    theirs = thesis_times(table)
+    column_of = {method: column for column, method in common.counterparts(table.artefact).items()}
+    reference = common.counterparts(table.artefact)[REFERENCE]
+    times = {(row[table.key], row["method"]): row for _, row in ours.iterrows()}
+    lines = []
+    for (key, method), row in times.items():
+        column = column_of.get(method, "")
+        base = times.get((key, reference))
+        thesis_ms = theirs.get((key, column), math.nan)
+        lines.append({
+            table.key: key, "method": method, "thesis_column": column, "thesis_ms": thesis_ms,
+            "measured_ms": row.median_ms, "iqr_ms": row.iqr_ms, "extrapolated": row.extrapolated,
+            "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
+            "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
+        })
+    order = {key: position for position, key in enumerate(dict.fromkeys(key for key, _ in theirs))}
+    return pd.DataFrame(lines).sort_values(table.key, key=lambda keys: keys.map(order), kind="stable", ignore_index=True)
+
+
+def latex(lines: pd.DataFrame, table: TimingTable) -> str:
+    """Times above, ratios below; a dagger marks what is extrapolated from a smaller run."""
+    methods = list(dict.fromkeys(lines.method))
+    with_thesis = set(lines.loc[lines.thesis_column != "", "method"])
+    spans, rules, titles, column = [], [], [], 2
+    for method in methods:
+        width = 2 if method in with_thesis else 1
+        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{_short(method)}}}")
+        rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
+        titles.append("thesis & here" if width == 2 else "here")
+        column += width
+    head = [f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}", "\\toprule",
+            " & ".join(["", *spans]) + " \\\\", "".join(rules),
+            " & ".join([table.row_title, *titles]) + " \\\\"]
+    body = []
+    for title, theirs, ours in (("time, ms", "thesis_ms", "measured_ms"),
+                                ("relative to RSID", "thesis_ratio", "measured_ratio")):
+        body += ["\\midrule", f"\\multicolumn{{{column - 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
+        for key, group in lines.groupby(table.key, sort=False):
+            cells = [table.row_format.format(key)]
+            for method in methods:
+                line = group[group.method == method]
+                if method in with_thesis:
+                    cells.append(_printed(line[theirs]) if theirs == "thesis_ms" else _cell(line[theirs]))
+                cells.append(_cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else ""))
+            body.append(" & ".join(cells) + " \\\\")
+    return "\n".join(head + body + ["\\bottomrule", "\\end{tabular}"]) + "\n"
+
+
+def _short(method: str) -> str:
+    """A heading that fits over two columns of numbers: broken at the comma."""
+    lines = common.label(method).split(", ")
+    return lines[0] if len(lines) == 1 else "\\shortstack{" + "\\\\".join(lines) + "}"
+
+
+def _printed(values: pd.Series) -> str:
+    """The thesis' own digits, or a dash for its N/A."""
+    return f"{values.iloc[0]:,.10g}" if len(values) and math.isfinite(values.iloc[0]) else "---"
+
+
+def _cell(values: pd.Series) -> str:
+    """A number for reading, or a dash for none."""
+    return (common.digits(values.iloc[0]) if len(values) else "") or "---"
