@@ -62,13 +62,18 @@ void count_edges(const EdgeList& list, MeshReport& report) {
   }
 }
 
-void count_components(const TriangleMesh& mesh, const EdgeList& list, MeshReport& report) {
-  DisjointSets sets(mesh.faces.size());
-  for (std::size_t e = 0; e < list.size(); ++e) {
-    for (const HalfEdge h : list[e]) sets.join(list[e].front().face, h.face, false);
+void count_components(const TriangleMesh& mesh, MeshReport& report) {
+  DisjointSets sets(mesh.vertices.size());
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    if (!has_three_corners(mesh, face)) continue;
+    for (const VertexIndex v : face) {
+      sets.join(face[0], v, false);
+      used[v] = true;
+    }
   }
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (has_three_corners(mesh, mesh.faces[f]) && sets.find(f).root == f) ++report.components;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (used[v] && sets.find(v).root == v) ++report.components;
   }
 }
 
@@ -114,7 +119,7 @@ MeshReport validate(const TriangleMesh& mesh) {
   count_faces(mesh, report);
   const EdgeList list = edges(mesh);
   count_edges(list, report);
-  count_components(mesh, list, report);
+  count_components(mesh, report);
   count_flips(mesh, list, report);
   const bool one_orientation = report.orientable && report.flipped_faces == 0;
   if (report.closed() && one_orientation && report.non_finite_vertices == 0) {

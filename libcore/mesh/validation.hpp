@@ -23,7 +23,7 @@ struct MeshReport {
   std::size_t flipped_faces = 0;          // see below
   std::size_t non_manifold_edges = 0;     // with three faces or more
   std::size_t boundary_edges = 0;         // with one face
-  std::size_t components = 0;             // faces connected through edges
+  std::size_t components = 0;             // faces connected through vertices
   bool orientable = true;                 // false: some faces cannot agree (Moebius strip)
   std::optional<double> volume;           // signed, mm^3; closed meshes of one orientation only
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What assimp does not look at: whether a mesh file is whole. Each check walks through all the bytes of a
+// file, holds the counts that its header declares against what follows, and every index against the number of
+// vertices, before anything is allocated. All of them throw MeshFileError.
+//
+// Left to itself, assimp 5.2
+// * allocates the counts that a header declares (4e9 vertices in a PLY file of 200 bytes: 48 GB);
+// * reads a binary PLY cut at any place, with indices far outside of the mesh for the missing faces, and an
+// ascii PLY
+//   or OFF one with empty faces and vertices at the origin; an ascii STL file that is cut makes it leak
+//   memory;
+// * reads an OBJ file cut at most places, and opens the material library that the file names;
+// * turns indices of an OFF file that are out of range into the last vertex, leaves out its polygons of more
+// than nine
+//   corners, and takes its comments for data.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace impinge {
+
+// What a reader must find in the file.
+struct MeshFileContent {
+  std::optional<std::size_t> vertices;  // if the format lists them
+  std::size_t polygons = 0;             // faces of three corners or more
+};
+
+// Binary (both byte orders) and ascii. A cut at any byte is found, except within the last number of an ascii
+// file (a last line without line end is legal).
+MeshFileContent check_ply(const std::filesystem::path& file, std::string_view bytes);
+
+// Binary: the size must be 84 + 50 n bytes. Ascii: complete facets, and endsolid at the end.
+MeshFileContent check_stl(const std::filesystem::path& file, std::string_view bytes);
+
+// Text with the keyword OFF, COFF, NOFF or STOFF; cuts are found as in ascii PLY. Comments are blanked out in
+// `bytes`.
+MeshFileContent check_off(const std::filesystem::path& file, std::string& bytes);
+
+// OBJ declares no counts: a file cut between two lines reads as a smaller mesh, which validate() shows as
+// boundary edges. A cut within a line is found when it leaves an incomplete line or vertices that no face
+// uses. All but the v and f records (positions and faces) is blanked out in `bytes`.
+MeshFileContent check_obj(const std::filesystem::path& file, std::string& bytes);
+
+}  // namespace impinge

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mesh formats that can be read and written.
+#pragma once
+
+#include <filesystem>
+
+namespace impinge {
+
+enum class MeshFormat { ply, stl, obj, off };
+
+// Of the extension, in any case. Throws MeshFileError for another one.
+MeshFormat mesh_format(const std::filesystem::path& file);
+
+}  // namespace impinge

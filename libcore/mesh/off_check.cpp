@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "mesh/file_checks.hpp"
+#include "mesh/file_error.hpp"
+#include "mesh/text_scan.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string_view>;
+
+void blank_comments(std::string& bytes) {
+  bool comment = false;
+  for (char& c : bytes) {
+    if (c == '#') comment = true;
+    if (c == '\n') comment = false;
+    if (comment) c = ' ';
+  }
+}
+
+[[noreturn]] void throw_damaged(const fs::path& file, const char* what, std::int64_t i, std::int64_t n) {
+  throw MeshFileError(file,
+                      std::string("ends within or cannot be read at ") + what + ' ' + std::to_string(i) +
+                          " of the " + std::to_string(n) + " declared, it is cut short or damaged",
+                      "export or copy it again");
+}
+
+// Are the first n words there, and numbers?
+bool has_numbers(const Words& words, std::size_t n) {
+  return words.size() >= n && std::all_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(n),
+                                          [](std::string_view w) { return to_number(w).has_value(); });
+}
+
+// Numbers of vertices, faces and edges; on the line of the keyword or on the next.
+std::array<std::int64_t, 3> counts(const fs::path& file, LineScanner& lines) {
+  Words words = lines.next_words();
+  constexpr std::array<std::string_view, 5> kKeywords{"OFF", "COFF", "NOFF", "CNOFF", "STOFF"};
+  if (words.empty() || std::ranges::find(kKeywords, words[0]) == kKeywords.end()) {
+    throw MeshFileError(file, "is no OFF file, it does not begin with OFF", "export it again");
+  }
+  words.erase(words.begin());
+  if (words.empty()) words = lines.next_words();
+  std::array<std::int64_t, 3> n{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<std::int64_t> count = k < words.size() ? to_integer(words[k]) : std::nullopt;
+    if (!count || *count < 0) {
+      throw MeshFileError(file,
+                          "has no counts of vertices, faces and edges behind OFF (binary OFF is not read)",
+                          "export it again, as text");
+    }
+    n[k] = *count;
+  }
+  return n;
+}
+
+bool is_face(const Words& words, std::int64_t vertices) {
+  const std::optional<std::int64_t> n = words.empty() ? std::nullopt : to_integer(words[0]);
+  if (!n || *n < 0 || static_cast<std::size_t>(*n) >= words.size()) return false;
+  return std::all_of(words.begin() + 1, words.begin() + 1 + *n, [vertices](std::string_view word) {
+    const std::optional<std::int64_t> v = to_integer(word);
+    return v && *v >= 0 && *v < vertices;
+  });
+}
+
+}  // namespace
+
+MeshFileContent check_off(const fs::path& file, std::string& bytes) {
+  blank_comments(bytes);
+  LineScanner lines(bytes);
+  const auto [vertices, faces, edges] = counts(file, lines);
+  for (std::int64_t i = 0; i < vertices; ++i) {
+    if (!has_numbers(lines.next_words(), 3)) throw_damaged(file, "vertex", i, vertices);
+  }
+  MeshFileContent content{static_cast<std::size_t>(vertices), 0};
+  for (std::int64_t i = 0; i < faces; ++i) {
+    const Words& words = lines.next_words();
+    if (!is_face(words, vertices)) throw_damaged(file, "face", i, faces);
+    if (*to_integer(words[0]) >= 3) ++content.polygons;
+  }
+  if (content.polygons == 0)
+    throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+  return content;
+}
+
+}  // namespace impinge

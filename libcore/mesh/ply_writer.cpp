@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/ply_writer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <concepts>
+#include <stdexcept>
+#include <string>
+
+#include "mesh/file_bytes.hpp"
+#include "mesh/file_error.hpp"
+
+namespace impinge {
+namespace {
+
+template <std::unsigned_integral Bits>
+void append_bits(std::string& bytes, Bits bits) {
+  for (std::size_t k = 0; k < sizeof bits; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 0xffU));
+}
+
+void append(std::string& bytes, double x) { append_bits(bytes, std::bit_cast<std::uint64_t>(x)); }
+void append(std::string& bytes, float x) { append_bits(bytes, std::bit_cast<std::uint32_t>(x)); }
+
+struct VertexData {
+  std::string_view property;
+  std::span<const double> values;
+  std::span<const Rgb> colours;
+};
+
+std::string header(const TriangleMesh& mesh, const VertexData& data) {
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment lengths in millimetres\n";
+  text += "element vertex " + std::to_string(mesh.vertices.size()) + '\n';
+  text += "property double x\nproperty double y\nproperty double z\n";
+  if (!data.property.empty()) {
+    text += "property double " + std::string(data.property) + '\n';
+    text += "property float quality\nproperty float u\nproperty float v\n";
+  }
+  if (!data.colours.empty()) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  text += "element face " + std::to_string(mesh.faces.size()) + '\n';
+  return text + "property list uchar int vertex_indices\nend_header\n";
+}
+
+void append_vertex(std::string& bytes, const Vec3& v, const VertexData& data, std::size_t i) {
+  for (int k = 0; k < 3; ++k) append(bytes, v[k]);
+  if (!data.property.empty()) {
+    append(bytes, data.values[i]);
+    append(bytes, static_cast<float>(data.values[i]));  // quality
+    append(bytes, static_cast<float>(data.values[i]));  // u
+    append(bytes, 0.0F);                                // v
+  }
+  if (!data.colours.empty()) {
+    for (const std::uint8_t c : data.colours[i]) bytes.push_back(static_cast<char>(c));
+  }
+}
+
+void write(const std::filesystem::path& file, const TriangleMesh& mesh, const VertexData& data) {
+  std::string bytes = header(mesh, data);
+  bytes.reserve(bytes.size() + 47 * mesh.vertices.size() + 13 * mesh.faces.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) append_vertex(bytes, mesh.vertices[i], data, i);
+  for (const Face& face : mesh.faces) {
+    bytes.push_back(3);
+    for (const VertexIndex v : face) {
+      if (v >= mesh.vertices.size()) {
+        throw MeshFileError(file, "is not written, a face names a vertex that is not there",
+                            "repair the mesh first");
+      }
+      append_bits(bytes, v);
+    }
+  }
+  write_bytes(file, bytes);
+}
+
+bool usable_name(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kTaken{"x", "y",   "z",     "quality", "u",
+                                                   "v", "red", "green", "blue"};
+  const auto printable = [](unsigned char c) { return c > 0x20 && c < 0x7f; };
+  return !name.empty() && std::ranges::all_of(name, printable) &&
+         std::ranges::find(kTaken, name) == kTaken.end();
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh) { write(file, mesh, {}); }
+
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std::string_view property,
+               std::span<const double> values, std::span<const Rgb> colours) {
+  const std::size_t n = mesh.vertices.size();
+  if (values.size() != n || (!colours.empty() && colours.size() != n)) {
+    throw std::invalid_argument("a PLY file takes one value and one colour a vertex: " + std::to_string(n) +
+                                " vertices, " + std::to_string(values.size()) + " values, " +
+                                std::to_string(colours.size()) + " colours");
+  }
+  if (!usable_name(property)) {
+    throw std::invalid_argument("'" + std::string(property) + "' cannot name a value in a PLY file");
+  }
+  write(file, mesh, {property, values, colours});
+}
+
+}  // namespace impinge
