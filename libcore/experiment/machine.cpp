@@ -33,17 +33,30 @@ std::string system_name() {
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
 }
 
+std::uint64_t physical_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page_bytes = ::sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || page_bytes <= 0) return 0;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes);
+}
+
 }  // namespace
+
+std::uint64_t available_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::uint64_t kib = 0;
+  for (std::string name; file >> name;) {
+    if (name == "MemAvailable:" && file >> kib) return kib << 10U;
+    std::getline(file, name);
+  }
+  return physical_memory();
+}
 
 Machine this_machine() {
   Machine machine;
   machine.cpu = cpu_model();
   machine.cores = std::thread::hardware_concurrency();
-  const long pages = ::sysconf(_SC_PHYS_PAGES);
-  const long page_bytes = ::sysconf(_SC_PAGE_SIZE);
-  if (pages > 0 && page_bytes > 0) {
-    machine.memory_mib = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes) >> 20U;
-  }
+  machine.memory_mib = physical_memory() >> 20U;
   machine.governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   if (::getloadavg(&machine.load, 1) != 1) machine.load = 0.0;
   machine.system = system_name();

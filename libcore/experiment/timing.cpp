@@ -15,11 +15,16 @@ namespace {
 
 constexpr const char* kControlMark = "#control";
 
+// Throws std::runtime_error with the case in front of what is wrong.
 void verify_all(const std::vector<TimedCase>& cases, Progress& progress) {
+  progress.say("verifying " + std::to_string(cases.size()) + " cases before any is timed");
   for (const TimedCase& work : cases) {
     if (!work.verify) continue;
-    progress.say("verifying " + key_text(work.key));
-    work.verify();
+    try {
+      work.verify();
+    } catch (const std::exception& wrong) {
+      throw std::runtime_error(key_text(work.key) + ": " + wrong.what());
+    }
   }
 }
 

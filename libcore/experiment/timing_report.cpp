@@ -2,22 +2,28 @@
 #include "experiment/timing_report.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace impinge {
 namespace {
 
+// A line for a control that is off, else one for the cases that vary too much.
 void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
+  const long off = std::lround(100.0 * std::abs(run.control_ratio - 1.0));
   if (std::abs(run.control_ratio - 1.0) > run.options.max_control_off) {
-    progress.say("warning: inconclusive, the control (" + key_text(run.control.key) +
-                 " against itself) is off by " + std::to_string(100.0 * std::abs(run.control_ratio - 1.0)) +
-                 " %: the machine is busy");
+    progress.say("warning: inconclusive, " + key_text(run.control.key) + " differs from itself by " +
+                 std::to_string(off) + " %: time again on an idle machine");
     return;
   }
+  std::string unsteady;
   for (const Timing& timing : run.timings) {
-    if (!run.inconclusive(timing)) continue;
-    progress.say("warning: " + key_text(timing.key) + " is inconclusive: its interquartile range is " +
-                 std::to_string(100.0 * timing.summary.iqr / timing.summary.median) + " % of its median");
+    if (run.inconclusive(timing)) unsteady += " " + key_text(timing.key);
+  }
+  if (!unsteady.empty()) {
+    progress.say("warning: inconclusive, with an interquartile range above " +
+                 std::to_string(std::lround(100.0 * run.options.max_spread)) +
+                 " % of the median:" + unsteady);
   }
 }
 

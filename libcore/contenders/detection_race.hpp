@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One joint with the contenders of the thesis' Table 4, the poses they are timed over and the oracle that
+// each of them must agree with first.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contenders/pose_set.hpp"
+#include "contenders/table_scan.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sphere/schemes/rsid.hpp"
+
+namespace impinge {
+
+// Tables of both surfaces by the exact raster: farthest layer of the ball, nearest of the socket.
+std::shared_ptr<const TablePair<Rsid>> make_rsid_tables(const BallSocketPair& pair, double precision_deg);
+
+struct DetectionRace {
+  std::vector<NamedPose> poses;
+  std::unique_ptr<Contender> oracle;                   // exact predicates
+  std::vector<std::unique_ptr<Contender>> contenders;  // pairwise, fcl_obb, rsid
+
+  // Throws std::out_of_range when nobody has this name.
+  Contender& contender(std::string_view name) const;
+};
+
+// Meshes in their centre frames, mm; the precision is that of the tables of rsid.
+DetectionRace make_detection_race(const BallSocketPair& pair, double precision_deg);
+
+}  // namespace impinge

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Timing the contenders of detection on several joints: the form that Table 4 and the real joints share.
+#pragma once
+
+#include <vector>
+
+#include "contenders/detection_race.hpp"
+#include "experiment/driver.hpp"
+#include "experiment/timed_case.hpp"
+
+namespace impinge {
+
+// One row of the table for each contender.
+struct RaceJoint {
+  std::vector<Cell> before;  // key cells before the method: the subject, say
+  std::vector<Cell> after;   // key cells after it: numbers of triangles
+  double pairs = 0.0;        // of triangles
+  DetectionRace race;
+};
+
+// Meshes in their centre frames; the precision, degrees, is that of the tables of rsid.
+RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, std::vector<Cell> after,
+                          double precision_deg);
+
+// The mean over the poses, after the contender agreed with the oracle in all of them. All that is referred to
+// must outlive the case.
+TimedCase race_case(std::vector<Cell> key, Contender& contender, const DetectionRace& race);
+
+struct RaceOptions {
+  // Pairs of triangles up to which `pairwise` is measured; beyond, its time is scaled by the pairs.
+  double most_pairs = 0.0;
+  // Pairs up to which `pairwise` gets all rounds; beyond, three.
+  double most_pairs_often = 2e7;
+  // Milliseconds of one pair, to scale from until a measured joint yields it.
+  double pair_ms = 0.0;
+};
+
+// Times all contenders on all joints, in one interleaved run, and writes the result with its samples. The
+// columns of the table are filled in here. Returns the time of one pair on the last joint that was measured
+// pairwise, milliseconds.
+double write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                  const std::vector<RaceJoint>& joints, const RaceOptions& options);
+
+}  // namespace impinge
