@@ -23,6 +23,7 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
@@ -137,6 +138,17 @@ def digits(value: float, significant: int = 3) -> str:
     return f"{round(value, significant - 1 - math.floor(math.log10(abs(value)))):,.{places}f}"
 
 
+def plain(value: float, significant: int = 4) -> str:
+    """Rounded for a CSV: significant digits without exponent or separators."""
+    return np.format_float_positional(value, precision=significant, fractional=False, trim="-") if math.isfinite(value) else ""
+
+
+def tex(text: str) -> str:
+    """Text with LaTeX's own characters made harmless."""
+    special = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    return "".join(special.get(c, f"\\{c}" if c in "&%$#_{}" else c) for c in text)
+
+
 def write(path: Path, text: str) -> None:
     """Writes a file whose folder may be missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -145,6 +157,8 @@ def write(path: Path, text: str) -> None:
 
 def write_table(out: Path, name: str, table: pd.DataFrame, latex: str) -> None:
     """tables/NAME.csv for machines and tables/NAME.tex for the paper."""
+    flags = table.select_dtypes(bool).columns
+    table = table.assign(**{flag: table[flag].map({True: "yes", False: "no"}) for flag in flags})
     write(out / "tables" / f"{name}.csv", table.to_csv(index=False, lineterminator="\n"))
     write(out / "tables" / f"{name}.tex", latex)
 

@@ -55,13 +55,16 @@ def element(tag: str, inner: str, **attributes: str) -> str:
     return f"<{tag}{words}>{inner}</{tag}>"
 
 
-def cell(value: object, title: str = "", **attributes: str) -> str:
-    """A table cell; numbers to the right."""
-    number = isinstance(value, float) or isinstance(value, int) and not isinstance(value, bool)
-    text = "" if pd.isna(value) else common.digits(float(value), 4) if isinstance(value, float) else str(value)
-    if number:
-        attributes["class_"] = "number"
-    return element("td", html.escape(text), **attributes, **({"data_title": title} if title else {}))
+def cell(value: str, title: str = "", shorten: bool = False) -> str:
+    """A table cell; numbers to the right, long ones rounded if that is asked for."""
+    attributes = {"data_title": title} if title else {}
+    try:
+        number = float(value)
+    except ValueError:
+        return element("td", html.escape(value), **attributes)
+    plain = f"{number:,.10g}"
+    text = plain if len(plain) <= 10 else common.digits(number, 4)
+    return element("td", text if shorten else html.escape(value), class_="number", **attributes)
 
 
 def totals(verdicts: pd.DataFrame) -> str:
@@ -84,23 +87,33 @@ def filters(verdicts: pd.DataFrame) -> str:
                    class_="filters")
 
 
+def explanation(row: dict[str, str]) -> str:
+    """The rule of a verdict with its tolerance, and what is to be said of this one."""
+    tolerance = f" ({row['tolerance']})" if row["tolerance"] not in ("", "none") else ""
+    note = element("strong", html.escape(row["note"]) + ". ") if row["note"] else ""
+    return element("td", note + html.escape(f"Rule: {row['rule']}{tolerance}."), class_="why")
+
+
 def verdict_table(verdicts: pd.DataFrame) -> str:
     """Every row, with what the filters need."""
-    head = element("thead", element("tr", "".join(element("th", name) for name in verdicts.columns)))
+    names = ["artefact", "row", "column", "thesis", "measured", "unit"]
+    head = element("thead", element("tr", "".join(element("th", name) for name in [*names, "verdict", "why"])))
     rows = []
     for row in verdicts.to_dict("records"):
-        cells = [element("td", html.escape(value), class_=f"verdict {value}", data_mark=MARKS.get(value, ""),
-                         data_title=name) if name == "verdict" else cell(value, title=name)
-                 for name, value in row.items()]
-        rows.append(element("tr", "".join(cells), data_artefact=row["artefact"], data_verdict=row["verdict"]))
+        verdict = row["verdict"]
+        cells = [cell(row[name], title=name) for name in names]
+        cells.append(element("td", html.escape(verdict), class_=f"verdict {verdict}", data_mark=MARKS.get(verdict, ""),
+                             data_title="verdict"))
+        rows.append(element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"],
+                            data_verdict=verdict))
     return element("div", element("table", head + element("tbody", "".join(rows)), id="verdicts"), class_="scroll")
 
 
 def data_table(path: Path) -> str:
     """A CSV as it is."""
-    table = pd.read_csv(path, float_precision="round_trip").astype(object)
+    table = pd.read_csv(path, dtype=str, keep_default_na=False)
     head = element("tr", "".join(element("th", name.replace("_", " ")) for name in table.columns))
-    body = "".join(element("tr", "".join(cell(value) for value in row)) for row in table.itertuples(index=False))
+    body = "".join(element("tr", "".join(cell(value, shorten=True) for value in row)) for row in table.itertuples(index=False))
     return element("div", element("table", element("thead", head) + element("tbody", body)), class_="scroll")
 
 
@@ -148,7 +161,7 @@ def heading(results: Path, jobs: list[Job]) -> str:
     record = common.sidecar(results / "data" / f"{names[0]}.csv")
     where = (f"{record['profile']} profile, commit {record['commit'][:12]}{' with changes' if record['dirty'] else ''}, "
              f"{record['cpu']}, {record['cores']} cores, {record['compiler']}")
-    links = "".join(element("a", job.name, href=f"#{job.name}") for job in jobs if job.kind in ("table", "figure"))
+    links = " ".join(element("a", job.name, href=f"#{job.name}") for job in jobs if job.kind in ("table", "figure"))
     return (element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced") +
             element("p", html.escape(where), class_="soft") + element("nav", links))
 

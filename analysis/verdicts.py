@@ -44,7 +44,7 @@ def formula_rows(results: Path) -> list[dict]:
             name, divisor = MEMORY_COLUMNS[value.column]
             measured = table[name][common.number(value.row)] / divisor
             good = rounds_to(measured, value.value)
-            rows.append(row(artefact, value.row, value.column, thesis=value.value, measured=f"{measured:.10g}",
+            rows.append(row(artefact, value.row, value.column, thesis=value.value, measured=common.plain(measured, 10),
                             unit=value.unit, rule="equal when rounded to the digits printed",
                             tolerance="half a unit of the last digit",
                             verdict="reproduced" if good else "differs"))
@@ -63,7 +63,7 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
     if line is not None and line.method != value.column:
         notes.append(f"measured with {common.label(line.method)}")
     return row(table.artefact, value.row, value.column, thesis=value.value,
-               measured="" if line is None else f"{line.measured_ms:.4g}", unit=value.unit,
+               measured="" if line is None else common.plain(line.measured_ms), unit=value.unit,
                rule="times of different machines are not compared; see the ratios and the order",
                verdict="not-comparable", note="; ".join(notes))
 
@@ -72,8 +72,8 @@ def ratio_row(table: timing.TimingTable, name: str, line: pd.Series, reference: 
     """How many times the thesis' own method is faster than another, there and here."""
     off = max(line.thesis_ratio, line.measured_ratio) / min(line.thesis_ratio, line.measured_ratio)
     extrapolated = line.extrapolated or reference.extrapolated
-    return row(table.artefact, name, f"{line.thesis_column}/{timing.REFERENCE}", thesis=f"{line.thesis_ratio:.4g}",
-               measured=f"{line.measured_ratio:.4g}", unit="ratio", rule=RATIO_RULE,
+    return row(table.artefact, name, f"{line.thesis_column}/{timing.REFERENCE}", thesis=common.plain(line.thesis_ratio),
+               measured=common.plain(line.measured_ratio), unit="ratio", rule=RATIO_RULE,
                tolerance=f"factor {RATIO_FACTOR:.3g}", verdict="reproduced" if off <= RATIO_FACTOR else "differs",
                note=f"off by a factor of {off:.3g}" + ("; ours is extrapolated from a smaller run" if extrapolated else ""))
 

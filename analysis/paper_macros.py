@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of the timed data.
+
+Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN; exponent:DATA:METHOD (of what was measured) and
+exponent-thesis:...; rounds, control and inconclusive:DATA; and the machine: cpu, cores, compiler, flags, commit, profile ...
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+import log_plot
+import timing
+
+MACHINE = ["cpu", "cores", "memory_mib", "compiler", "flags", "system", "profile", "commit", "seed", "governor"]
+
+
+def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
+    """How often each verdict was given, and the values of each row."""
+    facts = {f"count:{name}": str(count) for name, count in verdicts.verdict.value_counts().items()}
+    facts |= {f"count:{name}": "0" for name in ("reproduced", "differs", "thesis-misprint") if f"count:{name}" not in facts}
+    facts["count:all"] = str(len(verdicts))
+    for artefact, rows in verdicts.groupby("artefact"):
+        facts |= {f"count:{artefact}:{name}": str((rows.verdict == name).sum()) for name in ("reproduced", "differs")}
+        facts[f"count:{artefact}:all"] = str(len(rows))
+    for row in verdicts.itertuples():
+        name = f"{row.artefact}:{row.row}:{row.column}"
+        facts |= {f"thesis:{name}": grouped(row.thesis), f"measured:{name}": grouped(row.measured),
+                  f"verdict:{name}": row.verdict}
+    return facts
+
+
+def grouped(text: str) -> str:
+    """Thousands kept apart, for a number; anything else as it is."""
+    try:
+        number = float(text)
+    except ValueError:
+        return text
+    return f"{number:,.10g}" if number >= 1000 else text
+
+
+def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
+    """Growth of each method, rounds, control and inconclusive cases of a timed table."""
+    lines = timing.compare(results, table)
+    size = lines[table.key] if table.key != "precision_deg" else 1 / lines[table.key]
+    facts = {}
+    for method in lines.method.unique():
+        mine = (lines.method == method) & ~lines.extrapolated
+        facts[f"exponent:{table.data}:{method}"] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
+        every = lines.method == method
+        if lines.thesis_ms[every].notna().any():
+            facts[f"exponent-thesis:{table.data}:{method}"] = f"{log_plot.slope(size[every], lines.thesis_ms[every]):.2f}"
+    data = common.load(results, table.data)
+    rounds = data[~data.extrapolated].rounds
+    protocol = data.attrs.get("timing") or {}
+    facts[f"rounds:{table.data}"] = f"{rounds.min()}" if rounds.min() == rounds.max() else f"{rounds.min()} to {rounds.max()}"
+    facts[f"control:{table.data}"] = f"{protocol.get('control', {}).get('ratio', float('nan')):.3f}"
+    facts[f"inconclusive:{table.data}"] = str(len(protocol.get("inconclusive", [])))
+    facts[f"extrapolated:{table.data}"] = str(int(data.extrapolated.sum()))
+    facts |= {f"parameter:{table.data}:{key}": str(value) for key, value in data.attrs["parameters"].items()}
+    return facts
+
+
+def judged_table(verdicts: pd.DataFrame) -> str:
+    """The rows that are judged by order or ratio, as a table of the paper."""
+    judged = verdicts[verdicts.unit.isin(["ratio", "order"])]
+    rows = [" & ".join(common.tex(grouped(value)) for value in (row.artefact, row.row, row.column, row.thesis, row.measured,
+                                                               row.verdict)) + " \\\\" for row in judged.itertuples()]
+    return "\n".join(["\\begin{tabular}{@{}llllll@{}}", "\\toprule", "table & row & what & thesis & here & verdict \\\\",
+                      "\\midrule", *rows, "\\bottomrule", "\\end{tabular}", ""])
+
+
+def main() -> None:
+    """Writes paper/facts.tex and paper/judged.tex."""
+    options = common.arguments(__doc__)
+    verdicts = pd.read_csv(options.results / "verdicts.csv", dtype=str, keep_default_na=False)
+    record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
+    facts = {key: str(record.get(key, "unknown")) for key in MACHINE}
+    facts["commit"] = facts["commit"][:12]
+    facts |= verdict_facts(verdicts)
+    for table in (timing.TABLE_3, timing.TABLE_4):
+        facts |= timing_facts(options.results, table)
+    lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]
+    common.write(options.out / "paper" / "facts.tex", "\n".join(lines) + "\n")
+    common.write(options.out / "paper" / "judged.tex", judged_table(verdicts))
+
+
+common.run(main)
