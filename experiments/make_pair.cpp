@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the generated ball-and-socket pair as meshes, for trying `scene` without a joint of one's own.
+//
+//   make_pair --faces N --out DIR
+
+#include <exception>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "experiment/atomic_file.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/io.hpp"
+
+int main(int argc, char** argv) {
+  using namespace impinge;
+  CLI::App app{"Writes ball.ply and socket.ply of the generated joint.", "make_pair"};
+  std::size_t faces = 12000;
+  std::filesystem::path out;
+  app.add_option("--faces", faces, "triangles of each surface, an even number")->capture_default_str();
+  app.add_option("--out", out, "folder for the two meshes")->required();
+  try {
+    app.parse(argc, argv);
+    require_writable_folder(out);
+    const BallSocketPair pair = make_ball_socket_pair(faces);
+    write_mesh(out / "ball.ply", pair.ball);
+    write_mesh(out / "socket.ply", pair.socket);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const std::exception& error) {
+    std::cerr << "make_pair: error: " << error.what() << std::endl;
+    return 2;
+  }
+  return 0;
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Positions round the socket as on the face of a clock: 12 superior, 3 anterior on both sides of the body.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// The dial, in the joint frame: unit vectors in the plane square to the axis of the socket.
+struct ClockFace {
+  Vec3 twelve = Vec3::UnitZ();
+  Vec3 three = Vec3::UnitY();
+
+  // Hours in [0, 12) of a direction that is not along the axis of the socket.
+  double hours(const Vec3& direction) const;
+};
+
+// The dial of a socket (joint frame, centre as origin). Its axis is the area-weighted mean direction of the
+// surface; none if the axis is vertical (no side of the dial is superior) or the mean vanishes.
+std::optional<ClockFace> clock_face(const TriangleMesh& socket);
+
+// A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
+struct ClockZone {
+  double from = 0.0;
+  double to = 0.0;
+  double area = 0.0;  // mm^2
+};
+
+// Stretches that hold some area, at a resolution of a quarter of an hour; gaps of one quarter are bridged.
+// hours and area have the same size. In clockwise order, the largest area first. A full turn is one zone from
+// 0 to 0.
+std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<const double> area);
+
+// "1:30" for 1.5; 0 is "12:00".
+std::string clock_text(double hours);
+
+}  // namespace impinge

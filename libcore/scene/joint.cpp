@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/joint.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "mesh/io.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kInside = 2.0 * kPi;  // a ball that fills half of the view surrounds its centre
+
+std::string text_of(const Vec3& x) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.3f,%.3f,%.3f", x.x(), x.y(), x.z());
+  return text;
+}
+
+JointPart examine(TriangleMesh mesh, const Vec3& centre) {
+  JointPart part;
+  part.validation = validate(mesh);
+  part.mesh = relative_to(std::move(mesh), centre);
+  part.star_shape = star_shape(part.mesh);
+  return part;
+}
+
+void require_centre_inside(const Joint& joint, const SceneOptions& options) {
+  if (std::abs(joint.ball.star_shape.solid_angle) < kInside) {
+    throw std::runtime_error(
+        options.ball.string() + ": the centre " + text_of(joint.centre) +
+        " lies outside of the ball; give one inside with --centre X,Y,Z, or check that the files are "
+        "not swapped and are in mm");
+  }
+  if (joint.socket.star_shape.covered == 0.0) {
+    throw std::runtime_error(options.socket.string() + ": no direction from the centre " +
+                             text_of(joint.centre) +
+                             " meets the socket; check that both meshes are in one frame and in mm");
+  }
+}
+
+void warn(const JointPart& part, const std::string& file, const std::string& policy, Joint& joint) {
+  const MeshReport& report = part.validation;
+  if (report.degenerate_faces + report.duplicate_faces + report.flipped_faces + report.non_manifold_edges >
+      0) {
+    std::string found = describe(report);
+    for (char& c : found) c = c == '\n' ? ' ' : c;
+    joint.warnings.push_back(file + ": " + found);
+  }
+  if (!part.star_shape.star_shaped) {
+    joint.warnings.push_back(file + ": " + describe(part.star_shape) + "; " + policy);
+  }
+}
+
+}  // namespace
+
+Joint load_joint(const SceneOptions& options) {
+  TriangleMesh ball = read_mesh(options.ball);
+  TriangleMesh socket = read_mesh(options.socket);
+  Joint joint;
+  if (options.centre) {
+    joint.centre = *options.centre;
+  } else {
+    try {
+      joint.fit = fit_ball(ball);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(options.ball.string() + ": " + error.what() +
+                               "; give the centre with --centre X,Y,Z");
+    }
+    joint.centre = joint.fit->centre;
+  }
+  joint.ball = examine(std::move(ball), joint.centre);
+  joint.socket = examine(std::move(socket), joint.centre);
+  require_centre_inside(joint, options);
+  warn(joint.ball, options.ball.string(), "the outermost layer stands for the ball", joint);
+  warn(joint.socket, options.socket.string(), "the layer nearest to the centre stands for the socket", joint);
+  return joint;
+}
+
+}  // namespace impinge

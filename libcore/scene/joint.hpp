@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two surfaces of a joint about its centre of rotation, and what is wrong with them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint/sphere_fit.hpp"
+#include "mesh/star_shape.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/validation.hpp"
+#include "scene/options.hpp"
+
+namespace impinge {
+
+struct JointPart {
+  TriangleMesh mesh;  // centre frame, mm
+  MeshReport validation;
+  StarShapeReport star_shape;
+};
+
+struct Joint {
+  JointPart ball;
+  JointPart socket;
+  Vec3 centre = Vec3::Zero();    // mm, input frame
+  std::optional<SphereFit> fit;  // if the centre was fitted
+  std::vector<std::string> warnings;
+};
+
+// Reads and examines both meshes. MeshFileError for a file that cannot be used; std::runtime_error, one line
+// with the file and what to do, where the centre is not inside the ball or the socket is not round it.
+Joint load_joint(const SceneOptions& options);
+
+}  // namespace impinge

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/measurement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "detection/gap_scan.hpp"
+#include "experiment/machine.hpp"
+#include "joint/motion.hpp"
+#include "sampling/error_bound.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sphere/scheme_choice.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::array kPrecisions{1.0, 0.5, 0.25, 0.1, 0.05, 0.025};  // degrees, for --max-error
+
+class Stopwatch {
+ public:
+  double lap_ms() {
+    const auto now = std::chrono::steady_clock::now();
+    const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();
+    start_ = now;
+    return elapsed;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string format(const char* pattern, auto... values) {
+  char text[320];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+template <SamplingScheme S>
+std::size_t bytes_needed(const S& scheme) {
+  return 2 * (RadialTable<S>::bytes(scheme) +
+              scheme.size() * sizeof(float));  // radii and slopes of both surfaces
+}
+
+template <SamplingScheme S>
+void require_memory(const S& scheme) {
+  const std::size_t needed = bytes_needed(scheme);
+  const std::size_t free = available_memory();
+  if (needed <= free) return;
+  throw std::runtime_error(
+      format("tables of %zu entries at %g degrees would take %zu bytes (%.1f GiB) and %.1f GiB of memory "
+             "are free; choose a coarser precision",
+             scheme.size(), scheme.precision_deg(), needed, static_cast<double>(needed) / 0x1p30,
+             static_cast<double>(free) / 0x1p30));
+}
+
+template <SamplingScheme S>
+struct Scans {
+  const S& scheme;
+  const Joint& joint;
+  const Pose& pose;
+
+  // Bound of the error at each vertex, whose direction in the frame of the table is given by `place`.
+  template <class Place>
+  static std::vector<double> bounds(const RadialTable<S>& table, const std::vector<float>& slopes,
+                                    const std::vector<Vec3>& vertices, Place&& place) {
+    std::vector<double> bound(vertices.size());
+    std::ranges::transform(vertices, bound.begin(),
+                           [&](const Vec3& v) { return error_bound_at(table, slopes, place(v)); });
+    return bound;
+  }
+
+  Measurement run() const {
+    Measurement result;
+    result.pose = pose;
+    result.precision_deg = scheme.precision_deg();
+    result.entries = scheme.size();
+    result.bytes = 2 * RadialTable<S>::bytes(scheme);
+    const TriangleMesh& ball = joint.ball.mesh;
+    const TriangleMesh& socket = joint.socket.mesh;
+    result.ball.gap.resize(ball.vertices.size());
+    result.socket.gap.resize(socket.vertices.size());
+    Stopwatch watch;
+    const RadialTable<S> ball_table = fill_exact(ball, scheme, Layer::farthest);
+    const RadialTable<S> socket_table = fill_exact(socket, scheme, Layer::nearest);
+    result.fill_ms = watch.lap_ms();
+    scan_ball(socket_table, ball.vertices, pose, result.ball.gap);
+    scan_socket(ball_table, socket.vertices, pose, result.socket.gap);
+    result.scan_ms = watch.lap_ms();
+    result.ball.bound = bounds(socket_table, largest_slopes(socket, scheme), ball.vertices,
+                               [&](const Vec3& v) { return to_socket(pose, v); });
+    result.socket.bound = bounds(ball_table, largest_slopes(ball, scheme), socket.vertices,
+                                 [&](const Vec3& v) { return to_ball(pose, v); });
+    result.bound_ms = watch.lap_ms();
+    return result;
+  }
+};
+
+template <SamplingScheme S>
+Measurement measure_at(double precision_deg, const Joint& joint, const Pose& pose) {
+  const S scheme = S::with_precision(precision_deg);
+  require_memory(scheme);
+  return Scans<S>{scheme, joint, pose}.run();
+}
+
+double largest_bound(const Measurement& result) {
+  return std::max(largest_bound(result.ball), largest_bound(result.socket));
+}
+
+// The coarsest precision that keeps the bound.
+template <SamplingScheme S>
+Measurement measure_within(double max_error_mm, const Joint& joint, const Pose& pose) {
+  double bound = 0.0;
+  for (const double precision : kPrecisions) {
+    Measurement result = measure_at<S>(precision, joint, pose);
+    bound = largest_bound(result);
+    if (bound <= max_error_mm) return result;
+  }
+  throw std::runtime_error(
+      format("option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
+             "is %g mm; ask for a larger error, or choose --precision instead",
+             max_error_mm, kPrecisions.back(), bound));
+}
+
+Pose pose_of(const SceneOptions& options) {
+  const Eigen::Matrix3d axes = input_to_joint(options.axes);
+  return {axes.transpose() * joint_rotation(options.motion, options.side) * axes, Vec3::Zero()};
+}
+
+}  // namespace
+
+double largest_bound(const SurfaceGaps& gaps) {
+  double largest = 0.0;
+  for (const double bound : gaps.bound) largest = std::max(largest, std::isnan(bound) ? 0.0 : bound);
+  return largest;
+}
+
+Measurement measure(const Joint& joint, const SceneOptions& options) {
+  const Pose pose = pose_of(options);
+  Measurement result;
+  with_scheme(options.scheme, [&]<class S>() {
+    result = options.max_error_mm ? measure_within<S>(*options.max_error_mm, joint, pose)
+                                  : measure_at<S>(options.precision_deg, joint, pose);
+  });
+  return result;
+}
+
+}  // namespace impinge

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gaps of a joint in one pose.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "detection/pose.hpp"
+#include "scene/joint.hpp"
+#include "scene/options.hpp"
+
+namespace impinge {
+
+// One scan: the vertices of one surface against the table of the other.
+struct SurfaceGaps {
+  std::vector<double> gap;    // mm, NaN where the other surface is not met
+  std::vector<double> bound;  // mm, proven bound on the error of the gap (error_bound.hpp), NaN with it
+};
+
+struct Measurement {
+  Pose pose;  // of the ball, in the centre frame
+  SurfaceGaps ball;
+  SurfaceGaps socket;
+  double precision_deg = 0.0;
+  std::size_t entries = 0;  // of each table
+  std::size_t bytes = 0;    // of both tables
+  double fill_ms = 0.0;     // both tables
+  double bound_ms = 0.0;    // the bounds of all gaps
+  double scan_ms = 0.0;     // both scans
+};
+
+// Fills a table for each surface at the precision asked for, or at the coarsest of 1, 0.5, 0.25, 0.1, 0.05
+// and 0.025 degrees whose bound keeps --max-error at every vertex, and scans both. std::runtime_error, one
+// line, if the tables do not fit in memory (with the bytes that they would take) or no precision is fine
+// enough.
+Measurement measure(const Joint& joint, const SceneOptions& options);
+
+// Largest bound over the vertices that have a gap; 0 if none has.
+double largest_bound(const SurfaceGaps& gaps);
+
+}  // namespace impinge

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/options.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "joint/anatomy.hpp"
+#include "sphere/scheme_choice.hpp"
+
+namespace impinge {
+namespace {
+
+// The options as they are typed; the empty text stands for an option not given.
+struct Typed {
+  std::string centre = "fit";
+  std::string precision;
+  std::string max_error;
+  std::string pose;
+  std::string side;
+  std::string cartilage;
+};
+
+[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view advice) {
+  throw OptionError("option " + std::string(option) + ": '" + std::string(value) + "' " +
+                    std::string(advice));
+}
+
+double parse_number(std::string_view option, std::string_view text, std::string_view advice) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    refuse(option, text, advice);
+  return value;
+}
+
+Vec3 parse_centre(const std::string& text) {
+  constexpr std::string_view advice = "is no centre; give 'fit' or three numbers in mm as X,Y,Z";
+  Vec3 centre;
+  std::string_view rest = text;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::size_t comma = rest.find(',');
+    if ((comma == rest.npos) != (k == 2)) refuse("--centre", text, advice);
+    centre[k] = parse_number("--centre", rest.substr(0, comma), advice);
+    rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 1);
+  }
+  return centre;
+}
+
+// Turns an exception of a parser in the library into one that names the option.
+template <class Parse>
+auto for_option(std::string_view option, Parse&& parse) {
+  try {
+    return parse();
+  } catch (const std::invalid_argument& error) {
+    throw OptionError("option " + std::string(option) + ": " + error.what());
+  }
+}
+
+void set_accuracy(const Typed& typed, SceneOptions& options) {
+  if (!typed.max_error.empty()) {
+    constexpr std::string_view advice = "is no accuracy; give a number of mm above 0";
+    options.max_error_mm = parse_number("--max-error", typed.max_error, advice);
+    if (*options.max_error_mm <= 0.0) refuse("--max-error", typed.max_error, advice);
+  }
+  if (!typed.precision.empty()) {
+    options.precision_deg =
+        parse_number("--precision", typed.precision, "is no precision; give a number of degrees");
+  }
+  for_option("--scheme", [&] {
+    with_scheme(options.scheme, [&]<class S>() {
+      for_option("--precision", [&] { return S::with_precision(options.precision_deg); });
+    });
+    return 0;
+  });
+}
+
+void interpret(const Typed& typed, SceneOptions& options) {
+  if (typed.centre != "fit") options.centre = parse_centre(typed.centre);
+  set_accuracy(typed, options);
+  for_option("--axes", [&] { return input_to_joint(options.axes); });
+  if (!typed.side.empty()) options.side = for_option("--side", [&] { return parse_side(typed.side); });
+  if (!typed.pose.empty()) {
+    options.pose = typed.pose;
+    options.motion = for_option("--pose", [&] { return parse_motion(typed.pose); });
+    for_option("--pose", [&] {
+      try {
+        return joint_rotation(options.motion, options.side);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string(error.what()) + " with --side");
+      }
+    });
+  }
+  if (!typed.cartilage.empty()) {
+    constexpr std::string_view advice = "is no thickness; give a number of mm, 0 or more";
+    options.cartilage_mm = parse_number("--cartilage", typed.cartilage, advice);
+    if (options.cartilage_mm < 0.0) refuse("--cartilage", typed.cartilage, advice);
+  }
+}
+
+}  // namespace
+
+std::optional<SceneOptions> parse_scene_options(int argc, const char* const* argv, std::string& help) {
+  CLI::App app{"Gaps and impingement of a ball-and-socket joint given as two triangle meshes in mm.",
+               "scene"};
+  SceneOptions options;
+  Typed typed;
+  app.add_option("--ball", options.ball, "mesh of the ball (PLY, STL, OBJ or OFF)")->required();
+  app.add_option("--socket", options.socket, "mesh of the socket, in the same frame")->required();
+  app.add_option("--out", options.out, "folder for ball.ply, socket.ply, gaps.csv and summary.json")
+      ->required();
+  app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
+  app.add_option("--scheme", options.scheme, "sampling scheme: " + scheme_names())->capture_default_str();
+  auto* precision = app.add_option("--precision", typed.precision, "spacing of the table in degrees [0.5]");
+  app.add_option("--max-error", typed.max_error, "or the proven error of every gap in mm")
+      ->excludes(precision);
+  app.add_option(
+      "--pose", typed.pose,
+      "motion of the ball in degrees, as flexion=90,internal_rotation=10 (also extension, abduction, "
+      "adduction, external_rotation)");
+  app.add_option("--side", typed.side, "left or right, which abduction and rotation need");
+  app.add_option("--axes", options.axes, "where +x, +y and +z of the meshes point: R/L, A/P, S/I")
+      ->capture_default_str();
+  app.add_option("--cartilage", typed.cartilage, "thickness of both cartilage layers together in mm [4]");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success&) {
+    help = app.help();
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw OptionError(std::string(error.what()) + "; see scene --help");
+  }
+  interpret(typed, options);
+  return options;
+}
+
+}  // namespace impinge

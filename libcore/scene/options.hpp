@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user asks of one joint, as the options of the program `scene` say it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "joint/motion.hpp"
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+struct SceneOptions {
+  std::filesystem::path ball;
+  std::filesystem::path socket;
+  std::filesystem::path out;
+  std::optional<Vec3> centre;  // mm, input frame; fitted to the ball if not given
+  std::string scheme = "rsid";
+  double precision_deg = 0.5;
+  std::optional<double> max_error_mm;  // chooses the precision instead
+  Motion motion;
+  std::string pose = "as scanned";  // the text that motion was read from
+  std::optional<Side> side;
+  std::string axes = "RAS";
+  double cartilage_mm = 4.0;  // both layers together; the thesis' value
+};
+
+// A wrong option: what() is one line that names it and says what to do.
+class OptionError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+// Reads a command line. std::nullopt after --help, whose text is then in `help`; OptionError if it cannot be
+// used.
+std::optional<SceneOptions> parse_scene_options(int argc, const char* const* argv, std::string& help);
+
+}  // namespace impinge

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/report.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "detection/gap_summary.hpp"
+#include "experiment/atomic_file.hpp"
+#include "experiment/csv.hpp"
+#include "joint/clock.hpp"
+#include "joint/gap_levels.hpp"
+#include "mesh/ply_writer.hpp"
+
+namespace impinge {
+namespace {
+
+using nlohmann::json;
+
+// One surface with everything that the report says about it.
+struct View {
+  Surface surface;
+  const std::filesystem::path& file;
+  const JointPart& part;
+  const SurfaceGaps& gaps;
+  std::vector<Vec3> posed;  // socket's centre frame, mm
+  std::vector<double> area;
+};
+
+View view(Surface surface, const SceneOptions& options, const Joint& joint, const Measurement& measurement) {
+  const bool is_ball = surface == Surface::ball;
+  View v{surface,
+         is_ball ? options.ball : options.socket,
+         is_ball ? joint.ball : joint.socket,
+         is_ball ? measurement.ball : measurement.socket,
+         {},
+         {}};
+  v.posed = v.part.mesh.vertices;
+  if (is_ball) {
+    for (Vec3& x : v.posed) x = to_socket(measurement.pose, x);
+  }
+  v.area = vertex_areas(v.part.mesh);
+  return v;
+}
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json point(const Vec3& x) { return {{"x", x.x()}, {"y", x.y()}, {"z", x.z()}}; }
+
+json part_json(const View& v) {
+  const MeshReport& mesh = v.part.validation;
+  const StarShapeReport& star = v.part.star_shape;
+  return {{"file", v.file.string()},
+          {"vertices", mesh.vertices},
+          {"faces", mesh.faces},
+          {"boundary_edges", mesh.boundary_edges},
+          {"non_manifold_edges", mesh.non_manifold_edges},
+          {"degenerate_faces", mesh.degenerate_faces},
+          {"duplicate_faces", mesh.duplicate_faces},
+          {"flipped_faces", mesh.flipped_faces},
+          {"components", mesh.components},
+          {"star_shaped", star.star_shaped},
+          {"directions_covered", star.covered},
+          {"directions_met_more_than_once", star.violating},
+          {"vertices_that_meet_the_other_surface", summarise(v.gaps.gap, v.area, 0.0).met}};
+}
+
+json zones_json(const View& v, double threshold, const std::optional<ClockFace>& dial,
+                const Eigen::Matrix3d& axes) {
+  if (!dial) return nullptr;
+  std::vector<double> hours;
+  std::vector<double> area;
+  for (std::size_t i = 0; i < v.posed.size(); ++i) {
+    if (!(v.gaps.gap[i] <= threshold)) continue;
+    hours.push_back(dial->hours(axes * v.posed[i]));
+    area.push_back(v.area[i]);
+  }
+  json zones = json::array();
+  for (const ClockZone& zone : clock_zones(hours, area)) {
+    zones.push_back({{"from", clock_text(zone.from)}, {"to", clock_text(zone.to)}, {"area_mm2", zone.area}});
+  }
+  return zones;
+}
+
+json impingement_json(const View& v, double threshold, const std::optional<ClockFace>& dial,
+                      const Eigen::Matrix3d& axes) {
+  const GapSummary found = summarise(v.gaps.gap, v.area, threshold);
+  return {{"vertices", found.impinged},
+          {"area_mm2", found.impinged_area},
+          {"clock_zones", zones_json(v, threshold, dial, axes)}};
+}
+
+json smallest_json(const View& v, const Vec3& centre, const std::optional<ClockFace>& dial,
+                   const Eigen::Matrix3d& axes) {
+  const GapSummary found = summarise(v.gaps.gap, v.area, 0.0);
+  if (!found.smallest) return nullptr;
+  const std::size_t i = *found.smallest;
+  return {{"gap_mm", found.smallest_gap},
+          {"error_bound_mm", number(v.gaps.bound[i])},
+          {"surface", name(v.surface)},
+          {"vertex", i},
+          {"position", point(v.posed[i] + centre)},
+          {"clock", dial ? json(clock_text(dial->hours(axes * v.posed[i]))) : json(nullptr)}};
+}
+
+json smaller(const json& a, const json& b) {
+  if (a.is_null() || b.is_null()) return a.is_null() ? b : a;
+  return a["gap_mm"] <= b["gap_mm"] ? a : b;
+}
+
+json centre_json(const Joint& joint) {
+  json centre = point(joint.centre);
+  centre["source"] = joint.fit ? "fitted" : "given";
+  centre["radius_mm"] = joint.fit ? json(joint.fit->radius) : json(nullptr);
+  centre["residual_rms_mm"] = joint.fit ? json(joint.fit->rms) : json(nullptr);
+  centre["vertices_used"] = joint.fit ? json(joint.fit->points) : json(nullptr);
+  return centre;
+}
+
+json levels_json(Surface surface, double cartilage) {
+  json levels = json::array();
+  for (const GapLevel& level : gap_levels(surface, cartilage)) {
+    levels.push_back(
+        {{"up_to_mm", number(level.up_to_mm)}, {"meaning", level.meaning}, {"rgb", level.colour}});
+  }
+  return levels;
+}
+
+// Work that this scene did not need, and why.
+json left_out(const SceneOptions& options, const Joint& joint) {
+  json items = json::array();
+  if (options.motion.flexion == 0.0 && options.motion.abduction == 0.0 &&
+      options.motion.internal_rotation == 0.0) {
+    items.push_back("rotation of the ball: the pose is that of the scan");
+  }
+  if (joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0) {
+    items.push_back("faces whose plane holds the centre: they cover no direction");
+  }
+  return items;
+}
+
+std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
+  Table table;
+  table.columns = {
+      {"surface", "", "ball or socket"}, {"vertex", "1", "index in the input mesh after welding"},
+      {"x", "mm", "position as posed"},  {"y", "mm", "position as posed"},
+      {"z", "mm", "position as posed"},  {"gap_mm", "mm", "socket radius minus ball radius"}};
+  for (const View* v : {&ball, &socket}) {
+    for (std::size_t i = 0; i < v->posed.size(); ++i) {
+      const Vec3 x = v->posed[i] + centre;
+      table.add_row({name(v->surface), i, x.x(), x.y(), x.z(), v->gaps.gap[i]});
+    }
+  }
+  return to_csv(table);
+}
+
+void write_part(const View& v, const SceneOptions& options, const Vec3& centre) {
+  TriangleMesh mesh{v.posed, v.part.mesh.faces};
+  for (Vec3& x : mesh.vertices) x += centre;
+  const auto levels = gap_levels(v.surface, options.cartilage_mm);
+  std::vector<Rgb> colours;
+  for (const double gap : v.gaps.gap) colours.push_back(gap_colour(gap, levels));
+  write_ply(options.out / (std::string(name(v.surface)) + ".ply"), mesh, "gap", v.gaps.gap, colours);
+}
+
+std::string format(const char* pattern, auto... values) {
+  char text[320];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+std::string describe_zones(const json& zones) {
+  if (zones.is_null()) return "no clock: the axis of the socket is vertical";
+  std::string text;
+  for (const json& zone : zones) {
+    text +=
+        (text.empty() ? "" : ", ") + zone["from"].get<std::string>() + "-" + zone["to"].get<std::string>();
+  }
+  return text.empty() ? "nowhere" : "at " + text + " o'clock";
+}
+
+}  // namespace
+
+json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement) {
+  const View ball = view(Surface::ball, options, joint, measurement);
+  const View socket = view(Surface::socket, options, joint, measurement);
+  const Eigen::Matrix3d axes = input_to_joint(options.axes);
+  TriangleMesh in_joint_frame = joint.socket.mesh;
+  for (Vec3& x : in_joint_frame.vertices) x = axes * x;
+  const auto dial = clock_face(in_joint_frame);
+
+  json thresholds = json::array();
+  for (const double threshold : {0.0, options.cartilage_mm}) {
+    if (threshold == 0.0 && !thresholds.empty()) continue;
+    thresholds.push_back({{"gap_up_to_mm", threshold},
+                          {"meaning", threshold == 0.0 ? "bone on bone" : "cartilage on cartilage"},
+                          {"ball", impingement_json(ball, threshold, dial, axes)},
+                          {"socket", impingement_json(socket, threshold, dial, axes)}});
+  }
+  return {{"units", {{"length", "mm"}, {"area", "mm^2"}, {"angle", "deg"}, {"time", "ms"}}},
+          {"ball", part_json(ball)},
+          {"socket", part_json(socket)},
+          {"centre", centre_json(joint)},
+          {"pose", options.pose},
+          {"side", options.side ? json(*options.side == Side::left ? "left" : "right") : json(nullptr)},
+          {"axes", options.axes},
+          {"scheme", options.scheme},
+          {"precision_deg", measurement.precision_deg},
+          {"entries_per_table", measurement.entries},
+          {"table_bytes", measurement.bytes},
+          {"cartilage_mm", options.cartilage_mm},
+          {"smallest_gap", smaller(smallest_json(ball, joint.centre, dial, axes),
+                                   smallest_json(socket, joint.centre, dial, axes))},
+          {"impingement", thresholds},
+          {"error_bound_mm",
+           number(std::max(largest_bound(measurement.ball), largest_bound(measurement.socket)))},
+          {"colours",
+           {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
+            {"socket", levels_json(Surface::socket, options.cartilage_mm)},
+            {"no_gap_rgb", kNoGapColour}}},
+          {"left_out", left_out(options, joint)},
+          {"warnings", joint.warnings},
+          {"times_ms",
+           {{"fill_tables", measurement.fill_ms},
+            {"scan", measurement.scan_ms},
+            {"error_bounds", measurement.bound_ms}}}};
+}
+
+void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
+                 const json& summary) {
+  const View ball = view(Surface::ball, options, joint, measurement);
+  const View socket = view(Surface::socket, options, joint, measurement);
+  write_part(ball, options, joint.centre);
+  write_part(socket, options, joint.centre);
+  write_if_changed(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
+  write_if_changed(options.out / "summary.json", summary.dump(2) + "\n");
+}
+
+std::string describe_scene(const json& summary) {
+  const json& centre = summary["centre"];
+  std::string text = format("centre of rotation  %.3f %.3f %.3f mm, %s", centre["x"].get<double>(),
+                            centre["y"].get<double>(), centre["z"].get<double>(),
+                            centre["source"].get<std::string>().c_str());
+  if (centre["source"] == "fitted") {
+    text +=
+        format(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", centre["radius_mm"].get<double>(),
+               centre["residual_rms_mm"].get<double>(), centre["vertices_used"].get<std::size_t>());
+  }
+  text += format("\ntable               %s at %g degrees, %zu entries a surface\n",
+                 summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
+                 summary["entries_per_table"].get<std::size_t>());
+  const json& smallest = summary["smallest_gap"];
+  if (smallest.is_null()) return text + "smallest gap        none: the surfaces do not face each other\n";
+  text += format("smallest gap        %.3f mm at %s vertex %zu", smallest["gap_mm"].get<double>(),
+                 smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
+  if (!smallest["clock"].is_null()) text += ", " + smallest["clock"].get<std::string>() + " o'clock";
+  if (!smallest["error_bound_mm"].is_null()) {
+    text += format(" (table error at most %.3f mm)", smallest["error_bound_mm"].get<double>());
+  }
+  for (const json& level : summary["impingement"]) {
+    text += format("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
+    const std::size_t found =
+        level["ball"]["vertices"].get<std::size_t>() + level["socket"]["vertices"].get<std::size_t>();
+    if (found == 0) {
+      text += "nowhere";
+      continue;
+    }
+    text += format("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level["ball"]["area_mm2"].get<double>(),
+                   describe_zones(level["ball"]["clock_zones"]).c_str(),
+                   level["socket"]["area_mm2"].get<double>(),
+                   describe_zones(level["socket"]["clock_zones"]).c_str());
+  }
+  return text + "\n";
+}
+
+}  // namespace impinge

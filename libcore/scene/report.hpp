@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program `scene` writes: ball.ply, socket.ply, gaps.csv, summary.json, and a few lines for the
+// reader.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/joint.hpp"
+#include "scene/measurement.hpp"
+#include "scene/options.hpp"
+
+namespace impinge {
+
+// The contents of summary.json. Lengths in mm, areas in mm^2, angles in degrees, times in ms; null where
+// there is no value.
+nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement);
+
+// Writes the four files into options.out, each whole or not at all. Positions are those of the pose, in the
+// input frame.
+void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
+                 const nlohmann::json& summary);
+
+// The same for a reader at a terminal.
+std::string describe_scene(const nlohmann::json& summary);
+
+}  // namespace impinge
