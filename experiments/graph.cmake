@@ -38,7 +38,7 @@ add_custom_target(results COMMENT "")
 # impinge_program(TARGET VARIABLE): a copy of the program that changes only when its bytes do, so that a comment
 # edited in the library builds again but measures nothing again. VARIABLE receives the path of the copy.
 function(impinge_program target variable)
-  set(copy "${IMPINGE_GRAPH_DIR}/programs/${target}")
+  set(copy "${IMPINGE_GRAPH_DIR}/programs/${target}.kept") # a target's bare name would confuse CMake 3.25
   add_custom_command(
     OUTPUT "${copy}"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${IMPINGE_GRAPH_DIR}/programs"

@@ -93,7 +93,7 @@ def script_of(job: Job) -> str:
     for word in job.command.split():
         if word.startswith(("analysis/", "paper/")):
             return word
-    return f"experiments/{Path(job.command.split()[0]).name}.cpp"
+    return f"experiments/{Path(job.command.split()[0]).stem}.cpp"
 
 
 def show_list(jobs: dict[str, Job]) -> None:
