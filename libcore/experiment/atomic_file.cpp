@@ -60,7 +60,7 @@ fs::path temporary_name(const fs::path& path) { return path.string() + ".tmp" + 
 
 }  // namespace
 
-std::string read_bytes(const fs::path& path) {
+std::string read_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "cannot be read", errno);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -68,7 +68,7 @@ std::string read_bytes(const fs::path& path) {
 
 bool write_if_changed(const fs::path& path, std::string_view bytes) {
   std::error_code ignored;
-  if (fs::is_regular_file(path, ignored) && read_bytes(path) == bytes) return false;
+  if (fs::is_regular_file(path, ignored) && read_file(path) == bytes) return false;
   TemporaryFile file(temporary_name(path));
   file.write(bytes);
   file.rename_to(path);

@@ -9,7 +9,7 @@
 namespace impinge {
 
 // All bytes of a file. Throws std::runtime_error with the path when it cannot be read.
-std::string read_bytes(const std::filesystem::path& path);
+std::string read_file(const std::filesystem::path& path);
 
 // Writes to a temporary name in the same folder, syncs it to the disk and renames it. A file that holds these
 // bytes already keeps its time stamp, so that a build graph with restat stops there. True when the file

@@ -64,7 +64,7 @@ void add_machine(json& record) {
 bool describes(const std::filesystem::path& path, const std::string& csv_digest) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  const json old = json::parse(read_bytes(path), nullptr, /*allow_exceptions=*/false);
+  const json old = json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
   return old.is_object() && old.value("csv_sha256", json()) == csv_digest &&
          old.value("driver_sha256", json()) == driver_digest();
 }

@@ -31,7 +31,7 @@ std::optional<fs::path> first_of(const fs::path& folder, const std::array<const 
 }
 
 Vec3 centre_in(const fs::path& file) {
-  const nlohmann::json subject = nlohmann::json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
+  const nlohmann::json subject = nlohmann::json::parse(read_file(file), nullptr, /*allow_exceptions=*/false);
   const nlohmann::json centre =
       subject.is_object() ? subject.value(kCentre, nlohmann::json()) : nlohmann::json();
   const bool numbers = std::all_of(centre.begin(), centre.end(), [](const auto& x) { return x.is_number(); });
