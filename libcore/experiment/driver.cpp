@@ -23,7 +23,9 @@ void declare(CLI::App& app, Options& options, const DriverInfo& info) {
   app.add_option("--profile", options.profile, "quick extrapolates what takes minutes, full measures it")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "seed of every random number")->capture_default_str();
+  app.add_option("--seed", options.seed, "seed of every random number")
+      ->check(CLI::NonNegativeNumber)  // CLI11 lets -1 wrap round otherwise
+      ->capture_default_str();
   if (!info.takes_bones) return;
   app.add_option("--bones", options.bones, "folder with real meshes, one folder a subject")
       ->check(CLI::ExistingDirectory);

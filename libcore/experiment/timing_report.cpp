@@ -18,7 +18,7 @@ void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
   }
   std::string unsteady;
   for (const Timing& timing : run.timings) {
-    if (run.inconclusive(timing)) unsteady += " " + key_text(timing.key);
+    if (run.inconclusive(timing)) unsteady.append(" ").append(key_text(timing.key));
   }
   if (!unsteady.empty()) {
     progress.say("warning: inconclusive, with an interquartile range above " +

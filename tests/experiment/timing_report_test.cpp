@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/timing_report.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace impinge {
+namespace {
+
+// Two cases with known samples; the control differs from the first by 1 %.
+TimingRun known_run() {
+  TimingRun run;
+  for (const auto& [name, samples] : {std::pair<const char*, std::vector<double>>{"rsid", {2.0, 2.0, 2.0}},
+                                      {"pairwise", {10.0, 20.0, 30.0}}}) {
+    Timing timing;
+    timing.key = {name, 3000};
+    timing.samples_ms = samples;
+    timing.summary = summarise(samples);
+    timing.batch = 8;
+    run.timings.push_back(timing);
+  }
+  run.control = run.timings[0];
+  run.control_ratio = 1.01;
+  return run;
+}
+
+TEST(TimingReport, KeepsEverySample) {
+  const Table table = samples_table({{"method", "", ""}, {"triangles", "1", ""}}, known_run());
+  EXPECT_EQ(to_csv(table),
+            "method,triangles,round,ms\nrsid,3000,1,2\nrsid,3000,2,2\nrsid,3000,3,2\n"
+            "pairwise,3000,1,10\npairwise,3000,2,20\npairwise,3000,3,30\n");
+}
+
+TEST(TimingReport, RowsHaveTheColumnsOfTheContract) {
+  Table table{timing_columns({{"method", "", ""}, {"triangles", "1", ""}}), {}};
+  table.add_row(timing_cells(known_run().timings[1]));
+  table.add_row(extrapolated_cells({"pairwise", 12000}, 320.0));
+  EXPECT_EQ(to_csv(table),
+            "method,triangles,median_ms,iqr_ms,rounds,extrapolated\n"
+            "pairwise,3000,20,10,3,no\npairwise,12000,320,,0,yes\n");
+}
+
+TEST(TimingReport, RecordsControlAndInconclusiveCases) {
+  const nlohmann::json record = timing_record(known_run());
+  EXPECT_EQ(record["control"]["case"], "rsid/3000");
+  EXPECT_DOUBLE_EQ(record["control"]["ratio"].get<double>(), 1.01);
+  EXPECT_EQ(record["control"]["samples_ms"].size(), 3U);
+  EXPECT_EQ(record["inconclusive"], nlohmann::json::array({"pairwise/3000"}));
+  EXPECT_EQ(record["batch"]["rsid/3000"], 8);
+}
+
+}  // namespace
+}  // namespace impinge
