@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A joint coloured by its gap, from four sides. From scenes/NAME (ball.ply, socket.ply with a gap in mm, summary.json).
 
-The thesis names five colours (its Figure 41): purple where the bones touch, then red, orange and yellow within the thickness of the
-cartilage, and beyond it green on the ball and blue on the socket. It does not say where one colour ends: equal steps are our
-choice. Shades darken steadily towards contact, so that the picture reads in grey and with every common colour vision.
+Colours and thresholds are those of the scene (libcore/joint/gap_levels.hpp): the thesis' five, darker towards contact, so
+that the picture reads in grey and with every common colour vision.
 """
 
 from __future__ import annotations
@@ -12,6 +11,7 @@ import contextlib
 import json
 import os
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -28,35 +28,37 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  # registers the renderer
 import common
 import ply
 
-CARTILAGE_MM = 4.0  # where the scene does not say
-TOUCHING = ("#3b0f70", "touching or overlapping")
-STEPS = ["#b3282d", "#f07f1c", "#f7dc6f"]  # from contact to the edge of the cartilage, equal steps
-BEYOND = {"ball": "#3f9f6b", "socket": "#3b7fbf"}
-NO_SURFACE = "#d9d9d9"
 PIXELS = 900  # a side of one view
+SHADES = 4096  # entries of a colour table: so finely are thresholds resolved
 
 
-def bands(cartilage: float) -> list[tuple[float, float, str]]:
-    """Lower end, upper end and colour of each step between contact and the cartilage's thickness, mm."""
-    edges = np.linspace(0, cartilage, len(STEPS) + 1)
-    return [(low, high, colour) for low, high, colour in zip(edges, edges[1:], STEPS)]
+@dataclass(frozen=True)
+class Colours:
+    """Upper ends of the levels in mm, the last one infinite, and the colour of each and of no gap, from 0 to 1."""
+
+    upper: np.ndarray
+    rgb: np.ndarray
+    nothing: np.ndarray
 
 
-def lookup(part: str, cartilage: float) -> tuple[vtkLookupTable, tuple[float, float]]:
-    """Colours by gap: one entry for a step, the first for contact, the last for beyond."""
-    step = cartilage / len(STEPS)
-    colours = [TOUCHING[0], *STEPS, BEYOND[part]]
+def colours_of(summary: dict, part: str) -> Colours:
+    """The levels that the scene used for the ball or the socket."""
+    levels = summary["colours"][part]
+    upper = [np.inf if level["up_to_mm"] is None else level["up_to_mm"] for level in levels]
+    return Colours(np.array(upper), np.array([level["rgb"] for level in levels]) / 255,
+                   np.array(summary["colours"]["no_gap_rgb"]) / 255)
+
+
+def lookup(colours: Colours) -> tuple[vtkLookupTable, tuple[float, float]]:
+    """Colour by gap, and the range of gaps that it spans; beyond, the first and the last colour hold."""
+    limits = (-1.0, float(colours.upper[-2]) + 1.0)
+    gaps = np.linspace(*limits, SHADES)
     table = vtkLookupTable()
-    table.SetNumberOfTableValues(len(colours))
-    for i, colour in enumerate(colours):
-        table.SetTableValue(i, *_rgb(colour))
-    table.SetNanColor(*_rgb(NO_SURFACE), 1)
-    return table, (-step, cartilage + step)
-
-
-def _rgb(colour: str) -> tuple[float, ...]:
-    """Red, green and blue from 0 to 1."""
-    return tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))
+    table.SetNumberOfTableValues(SHADES)
+    for i, level in enumerate(np.searchsorted(colours.upper, gaps)):
+        table.SetTableValue(i, *colours.rgb[level], 1)
+    table.SetNanColor(*colours.nothing, 1)
+    return table, limits
 
 
 def polydata(mesh: ply.Mesh) -> vtkPolyData:
@@ -79,9 +81,9 @@ def polydata(mesh: ply.Mesh) -> vtkPolyData:
     return normals.GetOutput()
 
 
-def actor(mesh: ply.Mesh, part: str, cartilage: float, opacity: float = 1.0) -> vtkActor:
+def actor(mesh: ply.Mesh, colours: Colours, opacity: float = 1.0) -> vtkActor:
     """The mesh with its colours; both sides lit alike."""
-    table, limits = lookup(part, cartilage)
+    table, limits = lookup(colours)
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(polydata(mesh))
     mapper.SetLookupTable(table)
@@ -123,8 +125,9 @@ def picture(actors: list[vtkActor], focus: np.ndarray, towards: np.ndarray, up: 
     return np.flipud(vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(PIXELS, PIXELS, 3))
 
 
-def views(ball: ply.Mesh, socket: ply.Mesh, centre: np.ndarray, cartilage: float) -> dict[str, np.ndarray]:
+def views(ball: ply.Mesh, socket: ply.Mesh, summary: dict) -> dict[str, np.ndarray]:
     """Four images by title. The socket's axis points from the centre to the middle of the socket."""
+    centre = np.array([summary["centre"][axis] for axis in "xyz"])
     axis = socket.vertices.mean(axis=0) - centre
     axis /= np.linalg.norm(axis)
     up = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
@@ -135,9 +138,9 @@ def views(ball: ply.Mesh, socket: ply.Mesh, centre: np.ndarray, cartilage: float
     both = float(np.linalg.norm(points - middle, axis=1).max())
     alone = {part: float(np.linalg.norm(mesh.vertices - centre, axis=1).max())
              for part, mesh in (("ball", ball), ("socket", socket))}
-    ball_actor = actor(ball, "ball", cartilage)
-    socket_actor = actor(socket, "socket", cartilage)
-    glass = actor(socket, "socket", cartilage, opacity=0.45)
+    ball_actor = actor(ball, colours_of(summary, "ball"))
+    socket_actor = actor(socket, colours_of(summary, "socket"))
+    glass = actor(socket, colours_of(summary, "socket"), opacity=0.45)
     return {
         "together, socket as glass": picture([ball_actor, glass], middle, side, up, both),
         "socket, from outside": picture([socket_actor], centre, -axis, up, alone["socket"]),
@@ -169,28 +172,29 @@ def screen():
         server.wait()
 
 
-def legend(cartilage: float) -> list[Patch]:
-    """The colours, from contact outwards."""
-    steps = [Patch(color=colour, label=f"{low:.2g} to {high:.2g} mm") for low, high, colour in bands(cartilage)]
-    return [Patch(color=TOUCHING[0], label=TOUCHING[1]), *steps,
-            Patch(color=BEYOND["ball"], label=f"ball, over {cartilage:g} mm"),
-            Patch(color=BEYOND["socket"], label=f"socket, over {cartilage:g} mm"),
-            Patch(color=NO_SURFACE, label="no surface opposite")]
+def legend(summary: dict) -> list[Patch]:
+    """The colours from contact outwards; the last differs between ball and socket."""
+    ball, socket = colours_of(summary, "ball"), colours_of(summary, "socket")
+    patches = [Patch(color=ball.rgb[0], label="bones touch or overlap")]
+    for low, high, colour in zip(ball.upper, ball.upper[1:-1], ball.rgb[1:-1]):
+        patches.append(Patch(color=colour, label=f"{low:.2g} to {high:.2g} mm"))
+    patches += [Patch(color=colours.rgb[-1], label=f"{part}, over {colours.upper[-2]:.2g} mm")
+                for part, colours in (("ball", ball), ("socket", socket))]
+    return [*patches, Patch(color=ball.nothing, label="no surface opposite")]
 
 
 def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figure:
-    """The views in one row of two by two, a title and the legend."""
-    cartilage = summary.get("cartilage_mm") or CARTILAGE_MM
+    """The views two by two, a title and the legend."""
     common.style()
     figure, grid = plt.subplots(2, 2, figsize=(6.8, 7.6))
     for axes, (title, image) in zip(grid.flat, images.items()):
         axes.imshow(image)
         axes.set_title(title, loc="center", fontsize=10)
         axes.axis("off")
-    smallest = summary.get("smallest_gap_mm")
-    gap = f": smallest gap {smallest:.2f} mm" if smallest is not None else ""
+    smallest = summary["smallest_gap"]
+    gap = f": smallest gap {smallest['gap_mm']:.2f} mm" if smallest else ""
     figure.suptitle(f"{name.replace('_', ' ')}{gap}", fontsize=12, y=0.97)
-    figure.legend(handles=legend(cartilage), loc="lower center", ncol=3, title="gap, mm", fontsize=9)
+    figure.legend(handles=legend(summary), loc="lower center", ncol=3, title="gap, mm", fontsize=9)
     figure.subplots_adjust(left=0.02, right=0.98, top=0.90, bottom=0.14, wspace=0.02, hspace=0.10)
     return figure
 
@@ -200,10 +204,9 @@ def main() -> None:
     options = common.arguments(__doc__, "--scene")
     folder: Path = options.results / "scenes" / options.scene
     summary = json.loads((folder / "summary.json").read_text())
-    cartilage = summary.get("cartilage_mm") or CARTILAGE_MM
     ball, socket = ply.read(folder / "ball.ply"), ply.read(folder / "socket.ply")
     with screen():
-        images = views(ball, socket, np.array(summary["centre"], dtype=float), cartilage)
+        images = views(ball, socket, summary)
     figure = compose(images, options.scene, summary)
     path = options.out / "figures" / f"joint-{options.scene}.png"
     path.parent.mkdir(parents=True, exist_ok=True)

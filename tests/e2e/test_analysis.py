@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules of the analysis on small made-up data: rounding, refusal, verdicts, slopes, PLY."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import struct
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "analysis"))
+
+import pandas as pd  # noqa: E402
+
+import common  # noqa: E402
+import log_plot  # noqa: E402
+import ply  # noqa: E402
+import timing  # noqa: E402
+
+
+class Loading(unittest.TestCase):
+    """A CSV counts only with the sidecar that has its hash."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.results = Path(self.folder.name)
+        (self.results / "data").mkdir()
+        self.csv = self.results / "data" / "x.csv"
+        self.csv.write_text("a,flag\n0.1,yes\n")
+        self.vouch()
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def vouch(self):
+        """Writes the sidecar for the bytes as they are."""
+        digest = hashlib.sha256(self.csv.read_bytes()).hexdigest()
+        self.csv.with_suffix(".json").write_text(json.dumps({"csv_sha256": digest, "seed": 1}))
+
+    def test_good(self):
+        table = common.load(self.results, "x")
+        self.assertEqual(table.a[0], 0.1)
+        self.assertTrue(table.flag[0])
+        self.assertEqual(table.attrs["seed"], 1)
+
+    def test_refused(self):
+        self.csv.write_text("a,flag\n0.2,yes\n")
+        with self.assertRaisesRegex(common.Refused, "x.csv"):
+            common.load(self.results, "x")
+        self.csv.with_suffix(".json").write_text("[]")
+        with self.assertRaisesRegex(common.Refused, "x.json"):
+            common.load(self.results, "x")
+        self.csv.with_suffix(".json").unlink()
+        with self.assertRaisesRegex(common.Refused, "no sidecar"):
+            common.load(self.results, "x")
+        self.csv.unlink()
+        with self.assertRaisesRegex(common.Refused, "not there"):
+            common.load(self.results, "x")
+
+
+class Numbers(unittest.TestCase):
+    """What readers see."""
+
+    def test_digits(self):
+        for value, text in ((0, "0"), (1234.5, "1,230"), (0.012345, "0.0123"), (5.7, "5.70"), (float("nan"), ""),
+                            (17722156, "17,700,000"), (-2.345, "-2.35")):
+            self.assertEqual(common.digits(value), text)
+
+    def test_rows(self):
+        for text, value in (("0.5deg", 0.5), ("12k", 12000), ("300", 300)):
+            self.assertEqual(common.number(text), value)
+        self.assertNotEqual(common.number("N/A"), common.number("N/A"))
+
+    def test_slope(self):
+        x = pd.Series([1.0, 2.0, 4.0])
+        self.assertAlmostEqual(log_plot.slope(x, 3 * x**2), 2)
+
+    def test_tex(self):
+        self.assertEqual(common.tex("50 % of a_b"), r"50 \% of a\_b")
+
+
+class Counterparts(unittest.TestCase):
+    """Every timed column of the thesis' tables has a method of ours."""
+
+    def test_complete(self):
+        for table in (timing.TABLE_3, timing.TABLE_4):
+            columns = set(common.thesis(table.artefact).column)
+            self.assertEqual(columns, set(common.counterparts(table.artefact)))
+
+
+class Ply(unittest.TestCase):
+    """Text and binary give the same mesh."""
+
+    HEADER = ("ply\nformat {}\ncomment units mm\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+              "property double gap\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n")
+    POINTS = [(0, 0, 0, 1.5), (1, 0, 0, float("nan")), (0, 1, 0, -2)]
+
+    def check(self, body: bytes, style: str):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "m.ply"
+            path.write_bytes(self.HEADER.format(style).encode() + body)
+            mesh = ply.read(path)
+        self.assertEqual(mesh.vertices.tolist(), [[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+        self.assertEqual(mesh.triangles.tolist(), [[0, 1, 2]])
+        self.assertEqual(mesh.properties["gap"][2], -2)
+        self.assertTrue(mesh.properties["gap"][1] != mesh.properties["gap"][1])
+
+    def test_text(self):
+        lines = [" ".join(map(str, point)) for point in self.POINTS]
+        self.check(("\n".join([*lines, "3 0 1 2"]) + "\n").encode(), "ascii 1.0")
+
+    def test_binary(self):
+        for order, style in (("<", "binary_little_endian 1.0"), (">", "binary_big_endian 1.0")):
+            body = b"".join(struct.pack(order + "fffd", *point) for point in self.POINTS)
+            self.check(body + struct.pack(order + "Biii", 3, 0, 1, 2), style)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""experiments/reproduce from end to end, in the order in which a user meets it.
+
+The first test makes everything in a temporary results folder (killed twice on the way); the others look at what is there.
+With IMPINGE_BONES set, real joints are part of it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BONES = os.environ.get("IMPINGE_BONES", "")
+DATA = ["lut_memory", "sampling_time", "detection_time"]
+PROMISED = ["report.html", "paper.pdf", "verdicts.csv",
+            *(f"tables/table-{n}.{kind}" for n in (2, 3, 4) for kind in ("csv", "tex")),
+            *(f"figures/{name}.{kind}" for name in ("sampling-time", "detection-time") for kind in ("svg", "png", "pdf")),
+            "figures/joint-generated.png", *(f"data/{name}.{kind}" for name in DATA for kind in ("csv", "json"))]
+
+
+def command(*options: str) -> list[str]:
+    """The command with the test's results folder."""
+    bones = ["--bones", BONES] if BONES else []
+    return [str(ROOT / "experiments" / "reproduce"), "--quick", "--results", str(RESULTS), *bones, *options]
+
+
+def reproduce(*options: str, words: list[str] | None = None) -> subprocess.CompletedProcess:
+    """Runs it to its end, from a folder that is not the project's."""
+    return subprocess.run(words or command(*options), cwd="/", capture_output=True, text=True)
+
+
+def wait_for(condition, seconds: float) -> bool:
+    """Whether the condition comes true in time."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.2)
+    return False
+
+
+def bytes_of(*patterns: str) -> dict[str, str]:
+    """SHA-256 of every file of the results that matches."""
+    files = sorted({file for pattern in patterns for file in RESULTS.glob(pattern) if file.is_file()})
+    return {str(file.relative_to(RESULTS)): hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
+
+
+class Reproduce(unittest.TestCase):
+    """Tests in alphabetical order: a, b, c."""
+
+    def test_a_bad_input_is_one_line_and_changes_nothing(self):
+        """Exit code 2, one line that names what is wrong, no results folder."""
+        program = str(ROOT / "experiments" / "reproduce")
+        nowhere = str(RESULTS / "no" / "such")
+        cases = [(["--frobnicate"], "--frobnicate"), (["--jobs", "0"], "--jobs 0"), (["--jobs", "many"], "--jobs many"),
+                 (["--results"], "--results"), (["--bones", nowhere], nowhere), (["--results", "/proc/x"], "/proc"),
+                 (["--results", "/etc/passwd"], "/etc/passwd"), (["--bones", str(ROOT / "libcore")], "libcore"),
+                 (["stray"], "stray")]
+        for options, named in cases:
+            with self.subTest(options=options):
+                done = subprocess.run([program, *options], cwd="/", capture_output=True, text=True)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertIn(named, done.stderr)
+        self.assertFalse(any(RESULTS.iterdir()))
+
+    def test_b_killed_runs_go_on(self):
+        """Killed while it starts, and while an experiment runs; then it ends, and nothing half-written is left."""
+        for stage in ("data/lut_memory.json", "data/detection_time.json"):
+            process = subprocess.Popen(command(), cwd="/", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            wait_for(lambda: (RESULTS / stage).exists() or process.poll() is not None, 1200)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        before = bytes_of("data/lut_memory.*")
+        done = reproduce()
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(before, bytes_of("data/lut_memory.*"), "a finished job ran again")
+        self.assertFalse((RESULTS / ".staging").exists())
+        for file in PROMISED:
+            self.assertTrue((RESULTS / file).is_file() and (RESULTS / file).stat().st_size, file)
+        self.assertIn("report.html", done.stdout)
+        self.assertRegex(done.stdout, r"verdicts \d+ ")
+
+    def test_c_second_run_does_nothing_and_says_so(self):
+        """Within five seconds."""
+        begin = time.monotonic()
+        done = reproduce()
+        self.assertLess(time.monotonic() - begin, 5)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("nothing to do", done.stdout)
+
+    def test_d_same_bytes_when_made_again(self):
+        """Whatever holds no time is the same to the byte: tables of memory, figures, paper, for the same data."""
+        patterns = ["data/lut_memory.csv", "tables/*", "figures/*", "verdicts.csv", "paper.pdf", "scenes/*/*.ply"]
+        before = bytes_of(*patterns)
+        for file in [*RESULTS.glob("tables/*"), *RESULTS.glob("figures/*"), RESULTS / "paper.pdf", RESULTS / "verdicts.csv",
+                     RESULTS / "data" / "lut_memory.csv", RESULTS / "scenes" / "generated" / "ball.ply"]:
+            file.unlink()
+        self.assertEqual(reproduce().returncode, 0)
+        self.assertEqual(before, bytes_of(*patterns))
+
+    def test_e_list_names_each_artefact_once(self):
+        """With experiment, script, command and time."""
+        lines = reproduce("--list").stdout.splitlines()
+        artefacts = [line for line in lines if line and not line.startswith(" ")]
+        self.assertEqual(len(artefacts), len(set(artefacts)))
+        for name in ["table-2", "table-3", "table-4", "sampling-time", "detection-time", "joint-generated", "verdicts",
+                     "report", "paper", *DATA]:
+            self.assertEqual(artefacts.count(name), 1, name)
+        self.assertEqual(sum("script" in line and "experiment" in line and "about" in line for line in lines), len(artefacts))
+
+    def test_f_why(self):
+        """Up to date; or the file that is missing; or which names there are."""
+        self.assertIn("up to date", reproduce("--why", "table-2").stdout)
+        (RESULTS / "tables" / "table-2.csv").unlink()
+        self.assertIn("table-2.csv is not there yet", reproduce("--why", "table-2").stdout)
+        unknown = reproduce("--why", "table-99")
+        self.assertEqual(unknown.returncode, 2)
+        self.assertIn("table-2", unknown.stderr)
+
+    def test_g_only(self):
+        """Makes one artefact, and refuses an unknown one."""
+        (RESULTS / "tables" / "table-3.csv").unlink(missing_ok=True)
+        self.assertEqual(reproduce("--only", "table-2").returncode, 0)
+        self.assertTrue((RESULTS / "tables" / "table-2.csv").is_file())
+        self.assertFalse((RESULTS / "tables" / "table-3.csv").exists())
+        self.assertEqual(reproduce("--only", "table-99").returncode, 2)
+
+    def test_h_a_changed_byte_is_refused(self):
+        """The report names the CSV that its sidecar does not vouch for; removing the CSV mends it."""
+        csv = RESULTS / "data" / "lut_memory.csv"
+        good = csv.read_bytes()
+        csv.write_bytes(good.replace(b"65160", b"65161", 1))
+        refused = reproduce()
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("lut_memory.csv", refused.stderr)
+        csv.unlink()
+        self.assertEqual(reproduce().returncode, 0)
+        self.assertEqual(csv.read_bytes(), good)
+
+    def test_i_verdicts_are_complete(self):
+        """One for each row of Tables 2 to 4 of the thesis, each a word that the contract knows."""
+        def rows(file: Path) -> list[dict]:
+            import csv
+            with file.open(newline="") as stream:
+                return list(csv.DictReader(stream))
+        known = {"reproduced", "differs", "thesis-misprint", "not-comparable", "input"}
+        verdicts = {(row["artefact"], row["row"], row["column"]): row for row in rows(RESULTS / "verdicts.csv")}
+        for row in rows(ROOT / "analysis" / "thesis_values.csv"):
+            if row["artefact"] in ("table-2", "table-3", "table-4"):
+                verdict = verdicts[row["artefact"], row["row"], row["column"]]
+                self.assertIn(verdict["verdict"], known)
+                self.assertEqual(verdict["thesis"], row["value"])
+                self.assertTrue(verdict["measured"], row)
+
+    def test_j_report_stands_alone(self):
+        """No request to anywhere, every figure inside."""
+        page = (RESULTS / "report.html").read_text()
+        self.assertEqual(re.findall(r"""(?:src|href)=["'](?!data:|#)[^"']*""", page), [])
+        self.assertEqual(page.count("<img"), len(list(RESULTS.glob("figures/joint-*.png"))) + 2)
+
+    def test_k_paper_has_its_numbers(self):
+        """Text of the PDF: entries of Table 2, and no fact left open."""
+        text = subprocess.run(["pdftotext", str(RESULTS / "paper.pdf"), "-"], capture_output=True, text=True).stdout
+        self.assertIn("25,927,200", text)
+        self.assertNotIn("??", text)
+
+    def test_l_sidecars(self):
+        """Each CSV has one, with its hash and where it comes from."""
+        for csv in RESULTS.glob("data/*.csv"):
+            record = json.loads(csv.with_suffix(".json").read_text())
+            self.assertEqual(record["csv_sha256"], hashlib.sha256(csv.read_bytes()).hexdigest())
+            for key in ("question", "columns", "seed", "commit", "driver_sha256", "compiler", "flags", "cpu", "command"):
+                self.assertIn(key, record, csv.name)
+
+    @unittest.skipUnless(BONES, "no real joints: set IMPINGE_BONES")
+    def test_m_real_joints(self):
+        """Each real joint is timed and rendered."""
+        for joint in (folder.name for folder in Path(BONES).iterdir() if folder.is_dir()):
+            self.assertTrue((RESULTS / "figures" / f"joint-{joint}.png").is_file(), joint)
+        self.assertTrue((RESULTS / "data" / "detection_time_bones.csv").is_file())
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        RESULTS = Path(folder)
+        unittest.main(verbosity=2, failfast=True)
