@@ -125,12 +125,18 @@ def picture(actors: list[vtkActor], focus: np.ndarray, towards: np.ndarray, up: 
     return np.flipud(vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(PIXELS, PIXELS, 3))
 
 
+def upwards(axes: str, axis: np.ndarray) -> np.ndarray:
+    """Where superior is, from a text such as RAS; another direction where the socket's axis runs that way itself."""
+    up = np.array([{"S": 1.0, "I": -1.0}.get(end, 0.0) for end in axes])
+    return up if abs(up @ axis) < 0.9 else np.roll(up, 1)
+
+
 def views(ball: ply.Mesh, socket: ply.Mesh, summary: dict) -> dict[str, np.ndarray]:
     """Four images by title. The socket's axis points from the centre to the middle of the socket."""
     centre = np.array([summary["centre"][axis] for axis in "xyz"])
     axis = socket.vertices.mean(axis=0) - centre
     axis /= np.linalg.norm(axis)
-    up = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.9 else np.array([0.0, 1.0, 0.0])
+    up = upwards(summary["axes"], axis)
     side = np.cross(axis, up)
     side /= np.linalg.norm(side)
     points = np.vstack([ball.vertices, socket.vertices])

@@ -42,12 +42,37 @@ function(joints folder)
   set(IMPINGE_JOINTS "${found}" PARENT_SCOPE)
 endfunction()
 
+# side_and_axes(VARIABLE FOLDER): options of scene from an optional subject.json, whose "side" is left or right and whose
+# "axes" reads like "+x = patient right, +y = anterior, +z = superior".
+function(side_and_axes variable folder)
+  set(options "")
+  if(EXISTS "${folder}/subject.json")
+    file(READ "${folder}/subject.json" subject)
+    string(JSON side ERROR_VARIABLE none GET "${subject}" side)
+    string(JSON axes ERROR_VARIABLE none GET "${subject}" axes)
+    if(side MATCHES "^(left|right)$")
+      list(APPEND options --side ${side})
+    endif()
+    string(REGEX MATCHALL "= (patient )?(right|left|anterior|posterior|superior|inferior)" ends "${axes}")
+    list(TRANSFORM ends REPLACE "= (patient )?(.).*" "\\2")
+    list(JOIN ends "" ends)
+    string(TOUPPER "${ends}" ends)
+    if(ends MATCHES "^...$")
+      list(APPEND options --axes ${ends})
+    endif()
+  endif()
+  set(${variable} "${options}" PARENT_SCOPE)
+endfunction()
+
 set(IMPINGE_JOINTS "")
 if(IMPINGE_BONES)
   joints("${IMPINGE_BONES}")
   if(NOT IMPINGE_JOINTS)
-    message(FATAL_ERROR "${IMPINGE_BONES} holds no sub-folder with a ball and a socket mesh "
-                        "(${ball_names} and ${socket_names})")
+    list(JOIN ball_names ", " balls)
+    list(JOIN socket_names ", " sockets)
+    set(refused "--bones ${IMPINGE_BONES}: no sub-folder holds a ball (${balls}) and a socket (${sockets})")
+    file(WRITE "${IMPINGE_GRAPH_DIR}/refused" "${refused}\n") # for experiments/reproduce, unwrapped
+    message(FATAL_ERROR "${refused}")
   endif()
 endif()
 
@@ -70,7 +95,8 @@ foreach(driver IN LISTS drivers)
     list(APPEND tables ${more})
     set(bones_arguments --bones "${IMPINGE_BONES}")
     foreach(joint IN LISTS IMPINGE_JOINTS)
-      list(APPEND bones_files "${${joint}_ball}" "${${joint}_socket}")
+      file(GLOB subject CONFIGURE_DEPENDS "${IMPINGE_BONES}/${joint}/subject.json")
+      list(APPEND bones_files "${${joint}_ball}" "${${joint}_socket}" ${subject})
     endforeach()
   endif()
   set(outputs "")
@@ -92,7 +118,7 @@ foreach(driver IN LISTS drivers)
     QUESTION "${question}")
 endforeach()
 
-# impinge_scene(NAME BALL SOCKET DEPENDS...): the scene program on one joint, into scenes/NAME.
+# impinge_scene(NAME BALL SOCKET OPTION...): the scene program on one joint, into scenes/NAME.
 set(IMPINGE_SCENES "")
 function(impinge_scene name ball socket)
   impinge_job(
@@ -100,7 +126,7 @@ function(impinge_scene name ball socket)
     OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
     DEPENDS "${scene_program}" "${ball}" "${socket}"
     COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --precision 0.5 --cartilage 4
-            --out scenes/${name}
+            ${ARGN} --out scenes/${name}
     SECONDS 2 2
     ARTEFACTS scene-${name}
     QUESTION "Where is the joint ${name} impinged?")
@@ -121,7 +147,8 @@ if(TARGET scene AND TARGET make_pair)
   set(pair "${IMPINGE_RESULTS_DIR}/scenes/generated/input")
   impinge_scene(generated "${pair}/ball.ply" "${pair}/socket.ply")
   foreach(joint IN LISTS IMPINGE_JOINTS)
-    impinge_scene(${joint} "${${joint}_ball}" "${${joint}_socket}")
+    side_and_axes(options "${IMPINGE_BONES}/${joint}")
+    impinge_scene(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
   endforeach()
 endif()
 set(IMPINGE_SCENES "${IMPINGE_SCENES}" PARENT_SCOPE)
