@@ -12,7 +12,9 @@
 // * reads an OBJ file cut at most places, and opens the material library that the file names;
 // * turns indices of an OFF file that are out of range into the last vertex, leaves out its polygons of more
 // than nine
-//   corners, and takes its comments for data.
+//   corners, and takes its comments for data;
+// * reads no faces from a PLY file with an element that it does not know, such as a camera;
+// * reads no coordinates that begin with a point in an OBJ file.
 #pragma once
 
 #include <cstddef>
@@ -23,26 +25,35 @@
 
 namespace impinge {
 
+// Checksums of what a reader must find.
+struct MeshFileSums {
+  double coordinates = 0.0;  // of the magnitudes of all coordinates
+  double corners = 0.0;      // of the indices of all corners of polygons, from 0
+};
+
 // What a reader must find in the file.
 struct MeshFileContent {
-  std::optional<std::size_t> vertices;  // if the format lists them
+  std::optional<std::size_t> vertices;  // PLY and OFF
   std::size_t polygons = 0;             // faces of three corners or more
+  std::optional<MeshFileSums> sums;     // PLY and OFF
 };
+
+// In text formats other than PLY, `bytes` is replaced by the same vertices and faces in their plainest form:
+// no comments, names, materials, colours, normals; several ascii STL solids become one.
 
 // Binary (both byte orders) and ascii. A cut at any byte is found, except within the last number of an ascii
 // file (a last line without line end is legal).
 MeshFileContent check_ply(const std::filesystem::path& file, std::string_view bytes);
 
 // Binary: the size must be 84 + 50 n bytes. Ascii: complete facets, and endsolid at the end.
-MeshFileContent check_stl(const std::filesystem::path& file, std::string_view bytes);
+MeshFileContent check_stl(const std::filesystem::path& file, std::string& bytes);
 
-// Text with the keyword OFF, COFF, NOFF or STOFF; cuts are found as in ascii PLY. Comments are blanked out in
-// `bytes`.
+// Text with the keyword OFF, COFF, NOFF, CNOFF or STOFF; cuts are found as in ascii PLY.
 MeshFileContent check_off(const std::filesystem::path& file, std::string& bytes);
 
 // OBJ declares no counts: a file cut between two lines reads as a smaller mesh, which validate() shows as
 // boundary edges. A cut within a line is found when it leaves an incomplete line or vertices that no face
-// uses. All but the v and f records (positions and faces) is blanked out in `bytes`.
+// uses.
 MeshFileContent check_obj(const std::filesystem::path& file, std::string& bytes);
 
 }  // namespace impinge

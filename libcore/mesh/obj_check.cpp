@@ -20,57 +20,54 @@ void join_lines(std::string& bytes) {
   }
 }
 
+// Reads the v and f records and writes them again, as plainly as they can be.
 class ObjScan {
  public:
-  ObjScan(const fs::path& file, std::string& bytes) : file_(file), bytes_(bytes) {}
-
-  std::size_t polygons() {
-    for (std::size_t begin = 0; begin < bytes_.size();) {
-      const std::size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
+  ObjScan(const fs::path& file, std::string_view bytes)
+      : file_(file), line_end_missing_(bytes.back() != '\n') {
+    LineScanner lines(bytes);
+    while (const std::optional<std::string_view> line = lines.next()) {
       ++line_;
-      take(std::span(bytes_).subspan(begin, end - begin));
-      begin = end + 1;
+      split_words(line->substr(0, line->find('#')), words_);
+      if (!words_.empty() && words_[0] == "v") take_vertex();
+      if (!words_.empty() && words_[0] == "f") take_face();
     }
     if (polygons_ == 0)
       throw MeshFileError(file_, "has no faces", "it is no OBJ mesh or cut short, export it again");
     check_indices();
-    return polygons_;
   }
+
+  std::size_t polygons() const { return polygons_; }
+  const std::string& text() const { return text_; }
 
  private:
-  // Reads a v or f record and blanks out all else.
-  void take(std::span<char> line) {
-    std::fill(std::ranges::find(line, '#'), line.end(), ' ');
-    split_words(std::string_view(line.data(), line.size()), words_);
-    if (!words_.empty() && words_[0] == "v") {
-      take_vertex();
-    } else if (!words_.empty() && words_[0] == "f") {
-      take_face(line);
-    } else {
-      std::ranges::fill(line, ' ');
-    }
-  }
-
+  // v x y z, what follows (weight, colour) is left out. assimp 5.2 cannot read .5 here: it becomes 0.5.
   void take_vertex() {
-    const auto numbers = std::span(words_).subspan(1);
-    if (numbers.size() < 3 ||
-        !std::ranges::all_of(numbers, [](auto w) { return to_number(w).has_value(); })) {
-      throw_incomplete();
+    if (words_.size() < 4) throw_incomplete();
+    text_ += 'v';
+    for (std::string_view word : std::span(words_).subspan(1, 3)) {
+      if (!to_number(word)) throw_incomplete();
+      text_ += ' ';
+      if (word[0] == '-') text_ += '-';
+      if (word[0] == '-' || word[0] == '+') word.remove_prefix(1);
+      if (word[0] == '.') text_ += '0';
+      text_ += word;
     }
+    text_ += '\n';
     ++vertices_;
   }
 
   // Corners are v, v/vt, v//vn or v/vt/vn; v counts from 1, or back from the last vertex if negative.
-  void take_face(std::span<char> line) {
+  void take_face() {
     if (words_.size() < 4) throw_incomplete();
+    text_ += 'f';
     for (const std::string_view word : std::span(words_).subspan(1)) {
-      const std::size_t length = std::min(word.find('/'), word.size());
-      const std::optional<std::int64_t> v = to_integer(word.substr(0, length));
-      if (!v) throw_incomplete();
+      const std::optional<std::int64_t> v = to_integer(word.substr(0, word.find('/')));
+      if (!v || *v < -vertices_) throw_incomplete();
       corners_.push_back(*v < 0 ? vertices_ + *v : *v - 1);
-      const auto from = static_cast<std::size_t>(word.data() - line.data());
-      std::ranges::fill(line.subspan(from + length, word.size() - length), ' ');
+      text_ += ' ' + std::to_string(corners_.back() + 1);
     }
+    text_ += '\n';
     ++polygons_;
   }
 
@@ -83,7 +80,7 @@ class ObjScan {
       }
       used[static_cast<std::size_t>(v)] = true;
     }
-    if (bytes_.back() != '\n' && std::ranges::find(used, false) != used.end()) {
+    if (line_end_missing_ && std::ranges::find(used, false) != used.end()) {
       throw MeshFileError(file_, "its last line has no end and some vertices have no face, it is cut short",
                           "export or copy it again");
     }
@@ -96,7 +93,8 @@ class ObjScan {
   }
 
   const fs::path& file_;
-  std::string& bytes_;
+  bool line_end_missing_;
+  std::string text_;
   std::size_t line_ = 0;
   std::size_t polygons_ = 0;
   std::int64_t vertices_ = 0;
@@ -110,7 +108,9 @@ MeshFileContent check_obj(const fs::path& file, std::string& bytes) {
   if (bytes.find('\0') != std::string::npos)
     throw MeshFileError(file, "is no text, so no OBJ file", "export it again");
   join_lines(bytes);
-  return {std::nullopt, ObjScan(file, bytes).polygons()};
+  const ObjScan scan(file, bytes);
+  bytes = scan.text();
+  return {std::nullopt, scan.polygons(), std::nullopt};
 }
 
 }  // namespace impinge

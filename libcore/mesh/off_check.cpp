@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "mesh/file_checks.hpp"
 #include "mesh/file_error.hpp"
@@ -13,13 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string_view>;
 
-void blank_comments(std::string& bytes) {
+std::string without_comments(std::string bytes) {
   bool comment = false;
   for (char& c : bytes) {
-    if (c == '#') comment = true;
-    if (c == '\n') comment = false;
+    comment = c != '\n' && (comment || c == '#');
     if (comment) c = ' ';
   }
+  return bytes;
+}
+
+// Appends words 0..n-1 as one line.
+void append_line(std::string& text, const Words& words, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) text.append(words[k]).push_back(k + 1 < n ? ' ' : '\n');
 }
 
 [[noreturn]] void throw_damaged(const fs::path& file, const char* what, std::int64_t i, std::int64_t n) {
@@ -69,20 +76,29 @@ bool is_face(const Words& words, std::int64_t vertices) {
 }  // namespace
 
 MeshFileContent check_off(const fs::path& file, std::string& bytes) {
-  blank_comments(bytes);
-  LineScanner lines(bytes);
+  const std::string input = without_comments(std::move(bytes));
+  LineScanner lines(input);
   const auto [vertices, faces, edges] = counts(file, lines);
+  MeshFileContent content{static_cast<std::size_t>(vertices), 0, MeshFileSums{}};
+  bytes = "OFF\n" + std::to_string(vertices) + ' ' + std::to_string(faces) + " 0\n";
   for (std::int64_t i = 0; i < vertices; ++i) {
-    if (!has_numbers(lines.next_words(), 3)) throw_damaged(file, "vertex", i, vertices);
+    const Words& words = lines.next_words();
+    if (!has_numbers(words, 3)) throw_damaged(file, "vertex", i, vertices);
+    for (std::size_t k = 0; k < 3; ++k) content.sums->coordinates += std::abs(*to_number(words[k]));
+    append_line(bytes, words, 3);
   }
-  MeshFileContent content{static_cast<std::size_t>(vertices), 0};
   for (std::int64_t i = 0; i < faces; ++i) {
     const Words& words = lines.next_words();
     if (!is_face(words, vertices)) throw_damaged(file, "face", i, faces);
-    if (*to_integer(words[0]) >= 3) ++content.polygons;
+    const auto corners = static_cast<std::size_t>(*to_integer(words[0]));
+    append_line(bytes, words, 1 + corners);
+    if (corners < 3) continue;
+    ++content.polygons;
+    for (std::size_t k = 1; k <= corners; ++k) content.sums->corners += *to_number(words[k]);
   }
-  if (content.polygons == 0)
+  if (content.polygons == 0) {
     throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+  }
   return content;
 }
 

@@ -77,6 +77,10 @@ const PlyProperty* corner_list(const PlyElement& face) {
   return list != nullptr && list->count && !list->type.floating ? list : nullptr;
 }
 
+[[noreturn]] void throw_no_faces(const fs::path& file) {
+  throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+}
+
 void check_elements(const fs::path& file, const PlyHeader& header) {
   const PlyElement* vertex = find_element(header, "vertex");
   const PlyElement* face = find_element(header, "face");
@@ -94,7 +98,7 @@ void check_elements(const fs::path& file, const PlyHeader& header) {
     throw MeshFileError(file, "its PLY header has no vertices with x, y and z", "export it again");
   }
   if (face == nullptr || face->count == 0) {
-    throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+    throw_no_faces(file);
   }
   if (corner_list(*face) == nullptr || face < vertex) {
     throw MeshFileError(file, "its PLY faces have no list vertex_indices, or come before the vertices",
@@ -102,48 +106,68 @@ void check_elements(const fs::path& file, const PlyHeader& header) {
   }
 }
 
-// Walks through all values; counts the polygons.
+// Walks through all values.
 class Walk {
  public:
-  Walk(const fs::path& file, const PlyHeader& header) : file_(file), header_(header) {}
+  Walk(const fs::path& file, const PlyHeader& header)
+      : file_(file),
+        header_(header),
+        values_(values_of(header)),
+        vertices_(find_element(header, "vertex")->count) {}
 
-  std::size_t polygons() {
-    std::size_t count = 0;
-    const std::unique_ptr<Values> values = values_of(header_);
+  MeshFileContent content() {
     for (const PlyElement& element : header_.elements) {
-      for (std::int64_t i = 0; i < element.count; ++i) {
-        if (record(*values, element, i) >= 3) ++count;
-      }
+      for (std::int64_t i = 0; i < element.count; ++i) record(element, i);
     }
-    return count;
+    return {static_cast<std::size_t>(vertices_), polygons_, sums_};
   }
 
  private:
-  // Number of corners, 0 for anything but a face.
-  std::int64_t record(Values& values, const PlyElement& element, std::int64_t i) {
-    std::int64_t corners = 0;
-    const PlyProperty* const list = element.name == "face" ? corner_list(element) : nullptr;
-    values.next_record();
+  void record(const PlyElement& element, std::int64_t i) {
+    const PlyProperty* const corners = element.name == "face" ? corner_list(element) : nullptr;
+    values_->next_record();
     for (const PlyProperty& property : element.properties) {
-      const std::int64_t length = property.count ? list_length(values, property, element, i) : 1;
-      for (std::int64_t k = 0; k < length; ++k) {
-        const double x = value(values, property.type, element, i);
-        if (&property == list) check_corner(x, i);
+      if (&property == corners) {
+        polygon(property, element, i);
+        continue;
       }
-      if (&property == list) corners = length;
+      const std::int64_t length = property.count ? list_length(property, element, i) : 1;
+      for (std::int64_t k = 0; k < length; ++k) {
+        const double x = value(property.type, element, i);
+        if (element.name == "vertex" && is_coordinate(property)) sums_.coordinates += std::abs(x);
+      }
     }
-    return corners;
   }
 
-  std::int64_t list_length(Values& values, const PlyProperty& list, const PlyElement& element,
-                           std::int64_t i) {
-    const double length = value(values, *list.count, element, i);
+  static bool is_coordinate(const PlyProperty& property) {
+    return property.name == "x" || property.name == "y" || property.name == "z";
+  }
+
+  void polygon(const PlyProperty& list, const PlyElement& face, std::int64_t i) {
+    const std::int64_t length = list_length(list, face, i);
+    double sum = 0.0;
+    for (std::int64_t k = 0; k < length; ++k) {
+      const double v = value(list.type, face, i);
+      if (!(v >= 0.0 && v < static_cast<double>(vertices_) && v == std::floor(v))) {
+        throw MeshFileError(file_,
+                            "face " + std::to_string(i) + " names a vertex that is not there, it is damaged",
+                            "export it again");
+      }
+      sum += v;
+    }
+    if (length < 3) return;
+    ++polygons_;
+    sums_.corners += sum;
+  }
+
+  std::int64_t list_length(const PlyProperty& list, const PlyElement& element, std::int64_t i) {
+    const double length = value(*list.count, element, i);
     if (length >= 0.0 && length <= 4294967295.0) return static_cast<std::int64_t>(length);
     throw_damaged(element, i);
   }
 
-  double value(Values& values, PlyType type, const PlyElement& element, std::int64_t i) {
-    const std::optional<double> x = values.next(type);
+  double value(PlyType type, const PlyElement& element, std::int64_t i) {
+    const std::optional<double> x = values_->next(type);
     if (!x) throw_damaged(element, i);
     return *x;
   }
@@ -156,16 +180,12 @@ class Walk {
                         "export or copy it again");
   }
 
-  void check_corner(double x, std::int64_t face) {
-    const auto vertices = static_cast<double>(find_element(header_, "vertex")->count);
-    if (x >= 0.0 && x < vertices && x == std::floor(x)) return;
-    throw MeshFileError(file_,
-                        "face " + std::to_string(face) + " names a vertex that is not there, it is damaged",
-                        "export it again");
-  }
-
   const fs::path& file_;
   const PlyHeader& header_;
+  std::unique_ptr<Values> values_;
+  std::int64_t vertices_;
+  std::size_t polygons_ = 0;
+  MeshFileSums sums_;
 };
 
 }  // namespace
@@ -173,8 +193,9 @@ class Walk {
 MeshFileContent check_ply(const fs::path& file, std::string_view bytes) {
   const PlyHeader header = parse_ply_header(file, bytes);
   check_elements(file, header);
-  const std::size_t polygons = Walk(file, header).polygons();
-  return {static_cast<std::size_t>(find_element(header, "vertex")->count), polygons};
+  const MeshFileContent content = Walk(file, header).content();
+  if (content.polygons == 0) throw_no_faces(file);
+  return content;
 }
 
 }  // namespace impinge

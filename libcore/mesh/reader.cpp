@@ -53,25 +53,43 @@ std::span<const aiFace> polygons(const aiMesh& part) { return {part.mFaces, part
 std::span<const aiVector3D> points(const aiMesh& part) { return {part.mVertices, part.mNumVertices}; }
 std::span<const unsigned> corners(const aiFace& face) { return {face.mIndices, face.mNumIndices}; }
 
-// Did assimp find what is there? Before any of its processing touches an index.
-void check_scene(const fs::path& file, const aiScene& scene, const MeshFileContent& content) {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
+// What assimp found; indices that do not exist are refused, before any of its processing touches one.
+MeshFileContent content_of(const fs::path& file, const aiScene& scene) {
+  MeshFileContent found{0, 0, MeshFileSums{}};
   for (const aiMesh* part : parts(scene)) {
-    vertices += part->mNumVertices;
+    *found.vertices += part->mNumVertices;
+    for (const aiVector3D& p : points(*part)) {
+      found.sums->coordinates += std::abs(double{p.x}) + std::abs(double{p.y}) + std::abs(double{p.z});
+    }
     for (const aiFace& face : polygons(*part)) {
-      if (face.mNumIndices >= 3) ++faces;
-      if (!std::ranges::all_of(corners(face), [part](unsigned v) { return v < part->mNumVertices; })) {
-        throw MeshFileError(file, "a face names a vertex that is not there, it is damaged",
-                            "export it again");
+      if (face.mNumIndices >= 3) ++found.polygons;
+      for (const unsigned v : corners(face)) {
+        if (v >= part->mNumVertices) {
+          throw MeshFileError(file, "a face names a vertex that is not there, it is damaged",
+                              "export it again");
+        }
+        if (face.mNumIndices >= 3) found.sums->corners += v;
       }
     }
   }
-  if (faces != content.polygons || (content.vertices && vertices != *content.vertices)) {
+  return found;
+}
+
+// Did assimp find what is there?
+void check_scene(const fs::path& file, const aiScene& scene, const MeshFileContent& content) {
+  const MeshFileContent found = content_of(file, scene);
+  const char* advice = "triangulate it and export it as binary PLY or STL";
+  if (found.polygons != content.polygons || (content.vertices && found.vertices != content.vertices)) {
     throw MeshFileError(file,
-                        "only " + std::to_string(faces) + " of its " + std::to_string(content.polygons) +
-                            " faces could be read",
-                        "triangulate it and export it as binary PLY or STL");
+                        "only " + std::to_string(found.polygons) + " of its " +
+                            std::to_string(content.polygons) + " faces could be read",
+                        advice);
+  }
+  if (!content.sums) return;
+  const double off = std::abs(found.sums->coordinates - content.sums->coordinates);
+  // Coordinates that are not finite are for check_coordinates: they are within no tolerance.
+  if (off > 1e-6 * content.sums->coordinates || found.sums->corners != content.sums->corners) {
+    throw MeshFileError(file, "could not be read right, it has unusual elements", advice);
   }
 }
 
@@ -89,13 +107,32 @@ TriangleMesh gather(const aiScene& scene) {
   return mesh;
 }
 
-void check_shape(const fs::path& file, const TriangleMesh& mesh) {
-  const auto lost = std::ranges::count_if(mesh.vertices, [](const Vec3& v) { return !v.allFinite(); });
-  if (lost > 0) {
-    throw MeshFileError(
-        file, std::to_string(lost) + " vertices have coordinates that are NaN, infinite or beyond 3e38",
-        "remove them or export the mesh again");
+void check_coordinates(const fs::path& file, const aiScene& scene) {
+  std::size_t lost = 0;
+  for (const aiMesh* part : parts(scene)) {
+    for (const aiVector3D& p : points(*part)) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) ++lost;
+    }
   }
+  if (lost == 0) return;
+  throw MeshFileError(
+      file, std::to_string(lost) + " vertices have coordinates that are NaN, infinite or beyond 3e38",
+      "remove them or export the mesh again");
+}
+
+// Only when there is something to do: assimp 5.2 aborts the program over a mesh of triangles and a face
+// without corners.
+void triangulate(const fs::path& file, Assimp::Importer& importer) {
+  const auto has_polygon = [](const aiMesh* part) {
+    return std::ranges::any_of(polygons(*part), [](const aiFace& face) { return face.mNumIndices > 3; });
+  };
+  if (!std::ranges::any_of(parts(*importer.GetScene()), has_polygon)) return;
+  if (importer.ApplyPostProcessing(aiProcess_Triangulate) == nullptr) {
+    throw MeshFileError(file, "cannot be triangulated", "triangulate it and export it again");
+  }
+}
+
+void check_area(const fs::path& file, const TriangleMesh& mesh) {
   const auto flat = [&mesh](const Face& f) {
     return collinear(corner(mesh, f, 0), corner(mesh, f, 1), corner(mesh, f, 2));
   };
@@ -111,16 +148,14 @@ TriangleMesh read_mesh(const fs::path& file) {
   std::string bytes = read_bytes(file);
   const MeshFileContent content = check(file, format, bytes);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format));
-  if (scene == nullptr) {
+  if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format)) == nullptr) {
     throw MeshFileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
   }
-  check_scene(file, *scene, content);
-  scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (scene == nullptr)
-    throw MeshFileError(file, "cannot be triangulated", "triangulate it and export it again");
-  TriangleMesh mesh = weld(gather(*scene)).mesh;
-  check_shape(file, mesh);
+  check_scene(file, *importer.GetScene(), content);
+  check_coordinates(file, *importer.GetScene());
+  triangulate(file, importer);
+  TriangleMesh mesh = weld(gather(*importer.GetScene())).mesh;
+  check_area(file, mesh);
   return mesh;
 }
 

@@ -27,14 +27,16 @@ std::uint64_t declared_triangles(std::string_view bytes) {
       "export or copy it again");
 }
 
-bool is_vertex(const std::vector<std::string_view>& words) {
-  return words.size() == 4 && words[0] == "vertex" &&
-         std::all_of(words.begin() + 1, words.end(),
+// Are these the three numbers behind n words, the first of which is `word`?
+bool has_numbers(const std::vector<std::string_view>& words, std::string_view word, std::ptrdiff_t n) {
+  return words.size() == static_cast<std::size_t>(n) + 3 && words[0] == word &&
+         std::all_of(words.begin() + n, words.end(),
                      [](std::string_view w) { return to_number(w).has_value(); });
 }
 
-// facet normal x y z / outer loop / vertex x y z, three times / endloop / endfacet.
-void check_facet(const fs::path& file, LineScanner& lines, std::size_t facet) {
+// Behind "facet normal x y z": outer loop / vertex x y z, three times / endloop / endfacet. Appends the facet
+// to `text`.
+void take_facet(const fs::path& file, LineScanner& lines, std::size_t facet, std::string& text) {
   const auto expect = [&](bool right) {
     if (!right) throw_damaged(file, facet);
   };
@@ -42,33 +44,41 @@ void check_facet(const fs::path& file, LineScanner& lines, std::size_t facet) {
     const auto& words = lines.next_words();
     return !words.empty() && words[0] == word;
   };
+  text += "facet normal 0 0 0\nouter loop\n";
   expect(starts("outer"));
-  for (int k = 0; k < 3; ++k) expect(is_vertex(lines.next_words()));
+  for (int k = 0; k < 3; ++k) {
+    const auto& words = lines.next_words();
+    expect(has_numbers(words, "vertex", 1));
+    text.append("vertex ").append(words[1]).append(" ").append(words[2]).append(" ").append(words[3]) += '\n';
+  }
   expect(starts("endloop"));
   expect(starts("endfacet"));
+  text += "endloop\nendfacet\n";
 }
 
-MeshFileContent check_ascii(const fs::path& file, std::string_view bytes) {
+MeshFileContent check_ascii(const fs::path& file, std::string& bytes) {
   LineScanner lines(bytes);
+  std::string text = "solid mesh\n";
   MeshFileContent content;
   bool ended = false;
   while (true) {
     const auto& words = lines.next_words();
     if (words.empty()) break;
-    if (words[0] == "facet") {
-      check_facet(file, lines, content.polygons++);
-    } else if (words[0] != "solid" && words[0] != "endsolid") {
+    ended = words[0] == "endsolid";
+    if (has_numbers(words, "facet", 2)) {
+      take_facet(file, lines, content.polygons++, text);
+    } else if (words[0] != "solid" && !ended) {
       throw_damaged(file, content.polygons);
     }
-    ended = words[0] == "endsolid";
   }
   if (!ended) throw MeshFileError(file, "has no endsolid, it is cut short", "export or copy it again");
+  bytes = text + "endsolid mesh\n";
   return content;
 }
 
 }  // namespace
 
-MeshFileContent check_stl(const fs::path& file, std::string_view bytes) {
+MeshFileContent check_stl(const fs::path& file, std::string& bytes) {
   MeshFileContent content;
   const bool ascii = bytes.starts_with("solid") && bytes.find('\0') == std::string_view::npos;
   if (bytes.size() >= kHeader && declared_triangles(bytes) * kTriangle + kHeader == bytes.size()) {

@@ -49,6 +49,7 @@ void split_words(std::string_view line, std::vector<std::string_view>& words) {
 
 std::optional<double> to_number(std::string_view word) {
   word = without_plus(word);
+  if (word.ends_with(')')) return std::nullopt;  // nan(...)
   double number = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc::invalid_argument || end != word.data() + word.size()) return std::nullopt;
