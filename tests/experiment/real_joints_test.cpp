@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/real_joints.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "mesh/io.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace impinge {
+namespace {
+
+using test::TemporaryFolder;
+namespace fs = std::filesystem;
+
+const Vec3 kCentre{100.0, -50.0, 25.0};
+
+// A folder of a subject as a user brings it: the generated pair about kCentre.
+void bring(const fs::path& folder, const std::string& ball, const std::string& socket,
+           const std::string& json) {
+  fs::create_directories(folder);
+  const BallSocketPair pair = make_ball_socket_pair(100);
+  write_mesh(folder / ball, relative_to(pair.ball, -kCentre));
+  write_mesh(folder / socket, relative_to(pair.socket, -kCentre));
+  std::ofstream(folder / "subject.json") << json;
+}
+
+constexpr const char* kSubject = R"({"center_of_rotation_mm": [100, -50.0, 25]})";
+
+TEST(RealJoints, AreReadInOrderAndMovedToTheirCentre) {
+  const TemporaryFolder folder;
+  bring(folder.path() / "b_hip", "femoral_head.ply", "acetabulum_facing.ply", kSubject);
+  bring(folder.path() / "a_shoulder", "humeral_head.ply", "glenoid_facing.ply", kSubject);
+  folder.write("README.md", "no joint");
+  Progress progress("test", nullptr);
+  const auto joints = read_real_joints(folder.path(), progress);
+  ASSERT_EQ(joints.size(), 2U);
+  EXPECT_EQ(joints[0].subject, "a_shoulder");
+  EXPECT_EQ(joints[1].subject, "b_hip");
+  const BallSocketPair expected = make_ball_socket_pair(100);
+  ASSERT_EQ(joints[1].meshes.ball.vertices.size(), expected.ball.vertices.size());
+  for (std::size_t i = 0; i < expected.ball.vertices.size(); ++i) {
+    EXPECT_LT((joints[1].meshes.ball.vertices[i] - expected.ball.vertices[i]).norm(),
+              2e-5);  // float32 of 125 mm
+  }
+}
+
+TEST(RealJoints, AFolderThatLacksAFileIsLeftOutAndNamed) {
+  const TemporaryFolder folder;
+  bring(folder.path() / "good", "femoral_head.ply", "acetabulum_facing.ply", kSubject);
+  bring(folder.path() / "no_socket", "femoral_head.ply", "other.ply", kSubject);
+  bring(folder.path() / "no_centre", "femoral_head.ply", "acetabulum_facing.ply", kSubject);
+  fs::remove(folder.path() / "no_centre" / "subject.json");
+  std::ostringstream out;
+  Progress progress("test", &out);
+  EXPECT_EQ(read_real_joints(folder.path(), progress).size(), 1U);
+  EXPECT_NE(out.str().find("no_socket has no socket mesh"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("no_centre has no subject.json"), std::string::npos) << out.str();
+}
+
+TEST(RealJoints, ABadDescriptionIsAnErrorThatNamesTheFile) {
+  for (const char* json :
+       {"", "{", "[]", "{}", R"({"center_of_rotation_mm": [1, 2]})", R"({"center_of_rotation_mm": 5})",
+        R"({"center_of_rotation_mm": "abc"})", R"({"center_of_rotation_mm": [1, 2, "x"]})",
+        R"({"center_of_rotation_mm": {"x": 1, "y": 2, "z": 3}})"}) {
+    const TemporaryFolder folder;
+    bring(folder.path() / "bad", "femoral_head.ply", "acetabulum_facing.ply", json);
+    Progress progress("test", nullptr);
+    try {
+      read_real_joints(folder.path(), progress);
+      FAIL() << json;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("bad/subject.json"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(RealJoints, AFolderWithoutAnyJointIsAnError) {
+  const TemporaryFolder folder;
+  Progress progress("test", nullptr);
+  EXPECT_THROW(read_real_joints(folder.path(), progress), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace impinge
