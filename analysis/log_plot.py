@@ -36,7 +36,7 @@ def draw_thesis(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> No
 
 
 def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, title: str) -> plt.Figure:
-    """The whole figure; its legend gives each method's exponent, from what was measured, and the thesis'."""
+    """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's exponent, from what was measured, and the thesis'."""
     common.style()
     figure, axes = plt.subplots()
     looks = common.look(list(lines.method))

@@ -80,6 +80,7 @@ def main() -> None:
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
     facts = {key: str(record.get(key, "unknown")) for key in MACHINE}
     facts["commit"] = facts["commit"][:12]
+    facts["flags"] = " ".join(flag for flag in facts["flags"].split() if not flag.startswith("-W"))  # warnings change nothing
     facts |= verdict_facts(verdicts)
     for table in (timing.TABLE_3, timing.TABLE_4):
         facts |= timing_facts(options.results, table)

@@ -41,6 +41,7 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
     column_of = {method: column for column, method in common.counterparts(table.artefact).items()}
     reference = common.counterparts(table.artefact)[REFERENCE]
     times = {(row[table.key], row["method"]): row for _, row in ours.iterrows()}
+    noisy = {tuple(text.split("/")[:2]) for text in (ours.attrs.get("timing") or {}).get("inconclusive", [])}
     lines = []
     for (key, method), row in times.items():
         column = column_of.get(method, "")
@@ -49,11 +50,13 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
         lines.append({
             table.key: key, "method": method, "thesis_column": column, "thesis_ms": thesis_ms,
             "measured_ms": row.median_ms, "iqr_ms": row.iqr_ms, "extrapolated": row.extrapolated,
+            "inconclusive": (method, f"{key:g}") in noisy,
             "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
             "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
         })
-    order = {key: position for position, key in enumerate(dict.fromkeys(key for key, _ in theirs))}
-    return pd.DataFrame(lines).sort_values(table.key, key=lambda keys: keys.map(order), kind="stable", ignore_index=True)
+    order = list(dict.fromkeys([*(key for key, _ in theirs), *ours[table.key], *ours.method]))
+    return pd.DataFrame(lines).sort_values([table.key, "method"], key=lambda names: names.map(order.index),
+                                           ignore_index=True)
 
 
 def latex(lines: pd.DataFrame, table: TimingTable) -> str:

@@ -51,6 +51,16 @@ def formula_rows(results: Path) -> list[dict]:
     return rows
 
 
+def doubts(*lines: pd.Series) -> list[str]:
+    """What a reader must know of times of ours that a row rests on."""
+    notes = []
+    if any(line.extrapolated for line in lines):
+        notes.append("ours is extrapolated from a smaller run")
+    if any(line.inconclusive for line in lines):
+        notes.append("our timing is inconclusive: the machine was busy")
+    return notes
+
+
 def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
     """A time: given for the reader, not judged."""
     notes = []
@@ -58,8 +68,8 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
         notes.append("the thesis gives no time")
     if line is None:
         notes.append("not measured in this run")
-    elif line.extrapolated:
-        notes.append("ours is extrapolated from a smaller run")
+    else:
+        notes += doubts(line)
     if line is not None and line.method != value.column:
         notes.append(f"measured with {common.label(line.method)}")
     return row(table.artefact, value.row, value.column, thesis=value.value,
@@ -71,18 +81,17 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
 def ratio_row(table: timing.TimingTable, name: str, line: pd.Series, reference: pd.Series) -> dict:
     """How many times the thesis' own method is faster than another, there and here."""
     off = max(line.thesis_ratio, line.measured_ratio) / min(line.thesis_ratio, line.measured_ratio)
-    extrapolated = line.extrapolated or reference.extrapolated
     return row(table.artefact, name, f"{line.thesis_column}/{timing.REFERENCE}", thesis=common.plain(line.thesis_ratio),
                measured=common.plain(line.measured_ratio), unit="ratio", rule=RATIO_RULE,
                tolerance=f"factor {RATIO_FACTOR:.3g}", verdict="reproduced" if off <= RATIO_FACTOR else "differs",
-               note=f"off by a factor of {off:.3g}" + ("; ours is extrapolated from a smaller run" if extrapolated else ""))
+               note="; ".join([f"off by a factor of {off:.3g}", *doubts(line, reference)]))
 
 
 def order_row(table: timing.TimingTable, name: str, lines: pd.DataFrame) -> dict:
     """Which method is faster: fastest first, under the thesis' names."""
     theirs = " < ".join(lines.sort_values("thesis_ms").thesis_column)
     ours = " < ".join(lines.sort_values("measured_ms").thesis_column)
-    note = "ours is in part extrapolated from a smaller run" if lines.extrapolated.any() else ""
+    note = "; ".join(doubts(*(line for _, line in lines.iterrows())))
     return row(table.artefact, name, "order", thesis=theirs, measured=ours, unit="order",
                rule="same methods, fastest first, in the same order", tolerance="none",
                verdict="reproduced" if theirs == ours else "differs", note=note)

@@ -109,7 +109,7 @@ foreach(driver IN LISTS drivers)
   endif()
   impinge_program(${name} program)
   impinge_job(
-    NAME ${name} KIND data ${timing_option}
+    NAME ${name} KIND data TALKS ${timing_option}
     OUTPUTS ${outputs}
     DEPENDS "${program}" ${bones_files}
     COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments}
@@ -145,10 +145,12 @@ if(TARGET scene AND TARGET make_pair)
     ARTEFACTS generated-pair
     QUESTION "What does the generated ball-and-socket pair look like?")
   set(pair "${IMPINGE_RESULTS_DIR}/scenes/generated/input")
-  impinge_scene(generated "${pair}/ball.ply" "${pair}/socket.ply")
+  # In this pose the bump of the ball is under the socket.
+  impinge_scene(generated "${pair}/ball.ply" "${pair}/socket.ply" --side right --pose abduction=80)
   foreach(joint IN LISTS IMPINGE_JOINTS)
     side_and_axes(options "${IMPINGE_BONES}/${joint}")
     impinge_scene(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
   endforeach()
 endif()
 set(IMPINGE_SCENES "${IMPINGE_SCENES}" PARENT_SCOPE)
+set(IMPINGE_JOINTS "${IMPINGE_JOINTS}" PARENT_SCOPE)

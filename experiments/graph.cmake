@@ -51,14 +51,15 @@ function(impinge_program target variable)
   set(${variable} "${copy}" PARENT_SCOPE)
 endfunction()
 
-# impinge_job(NAME name KIND data|table|figure|text|verdicts|report|paper [TIMING]
+# impinge_job(NAME name KIND data|table|figure|text|verdicts|report|paper [TIMING] [TALKS]
 #   OUTPUTS file...        relative to the results folder; ARTEFACTS names what a reader calls them
 #   DEPENDS file...        absolute, or relative to the results folder
 #   COMMAND word...        runs in a fresh folder laid out as the results folder, and writes there
+#   TIMING                 runs alone on the machine; TALKS: what it prints is progress that the user sees
 #   SECONDS quick full     expected on two cores; refined by the times of earlier runs
 #   QUESTION text)
 function(impinge_job)
-  cmake_parse_arguments(job "TIMING" "NAME;KIND;QUESTION" "OUTPUTS;DEPENDS;COMMAND;SECONDS;ARTEFACTS" ${ARGN})
+  cmake_parse_arguments(job "TIMING;TALKS" "NAME;KIND;QUESTION" "OUTPUTS;DEPENDS;COMMAND;SECONDS;ARTEFACTS" ${ARGN})
   set(outputs ${job_OUTPUTS})
   list(TRANSFORM outputs PREPEND "${IMPINGE_RESULTS_DIR}/")
   set(depends "")
@@ -73,8 +74,10 @@ function(impinge_job)
   if(job_TIMING)
     list(APPEND options --alone)
   endif()
-  if(job_KIND STREQUAL "data")
+  if(job_TALKS)
     list(APPEND options --talks)
+  endif()
+  if(job_KIND STREQUAL "data")
     separate_arguments(launcher UNIX_COMMAND "${IMPINGE_LAUNCHER}")
     list(PREPEND job_COMMAND ${launcher})
   endif()

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms. From data/NAME.csv."""
+
+import pandas as pd
+
+import common
+
+MEASURES = ["median_ms", "iqr_ms", "rounds", "extrapolated", "gives_distance"]  # every other column names the case
+
+
+def main() -> None:
+    """Writes tables/NAME.csv and .tex."""
+    options = common.arguments(__doc__, "--data", "--name")
+    times = common.load(options.results, options.data)
+    case = [column for column in times.columns if column not in [*MEASURES, "method"]]
+    table = times.pivot_table(index=case, columns="method", values="median_ms", sort=False).reset_index()
+    table = table.rename(columns={method: f"{method}_ms" for method in times.method.unique()})
+    common.write_table(options.out, options.name, table, latex(table))
+
+
+def latex(table: pd.DataFrame) -> str:
+    """All columns: times rounded for reading, the rest as it is."""
+    heads = [common.tex(column.replace("_", " ")) for column in table.columns]
+    rows = [" & ".join(cell(name, value) for name, value in zip(table.columns, row)) for row in table.itertuples(index=False)]
+    return "\n".join([f"\\begin{{tabular}}{{@{{}}{'l' * len(heads)}@{{}}}}", "\\toprule", " & ".join(heads) + " \\\\",
+                      "\\midrule", *(row + " \\\\" for row in rows), "\\bottomrule", "\\end{tabular}", ""])
+
+
+def cell(column: str, value: object) -> str:
+    """One value for LaTeX."""
+    if isinstance(value, str):
+        return common.tex(value)
+    return common.digits(float(value)) if column.endswith("_ms") else f"{value:,g}" if value < 1 else f"{value:,.0f}"
+
+
+common.run(main)
