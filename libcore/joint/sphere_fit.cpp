@@ -125,6 +125,21 @@ SphereFit best_trial(const TriangleMesh& mesh, std::span<const double> area, con
   return best;
 }
 
+// Area (mm^2) of each vertex in faces whose outer side looks away from the centre. Orientation as a whole is
+// not trusted: the side with more area counts as the outer one.
+std::vector<double> outer_areas(const TriangleMesh& mesh, const Vec3& centre) {
+  std::vector<double> out(mesh.vertices.size(), 0.0);
+  std::vector<double> in(mesh.vertices.size(), 0.0);
+  double balance = 0.0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 area = area_vector(mesh, face) / 6.0;
+    const bool away = area.dot(corner(mesh, face, 0) - centre) > 0.0;
+    balance += away ? area.norm() : -area.norm();
+    for (const VertexIndex v : face) (away ? out : in)[v] += area.norm();
+  }
+  return balance >= 0.0 ? out : in;
+}
+
 }  // namespace
 
 SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weight) {
@@ -136,18 +151,18 @@ SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weigh
   fit.rms = rms(data, fit);
   return fit;
 }
-
 SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options) {
-  const std::vector<double> area = vertex_areas(mesh);
-  SphereFit fit = best_trial(mesh, area, options);
+  SphereFit fit = best_trial(mesh, vertex_areas(mesh), options);
   double tolerance = options.start_tolerance;
   std::vector<std::size_t> chosen;
   for (int k = 0; k < kMostRefinements; ++k) {
+    const std::vector<double> area = outer_areas(mesh, fit.centre);
     std::vector<std::size_t> inside;
     std::vector<Vec3> points;
     std::vector<double> weight;
     for (std::size_t i = 0; i < area.size(); ++i) {
-      if (std::abs((mesh.vertices[i] - fit.centre).norm() - fit.radius) > tolerance * fit.radius) continue;
+      const double residual = (mesh.vertices[i] - fit.centre).norm() - fit.radius;
+      if (area[i] == 0.0 || std::abs(residual) > tolerance * fit.radius) continue;
       inside.push_back(i);
       points.push_back(mesh.vertices[i]);
       weight.push_back(area[i]);

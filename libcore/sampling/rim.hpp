@@ -6,15 +6,50 @@
 #include <cmath>
 #include <cstddef>
 
+#include <Eigen/Geometry>
+
 #include "mesh/jump_edges.hpp"
 #include "sampling/layer.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
 
-// Points along an edge are this share of the covering radius apart, so that an edge which cuts off less than
-// an eighth of a cell may go unnoticed.
+// An edge is followed in steps of this share of the covering radius, and each change of cell between two
+// steps is traced to its place. Only a stretch that leaves a cell and returns to it within a step can go
+// unseen; it cuts off no entry.
 inline constexpr double kRimStep = 0.125;
+
+// An edge may run along the border of two cells, both of which it then separates: it is followed at this
+// distance on either side, radians.
+inline constexpr double kBesideEdge = 1e-9;
+
+// Calls visit(stencil, x) once for each stretch of the line from `from` to `to` within one cell, in order; x
+// is a point of it.
+template <SamplingScheme S, class Visit>
+void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visit&& visit) {
+  const auto point = [&](double t) -> Vec3 { return from + t * (to - from); };
+  const double step = kRimStep * scheme.covering_radius();
+  const auto pieces = static_cast<std::size_t>(angle_between(from, to) / step) + 1;
+  double at = 0.0;
+  Stencil here = scheme.stencil(from);
+  visit(here, from);
+  for (std::size_t k = 1; k <= pieces; ++k) {
+    const double next = static_cast<double>(k) / static_cast<double>(pieces);
+    const std::size_t next_cell = scheme.stencil(point(next)).cell;
+    while (here.cell != next_cell) {
+      double inside = at;
+      double outside = next;
+      for (double middle = 0.5 * (inside + outside); middle > inside && middle < outside;
+           middle = 0.5 * (inside + outside)) {
+        (scheme.stencil(point(middle)).cell == here.cell ? inside : outside) = middle;
+      }
+      at = outside;
+      here = scheme.stencil(point(at));
+      visit(here, point(at));
+    }
+    at = next;
+  }
+}
 
 // Can a point of a jump edge at this radius belong to the layer that the taps sample? A layer changes by at
 // most exp(slope * angle) within the stencil; an edge farther off is hidden behind it (or lies before it).
@@ -35,19 +70,21 @@ bool edge_is_seen(const RadialTable<S>& table, const Stencil& stencil, double ra
 // with an empty entry needs no mark: the empty entry speaks for it.)
 template <SamplingScheme S>
 void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
-  const double step = kRimStep * table.scheme().covering_radius();
   for (const JumpEdge& edge : jump_edges(mesh)) {
     const Vec3& from = mesh.vertices[edge.from];
     const Vec3& to = mesh.vertices[edge.to];
-    const auto pieces = static_cast<std::size_t>(angle_between(from, to) / step) + 1;
-    for (std::size_t k = 0; k <= pieces; ++k) {
-      const Vec3 x = from + (to - from) * (static_cast<double>(k) / static_cast<double>(pieces));
-      if (x.squaredNorm() == 0.0) continue;
-      const Stencil stencil = table.scheme().stencil(x);
-      const bool full = std::none_of(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
-                                     [&](std::size_t i) { return std::isnan(table.radii()[i]); });
-      if (full && edge_is_seen(table, stencil, x.norm(), edge.slope, layer))
-        table.mark_rim_cell(stencil.cell);
+    const Vec3 across = from.cross(to);
+    if (across.squaredNorm() == 0.0) continue;  // seen as a point
+    for (const double side : {-kBesideEdge, kBesideEdge}) {
+      const Vec3 aside = side * across.normalized();
+      for_each_cell_along(table.scheme(), from + from.norm() * aside, to + to.norm() * aside,
+                          [&](const Stencil& stencil, const Vec3& x) {
+                            const bool full =
+                                std::none_of(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
+                                             [&](std::size_t i) { return std::isnan(table.radii()[i]); });
+                            if (full && edge_is_seen(table, stencil, x.norm(), edge.slope, layer))
+                              table.mark_rim_cell(stencil.cell);
+                          });
     }
   }
 }

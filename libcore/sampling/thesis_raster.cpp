@@ -67,26 +67,46 @@ void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) 
   }
 }
 
-// E1 + E2 of the header for one drawn triangle.
-double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, double largest_slope) {
-  const auto [top, bottom] = std::minmax({triangle[0].phi, triangle[1].phi, triangle[2].phi});
-  const auto [left, right] = std::minmax({triangle[0].theta, triangle[1].theta, triangle[2].theta});
-  const double dphi = bottom - top;
-  const double dtheta = right - left;
-  const bool crosses_equator = top <= kPi / 2.0 && bottom >= kPi / 2.0;
-  const double s = crosses_equator ? 1.0 : std::max(std::sin(top), std::sin(bottom));
-  const double c = std::max(std::abs(std::cos(top)), std::abs(std::cos(bottom)));
-  const double length2 = dphi * dphi + s * s * dtheta * dtheta;
-  const double bend = c * dtheta * std::sqrt(s * s * dtheta * dtheta + 4.0 * dphi * dphi);
+// Extents of a drawn triangle, named as in the header.
+struct Extents {
+  double dphi;
+  double dtheta;
+  double s;
+  double c;
+  double to_pole;  // largest distance from the nearer pole
+
+  explicit Extents(const ChartTriangle& triangle) {
+    const auto [top, bottom] = std::minmax({triangle[0].phi, triangle[1].phi, triangle[2].phi});
+    const auto [left, right] = std::minmax({triangle[0].theta, triangle[1].theta, triangle[2].theta});
+    dphi = bottom - top;
+    dtheta = right - left;
+    const bool crosses_equator = top <= kPi / 2.0 && bottom >= kPi / 2.0;
+    s = crosses_equator ? 1.0 : std::max(std::sin(top), std::sin(bottom));
+    c = std::max(std::abs(std::cos(top)), std::abs(std::cos(bottom)));
+    to_pole = std::min(bottom, kPi - top);
+  }
+};
+
+// E1 + E2 of the header.
+double second_order_bound(const TriangleCone& cone, const Extents& t, double largest_slope) {
+  const double length2 = t.dphi * t.dphi + t.s * t.s * t.dtheta * t.dtheta;
+  const double bend = t.c * t.dtheta * std::sqrt(t.s * t.s * t.dtheta * t.dtheta + 4.0 * t.dphi * t.dphi);
   const double displacement = std::asin(std::min(1.0, (bend + length2) / 8.0));
   const double psi = std::atan(cone.largest_slope()) + displacement;
   if (psi >= kPi / 2.0) return std::numeric_limits<double>::infinity();
   const double slope = std::tan(psi);
   const double radius = cone.plane_distance() / std::cos(psi);
-  const double interpolation =
-      radius / 8.0 *
-      ((1.0 + 2.0 * slope * slope) * length2 + slope * c * (s * dtheta * dtheta + 2.0 * dtheta * dphi));
+  const double interpolation = radius / 8.0 *
+                               ((1.0 + 2.0 * slope * slope) * length2 +
+                                slope * t.c * (t.s * t.dtheta * t.dtheta + 2.0 * t.dtheta * t.dphi));
   return interpolation + radius * (slope * displacement + std::expm1(largest_slope * displacement));
+}
+
+double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, double largest_slope) {
+  const Extents t(triangle);
+  const double farthest = std::max({triangle[0].radius, triangle[1].radius, triangle[2].radius});
+  const double reach = std::min(t.dphi + t.s * t.dtheta, 2.0 * t.to_pole);
+  return std::min(second_order_bound(cone, t, largest_slope), farthest * std::expm1(largest_slope * reach));
 }
 
 TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {

@@ -10,7 +10,10 @@
 namespace impinge {
 namespace {
 
-constexpr double kInside = 2.0 * kPi;  // a ball that fills half of the view surrounds its centre
+// A ball beside its centre fills less than half of the view and sums to no solid angle. A closed ball round
+// the centre sums to 4 pi; a shell of cartilage sums to 0 and is known by the view it fills.
+constexpr double kHalfOfTheView = 0.5;
+constexpr double kHalfOfTheSphere = 2.0 * kPi;
 
 std::string text_of(const Vec3& x) {
   char text[96];
@@ -27,7 +30,8 @@ JointPart examine(TriangleMesh mesh, const Vec3& centre) {
 }
 
 void require_centre_inside(const Joint& joint, const SceneOptions& options) {
-  if (std::abs(joint.ball.star_shape.solid_angle) < kInside) {
+  const StarShapeReport& ball = joint.ball.star_shape;
+  if (std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView) {
     throw std::runtime_error(
         options.ball.string() + ": the centre " + text_of(joint.centre) +
         " lies outside of the ball; give one inside with --centre X,Y,Z, or check that the files are "

@@ -173,6 +173,7 @@ std::string describe_zones(const json& zones) {
   if (zones.is_null()) return "no clock: the axis of the socket is vertical";
   std::string text;
   for (const json& zone : zones) {
+    if (zone["from"] == zone["to"]) return "all round the clock";
     text +=
         (text.empty() ? "" : ", ") + zone["from"].get<std::string>() + "-" + zone["to"].get<std::string>();
   }

@@ -18,6 +18,7 @@ constexpr double kNearHalfTurn = 1e-9;  // an edge that close to a half turn of 
 // Takes in the highest and lowest point of the great circle through a and b where they lie on the arc a -> b.
 void include_bulge(const Vec3& a, const Vec3& b, AngularBox& box) {
   const Vec3 normal = a.cross(b);
+  if (normal.squaredNorm() == 0.0) return;  // both ends in one direction
   const double rise_at_a = normal.cross(a).z();
   const double rise_at_b = normal.cross(b).z();
   const double top = std::atan2(std::abs(normal.z()), std::hypot(normal.x(), normal.y()));
@@ -27,6 +28,7 @@ void include_bulge(const Vec3& a, const Vec3& b, AngularBox& box) {
 
 bool contains(const std::array<Vec3, 3>& corners, const Vec3& u) {
   const int side = orientation(corners[0], corners[1], corners[2]);
+  if (side == 0) return false;  // an arc: its bulge and azimuths tell all
   for (std::size_t k = 0; k < 3; ++k) {
     if (side * orientation(corners[k], corners[(k + 1) % 3], u) < 0) return false;
   }

@@ -28,9 +28,10 @@ inline std::vector<Vec3> random_directions(std::size_t count, unsigned seed) {
 // The poles, the axes, and points on and one ulp beside the seam theta = 0.
 inline std::vector<Vec3> special_directions() {
   const double tiny = std::numeric_limits<double>::denorm_min();
-  return {{0, 0, 1},      {0, 0, -1},      {1, 0, 0},        {-1, 0, 0},       {0, 1, 0},    {0, -1, 0},
-          {1, -0.0, 0},   {1, tiny, 0},    {1, -tiny, 0},    {1e-16, 0, 1},    {0, 1e-300, 1}, {-1e-16, 1e-16, -1},
-          {1, 0, 1e-16},  {1, 1e-16, 0.5}, {1, -1e-16, 0.5}, {-1e-16, -1, 0.3}};
+  return {{0, 0, 1},     {0, 0, -1},      {1, 0, 0},        {-1, 0, 0},
+          {0, 1, 0},     {0, -1, 0},      {1, -0.0, 0},     {1, tiny, 0},
+          {1, -tiny, 0}, {1e-16, 0, 1},   {0, 1e-300, 1},   {-1e-16, 1e-16, -1},
+          {1, 0, 1e-16}, {1, 1e-16, 0.5}, {1, -1e-16, 0.5}, {-1e-16, -1, 0.3}};
 }
 
 // Unit vectors through every vertex and through points of every edge of a mesh in the centre frame.

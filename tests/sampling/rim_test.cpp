@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No interpolation across a rim: where the surface ends or jumps inside a cell, the cell has no surface.
+#include "sampling/rim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sampling/pairwise.hpp"
+#include "sphere/scheme_list.hpp"
+#include "support/directions.hpp"
+
+namespace impinge {
+namespace {
+
+// A sphere with one face missing, far smaller than a cell of the table.
+TriangleMesh with_small_hole() {
+  TriangleMesh mesh = sphere(22.0, 20000);
+  mesh.faces.erase(mesh.faces.begin() + 7000);
+  return mesh;
+}
+
+TEST(Rim, AHoleBetweenEntriesIsMasked) {
+  const TriangleMesh whole = sphere(22.0, 20000);
+  const Face& face = whole.faces[7000];
+  const Vec3 into_hole =
+      (corner(whole, face, 0) + corner(whole, face, 1) + corner(whole, face, 2)).normalized();
+  for_each_scheme([&]<class S>() {
+    const S scheme = S::with_precision(5.0);
+    const auto table = fill_exact(with_small_hole(), scheme, Layer::nearest);
+    EXPECT_EQ(std::ranges::count_if(table.radii(), [](double r) { return std::isnan(r); }), 0) << S::name;
+    EXPECT_TRUE(std::isnan(table.radius_at(into_hole))) << S::name;
+    EXPECT_FALSE(std::isnan(fill_exact(whole, scheme, Layer::nearest).radius_at(into_hole))) << S::name;
+  });
+}
+
+// A direction outside of the surface never gets a radius, however near to the rim it is.
+TEST(Rim, NothingIsMetOutsideOfTheRim) {
+  const TriangleMesh socket = make_ball_socket_pair(3000).socket;
+  const RayCaster oracle(socket);
+  std::vector<Vec3> near_rim;
+  for (const JumpEdge& edge : jump_edges(socket)) {
+    const Vec3 middle = (socket.vertices[edge.from] + socket.vertices[edge.to]).normalized();
+    for (const double off : {1e-9, 1e-6, 1e-4, 1e-3, 0.01})
+      near_rim.push_back((middle - Vec3(0, 0, off)).normalized());
+  }
+  for_each_scheme([&]<class S>() {
+    const auto table = fill_exact(socket, S::with_precision(1.0), Layer::nearest);
+    for (const Vec3& u : near_rim) {
+      ASSERT_TRUE(std::isnan(oracle.cast(u, Layer::nearest)));
+      EXPECT_TRUE(std::isnan(table.radius_at(u))) << S::name << ' ' << u.transpose();
+    }
+  });
+}
+
+// Less than two cells inside of the rim the surface is there again.
+TEST(Rim, TheMaskIsNoWiderThanItMustBe) {
+  const TriangleMesh socket = make_ball_socket_pair(3000).socket;
+  for_each_scheme([&]<class S>() {
+    const S scheme = S::with_precision(1.0);
+    const auto table = fill_exact(socket, scheme, Layer::nearest);
+    const double inside = 87.0 * kDegree - 2.5 * scheme.stencil_radius();
+    for (double theta = 0.0; theta < 2.0 * kPi; theta += 0.01) {
+      EXPECT_FALSE(std::isnan(table.radius_at(to_direction({inside, theta})))) << S::name << ' ' << theta;
+    }
+  });
+}
+
+TEST(Rim, AClosedBodyHasNone) {
+  EXPECT_TRUE(jump_edges(sphere(22.0, 500)).empty());
+  EXPECT_TRUE(jump_edges(make_ball_socket_pair(300).ball).empty());
+}
+
+TEST(Rim, AFoldIsAJump) {
+  // A cup inside a larger one, joined by nothing: seen from the centre the near rim hides part of the far
+  // cup.
+  TriangleMesh mesh = cup(20.0, 40.0, 400);
+  const TriangleMesh far = cup(26.0, 80.0, 2000);
+  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+  for (const Face& f : far.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  mesh.vertices.insert(mesh.vertices.end(), far.vertices.begin(), far.vertices.end());
+  const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::nearest);
+  for (const Vec3& u : test::random_directions(20000, 30)) {
+    const double radius = table.radius_at(u);
+    if (std::isnan(radius)) continue;
+    EXPECT_TRUE(std::abs(radius - 20.0) < 0.5 || std::abs(radius - 26.0) < 0.5)
+        << radius << " mixes two layers";
+  }
+}
+
+// A rim that is hidden behind the layer asked for takes nothing away from it.
+TEST(Rim, AHiddenRimIsNotMasked) {
+  TriangleMesh mesh = cup(26.0, 40.0, 400);  // its rim lies behind the sphere of 20 mm
+  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+  const TriangleMesh near = sphere(20.0, 2000);
+  for (const Face& f : near.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  mesh.vertices.insert(mesh.vertices.end(), near.vertices.begin(), near.vertices.end());
+  const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::nearest);
+  for (const Vec3& u : test::random_directions(5000, 31)) EXPECT_NEAR(table.radius_at(u), 20.0, 0.1);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The thesis' rasteriser: distance linear in (theta, phi) over flat triangles of the chart.
+//   fill_thesis() = brute force over the same chart triangles, at every entry
+//   |fill_thesis() - exact radius| <= thesis_raster_bound()
+#include "sampling/thesis_raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "sampling/chart.hpp"
+#include "sampling/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
+  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
+}
+
+// Radius at a chart point by barycentric coordinates over all triangles and whole turns of theta; NaN if none
+// holds it.
+double brute_force(const std::vector<ChartTriangle>& triangles, double theta, double phi) {
+  for (const auto& [a, b, c] : triangles) {
+    const double area = (b.theta - a.theta) * (c.phi - a.phi) - (c.theta - a.theta) * (b.phi - a.phi);
+    if (area == 0.0) continue;
+    for (const double turn : {-2.0 * kPi, 0.0, 2.0 * kPi}) {
+      const double x = theta + turn - a.theta;
+      const double y = phi - a.phi;
+      const double wb = (x * (c.phi - a.phi) - (c.theta - a.theta) * y) / area;
+      const double wc = ((b.theta - a.theta) * y - x * (b.phi - a.phi)) / area;
+      const double slack = 1e-11;
+      if (wb < -slack || wc < -slack || wb + wc > 1.0 + slack) continue;
+      return a.radius + wb * (b.radius - a.radius) + wc * (c.radius - a.radius);
+    }
+  }
+  return kNoSurface;
+}
+
+void expect_linear_on_the_chart(const TriangleMesh& mesh, double precision) {
+  const Rsid scheme = Rsid::with_precision(precision);
+  const auto table = fill_thesis(mesh, scheme, Layer::farthest);
+  std::vector<ChartTriangle> triangles;
+  for (const Face& face : mesh.faces) {
+    for (const ChartTriangle& t : chart_triangles(cone_of(mesh, face))) triangles.push_back(t);
+  }
+  for (std::size_t i = 0; i < scheme.rows(); ++i) {
+    for (std::size_t j = 0; j < scheme.columns(); ++j) {
+      const double expected = brute_force(triangles, static_cast<double>(j) * scheme.spacing(),
+                                          static_cast<double>(i) * scheme.spacing());
+      const double found = table.radii()[i * scheme.columns() + j];
+      ASSERT_EQ(std::isnan(found), std::isnan(expected)) << "row " << i << " column " << j;
+      if (!std::isnan(expected)) {
+        ASSERT_NEAR(found, expected, 1e-8) << "row " << i << " column " << j;
+      }
+    }
+  }
+}
+
+TriangleMesh octahedron_turned_about_x(double angle) {
+  TriangleMesh mesh = octahedron(20.0);
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+  for (Vec3& v : mesh.vertices) {
+    v = rotation * v;
+    for (double& x : v) x = std::abs(x) < 1e-12 ? 0.0 : x;
+  }
+  return mesh;
+}
+
+TEST(ThesisRaster, IsLinearOnTheChart) {
+  expect_linear_on_the_chart(octahedron(20.0), 5.0);                      // case 1: the pole is a vertex
+  expect_linear_on_the_chart(octahedron_turned_about_x(kPi / 4.0), 5.0);  // case 2: on an edge
+  expect_linear_on_the_chart(octahedron_turned_about_x(0.6), 5.0);
+  TriangleMesh tilted = octahedron_turned_about_x(0.6);
+  for (Vec3& v : tilted.vertices) v = Eigen::AngleAxisd(0.5, Vec3::UnitY()) * v;
+  expect_linear_on_the_chart(tilted, 5.0);  // case 3: inside a face
+  expect_linear_on_the_chart(sphere(22.0, 300, {4.0, -3.0, 6.0}), 3.0);
+}
+
+// Number of chart triangles of the three pole cases: two edges away from the pole make two triangles each in
+// case 2, one edge in case 1, three in case 3.
+TEST(ThesisRaster, PoleCasesCutTheFaceAsInFigure34) {
+  const auto count = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return chart_triangles({a, b, c}).size();
+  };
+  EXPECT_EQ(count({1, 0, 1}, {1, 1, 1}, {2, 1, 1}), 1U);
+  EXPECT_EQ(count({0, 0, 1}, {1, 0, 1}, {0, 1, 1}), 2U);
+  EXPECT_EQ(count({-1, 0, 1}, {1, 0, 1}, {0, 1, 1}), 4U);
+  EXPECT_EQ(count({-1, -1, 1}, {1, -1, 1}, {0, 1, 1}), 6U);
+  EXPECT_EQ(count({-1, -1, -1}, {1, -1, -1}, {0, 1, -1}), 6U);
+}
+
+// The chart covers the sphere exactly once: areas of the triangles of a closed body sum to 2 pi * pi.
+TEST(ThesisRaster, ChartOfAClosedBodyCoversTheGridOnce) {
+  for (const TriangleMesh& mesh :
+       {octahedron(20.0), octahedron_turned_about_x(kPi / 4.0), sphere(22.0, 300, {1.0, 2.0, 3.0})}) {
+    double area = 0.0;
+    for (const Face& face : mesh.faces) {
+      for (const auto& [a, b, c] : chart_triangles(cone_of(mesh, face))) {
+        area += std::abs((b.theta - a.theta) * (c.phi - a.phi) - (c.theta - a.theta) * (b.phi - a.phi)) / 2.0;
+      }
+    }
+    EXPECT_NEAR(area, 2.0 * kPi * kPi, 1e-9);
+  }
+}
+
+TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {
+  for (const std::size_t faces : {300U, 1000U, 3000U}) {
+    for (const TriangleMesh& mesh :
+         {sphere(22.0, faces), sphere(22.0, faces, {5.0, -4.0, 3.0}), make_ball_socket_pair(faces).ball}) {
+      const Rsid scheme = Rsid::with_precision(1.0);
+      const auto table = fill_thesis(mesh, scheme, Layer::farthest);
+      const auto oracle = fill_pairwise(mesh, scheme, Layer::farthest);
+      const double bound = thesis_raster_bound(mesh);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < scheme.size(); ++i) {
+        ASSERT_FALSE(std::isnan(table.radii()[i])) << i;
+        worst = std::max(worst, std::abs(table.radii()[i] - oracle.radii()[i]));
+      }
+      EXPECT_LE(worst, bound);
+      EXPECT_GE(worst, bound / 40.0) << "the bound says nothing";
+    }
+  }
+}
+
+// On a sphere all corners have one radius, so the drawn surface is the sphere itself and the exact one its
+// chords: the error is the sagitta R (1 - cos rho) of the largest face, and none of it is lost.
+TEST(ThesisRaster, DrawsTheSmoothSphereBehindTheFaces) {
+  const TriangleMesh mesh = sphere(22.0, 1000);
+  const Rsid scheme = Rsid::with_precision(1.0);
+  for (const double radius : fill_thesis(mesh, scheme, Layer::farthest).radii())
+    EXPECT_NEAR(radius, 22.0, 0.02);
+}
+
+TEST(ThesisRaster, BoundFallsWithTheSquareOfTheFaceSize) {
+  const double coarse = thesis_raster_bound(sphere(22.0, 1000));
+  const double fine = thesis_raster_bound(sphere(22.0, 16000));
+  EXPECT_GT(coarse / fine, 8.0);  // 16 times the faces, a quarter of the size
+  EXPECT_LT(coarse / fine, 32.0);
+}
+
+TEST(ThesisRaster, SocketIsDrawnInsideItsRim) {
+  const Rsid scheme = Rsid::with_precision(1.0);
+  const auto table = fill_thesis(cup(26.0, 60.0, 3000), scheme, Layer::nearest);
+  EXPECT_FALSE(std::isnan(table.radius_at(to_direction({58.0 * kDegree, 1.0}))));
+  EXPECT_TRUE(std::isnan(table.radius_at(to_direction({62.0 * kDegree, 1.0}))));
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for every sampling scheme, over the generated list:
+//   sum w_i = 1, w_i >= 0        a constant is reproduced
+//   angle(u, tap) <= stencil radius,  min over entries <= covering radius
+//   entries inside a spherical triangle = those of brute force
+#include "sphere/scheme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sphere/entries_inside.hpp"
+#include "sphere/scheme_choice.hpp"
+#include "sphere/scheme_list.hpp"
+#include "support/directions.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kCoarse = 10.0;  // degrees; small enough for brute force over all entries
+
+std::vector<Vec3> probes() {
+  std::vector<Vec3> u = test::random_directions(20000, 7);
+  for (const Vec3& x : test::special_directions()) u.push_back(x.normalized());
+  return u;
+}
+
+TEST(Scheme, WeightsSumToOneAndTapsExist) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(1.0);
+    for (const Vec3& u : probes()) {
+      const Stencil stencil = scheme.stencil(u);
+      double sum = 0.0;
+      for (std::size_t k = 0; k < stencil.taps; ++k) {
+        ASSERT_GE(stencil.weight[k], 0.0) << S::name;
+        ASSERT_LT(stencil.entry[k], scheme.size()) << S::name;
+        sum += stencil.weight[k];
+      }
+      ASSERT_NEAR(sum, 1.0, 4e-16) << S::name << " at " << u.transpose();
+      ASSERT_LT(stencil.cell, scheme.cells()) << S::name;
+    }
+  });
+}
+
+TEST(Scheme, TapsAreWithinTheStencilRadius) {
+  for_each_scheme([]<class S>() {
+    for (const double precision : {30.0, 5.0, 0.5}) {
+      const S scheme = S::with_precision(precision);
+      for (const Vec3& u : probes()) {
+        const Stencil stencil = scheme.stencil(u);
+        for (std::size_t k = 0; k < stencil.taps; ++k) {
+          ASSERT_LE(angle_between(u, scheme.direction(stencil.entry[k])),
+                    scheme.stencil_radius() * (1 + 1e-12))
+              << S::name << " at " << u.transpose();
+        }
+      }
+    }
+  });
+}
+
+TEST(Scheme, StencilDoesNotDependOnLength) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(1.0);
+    for (const Vec3& u : test::random_directions(2000, 8)) {
+      EXPECT_EQ(scheme.stencil(u).entry, scheme.stencil(std::ldexp(1.0, 30) * u).entry) << S::name;
+    }
+  });
+}
+
+TEST(Scheme, DirectionsOfEntriesRoundTrip) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(kCoarse);
+    for (std::size_t i = 0; i < scheme.size(); ++i) {
+      const Vec3 u = scheme.direction(i);
+      ASSERT_NEAR(u.norm(), 1.0, 4e-16) << S::name;
+      const Stencil stencil = scheme.stencil(u);
+      double at_entry = 0.0;  // weight of taps that are this direction; poles may have several entries
+      for (std::size_t k = 0; k < stencil.taps; ++k) {
+        if ((scheme.direction(stencil.entry[k]) - u).norm() < 1e-12) at_entry += stencil.weight[k];
+      }
+      ASSERT_NEAR(at_entry, 1.0, 1e-12) << S::name << " entry " << i;
+    }
+  });
+}
+
+TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(kCoarse);
+    std::vector<Vec3> entries;
+    for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
+    double farthest = 0.0;
+    for (const Vec3& u : test::random_directions(20000, 9)) {
+      double nearest = kPi;
+      for (const Vec3& e : entries) nearest = std::min(nearest, (u - e).squaredNorm());
+      farthest = std::max(farthest, 2.0 * std::asin(std::sqrt(nearest) / 2.0));
+    }
+    EXPECT_LE(farthest, scheme.covering_radius()) << S::name;
+    EXPECT_GE(farthest, 0.97 * scheme.covering_radius()) << S::name << ": the declared radius is too large";
+  });
+}
+
+// The walker finds what a loop over all entries finds: once each, with the numbers of direction().
+TEST(Scheme, EntriesInsideATriangleAreThoseOfBruteForce) {
+  const auto u = test::random_directions(300, 10);
+  std::vector<TriangleCone> cones;
+  for (std::size_t k = 0; k + 2 < u.size(); k += 3) {
+    const double size = std::pow(10.0, -static_cast<double>(k % 5) / 2.0);
+    cones.emplace_back(u[k], (u[k] + size * u[k + 1]).normalized(), (u[k] + size * u[k + 2]).normalized());
+  }
+  cones.emplace_back(Vec3(0, 0, 1), Vec3(1, 0, 0),
+                     Vec3(0, 1, 0));  // an octant: edges on grid lines, pole a corner
+  cones.emplace_back(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1));
+  cones.emplace_back(Vec3(1, -0.5, 0), Vec3(1, 0.5, 0), Vec3(1, 0, 1));  // across the seam
+  cones.emplace_back(Vec3(-1, -1, -1), Vec3(1, -1, -1), Vec3(0, 1, -1));
+  for_each_scheme([&]<class S>() {
+    const S scheme = S::with_precision(5.0);
+    const auto walker = scheme.walker();
+    for (const TriangleCone& cone : cones) {
+      if (cone.edge_on()) continue;
+      std::multiset<std::size_t> found;
+      for_each_entry_inside(walker, cone, [&](std::size_t i, const Vec3& direction) {
+        found.insert(i);
+        ASSERT_EQ(direction, scheme.direction(i)) << S::name;
+      });
+      std::multiset<std::size_t> expected;
+      for (std::size_t i = 0; i < scheme.size(); ++i) {
+        if (cone.contains(scheme.direction(i))) expected.insert(i);
+      }
+      ASSERT_EQ(found, expected) << S::name;
+    }
+  });
+}
+
+TEST(Scheme, WalkerFindsEntriesWithinAMargin) {
+  const auto u = test::random_directions(90, 11);
+  for_each_scheme([&]<class S>() {
+    const S scheme = S::with_precision(5.0);
+    for (std::size_t k = 0; k + 2 < u.size(); k += 3) {
+      const TriangleCone cone(u[k], (u[k] + 0.2 * u[k + 1]).normalized(),
+                              (u[k] + 0.2 * u[k + 2]).normalized());
+      std::set<std::size_t> found;
+      scheme.walker().visit_near(cone, 0.1, [&](const DirectionRun& run) {
+        for (std::size_t i = 0; i < run.count; ++i) found.insert(run.first + i);
+      });
+      for (std::size_t i = 0; i < scheme.size(); ++i) {
+        const bool near_corner = std::ranges::any_of(
+            cone.corners(), [&](const Vec3& v) { return angle_between(v, scheme.direction(i)) < 0.1; });
+        if (near_corner || cone.contains(scheme.direction(i))) {
+          ASSERT_TRUE(found.contains(i)) << S::name;
+        }
+      }
+    }
+  });
+}
+
+TEST(Scheme, RefusesPrecisionsThatMakeNoSense) {
+  for_each_scheme([]<class S>() {
+    for (const double precision : {0.0, -1.0, std::nan(""), HUGE_VAL, 1e-300}) {
+      EXPECT_THROW(S::with_precision(precision), std::invalid_argument) << S::name << ' ' << precision;
+    }
+  });
+}
+
+TEST(SchemeChoice, FindsEachNameAndNamesAllWhenItDoesNot) {
+  for_each_scheme([]<class S>() {
+    std::string found;
+    with_scheme(S::name, [&found]<class T>() { found = T::name; });
+    EXPECT_EQ(found, S::name);
+    EXPECT_NE(scheme_names().find(S::name), std::string::npos);
+  });
+  try {
+    with_scheme("rside", []<class>() { FAIL(); });
+    FAIL() << "no such scheme";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "unknown scheme 'rside'; there are " + scheme_names());
+  }
+}
+
+}  // namespace
+}  // namespace impinge
