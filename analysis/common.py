@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What every table and figure shares: arguments, loading with its refusal, thesis values, style, saving.
 
-Every script is called as SCRIPT --results DIR [--out DIR]: it reads DIR/data/NAME.csv and writes under the folder --out (by default
-the working folder) laid out as the results folder. The same input gives the same bytes.
+Every script is called as SCRIPT --results DIR [--out DIR]: it reads DIR/data/NAME.csv and writes under the
+folder --out (by default the working folder) laid out as the results folder. The same input gives the same
+bytes.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ import pandas as pd  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 
-# Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash of its own, for
+# Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash of its
+# own, for
 # readers in grey.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
@@ -53,7 +55,9 @@ def arguments(description: str | None, *more: str) -> argparse.Namespace:
     """--results, --out and further required options of the same kind."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--results", type=Path, required=True, help="the results folder")
-    parser.add_argument("--out", type=Path, default=Path("."), help="where to write, laid out as the results folder")
+    parser.add_argument(
+        "--out", type=Path, default=Path("."), help="where to write, laid out as the results folder"
+    )
     for name in more:
         parser.add_argument(name, required=True)
     return parser.parse_args()
@@ -69,6 +73,7 @@ def run(main) -> NoReturn:
 
 
 # Reading
+
 
 def sidecar(csv: Path) -> dict:
     """The record beside a CSV; refused unless it carries the SHA-256 of these bytes."""
@@ -128,6 +133,7 @@ def label(name: str) -> str:
 
 # Writing
 
+
 def digits(value: float, significant: int = 3) -> str:
     """Rounded for reading: three significant digits, thousands kept apart by a comma."""
     if not math.isfinite(value):
@@ -140,7 +146,11 @@ def digits(value: float, significant: int = 3) -> str:
 
 def plain(value: float, significant: int = 4) -> str:
     """Rounded for a CSV: significant digits without exponent or separators."""
-    return np.format_float_positional(value, precision=significant, fractional=False, trim="-") if math.isfinite(value) else ""
+    return (
+        np.format_float_positional(value, precision=significant, fractional=False, trim="-")
+        if math.isfinite(value)
+        else ""
+    )
 
 
 def tex(text: str) -> str:
@@ -165,21 +175,44 @@ def write_table(out: Path, name: str, table: pd.DataFrame, latex: str) -> None:
 
 # Drawing
 
+
 def style() -> None:
     """Fonts, sizes and lines of every figure; no date and no random name in a file."""
-    plt.rcParams.update({
-        "figure.figsize": (6.4, 4.4), "figure.dpi": 100, "savefig.dpi": 200, "font.size": 10,
-        "axes.titlesize": 11, "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False,
-        "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.axisbelow": True,
-        "lines.linewidth": 1.5, "lines.markersize": 6, "legend.frameon": False, "legend.fontsize": 9,
-        "svg.hashsalt": "impinge", "svg.fonttype": "path", "pdf.fonttype": 42,
-    })
+    plt.rcParams.update(
+        {
+            "figure.figsize": (6.4, 4.4),
+            "figure.dpi": 100,
+            "savefig.dpi": 200,
+            "font.size": 10,
+            "axes.titlesize": 11,
+            "axes.titlelocation": "left",
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.grid": True,
+            "grid.color": "#dddddd",
+            "grid.linewidth": 0.6,
+            "axes.axisbelow": True,
+            "lines.linewidth": 1.5,
+            "lines.markersize": 6,
+            "legend.frameon": False,
+            "legend.fontsize": 9,
+            "svg.hashsalt": "impinge",
+            "svg.fonttype": "path",
+            "pdf.fonttype": 42,
+        }
+    )
 
 
 def look(names: list[str]) -> dict[str, dict]:
     """Colour, marker and dash of each name, by first appearance."""
-    return {name: {"color": COLOURS[i % len(COLOURS)], "marker": MARKERS[i % len(MARKERS)],
-                   "linestyle": DASHES[i % len(DASHES)]} for i, name in enumerate(dict.fromkeys(names))}
+    return {
+        name: {
+            "color": COLOURS[i % len(COLOURS)],
+            "marker": MARKERS[i % len(MARKERS)],
+            "linestyle": DASHES[i % len(DASHES)],
+        }
+        for i, name in enumerate(dict.fromkeys(names))
+    }
 
 
 def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
@@ -188,6 +221,9 @@ def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
     figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight")
-    figure.savefig(folder / f"{name}.pdf", metadata={"CreationDate": None, "Creator": None, "Producer": None},
-                   bbox_inches="tight")
+    figure.savefig(
+        folder / f"{name}.pdf",
+        metadata={"CreationDate": None, "Creator": None, "Producer": None},
+        bbox_inches="tight",
+    )
     plt.close(figure)

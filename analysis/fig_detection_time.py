@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time to test one pose against the number of triangles, ours and Table 4 of the thesis. From data/detection_time.csv."""
+"""Time to test one pose against the number of triangles, ours and Table 4 of the thesis. From
+data/detection_time.csv.
+"""
 
 import common
 import log_plot

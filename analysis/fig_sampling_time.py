@@ -12,8 +12,13 @@ def main() -> None:
     lines = timing.compare(options.results, timing.TABLE_3)
     lines["points"] = 1 / lines.precision_deg
     ticks = {1 / p: f"{p:g}°" for p in lines.precision_deg.unique()}
-    figure = log_plot.draw(lines, "points", ticks, "precision, finer to the right (exponents are of 1/precision)",
-                           "Filling a table, 3,000 triangles a model")
+    figure = log_plot.draw(
+        lines,
+        "points",
+        ticks,
+        "precision, finer to the right (exponents are of 1/precision)",
+        "Filling a table, 3,000 triangles a model",
+    )
     common.save_figure(figure, options.out, "sampling-time")
 
 

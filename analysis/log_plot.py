@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method."""
+"""Time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method.
+"""
 
 from __future__ import annotations
 
@@ -21,22 +22,43 @@ def slope(x: pd.Series, y: pd.Series) -> float:
 
 def draw_method(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> None:
     """Median with its quartiles' spread; hollow where extrapolated."""
-    axes.errorbar(lines[key], lines.measured_ms, yerr=lines.iqr_ms / 2, fmt="none", ecolor=look["color"], capsize=3)
+    axes.errorbar(
+        lines[key], lines.measured_ms, yerr=lines.iqr_ms / 2, fmt="none", ecolor=look["color"], capsize=3
+    )
     axes.plot(lines[key], lines.measured_ms, color=look["color"], linestyle=look["linestyle"])
     for hollow, group in lines.groupby("extrapolated"):
-        axes.plot(group[key], group.measured_ms, linestyle="none", marker=look["marker"], color=look["color"],
-                  markerfacecolor="white" if hollow else look["color"], markeredgewidth=1.4)
+        axes.plot(
+            group[key],
+            group.measured_ms,
+            linestyle="none",
+            marker=look["marker"],
+            color=look["color"],
+            markerfacecolor="white" if hollow else look["color"],
+            markeredgewidth=1.4,
+        )
 
 
 def draw_thesis(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> None:
     """The thesis' times of the same method: grey, the same marker, thin."""
     lines = lines[np.isfinite(lines.thesis_ms)]
-    axes.plot(lines[key], lines.thesis_ms, color=common.THESIS_GREY, linestyle=look["linestyle"], linewidth=0.9,
-              marker=look["marker"], markersize=4.5, markerfacecolor=common.THESIS_GREY, markeredgewidth=0, zorder=1)
+    axes.plot(
+        lines[key],
+        lines.thesis_ms,
+        color=common.THESIS_GREY,
+        linestyle=look["linestyle"],
+        linewidth=0.9,
+        marker=look["marker"],
+        markersize=4.5,
+        markerfacecolor=common.THESIS_GREY,
+        markeredgewidth=0,
+        zorder=1,
+    )
 
 
 def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, title: str) -> plt.Figure:
-    """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's exponent, from what was measured, and the thesis'."""
+    """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's
+    exponent, from what was measured, and the thesis'.
+    """
     common.style()
     figure, axes = plt.subplots()
     looks = common.look(list(lines.method))
@@ -50,11 +72,29 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
         if np.isfinite(group.thesis_ms).any():
             text += f" (thesis {slope(group[key], group.thesis_ms):.2f})"
         legend.append(Line2D([], [], **look, label=text))
-    legend.append(Line2D([], [], color=common.THESIS_GREY, marker="o", markersize=4.5, linewidth=0.9,
-                         label="grey: the thesis' times, on its own machine"))
+    legend.append(
+        Line2D(
+            [],
+            [],
+            color=common.THESIS_GREY,
+            marker="o",
+            markersize=4.5,
+            linewidth=0.9,
+            label="grey: the thesis' times, on its own machine",
+        )
+    )
     if lines.extrapolated.any():
-        legend.append(Line2D([], [], color="black", marker="o", markerfacecolor="white", linestyle="none",
-                             label="hollow: extrapolated from a smaller run"))
+        legend.append(
+            Line2D(
+                [],
+                [],
+                color="black",
+                marker="o",
+                markerfacecolor="white",
+                linestyle="none",
+                label="hollow: extrapolated from a smaller run",
+            )
+        )
     axes.set(xscale="log", yscale="log", xlabel=x_title, ylabel="time, ms", title=title)
     axes.set_xticks(list(ticks), list(ticks.values()))
     axes.minorticks_off()

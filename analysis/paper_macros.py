@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of the timed data.
+"""Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
+the timed data.
 
-Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN; exponent:DATA:METHOD (of what was measured) and
-exponent-thesis:...; rounds, control and inconclusive:DATA; and the machine: cpu, cores, compiler, flags, commit, profile ...
+Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN;
+exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; rounds, control and inconclusive:DATA;
+and the machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
 from __future__ import annotations
@@ -15,21 +17,42 @@ import common
 import log_plot
 import timing
 
-MACHINE = ["cpu", "cores", "memory_mib", "compiler", "flags", "system", "profile", "commit", "seed", "governor"]
+MACHINE = [
+    "cpu",
+    "cores",
+    "memory_mib",
+    "compiler",
+    "flags",
+    "system",
+    "profile",
+    "commit",
+    "seed",
+    "governor",
+]
 
 
 def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
     """How often each verdict was given, and the values of each row."""
     facts = {f"count:{name}": str(count) for name, count in verdicts.verdict.value_counts().items()}
-    facts |= {f"count:{name}": "0" for name in ("reproduced", "differs", "thesis-misprint") if f"count:{name}" not in facts}
+    facts |= {
+        f"count:{name}": "0"
+        for name in ("reproduced", "differs", "thesis-misprint")
+        if f"count:{name}" not in facts
+    }
     facts["count:all"] = str(len(verdicts))
     for artefact, rows in verdicts.groupby("artefact"):
-        facts |= {f"count:{artefact}:{name}": str((rows.verdict == name).sum()) for name in ("reproduced", "differs")}
+        facts |= {
+            f"count:{artefact}:{name}": str((rows.verdict == name).sum())
+            for name in ("reproduced", "differs")
+        }
         facts[f"count:{artefact}:all"] = str(len(rows))
     for row in verdicts.itertuples():
         name = f"{row.artefact}:{row.row}:{row.column}"
-        facts |= {f"thesis:{name}": grouped(row.thesis), f"measured:{name}": grouped(row.measured),
-                  f"verdict:{name}": row.verdict}
+        facts |= {
+            f"thesis:{name}": grouped(row.thesis),
+            f"measured:{name}": grouped(row.measured),
+            f"verdict:{name}": row.verdict,
+        }
     return facts
 
 
@@ -49,14 +72,20 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     facts = {}
     for method in lines.method.unique():
         mine = (lines.method == method) & ~lines.extrapolated
-        facts[f"exponent:{table.data}:{method}"] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
+        facts[
+            f"exponent:{table.data}:{method}"
+        ] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
         every = lines.method == method
         if lines.thesis_ms[every].notna().any():
-            facts[f"exponent-thesis:{table.data}:{method}"] = f"{log_plot.slope(size[every], lines.thesis_ms[every]):.2f}"
+            facts[
+                f"exponent-thesis:{table.data}:{method}"
+            ] = f"{log_plot.slope(size[every], lines.thesis_ms[every]):.2f}"
     data = common.load(results, table.data)
     rounds = data[~data.extrapolated].rounds
     protocol = data.attrs.get("timing") or {}
-    facts[f"rounds:{table.data}"] = f"{rounds.min()}" if rounds.min() == rounds.max() else f"{rounds.min()} to {rounds.max()}"
+    facts[f"rounds:{table.data}"] = (
+        f"{rounds.min()}" if rounds.min() == rounds.max() else f"{rounds.min()} to {rounds.max()}"
+    )
     facts[f"control:{table.data}"] = f"{protocol.get('control', {}).get('ratio', float('nan')):.3f}"
     facts[f"inconclusive:{table.data}"] = str(len(protocol.get("inconclusive", [])))
     facts[f"extrapolated:{table.data}"] = str(int(data.extrapolated.sum()))
@@ -67,10 +96,26 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
 def judged_table(verdicts: pd.DataFrame) -> str:
     """The rows that are judged by order or ratio, as a table of the paper."""
     judged = verdicts[verdicts.unit.isin(["ratio", "order"])]
-    rows = [" & ".join(common.tex(grouped(value)) for value in (row.artefact, row.row, row.column, row.thesis, row.measured,
-                                                               row.verdict)) + " \\\\" for row in judged.itertuples()]
-    return "\n".join(["\\begin{tabular}{@{}llllll@{}}", "\\toprule", "table & row & what & thesis & here & verdict \\\\",
-                      "\\midrule", *rows, "\\bottomrule", "\\end{tabular}", ""])
+    rows = [
+        " & ".join(
+            common.tex(grouped(value))
+            for value in (row.artefact, row.row, row.column, row.thesis, row.measured, row.verdict)
+        )
+        + " \\\\"
+        for row in judged.itertuples()
+    ]
+    return "\n".join(
+        [
+            "\\begin{tabular}{@{}llllll@{}}",
+            "\\toprule",
+            "table & row & what & thesis & here & verdict \\\\",
+            "\\midrule",
+            *rows,
+            "\\bottomrule",
+            "\\end{tabular}",
+            "",
+        ]
+    )
 
 
 def main() -> None:
@@ -80,7 +125,9 @@ def main() -> None:
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
     facts = {key: str(record.get(key, "unknown")) for key in MACHINE}
     facts["commit"] = facts["commit"][:12]
-    facts["flags"] = " ".join(flag for flag in facts["flags"].split() if not flag.startswith("-W"))  # warnings change nothing
+    facts["flags"] = " ".join(
+        flag for flag in facts["flags"].split() if not flag.startswith("-W")
+    )  # warnings change nothing
     facts |= verdict_facts(verdicts)
     for table in (timing.TABLE_3, timing.TABLE_4):
         facts |= timing_facts(options.results, table)

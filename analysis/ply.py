@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a triangle mesh from PLY with every property of its vertices (VTK's own reader drops those it does not know)."""
+"""Reads a triangle mesh from PLY with every property of its vertices (VTK's own reader drops those it does
+not know).
+"""
 
 from __future__ import annotations
 
@@ -10,9 +12,24 @@ import numpy as np
 
 import common
 
-TYPES = {"char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2", "ushort": "u2",
-         "uint16": "u2", "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4", "float": "f4", "float32": "f4",
-         "double": "f8", "float64": "f8"}
+TYPES = {
+    "char": "i1",
+    "int8": "i1",
+    "uchar": "u1",
+    "uint8": "u1",
+    "short": "i2",
+    "int16": "i2",
+    "ushort": "u2",
+    "uint16": "u2",
+    "int": "i4",
+    "int32": "i4",
+    "uint": "u4",
+    "uint32": "u4",
+    "float": "f4",
+    "float32": "f4",
+    "double": "f8",
+    "float64": "f8",
+}
 
 
 @dataclass(frozen=True)
@@ -57,6 +74,8 @@ def read(path: Path) -> Mesh:
 def _ascii(body: bytes, names: list[str], counts: dict[str, int]) -> tuple[dict[str, np.ndarray], np.ndarray]:
     """Vertices by property and triangles, from lines of numbers."""
     lines = body.decode("ascii").splitlines()
-    rows = np.array([line.split() for line in lines[:counts["vertex"]]], dtype=float)
-    faces = np.array([line.split() for line in lines[counts["vertex"]:counts["vertex"] + counts["face"]]], dtype=int)
+    rows = np.array([line.split() for line in lines[: counts["vertex"]]], dtype=float)
+    faces = np.array(
+        [line.split() for line in lines[counts["vertex"] : counts["vertex"] + counts["face"]]], dtype=int
+    )
     return {name: rows[:, i] for i, name in enumerate(names)}, faces[:, 1:4]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A joint coloured by its gap, from four sides. From scenes/NAME (ball.ply, socket.ply with a gap in mm, summary.json).
+"""A joint coloured by its gap, from four sides. From scenes/NAME (ball.ply, socket.ply with a gap in mm,
+summary.json).
 
-Colours and thresholds are those of the scene (libcore/joint/gap_levels.hpp): the thesis' five, darker towards contact, so
-that the picture reads in grey and with every common colour vision.
+Colours and thresholds are those of the scene (libcore/joint/gap_levels.hpp): the thesis' five, darker towards
+contact, so that the picture reads in grey and with every common colour vision.
 """
 
 from __future__ import annotations
@@ -21,8 +22,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  # registers the renderer
 
 import common
@@ -34,7 +40,9 @@ SHADES = 4096  # entries of a colour table: so finely are thresholds resolved
 
 @dataclass(frozen=True)
 class Colours:
-    """Upper ends of the levels in mm, the last one infinite, and the colour of each and of no gap, from 0 to 1."""
+    """Upper ends of the levels in mm, the last one infinite, and the colour of each and of no gap, from 0 to
+    1.
+    """
 
     upper: np.ndarray
     rgb: np.ndarray
@@ -45,8 +53,11 @@ def colours_of(summary: dict, part: str) -> Colours:
     """The levels that the scene used for the ball or the socket."""
     levels = summary["colours"][part]
     upper = [np.inf if level["up_to_mm"] is None else level["up_to_mm"] for level in levels]
-    return Colours(np.array(upper), np.array([level["rgb"] for level in levels]) / 255,
-                   np.array(summary["colours"]["no_gap_rgb"]) / 255)
+    return Colours(
+        np.array(upper),
+        np.array([level["rgb"] for level in levels]) / 255,
+        np.array(summary["colours"]["no_gap_rgb"]) / 255,
+    )
 
 
 def lookup(colours: Colours) -> tuple[vtkLookupTable, tuple[float, float]]:
@@ -67,8 +78,10 @@ def polydata(mesh: ply.Mesh) -> vtkPolyData:
     points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.vertices), deep=True))
     cells = vtkCellArray()
     offsets = np.arange(0, mesh.triangles.size + 1, 3, dtype=np.int64)
-    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
-                  numpy_to_vtkIdTypeArray(np.ascontiguousarray(mesh.triangles).ravel(), deep=True))
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(offsets, deep=True),
+        numpy_to_vtkIdTypeArray(np.ascontiguousarray(mesh.triangles).ravel(), deep=True),
+    )
     data = vtkPolyData()
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -99,7 +112,9 @@ def actor(mesh: ply.Mesh, colours: Colours, opacity: float = 1.0) -> vtkActor:
     return thing
 
 
-def picture(actors: list[vtkActor], focus: np.ndarray, towards: np.ndarray, up: np.ndarray, size: float) -> np.ndarray:
+def picture(
+    actors: list[vtkActor], focus: np.ndarray, towards: np.ndarray, up: np.ndarray, size: float
+) -> np.ndarray:
     """One view, as an image: a camera without perspective that looks along towards at focus."""
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
@@ -126,7 +141,9 @@ def picture(actors: list[vtkActor], focus: np.ndarray, towards: np.ndarray, up: 
 
 
 def upwards(axes: str, axis: np.ndarray) -> np.ndarray:
-    """Where superior is, from a text such as RAS; another direction where the socket's axis runs that way itself."""
+    """Where superior is, from a text such as RAS; another direction where the socket's axis runs that way
+    itself.
+    """
     up = np.array([{"S": 1.0, "I": -1.0}.get(end, 0.0) for end in axes])
     return up if abs(up @ axis) < 0.9 else np.roll(up, 1)
 
@@ -142,8 +159,10 @@ def views(ball: ply.Mesh, socket: ply.Mesh, summary: dict) -> dict[str, np.ndarr
     points = np.vstack([ball.vertices, socket.vertices])
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     both = float(np.linalg.norm(points - middle, axis=1).max())
-    alone = {part: float(np.linalg.norm(mesh.vertices - centre, axis=1).max())
-             for part, mesh in (("ball", ball), ("socket", socket))}
+    alone = {
+        part: float(np.linalg.norm(mesh.vertices - centre, axis=1).max())
+        for part, mesh in (("ball", ball), ("socket", socket))
+    }
     ball_actor = actor(ball, colours_of(summary, "ball"))
     socket_actor = actor(socket, colours_of(summary, "socket"))
     glass = actor(socket, colours_of(summary, "socket"), opacity=0.45)
@@ -162,8 +181,11 @@ def screen():
         yield
         return
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
-                               "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"],
+        pass_fds=[write],
+        stderr=subprocess.DEVNULL,
+    )
     os.close(write)
     try:
         with os.fdopen(read) as pipe:
@@ -184,8 +206,10 @@ def legend(summary: dict) -> list[Patch]:
     patches = [Patch(color=ball.rgb[0], label="bones touch or overlap")]
     for low, high, colour in zip(ball.upper, ball.upper[1:-1], ball.rgb[1:-1]):
         patches.append(Patch(color=colour, label=f"{low:.2g} to {high:.2g} mm"))
-    patches += [Patch(color=colours.rgb[-1], label=f"{part}, over {colours.upper[-2]:.2g} mm")
-                for part, colours in (("ball", ball), ("socket", socket))]
+    patches += [
+        Patch(color=colours.rgb[-1], label=f"{part}, over {colours.upper[-2]:.2g} mm")
+        for part, colours in (("ball", ball), ("socket", socket))
+    ]
     return [*patches, Patch(color=ball.nothing, label="no surface opposite")]
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report: one HTML file that needs nothing else. From verdicts.csv, and every table, figure and sidecar of the graph.
+"""The report: one HTML file that needs nothing else. From verdicts.csv, and every table, figure and sidecar
+of the graph.
 
 What is shown is what the graph declares (jobs.tsv): a new table or figure appears here by itself.
 """
@@ -17,13 +18,35 @@ import pandas as pd
 import common
 
 MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
-MEANINGS = {"reproduced": "came out again", "differs": "came out otherwise", "thesis-misprint": "wrong in the thesis",
-            "not-comparable": "times of another machine", "input": "given, not computed"}
-PROVENANCE = {"question": "Question", "command": "Command", "profile": "Profile", "seed": "Seed", "commit": "Commit",
-              "dirty": "Uncommitted changes", "driver_sha256": "SHA-256 of the program", "csv_sha256": "SHA-256 of the CSV",
-              "compiler": "Compiler", "flags": "Flags", "cpu": "CPU", "cores": "Cores", "memory_mib": "Memory, MiB",
-              "governor": "Frequency governor", "load": "Load before", "system": "System", "started_utc": "Started",
-              "duration_s": "Took, s", "libraries": "Libraries", "parameters": "Parameters"}
+MEANINGS = {
+    "reproduced": "came out again",
+    "differs": "came out otherwise",
+    "thesis-misprint": "wrong in the thesis",
+    "not-comparable": "times of another machine",
+    "input": "given, not computed",
+}
+PROVENANCE = {
+    "question": "Question",
+    "command": "Command",
+    "profile": "Profile",
+    "seed": "Seed",
+    "commit": "Commit",
+    "dirty": "Uncommitted changes",
+    "driver_sha256": "SHA-256 of the program",
+    "csv_sha256": "SHA-256 of the CSV",
+    "compiler": "Compiler",
+    "flags": "Flags",
+    "cpu": "CPU",
+    "cores": "Cores",
+    "memory_mib": "Memory, MiB",
+    "governor": "Frequency governor",
+    "load": "Load before",
+    "system": "System",
+    "started_utc": "Started",
+    "duration_s": "Took, s",
+    "libraries": "Libraries",
+    "parameters": "Parameters",
+}
 
 
 @dataclass(frozen=True)
@@ -43,7 +66,11 @@ def load_jobs(path: Path) -> list[Job]:
     jobs = []
     for line in path.read_text().splitlines():
         name, kind, _, _, _, _, outputs, depends, command, question = line.split("\t")
-        data = [Path(file).stem for file in depends.split(";") if file.startswith("data/") and file.endswith(".csv")]
+        data = [
+            Path(file).stem
+            for file in depends.split(";")
+            if file.startswith("data/") and file.endswith(".csv")
+        ]
         script = next((word for word in command.split() if word.endswith(".py")), "")
         jobs.append(Job(name, kind, outputs.split(";"), data, script, question))
     return jobs
@@ -51,7 +78,9 @@ def load_jobs(path: Path) -> list[Job]:
 
 def element(tag: str, inner: str, **attributes: str) -> str:
     """An element; inner is HTML already, attribute values are escaped here."""
-    words = "".join(f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"' for key, value in attributes.items())
+    words = "".join(
+        f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"' for key, value in attributes.items()
+    )
     return f"<{tag}{words}>{inner}</{tag}>"
 
 
@@ -70,21 +99,36 @@ def cell(value: str, title: str = "", shorten: bool = False) -> str:
 def totals(verdicts: pd.DataFrame) -> str:
     """How often each verdict was given."""
     counts = verdicts.verdict.value_counts()
-    return element("ul", "".join(
-        element("li", f"<b>{counts[name]}</b> " + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name]) +
-                f'<br><span class="soft">{MEANINGS[name]}</span>')
-        for name in MARKS if name in counts), class_="totals")
+    return element(
+        "ul",
+        "".join(
+            element(
+                "li",
+                f"<b>{counts[name]}</b> "
+                + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name])
+                + f'<br><span class="soft">{MEANINGS[name]}</span>',
+            )
+            for name in MARKS
+            if name in counts
+        ),
+        class_="totals",
+    )
 
 
 def filters(verdicts: pd.DataFrame) -> str:
     """Choices that report.js reads."""
+
     def choice(name: str, values: list[str]) -> str:
         options = '<option value="">all</option>' + "".join(element("option", value) for value in values)
         return element("label", name.capitalize() + element("select", options, id=f"filter-{name}"))
-    return element("div", choice("artefact", list(verdicts.artefact.unique())) +
-                   choice("verdict", [name for name in MARKS if name in set(verdicts.verdict)]) +
-                   '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
-                   class_="filters")
+
+    return element(
+        "div",
+        choice("artefact", list(verdicts.artefact.unique()))
+        + choice("verdict", [name for name in MARKS if name in set(verdicts.verdict)])
+        + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
+        class_="filters",
+    )
 
 
 def explanation(row: dict[str, str]) -> str:
@@ -97,23 +141,40 @@ def explanation(row: dict[str, str]) -> str:
 def verdict_table(verdicts: pd.DataFrame) -> str:
     """Every row, with what the filters need."""
     names = ["artefact", "row", "column", "thesis", "measured", "unit"]
-    head = element("thead", element("tr", "".join(element("th", name) for name in [*names, "verdict", "why"])))
+    head = element(
+        "thead", element("tr", "".join(element("th", name) for name in [*names, "verdict", "why"]))
+    )
     rows = []
     for row in verdicts.to_dict("records"):
         verdict = row["verdict"]
         cells = [cell(row[name], title=name) for name in names]
-        cells.append(element("td", html.escape(verdict), class_=f"verdict {verdict}", data_mark=MARKS.get(verdict, ""),
-                             data_title="verdict"))
-        rows.append(element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"],
-                            data_verdict=verdict))
-    return element("div", element("table", head + element("tbody", "".join(rows)), id="verdicts"), class_="scroll")
+        cells.append(
+            element(
+                "td",
+                html.escape(verdict),
+                class_=f"verdict {verdict}",
+                data_mark=MARKS.get(verdict, ""),
+                data_title="verdict",
+            )
+        )
+        rows.append(
+            element(
+                "tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=verdict
+            )
+        )
+    return element(
+        "div", element("table", head + element("tbody", "".join(rows)), id="verdicts"), class_="scroll"
+    )
 
 
 def data_table(path: Path) -> str:
     """A CSV as it is."""
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     head = element("tr", "".join(element("th", name.replace("_", " ")) for name in table.columns))
-    body = "".join(element("tr", "".join(cell(value, shorten=True) for value in row)) for row in table.itertuples(index=False))
+    body = "".join(
+        element("tr", "".join(cell(value, shorten=True) for value in row))
+        for row in table.itertuples(index=False)
+    )
     return element("div", element("table", element("thead", head) + element("tbody", body)), class_="scroll")
 
 
@@ -131,14 +192,25 @@ def provenance(results: Path, name: str) -> str:
     for key, title in PROVENANCE.items():
         if key in record:
             value = record[key]
-            text = json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, bool)) else str(value)
+            text = (
+                json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, bool)) else str(value)
+            )
             lines.append(element("dt", title) + element("dd", html.escape(text)))
-    for key, title in (("inconclusive", "Inconclusive timings"), ("control", "Control (one case against itself)")):
+    for key, title in (
+        ("inconclusive", "Inconclusive timings"),
+        ("control", "Control (one case against itself)"),
+    ):
         if key in (record.get("timing") or {}):
             value = record["timing"][key]
-            value = {k: v for k, v in value.items() if k != "samples_ms"} if isinstance(value, dict) else value
-            lines.append(element("dt", title) + element("dd", html.escape(json.dumps(value) if value else "none")))
-    return element("details", element("summary", f"Where data/{name}.csv comes from") + element("dl", "".join(lines)))
+            value = (
+                {k: v for k, v in value.items() if k != "samples_ms"} if isinstance(value, dict) else value
+            )
+            lines.append(
+                element("dt", title) + element("dd", html.escape(json.dumps(value) if value else "none"))
+            )
+    return element(
+        "details", element("summary", f"Where data/{name}.csv comes from") + element("dl", "".join(lines))
+    )
 
 
 def section(results: Path, job: Job) -> str:
@@ -147,36 +219,58 @@ def section(results: Path, job: Job) -> str:
     if job.kind == "table":
         body = element("p", html.escape(job.question)) + data_table(results / shown)
     else:
-        body = element("figure", image(results / shown, job.question) +
-                       element("figcaption", html.escape(job.question)))
+        body = element(
+            "figure", image(results / shown, job.question) + element("figcaption", html.escape(job.question))
+        )
     again = f"experiments/reproduce --only {job.name}"
     source = f"{shown} · {job.script} · " + element("code", again)
-    return (element("h3", job.name, id=job.name) + body + element("p", source, class_="source") +
-            "".join(provenance(results, name) for name in job.data))
+    return (
+        element("h3", job.name, id=job.name)
+        + body
+        + element("p", source, class_="source")
+        + "".join(provenance(results, name) for name in job.data)
+    )
 
 
 def heading(results: Path, jobs: list[Job]) -> str:
     """Title, and which machine and profile this is."""
     names = [name for job in jobs for name in job.data]
     record = common.sidecar(results / "data" / f"{names[0]}.csv")
-    where = (f"{record['profile']} profile, commit {record['commit'][:12]}{' with changes' if record['dirty'] else ''}, "
-             f"{record['cpu']}, {record['cores']} cores, {record['compiler']}")
-    links = " ".join(element("a", job.name, href=f"#{job.name}") for job in jobs if job.kind in ("table", "figure"))
-    return (element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced") +
-            element("p", html.escape(where), class_="soft") + element("nav", links))
+    changes = " with changes" if record["dirty"] else ""
+    where = (
+        f"{record['profile']} profile, commit {record['commit'][:12]}{changes}, "
+        f"{record['cpu']}, {record['cores']} cores, {record['compiler']}"
+    )
+    links = " ".join(
+        element("a", job.name, href=f"#{job.name}") for job in jobs if job.kind in ("table", "figure")
+    )
+    return (
+        element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced")
+        + element("p", html.escape(where), class_="soft")
+        + element("nav", links)
+    )
 
 
 def page(results: Path, jobs: list[Job]) -> str:
     """The whole document."""
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
-    parts = [heading(results, jobs), element("h2", "Verdicts"), totals(verdicts), filters(verdicts), verdict_table(verdicts)]
+    parts = [
+        heading(results, jobs),
+        element("h2", "Verdicts"),
+        totals(verdicts),
+        filters(verdicts),
+        verdict_table(verdicts),
+    ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
         parts += [element("h2", title), *(section(results, job) for job in jobs if job.kind == kind)]
     style, script = ((common.HERE / f"report.{kind}").read_text() for kind in ("css", "js"))
-    return ('<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
-            f"<title>impinge: results</title><style>{style}</style></head>\n<body><main>" + "\n".join(parts) +
-            f"</main><script>{script}</script></body></html>\n")
+    return (
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
+        f"<title>impinge: results</title><style>{style}</style></head>\n<body><main>"
+        + "\n".join(parts)
+        + f"</main><script>{script}</script></body></html>\n"
+    )
 
 
 def main() -> None:

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms. From data/NAME.csv."""
+"""Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms. From
+data/NAME.csv.
+"""
 
 import pandas as pd
 
 import common
 
-MEASURES = ["median_ms", "iqr_ms", "rounds", "extrapolated", "gives_distance"]  # every other column names the case
+MEASURES = [
+    "median_ms",
+    "iqr_ms",
+    "rounds",
+    "extrapolated",
+    "gives_distance",
+]  # every other column names the case
 
 
 def main() -> None:
@@ -21,16 +29,35 @@ def main() -> None:
 def latex(table: pd.DataFrame) -> str:
     """All columns: times rounded for reading, the rest as it is."""
     heads = [common.tex(column.replace("_", " ")) for column in table.columns]
-    rows = [" & ".join(cell(name, value) for name, value in zip(table.columns, row)) for row in table.itertuples(index=False)]
-    return "\n".join([f"\\begin{{tabular}}{{@{{}}{'l' * len(heads)}@{{}}}}", "\\toprule", " & ".join(heads) + " \\\\",
-                      "\\midrule", *(row + " \\\\" for row in rows), "\\bottomrule", "\\end{tabular}", ""])
+    rows = [
+        " & ".join(cell(name, value) for name, value in zip(table.columns, row))
+        for row in table.itertuples(index=False)
+    ]
+    return "\n".join(
+        [
+            f"\\begin{{tabular}}{{@{{}}{'l' * len(heads)}@{{}}}}",
+            "\\toprule",
+            " & ".join(heads) + " \\\\",
+            "\\midrule",
+            *(row + " \\\\" for row in rows),
+            "\\bottomrule",
+            "\\end{tabular}",
+            "",
+        ]
+    )
 
 
 def cell(column: str, value: object) -> str:
     """One value for LaTeX."""
     if isinstance(value, str):
         return common.tex(value)
-    return common.digits(float(value)) if column.endswith("_ms") else f"{value:,g}" if value < 1 else f"{value:,.0f}"
+    return (
+        common.digits(float(value))
+        if column.endswith("_ms")
+        else f"{value:,g}"
+        if value < 1
+        else f"{value:,.0f}"
+    )
 
 
 common.run(main)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A timing table of the thesis beside ours: times, and ratios to the thesis' own method, which is what can be compared."""
+"""A timing table of the thesis beside ours: times, and ratios to the thesis' own method, which is what can be
+compared.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,9 @@ def thesis_times(table: TimingTable) -> dict[tuple[float, str], float]:
 
 
 def compare(results: Path, table: TimingTable) -> pd.DataFrame:
-    """One row for each row of the table and method: thesis and measured time, and both as ratios to the reference."""
+    """One row for each row of the table and method: thesis and measured time, and both as ratios to the
+    reference.
+    """
     ours = common.load(results, table.data)
     theirs = thesis_times(table)
     column_of = {method: column for column, method in common.counterparts(table.artefact).items()}
@@ -47,16 +51,24 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
         column = column_of.get(method, "")
         base = times.get((key, reference))
         thesis_ms = theirs.get((key, column), math.nan)
-        lines.append({
-            table.key: key, "method": method, "thesis_column": column, "thesis_ms": thesis_ms,
-            "measured_ms": row.median_ms, "iqr_ms": row.iqr_ms, "extrapolated": row.extrapolated,
-            "inconclusive": (method, f"{key:g}") in noisy,
-            "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
-            "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
-        })
+        lines.append(
+            {
+                table.key: key,
+                "method": method,
+                "thesis_column": column,
+                "thesis_ms": thesis_ms,
+                "measured_ms": row.median_ms,
+                "iqr_ms": row.iqr_ms,
+                "extrapolated": row.extrapolated,
+                "inconclusive": (method, f"{key:g}") in noisy,
+                "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
+                "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
+            }
+        )
     order = list(dict.fromkeys([*(key for key, _ in theirs), *ours[table.key], *ours.method]))
-    return pd.DataFrame(lines).sort_values([table.key, "method"], key=lambda names: names.map(order.index),
-                                           ignore_index=True)
+    return pd.DataFrame(lines).sort_values(
+        [table.key, "method"], key=lambda names: names.map(order.index), ignore_index=True
+    )
 
 
 def latex(lines: pd.DataFrame, table: TimingTable) -> str:
@@ -70,12 +82,18 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
         rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
         titles.append("thesis & here" if width == 2 else "here")
         column += width
-    head = [f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}", "\\toprule",
-            " & ".join(["", *spans]) + " \\\\", "".join(rules),
-            " & ".join([table.row_title, *titles]) + " \\\\"]
+    head = [
+        f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}",
+        "\\toprule",
+        " & ".join(["", *spans]) + " \\\\",
+        "".join(rules),
+        " & ".join([table.row_title, *titles]) + " \\\\",
+    ]
     body = []
-    for title, theirs, ours in (("time, ms", "thesis_ms", "measured_ms"),
-                                ("relative to RSID", "thesis_ratio", "measured_ratio")):
+    for title, theirs, ours in (
+        ("time, ms", "thesis_ms", "measured_ms"),
+        ("relative to RSID", "thesis_ratio", "measured_ratio"),
+    ):
         body += ["\\midrule", f"\\multicolumn{{{column - 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
         for key, group in lines.groupby(table.key, sort=False):
             cells = [table.row_format.format(key)]
@@ -83,7 +101,9 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
                 line = group[group.method == method]
                 if method in with_thesis:
                     cells.append(_printed(line[theirs]) if theirs == "thesis_ms" else _cell(line[theirs]))
-                cells.append(_cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else ""))
+                cells.append(
+                    _cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else "")
+                )
             body.append(" & ".join(cells) + " \\\\")
     return "\n".join(head + body + ["\\bottomrule", "\\end{tabular}"]) + "\n"
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A verdict on every number of Tables 2 to 4: thesis beside ours, by a stated rule. From lut_memory, sampling_time, detection_time.
+"""A verdict on every number of Tables 2 to 4: thesis beside ours, by a stated rule. From lut_memory,
+sampling_time, detection_time.
 
-Formula values are reproduced when ours rounds to the digits that the thesis prints. A time on another machine says nothing by
-itself; what can be compared is which method is faster and by how much, and those have rows of their own.
+Formula values are reproduced when ours rounds to the digits that the thesis prints. A time on another machine
+says nothing by itself; what can be compared is which method is faster and by how much, and those have rows of
+their own.
 """
 
 from __future__ import annotations
@@ -16,10 +18,16 @@ import common
 import timing
 
 COLUMNS = ["artefact", "row", "column", "thesis", "measured", "unit", "rule", "tolerance", "verdict", "note"]
-RATIO_FACTOR = math.sqrt(10)  # half an order of magnitude: other machine, compiler, implementation of the rival
+RATIO_FACTOR = math.sqrt(
+    10
+)  # half an order of magnitude: other machine, compiler, implementation of the rival
 RATIO_RULE = "ratio within half an order of magnitude of the thesis' ratio"
-MEMORY_COLUMNS = {"lut_entries": ("entries", 1), "memory": ("bytes", 2**20), "helix_turns": ("helix_turns", 1),
-                  "equator_points": ("equator_points", 1)}
+MEMORY_COLUMNS = {
+    "lut_entries": ("entries", 1),
+    "memory": ("bytes", 2**20),
+    "helix_turns": ("helix_turns", 1),
+    "equator_points": ("equator_points", 1),
+}
 MEMORY_SCHEMES = {"table-2": "rsid"}  # table of formula values: the scheme that it is about
 
 
@@ -44,10 +52,19 @@ def formula_rows(results: Path) -> list[dict]:
             name, divisor = MEMORY_COLUMNS[value.column]
             measured = table[name][common.number(value.row)] / divisor
             good = rounds_to(measured, value.value)
-            rows.append(row(artefact, value.row, value.column, thesis=value.value, measured=common.plain(measured, 10),
-                            unit=value.unit, rule="equal when rounded to the digits printed",
-                            tolerance="half a unit of the last digit",
-                            verdict="reproduced" if good else "differs"))
+            rows.append(
+                row(
+                    artefact,
+                    value.row,
+                    value.column,
+                    thesis=value.value,
+                    measured=common.plain(measured, 10),
+                    unit=value.unit,
+                    rule="equal when rounded to the digits printed",
+                    tolerance="half a unit of the last digit",
+                    verdict="reproduced" if good else "differs",
+                )
+            )
     return rows
 
 
@@ -72,19 +89,34 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
         notes += doubts(line)
     if line is not None and line.method != value.column:
         notes.append(f"measured with {common.label(line.method)}")
-    return row(table.artefact, value.row, value.column, thesis=value.value,
-               measured="" if line is None else common.plain(line.measured_ms), unit=value.unit,
-               rule="times of different machines are not compared; see the ratios and the order",
-               verdict="not-comparable", note="; ".join(notes))
+    return row(
+        table.artefact,
+        value.row,
+        value.column,
+        thesis=value.value,
+        measured="" if line is None else common.plain(line.measured_ms),
+        unit=value.unit,
+        rule="times of different machines are not compared; see the ratios and the order",
+        verdict="not-comparable",
+        note="; ".join(notes),
+    )
 
 
 def ratio_row(table: timing.TimingTable, name: str, line: pd.Series, reference: pd.Series) -> dict:
     """How many times the thesis' own method is faster than another, there and here."""
     off = max(line.thesis_ratio, line.measured_ratio) / min(line.thesis_ratio, line.measured_ratio)
-    return row(table.artefact, name, f"{line.thesis_column}/{timing.REFERENCE}", thesis=common.plain(line.thesis_ratio),
-               measured=common.plain(line.measured_ratio), unit="ratio", rule=RATIO_RULE,
-               tolerance=f"factor {RATIO_FACTOR:.3g}", verdict="reproduced" if off <= RATIO_FACTOR else "differs",
-               note="; ".join([f"off by a factor of {off:.3g}", *doubts(line, reference)]))
+    return row(
+        table.artefact,
+        name,
+        f"{line.thesis_column}/{timing.REFERENCE}",
+        thesis=common.plain(line.thesis_ratio),
+        measured=common.plain(line.measured_ratio),
+        unit="ratio",
+        rule=RATIO_RULE,
+        tolerance=f"factor {RATIO_FACTOR:.3g}",
+        verdict="reproduced" if off <= RATIO_FACTOR else "differs",
+        note="; ".join([f"off by a factor of {off:.3g}", *doubts(line, reference)]),
+    )
 
 
 def order_row(table: timing.TimingTable, name: str, lines: pd.DataFrame) -> dict:
@@ -92,9 +124,18 @@ def order_row(table: timing.TimingTable, name: str, lines: pd.DataFrame) -> dict
     theirs = " < ".join(lines.sort_values("thesis_ms").thesis_column)
     ours = " < ".join(lines.sort_values("measured_ms").thesis_column)
     note = "; ".join(doubts(*(line for _, line in lines.iterrows())))
-    return row(table.artefact, name, "order", thesis=theirs, measured=ours, unit="order",
-               rule="same methods, fastest first, in the same order", tolerance="none",
-               verdict="reproduced" if theirs == ours else "differs", note=note)
+    return row(
+        table.artefact,
+        name,
+        "order",
+        thesis=theirs,
+        measured=ours,
+        unit="order",
+        rule="same methods, fastest first, in the same order",
+        tolerance="none",
+        verdict="reproduced" if theirs == ours else "differs",
+        note=note,
+    )
 
 
 def timing_rows(results: Path, table: timing.TimingTable) -> list[dict]:
@@ -111,8 +152,11 @@ def timing_rows(results: Path, table: timing.TimingTable) -> list[dict]:
         reference = known[known.thesis_column == timing.REFERENCE]
         if reference.empty or len(known) < 2:
             continue
-        rows += [ratio_row(table, name, line, reference.iloc[0]) for _, line in known.iterrows()
-                 if line.thesis_column != timing.REFERENCE]
+        rows += [
+            ratio_row(table, name, line, reference.iloc[0])
+            for _, line in known.iterrows()
+            if line.thesis_column != timing.REFERENCE
+        ]
         rows.append(order_row(table, name, known))
     return rows
 

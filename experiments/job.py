@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs one job of the graph so that its outputs appear whole, or not at all.
 
-The command runs in a fresh folder laid out as the results folder, and writes there. When it ends well, each declared
-output is renamed into place, except where the bytes are already there: an unchanged file keeps its time stamp, and Ninja
-then leaves out what would follow from it. With --lock, a job run --alone has the machine to itself.
+The command runs in a fresh folder laid out as the results folder, and writes there. When it ends well, each
+declared output is renamed into place, except where the bytes are already there: an unchanged file keeps its
+time stamp, and Ninja then leaves out what would follow from it. With --lock, a job run --alone has the
+machine to itself.
 
 experiments/reproduce listens on a pipe (IMPINGE_EVENTS is its number): start NAME, say NAME TEXT, end NAME.
 """
@@ -35,7 +36,7 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--outputs", nargs="+", required=True)
     split = sys.argv.index("--")
     options = parser.parse_args(sys.argv[1:split])
-    options.command = sys.argv[split + 1:]
+    options.command = sys.argv[split + 1 :]
     return options
 
 
@@ -67,8 +68,15 @@ def relay(name: str, talks: bool, child: subprocess.Popen) -> None:
 def run(options: argparse.Namespace, folder: Path) -> int:
     """Runs the command in the folder; ends it when the run that started this job is gone (killed, say)."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
-    child = subprocess.Popen(options.command, cwd=folder, start_new_session=True, text=True, errors="replace",
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    child = subprocess.Popen(
+        options.command,
+        cwd=folder,
+        start_new_session=True,
+        text=True,
+        errors="replace",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
     listener = threading.Thread(target=relay, args=(options.name, options.talks, child), daemon=True)
     listener.start()
     try:

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Asks Ninja for the graph of results and says, in a reader's words, what happens: progress, time left, why, list.
+"""Asks Ninja for the graph of results and says, in a reader's words, what happens: progress, time left, why,
+list.
 
-Called by experiments/reproduce. Ninja alone decides what runs; this reads build/.../graph/jobs.tsv (what can be made, with the
-expected seconds), the seconds of earlier runs, and Ninja's own output. Standard library only.
+Called by experiments/reproduce. Ninja alone decides what runs; this reads build/.../graph/jobs.tsv (what can
+be made, with the expected seconds), the seconds of earlier runs, and Ninja's own output. Standard library
+only.
 """
 
 from __future__ import annotations
@@ -49,8 +51,17 @@ def load_jobs(build: Path, profile: str) -> dict[str, Job]:
         measured = build / "graph" / profile / name
         declared = quick if profile == "quick" else full
         seconds = float(measured.read_text() if measured.is_file() else declared)
-        jobs[name] = Job(name, kind, seconds, timing == "yes", artefacts.split(";"), outputs.split(";"),
-                         depends.split(";"), command, question)
+        jobs[name] = Job(
+            name,
+            kind,
+            seconds,
+            timing == "yes",
+            artefacts.split(";"),
+            outputs.split(";"),
+            depends.split(";"),
+            command,
+            question,
+        )
     return jobs
 
 
@@ -62,7 +73,9 @@ def find(jobs: dict[str, Job], name: str) -> Job:
     for job in jobs.values():
         if name in job.names():
             return job
-    known = " ".join(sorted({job.name for job in jobs.values()} | {a for job in jobs.values() for a in job.artefacts}))
+    known = " ".join(
+        sorted({job.name for job in jobs.values()} | {a for job in jobs.values() for a in job.artefacts})
+    )
     print(f"reproduce: there is no '{name}'. These can be made: {known}", file=sys.stderr)
     sys.exit(2)
 
@@ -102,8 +115,10 @@ def show_list(jobs: dict[str, Job]) -> None:
         behind = experiments_behind(job, jobs)
         for artefact in job.artefacts:
             print(f"{artefact}\n    {job.question}")
-            print(f"    experiment {', '.join(behind) if len(behind) < 6 else f'all {len(behind)}'}"
-                  f" · script {script_of(job)} · about {words(job.seconds)}{' alone' if job.timing else ''}")
+            print(
+                f"    experiment {', '.join(behind) if len(behind) < 6 else f'all {len(behind)}'}"
+                f" · script {script_of(job)} · about {words(job.seconds)}{' alone' if job.timing else ''}"
+            )
             print(f"    command    {job.command}")
 
 
@@ -113,9 +128,17 @@ def ninja(build: Path, *arguments: str) -> list[str]:
 
 
 def start(build: Path, arguments: list[str], output, **environment: str) -> subprocess.Popen:
-    """Starts Ninja; it inherits the lock that experiments/reproduce holds, and keeps it if this process is killed."""
-    return subprocess.Popen(ninja(build, *arguments), stdout=output, stderr=subprocess.STDOUT, text=True,
-                            close_fds=False, env={**os.environ, **environment})
+    """Starts Ninja; it inherits the lock that experiments/reproduce holds, and keeps it if this process is
+    killed.
+    """
+    return subprocess.Popen(
+        ninja(build, *arguments),
+        stdout=output,
+        stderr=subprocess.STDOUT,
+        text=True,
+        close_fds=False,
+        env={**os.environ, **environment},
+    )
 
 
 def shorten(text: str, build: Path, results: Path) -> str:
@@ -128,10 +151,17 @@ def shorten(text: str, build: Path, results: Path) -> str:
 
 def why(build: Path, results: Path, job: Job) -> None:
     """Why Ninja would make the job again: the causes, not what follows from them."""
-    run = subprocess.run(ninja(build, "-f", "graph/ask.ninja", "-n", "-d", "explain", f"result-{job.name}"), capture_output=True, text=True)
+    run = subprocess.run(
+        ninja(build, "-f", "graph/ask.ninja", "-n", "-d", "explain", f"result-{job.name}"),
+        capture_output=True,
+        text=True,
+    )
     patterns = [
         (r"output (\S+) doesn't exist", r"\1 is not there yet"),
-        (r"(?:restat of )?output (\S+) older than most recent input (\S+) .*", r"\2 changed after \1 was made"),
+        (
+            r"(?:restat of )?output (\S+) older than most recent input (\S+) .*",
+            r"\2 changed after \1 was made",
+        ),
         (r"command line (?:not found in log )?(?:changed )?for (\S+)", r"the command that makes \1 changed"),
         (r"(\S+) is dirty", None),
     ]
@@ -178,7 +208,10 @@ class Progress:
         if kind == "start":
             self.running[name] = time.monotonic()
             if self.left[name].kind == "data":
-                print(f"        {name}: {self.left[name].question} (about {words(self.left[name].seconds)})", flush=True)
+                print(
+                    f"        {name}: {self.left[name].question} (about {words(self.left[name].seconds)})",
+                    flush=True,
+                )
         elif kind == "say":
             print("        " + "".join(text), flush=True)
         elif kind == "end":
@@ -204,7 +237,11 @@ def build_programs(build: Path, jobs: int) -> None:
     shown = 0.0
     for line in process.stdout:
         lines.append(line)
-        if line.startswith("[") and "Re-checking" not in line and (time.monotonic() - shown > 5 or "Linking" in line):
+        if (
+            line.startswith("[")
+            and "Re-checking" not in line
+            and (time.monotonic() - shown > 5 or "Linking" in line)
+        ):
             print(f"Building {line.strip()}", flush=True)
             shown = time.monotonic()
     if process.wait() != 0:
@@ -214,11 +251,19 @@ def build_programs(build: Path, jobs: int) -> None:
 
 def planned_jobs(build: Path, target: str, jobs: dict[str, Job]) -> list[Job]:
     """What Ninja would run, in its order."""
-    dry = subprocess.run(ninja(build, "-f", "graph/ask.ninja", "-n", target), capture_output=True, text=True,
-                         env={**os.environ, "NINJA_STATUS": STATUS})
+    dry = subprocess.run(
+        ninja(build, "-f", "graph/ask.ninja", "-n", target),
+        capture_output=True,
+        text=True,
+        env={**os.environ, "NINJA_STATUS": STATUS},
+    )
     if dry.returncode != 0:
         sys.exit(f"reproduce: {dry.stdout}{dry.stderr}")
-    names = [line.removeprefix(STATUS + "job ") for line in dry.stdout.splitlines() if line.startswith(STATUS + "job ")]
+    names = [
+        line.removeprefix(STATUS + "job ")
+        for line in dry.stdout.splitlines()
+        if line.startswith(STATUS + "job ")
+    ]
     return [jobs[name] for name in names]
 
 
@@ -229,8 +274,13 @@ def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int
     os.set_inheritable(write, True)
     log = build / "graph" / "ninja.log"
     with log.open("w") as output:
-        process = start(build, ["-j", str(parallel), target], output, IMPINGE_RUN_PID=str(os.getpid()),
-                        IMPINGE_EVENTS=str(write))
+        process = start(
+            build,
+            ["-j", str(parallel), target],
+            output,
+            IMPINGE_RUN_PID=str(os.getpid()),
+            IMPINGE_EVENTS=str(write),
+        )
     os.close(write)
     with os.fdopen(read, errors="replace") as events:
         for event in events:
@@ -268,10 +318,13 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
         print(f"nothing to do: {name or 'every result'} is up to date in {results}")
         closing(results)
         return 0
-    print(f"{len(planned)} of {len(jobs)} jobs to run, about {words(Progress(planned, parallel).seconds_left())}")
+    expected = words(Progress(planned, parallel).seconds_left())
+    print(f"{len(planned)} of {len(jobs)} jobs to run, about {expected}", flush=True)
     if run_jobs(build, target, planned, parallel) != 0:
-        print("reproduce: a job failed, see above; what is done stays done, and the next run goes on from there",
-              file=sys.stderr)
+        print(
+            "reproduce: a job failed, see above; the next run goes on from what is done",
+            file=sys.stderr,
+        )
         return 1
     print(f"done in {words(time.monotonic() - begin)}")
     closing(results)

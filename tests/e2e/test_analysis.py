@@ -66,8 +66,15 @@ class Numbers(unittest.TestCase):
     """What readers see."""
 
     def test_digits(self):
-        for value, text in ((0, "0"), (1234.5, "1,230"), (0.012345, "0.0123"), (5.7, "5.70"), (float("nan"), ""),
-                            (17722156, "17,700,000"), (-2.345, "-2.35")):
+        for value, text in (
+            (0, "0"),
+            (1234.5, "1,230"),
+            (0.012345, "0.0123"),
+            (5.7, "5.70"),
+            (float("nan"), ""),
+            (17722156, "17,700,000"),
+            (-2.345, "-2.35"),
+        ):
             self.assertEqual(common.digits(value), text)
 
     def test_rows(self):
@@ -95,8 +102,11 @@ class Counterparts(unittest.TestCase):
 class Ply(unittest.TestCase):
     """Text and binary give the same mesh."""
 
-    HEADER = ("ply\nformat {}\ncomment units mm\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-              "property double gap\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n")
+    HEADER = (
+        "ply\nformat {}\ncomment units mm\n"
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property double gap\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    )
     POINTS = [(0, 0, 0, 1.5), (1, 0, 0, float("nan")), (0, 1, 0, -2)]
 
     def check(self, body: bytes, style: str):

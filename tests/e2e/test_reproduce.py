@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """experiments/reproduce from end to end, in the order in which a user meets it.
 
-The first test makes everything in a temporary results folder (killed twice on the way); the others look at what is there.
-With IMPINGE_BONES set, real joints are part of it.
+The first test makes everything in a temporary results folder (killed twice on the way); the others look at
+what is there. With IMPINGE_BONES set, real joints are part of it.
 """
 
 from __future__ import annotations
@@ -21,10 +21,19 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
 DATA = ["lut_memory", "sampling_time", "detection_time"]
-PROMISED = ["report.html", "paper.pdf", "verdicts.csv",
-            *(f"tables/table-{n}.{kind}" for n in (2, 3, 4) for kind in ("csv", "tex")),
-            *(f"figures/{name}.{kind}" for name in ("sampling-time", "detection-time") for kind in ("svg", "png", "pdf")),
-            "figures/joint-generated.png", *(f"data/{name}.{kind}" for name in DATA for kind in ("csv", "json"))]
+PROMISED = [
+    "report.html",
+    "paper.pdf",
+    "verdicts.csv",
+    *(f"tables/table-{n}.{kind}" for n in (2, 3, 4) for kind in ("csv", "tex")),
+    *(
+        f"figures/{name}.{kind}"
+        for name in ("sampling-time", "detection-time")
+        for kind in ("svg", "png", "pdf")
+    ),
+    "figures/joint-generated.png",
+    *(f"data/{name}.{kind}" for name in DATA for kind in ("csv", "json")),
+]
 
 
 def command(*options: str) -> list[str]:
@@ -61,10 +70,17 @@ class Reproduce(unittest.TestCase):
         """Exit code 2, one line that names what is wrong, no results folder."""
         program = str(ROOT / "experiments" / "reproduce")
         nowhere = str(RESULTS / "no" / "such")
-        cases = [(["--frobnicate"], "--frobnicate"), (["--jobs", "0"], "--jobs 0"), (["--jobs", "many"], "--jobs many"),
-                 (["--results"], "--results"), (["--bones", nowhere], nowhere), (["--results", "/proc/x"], "/proc"),
-                 (["--results", "/etc/passwd"], "/etc/passwd"), (["--bones", str(ROOT / "libcore")], "libcore"),
-                 (["stray"], "stray")]
+        cases = [
+            (["--frobnicate"], "--frobnicate"),
+            (["--jobs", "0"], "--jobs 0"),
+            (["--jobs", "many"], "--jobs many"),
+            (["--results"], "--results"),
+            (["--bones", nowhere], nowhere),
+            (["--results", "/proc/x"], "/proc"),
+            (["--results", "/etc/passwd"], "/etc/passwd"),
+            (["--bones", str(ROOT / "libcore")], "libcore"),
+            (["stray"], "stray"),
+        ]
         for options, named in cases:
             with self.subTest(options=options):
                 done = subprocess.run([program, *options], cwd="/", capture_output=True, text=True)
@@ -74,9 +90,13 @@ class Reproduce(unittest.TestCase):
         self.assertFalse(any(RESULTS.iterdir()))
 
     def test_b_killed_runs_go_on(self):
-        """Killed while it starts, and while an experiment runs; then it ends, and nothing half-written is left."""
+        """Killed while it starts, and while an experiment runs; then it ends, and nothing half-written is
+        left.
+        """
         for stage in ("data/lut_memory.json", "data/detection_time.json"):
-            process = subprocess.Popen(command(), cwd="/", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            process = subprocess.Popen(
+                command(), cwd="/", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            )
             wait_for(lambda: (RESULTS / stage).exists() or process.poll() is not None, 1200)
             process.send_signal(signal.SIGKILL)
             process.wait()
@@ -99,11 +119,26 @@ class Reproduce(unittest.TestCase):
         self.assertIn("nothing to do", done.stdout)
 
     def test_d_same_bytes_when_made_again(self):
-        """Whatever holds no time is the same to the byte: tables of memory, figures, paper, for the same data."""
-        patterns = ["data/lut_memory.csv", "tables/*", "figures/*", "verdicts.csv", "paper.pdf", "scenes/*/*.ply"]
+        """Whatever holds no time is the same to the byte: tables of memory, figures, paper, for the same
+        data.
+        """
+        patterns = [
+            "data/lut_memory.csv",
+            "tables/*",
+            "figures/*",
+            "verdicts.csv",
+            "paper.pdf",
+            "scenes/*/*.ply",
+        ]
         before = bytes_of(*patterns)
-        for file in [*RESULTS.glob("tables/*"), *RESULTS.glob("figures/*"), RESULTS / "paper.pdf", RESULTS / "verdicts.csv",
-                     RESULTS / "data" / "lut_memory.csv", RESULTS / "scenes" / "generated" / "ball.ply"]:
+        for file in [
+            *RESULTS.glob("tables/*"),
+            *RESULTS.glob("figures/*"),
+            RESULTS / "paper.pdf",
+            RESULTS / "verdicts.csv",
+            RESULTS / "data" / "lut_memory.csv",
+            RESULTS / "scenes" / "generated" / "ball.ply",
+        ]:
             file.unlink()
         self.assertEqual(reproduce().returncode, 0)
         self.assertEqual(before, bytes_of(*patterns))
@@ -113,10 +148,23 @@ class Reproduce(unittest.TestCase):
         lines = reproduce("--list").stdout.splitlines()
         artefacts = [line for line in lines if line and not line.startswith(" ")]
         self.assertEqual(len(artefacts), len(set(artefacts)))
-        for name in ["table-2", "table-3", "table-4", "sampling-time", "detection-time", "joint-generated", "verdicts",
-                     "report", "paper", *DATA]:
+        for name in [
+            "table-2",
+            "table-3",
+            "table-4",
+            "sampling-time",
+            "detection-time",
+            "joint-generated",
+            "verdicts",
+            "report",
+            "paper",
+            *DATA,
+        ]:
             self.assertEqual(artefacts.count(name), 1, name)
-        self.assertEqual(sum("script" in line and "experiment" in line and "about" in line for line in lines), len(artefacts))
+        self.assertEqual(
+            sum("script" in line and "experiment" in line and "about" in line for line in lines),
+            len(artefacts),
+        )
 
     def test_f_why(self):
         """Up to date; or the file that is missing; or which names there are."""
@@ -149,12 +197,17 @@ class Reproduce(unittest.TestCase):
 
     def test_i_verdicts_are_complete(self):
         """One for each row of Tables 2 to 4 of the thesis, each a word that the contract knows."""
+
         def rows(file: Path) -> list[dict]:
             import csv
+
             with file.open(newline="") as stream:
                 return list(csv.DictReader(stream))
+
         known = {"reproduced", "differs", "thesis-misprint", "not-comparable", "input"}
-        verdicts = {(row["artefact"], row["row"], row["column"]): row for row in rows(RESULTS / "verdicts.csv")}
+        verdicts = {
+            (row["artefact"], row["row"], row["column"]): row for row in rows(RESULTS / "verdicts.csv")
+        }
         for row in rows(ROOT / "analysis" / "thesis_values.csv"):
             if row["artefact"] in ("table-2", "table-3", "table-4"):
                 verdict = verdicts[row["artefact"], row["row"], row["column"]]
@@ -170,7 +223,9 @@ class Reproduce(unittest.TestCase):
 
     def test_k_paper_has_its_numbers(self):
         """Text of the PDF: entries of Table 2, and no fact left open."""
-        text = subprocess.run(["pdftotext", str(RESULTS / "paper.pdf"), "-"], capture_output=True, text=True).stdout
+        text = subprocess.run(
+            ["pdftotext", str(RESULTS / "paper.pdf"), "-"], capture_output=True, text=True
+        ).stdout
         self.assertIn("25,927,200", text)
         self.assertNotIn("??", text)
 
@@ -179,7 +234,17 @@ class Reproduce(unittest.TestCase):
         for csv in RESULTS.glob("data/*.csv"):
             record = json.loads(csv.with_suffix(".json").read_text())
             self.assertEqual(record["csv_sha256"], hashlib.sha256(csv.read_bytes()).hexdigest())
-            for key in ("question", "columns", "seed", "commit", "driver_sha256", "compiler", "flags", "cpu", "command"):
+            for key in (
+                "question",
+                "columns",
+                "seed",
+                "commit",
+                "driver_sha256",
+                "compiler",
+                "flags",
+                "cpu",
+                "command",
+            ):
                 self.assertIn(key, record, csv.name)
 
     @unittest.skipUnless(BONES, "no real joints: set IMPINGE_BONES")
