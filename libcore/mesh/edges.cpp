@@ -44,6 +44,7 @@ std::vector<Edge> boundary_edges(const TriangleMesh& mesh) {
   std::ranges::sort(
       open, [](HalfEdge a, HalfEdge b) { return a.face != b.face ? a.face < b.face : a.side < b.side; });
   std::vector<Edge> boundary;
+  boundary.reserve(open.size());
   for (const HalfEdge h : open) boundary.push_back(ends(mesh, h));
   return boundary;
 }

@@ -13,7 +13,7 @@
 // * turns indices of an OFF file that are out of range into the last vertex, leaves out its polygons of more
 // than nine
 //   corners, and takes its comments for data;
-// * reads no faces from a PLY file with an element that it does not know, such as a camera;
+// * reads no faces, or wrong ones, behind an element of a PLY file that it does not know, such as a camera;
 // * reads no coordinates that begin with a point in an OBJ file.
 #pragma once
 

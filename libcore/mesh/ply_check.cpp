@@ -1,75 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <bit>
 #include <cmath>
 #include <memory>
 
 #include "mesh/file_checks.hpp"
 #include "mesh/file_error.hpp"
 #include "mesh/ply_header.hpp"
-#include "mesh/text_scan.hpp"
+#include "mesh/ply_values.hpp"
 
 namespace impinge {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The values of the body one after the other; none past the end or where there is no number.
-class Values {
- public:
-  virtual ~Values() = default;
-  virtual void next_record() = 0;
-  virtual std::optional<double> next(PlyType type) = 0;
-};
-
-class AsciiValues : public Values {
- public:
-  explicit AsciiValues(std::string_view body) : lines_(body) {}
-  void next_record() override {
-    words_ = &lines_.next_words();
-    used_ = 0;
-  }
-  std::optional<double> next(PlyType) override {
-    return used_ < words_->size() ? to_number((*words_)[used_++]) : std::nullopt;
-  }
-
- private:
-  LineScanner lines_;
-  const std::vector<std::string_view>* words_ = nullptr;
-  std::size_t used_ = 0;
-};
-
-class BinaryValues : public Values {
- public:
-  BinaryValues(std::string_view body, bool big_endian) : rest_(body), big_endian_(big_endian) {}
-  void next_record() override {}
-  std::optional<double> next(PlyType type) override {
-    if (rest_.size() < type.size) return std::nullopt;
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < type.size; ++k) {
-      const auto byte = static_cast<unsigned char>(rest_[big_endian_ ? k : type.size - 1 - k]);
-      bits = bits << 8U | byte;
-    }
-    rest_.remove_prefix(type.size);
-    return decode(bits, type);
-  }
-
- private:
-  static double decode(std::uint64_t bits, PlyType type) {
-    if (type.size == 8) return std::bit_cast<double>(bits);
-    if (type.floating) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    const auto value = static_cast<double>(bits);
-    const double range = static_cast<double>(std::uint64_t{1} << (8 * type.size));
-    return type.is_signed && value >= range / 2 ? value - range : value;
-  }
-
-  std::string_view rest_;
-  bool big_endian_;
-};
-
-std::unique_ptr<Values> values_of(const PlyHeader& header) {
-  if (header.format == PlyFormat::ascii) return std::make_unique<AsciiValues>(header.body);
-  return std::make_unique<BinaryValues>(header.body, header.format == PlyFormat::big_endian);
-}
 
 const PlyProperty* corner_list(const PlyElement& face) {
   const PlyProperty* list = find_property(face, "vertex_indices");
@@ -112,7 +53,7 @@ class Walk {
   Walk(const fs::path& file, const PlyHeader& header)
       : file_(file),
         header_(header),
-        values_(values_of(header)),
+        values_(ply_values(header)),
         vertices_(find_element(header, "vertex")->count) {}
 
   MeshFileContent content() {
@@ -182,7 +123,7 @@ class Walk {
 
   const fs::path& file_;
   const PlyHeader& header_;
-  std::unique_ptr<Values> values_;
+  std::unique_ptr<PlyValues> values_;
   std::int64_t vertices_;
   std::size_t polygons_ = 0;
   MeshFileSums sums_;

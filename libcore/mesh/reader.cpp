@@ -78,7 +78,7 @@ MeshFileContent content_of(const fs::path& file, const aiScene& scene) {
 // Did assimp find what is there?
 void check_scene(const fs::path& file, const aiScene& scene, const MeshFileContent& content) {
   const MeshFileContent found = content_of(file, scene);
-  const char* advice = "triangulate it and export it as binary PLY or STL";
+  const char* advice = "triangulate it and export it as STL";
   if (found.polygons != content.polygons || (content.vertices && found.vertices != content.vertices)) {
     throw MeshFileError(file,
                         "only " + std::to_string(found.polygons) + " of its " +

@@ -127,7 +127,8 @@ TriangleMesh unit_sphere(std::size_t faces) {
                                 std::to_string(faces));
   }
   const Counts sizes = sphere_rings(faces);
-  TriangleMesh mesh = ring_points(sizes, static_cast<double>(faces / 2 + 2), -1.0);
+  const std::size_t vertices = faces / 2 + 2;
+  TriangleMesh mesh = ring_points(sizes, static_cast<double>(vertices), -1.0);
   const Ring last = stitch_rings(mesh, sizes);
   const auto south = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.emplace_back(0.0, 0.0, -1.0);

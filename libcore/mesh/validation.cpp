@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -52,7 +53,8 @@ void count_faces(const TriangleMesh& mesh, MeshReport& report) {
     sorted.push_back(face);
   }
   std::ranges::sort(sorted);
-  report.duplicate_faces = static_cast<std::size_t>(std::ranges::unique(sorted).size());
+  report.duplicate_faces =
+      static_cast<std::size_t>(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
 }
 
 void count_edges(const EdgeList& list, MeshReport& report) {

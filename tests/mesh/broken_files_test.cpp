@@ -202,12 +202,14 @@ TEST(BrokenFile, PointsAloneAreNoSurface) {
 
 TEST(BrokenFile, CoordinatesMustBeFinite) {
   const TemporaryFolder folder;
-  const std::string rest = "1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* bad : {"nan", "NaN", "inf", "-inf", "1e39", "-1e400"}) {
-    const std::string first = std::string("0 0 ") + bad + '\n';
-    EXPECT_TRUE(refusal(folder.write("a.ply", test::ply_header("ascii", 3, 1) + first + rest))) << bad;
-    EXPECT_TRUE(refusal(folder.write("a.off", "OFF\n3 1 0\n" + first + rest))) << bad;
-    EXPECT_TRUE(refusal(folder.write("a.obj", "v " + first + "v 1 0 0\nv 0 1 0\nf 1 2 3\n"))) << bad;
+    std::string body = "0 0 ";
+    body.append(bad).append("\n1 0 0\n0 1 0\n3 0 1 2\n");
+    EXPECT_TRUE(refusal(folder.write("a.ply", test::ply_header("ascii", 3, 1) + body))) << bad;
+    EXPECT_TRUE(refusal(folder.write("a.off", "OFF\n3 1 0\n" + body))) << bad;
+    std::string text = "v 1 0 0\nv 0 1 0\nv 0 0 ";
+    text.append(bad).append("\nf 1 2 3\n");
+    EXPECT_TRUE(refusal(folder.write("a.obj", text))) << bad;
   }
   for (const double bad : {std::nan(""), HUGE_VAL}) {
     TriangleMesh mesh = octahedron(1.0);
@@ -278,6 +280,21 @@ TEST(BrokenFile, HeadersThatMakeNoSense) {
   expect_refused(folder.write("b.off", "OFF BINARY\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "binary OFF");
   expect_refused(folder.write("c.off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n"),
                  "does not begin with OFF");
+}
+
+// What assimp cannot read is refused, not left out.
+TEST(BrokenFile, WhatAssimpLeavesOut) {
+  const TemporaryFolder folder;
+  const std::string camera =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element camera 1\nproperty float angle\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n0 0 0\n1 0 0\n0 1 0\n30\n3 0 1 2\n";
+  expect_refused(folder.write("a.ply", camera), "could not be read right");
+  std::string decagon = "OFF\n10 1 0\n";
+  for (const double t : {0.0, 0.6, 1.2, 1.8, 2.5, 3.1, 3.7, 4.3, 5.0, 5.6}) {
+    decagon += std::to_string(std::cos(t)) + ' ' + std::to_string(std::sin(t)) + " 0\n";
+  }
+  expect_refused(folder.write("a.off", decagon + "10 0 1 2 3 4 5 6 7 8 9\n"), "only 0 of its 1 faces");
 }
 
 // Any damage: five hundred seeded changes of a few bytes a format. What is read must still be a mesh.

@@ -182,6 +182,8 @@ TEST(ReadMesh, ObjDialects) {
   expect_same(read(points + "f 1//9 2//9 3//9\n"), kTriangle);  // normals that are not there do not matter
   expect_same(read(points + "f 1 \\\n2 3"), kTriangle);
   expect_same(read(points + "l 1 2\np 1\nf 1 2 3\n"), kTriangle);
+  EXPECT_EQ(read("v .5 -.5 +.25\nv 1. 0 0\nv 0 1e0 0\nf 1 2 3\n").vertices,
+            (std::vector<Vec3>{{0.5, -0.5, 0.25}, {1, 0, 0}, {0, 1, 0}}));
   const TriangleMesh two = read(points + "g a\nf 1 2 3\nusemtl b\ng b\nv 0 0 9\nf 1 2 4\n");
   EXPECT_EQ(two.faces, (std::vector<Face>{{0, 1, 2}, {0, 1, 3}}));
 }
@@ -202,6 +204,18 @@ TEST(ReadMesh, PolygonsAreTriangulated) {
       folder.write("a.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n"));
   EXPECT_EQ(ell.faces.size(), 4U);
   EXPECT_EQ(area(ell), 3.0);
+}
+
+// Beside a triangle alone, a face without corners would make assimp abort.
+TEST(ReadMesh, FacesOfFewerThanThreeCornersAreNone) {
+  const TemporaryFolder folder;
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  for (const char* small : {"0\n", "1 2\n", "2 0 1\n"}) {
+    expect_same(
+        read_mesh(folder.write("a.ply", test::ply_header("ascii", 3, 2) + points + "3 0 1 2\n" + small)),
+        kTriangle);
+  }
+  expect_same(read_mesh(folder.write("a.off", "OFF\n3 2 0\n" + points + "2 0 1\n3 0 1 2\n")), kTriangle);
 }
 
 TEST(ReadMesh, EqualVerticesAreWeldedAndOthersKept) {
