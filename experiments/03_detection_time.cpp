@@ -46,6 +46,7 @@ Result make_result(const char* name, const char* question) {
 
 double race_generated(DriverRun& run, RaceOptions options) {
   std::vector<RaceJoint> joints;
+  joints.reserve(kLevels.size());
   for (const std::size_t n : kLevels)
     joints.push_back(make_race_joint({}, make_ball_socket_pair(n), {n}, kPrecision));
   return write_race(run, make_result("detection_time", "How long does a pose of the generated pair take?"),

@@ -109,6 +109,7 @@ TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptio
   check_cases(cases);
   verify_all(cases, progress);
   std::vector<RoundPlan> plans;
+  plans.reserve(cases.size());
   for (const TimedCase& work : cases) plans.push_back(plan_rounds(work, options));
   const RoundPlan& control = fastest(plans);
   double expected = control.round_s() * control.work->rounds;

@@ -103,7 +103,7 @@ TEST(Timing, FastWorkIsRepeatedWithinARoundAndTimesAreForOneUnit) {
   const TimingRun run = run_interleaved({timed}, options, progress);
   EXPECT_GT(run.timings[0].batch, 1);
   EXPECT_GT(calls,
-            2 * 3 * run.timings[0].batch);  // both registrations, a warm-up each round, and the calibration
+            2L * 3L * run.timings[0].batch);  // both registrations, a warm-up each round, and the calibration
   timed.units = 4e6;
   EXPECT_LT(run_interleaved({timed}, options, progress).timings[0].summary.median,
             run.timings[0].summary.median);
