@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/options.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace impinge {
+namespace {
+
+std::optional<SceneOptions> parse(std::vector<const char*> more) {
+  std::vector<const char*> argv{"scene", "--ball", "b.ply", "--socket", "s.ply", "--out", "o"};
+  argv.insert(argv.end(), more.begin(), more.end());
+  std::string help;
+  return parse_scene_options(static_cast<int>(argv.size()), argv.data(), help);
+}
+
+TEST(SceneOptions, Defaults) {
+  const auto options = parse({});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->ball, "b.ply");
+  EXPECT_EQ(options->socket, "s.ply");
+  EXPECT_EQ(options->out, "o");
+  EXPECT_FALSE(options->centre);
+  EXPECT_EQ(options->scheme, "rsid");
+  EXPECT_EQ(options->precision_deg, 0.5);
+  EXPECT_FALSE(options->max_error_mm);
+  EXPECT_FALSE(options->side);
+  EXPECT_EQ(options->axes, "RAS");
+  EXPECT_EQ(options->cartilage_mm, 4.0);
+}
+
+TEST(SceneOptions, ReadsAllOfTheContract) {
+  const auto options =
+      parse({"--centre", "-86.03,-20.18,-579.65", "--scheme", "rsid", "--precision", "0.1", "--pose",
+             "flexion=90,internal_rotation=10", "--side", "left", "--axes", "LPS", "--cartilage", "2.5"});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(*options->centre, Vec3(-86.03, -20.18, -579.65));
+  EXPECT_EQ(options->precision_deg, 0.1);
+  EXPECT_EQ(options->motion.flexion, 90.0);
+  EXPECT_EQ(options->motion.internal_rotation, 10.0);
+  EXPECT_EQ(options->side, Side::left);
+  EXPECT_EQ(options->axes, "LPS");
+  EXPECT_EQ(options->cartilage_mm, 2.5);
+  EXPECT_EQ(*parse({"--max-error", "0.05"})->max_error_mm, 0.05);
+  EXPECT_FALSE(parse({"--centre", "fit"})->centre);
+}
+
+struct Wrong {
+  std::vector<const char*> options;
+  std::string named;   // what the message must name
+  std::string advice;  // and say to do
+};
+
+TEST(SceneOptions, RefusalsNameTheOptionAndTheCureInOneLine) {
+  const std::vector<Wrong> cases{{{"--precision", "0"}, "--precision", "above 0"},
+                                 {{"--precision", "-1"}, "--precision", "above 0"},
+                                 {{"--precision", "0.7"}, "--precision", "divides 180"},
+                                 {{"--precision", "1e-12"}, "--precision", "at least"},
+                                 {{"--precision", "fine"}, "--precision", "number of degrees"},
+                                 {{"--precision", "nan"}, "--precision", "number of degrees"},
+                                 {{"--precision", "1", "--max-error", "1"}, "--max-error", "--precision"},
+                                 {{"--max-error", "0"}, "--max-error", "above 0"},
+                                 {{"--max-error", "inf"}, "--max-error", "above 0"},
+                                 {{"--scheme", "rside"}, "--scheme", "rsid"},
+                                 {{"--centre", "1,2"}, "--centre", "X,Y,Z"},
+                                 {{"--centre", "1,2,3,4"}, "--centre", "X,Y,Z"},
+                                 {{"--centre", "1,2,nan"}, "--centre", "X,Y,Z"},
+                                 {{"--pose", "bend=3"}, "--pose", "flexion"},
+                                 {{"--pose", "abduction=3"}, "--pose", "--side"},
+                                 {{"--side", "up"}, "--side", "left"},
+                                 {{"--axes", "LAS"}, "--axes", "RAS"},
+                                 {{"--cartilage", "-1"}, "--cartilage", "0 or more"},
+                                 {{"--colour", "red"}, "--colour", "--help"}};
+  for (const Wrong& wrong : cases) {
+    try {
+      parse(wrong.options);
+      FAIL() << wrong.options.front() << ' ' << wrong.options.back() << " was accepted";
+    } catch (const OptionError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find(wrong.named), std::string::npos) << message;
+      EXPECT_NE(message.find(wrong.advice), std::string::npos) << message;
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(SceneOptions, MissingOnesAreNamed) {
+  std::string help;
+  const std::vector<const char*> argv{"scene", "--ball", "b.ply"};
+  try {
+    parse_scene_options(3, argv.data(), help);
+    FAIL();
+  } catch (const OptionError& error) {
+    EXPECT_NE(std::string(error.what()).find("--socket"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SceneOptions, HelpNamesEveryOption) {
+  std::string help;
+  const std::vector<const char*> argv{"scene", "--help"};
+  EXPECT_FALSE(parse_scene_options(2, argv.data(), help));
+  for (const char* option : {"--ball", "--socket", "--out", "--centre", "--scheme", "--precision",
+                             "--max-error", "--pose", "--side", "--axes", "--cartilage"}) {
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A whole scene on generated joints of known gap, through files, as a user runs it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "experiment/atomic_file.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/io.hpp"
+#include "sampling/pairwise.hpp"
+#include "scene/report.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace impinge {
+namespace {
+
+const Vec3 kCentre(-86.0, 20.5, -580.25);  // where the scanner saw the joint
+
+class Scene : public ::testing::Test {
+ protected:
+  // Writes both meshes about kCentre and asks for the default scene.
+  SceneOptions joint_of(TriangleMesh ball, TriangleMesh socket) {
+    for (Vec3& v : ball.vertices) v += kCentre;
+    for (Vec3& v : socket.vertices) v += kCentre;
+    SceneOptions options;
+    options.ball = folder_.path() / "ball.ply";
+    options.socket = folder_.path() / "socket.ply";
+    options.out = folder_.path() / "out";
+    write_mesh(options.ball, ball);
+    write_mesh(options.socket, socket);
+    return options;
+  }
+
+  nlohmann::json run(const SceneOptions& options) {
+    const Joint joint = load_joint(options);
+    const Measurement measurement = measure(joint, options);
+    const nlohmann::json report = summary(options, joint, measurement);
+    require_writable_folder(options.out);
+    write_scene(options, joint, measurement, report);
+    return report;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TriangleMesh opened_to_the_right(TriangleMesh socket) {
+  for (Vec3& v : socket.vertices) v = Vec3(-v.z(), v.y(), v.x());
+  return socket;
+}
+
+TEST_F(Scene, ConcentricSpheresHaveTheirGapEverywhere) {
+  SceneOptions options = joint_of(sphere(22.0, 20000), opened_to_the_right(cup(25.0, 80.0, 10000)));
+  const auto report = run(options);
+  EXPECT_LT((Vec3(report["centre"]["x"], report["centre"]["y"], report["centre"]["z"]) - kCentre).norm(),
+            1e-3);
+  EXPECT_NEAR(report["centre"]["radius_mm"], 22.0, 1e-3);
+  EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.03);
+  EXPECT_EQ(report["impingement"][0]["gap_up_to_mm"], 0.0);
+  EXPECT_EQ(report["impingement"][0]["ball"]["vertices"], 0);
+  EXPECT_EQ(report["impingement"][1]["gap_up_to_mm"], 4.0);
+  // All of the socket: 2 pi R^2 (1 - cos 80).
+  EXPECT_NEAR(report["impingement"][1]["socket"]["area_mm2"],
+              2.0 * kPi * 625.0 * (1.0 - std::cos(80.0 * kDegree)), 10.0);
+  EXPECT_EQ(report["impingement"][1]["socket"]["clock_zones"].size(), 1U);
+  EXPECT_TRUE(report["warnings"].empty());
+}
+
+// Flexion turns about the patient's right-left axis. With +x anterior, +y left and +z superior (ALS) it takes
+// the cam of the pair, 130 degrees from the pole of the socket on the side of +x, up under the socket: 60
+// degrees bring its top to 70.
+TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
+  const PairShape shape = impinging_cam();
+  const BallSocketPair pair = make_ball_socket_pair(12000, shape);
+  SceneOptions options = joint_of(pair.ball, pair.socket);
+  options.centre = kCentre;
+  options.axes = "ALS";
+  const auto at_rest = run(options);
+  EXPECT_GT(at_rest["smallest_gap"]["gap_mm"], 3.5);
+  EXPECT_EQ(at_rest["impingement"][0]["ball"]["vertices"], 0);
+  options.motion = parse_motion("flexion=60");
+  const auto flexed = run(options);
+  EXPECT_NEAR(flexed["smallest_gap"]["gap_mm"], 4.0 - shape.cam_height, 0.05);
+  EXPECT_GT(flexed["impingement"][0]["ball"]["vertices"], 0);
+  EXPECT_TRUE(flexed["impingement"][0]["ball"]["clock_zones"].is_null()) << "this socket looks straight up";
+  const auto& where = flexed["smallest_gap"]["position"];
+  const Vec3 direction = Vec3(where["x"], where["y"], where["z"]) - kCentre;
+  EXPECT_NEAR(to_angles(direction).phi, 70.0 * kDegree, 5.0 * kDegree);
+  options.motion = parse_motion("extension=60");
+  EXPECT_GT(run(options)["smallest_gap"]["gap_mm"], 3.5);
+}
+
+// Every gap is within its bound of the gap to the mesh itself, found by rays.
+TEST_F(Scene, GapsKeepTheirBounds) {
+  const BallSocketPair pair = make_ball_socket_pair(3000);
+  SceneOptions options = joint_of(pair.ball, pair.socket);
+  options.centre = kCentre;
+  const Joint joint = load_joint(options);
+  for (const double precision : {5.0, 1.0}) {
+    options.precision_deg = precision;
+    const Measurement found = measure(joint, options);
+    const RayCaster socket(joint.socket.mesh);
+    for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
+      if (std::isnan(found.ball.gap[i])) continue;
+      const Vec3& x = joint.ball.mesh.vertices[i];
+      const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
+      EXPECT_LE(std::abs(gap - found.ball.gap[i]), found.ball.bound[i] + 1e-11);
+    }
+    EXPECT_EQ(found.bytes, 2 * 8 * found.entries);
+  }
+}
+
+TEST_F(Scene, AnAccuracyChoosesThePrecision) {
+  const BallSocketPair pair = make_ball_socket_pair(3000);
+  SceneOptions options = joint_of(pair.ball, pair.socket);
+  options.centre = kCentre;
+  const Joint joint = load_joint(options);
+  const auto largest = [](const Measurement& m) {
+    return std::max(largest_bound(m.ball), largest_bound(m.socket));
+  };
+  options.precision_deg = 0.25;
+  const double wanted = 1.01 * largest(measure(joint, options));
+  options.precision_deg = 0.5;
+  EXPECT_GT(largest(measure(joint, options)), wanted) << "one step coarser does not keep it";
+  options.max_error_mm = wanted;
+  const Measurement found = measure(joint, options);
+  EXPECT_EQ(found.precision_deg, 0.25);
+  EXPECT_LE(largest(found), *options.max_error_mm);
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+TEST_F(Scene, WritesTheFilesOfTheContract) {
+  SceneOptions options = joint_of(sphere(22.0, 500), opened_to_the_right(cup(25.0, 80.0, 300)));
+  const auto report = run(options);
+  const std::string csv = read_file(options.out / "gaps.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,vertex,x,y,z,gap_mm");
+  const TriangleMesh ball = read_mesh(options.out / "ball.ply");
+  const TriangleMesh socket = read_mesh(options.out / "socket.ply");
+  EXPECT_EQ(lines(csv), 1 + ball.vertices.size() + socket.vertices.size());
+  EXPECT_NE(csv.find(",\n"), std::string::npos) << "an empty gap where the ball does not face the socket";
+  EXPECT_NE(read_file(options.out / "ball.ply").find("property double gap"), std::string::npos);
+  EXPECT_LT((ball.vertices[0] - read_mesh(options.ball).vertices[0]).norm(), 1e-4) << "in the input frame";
+  const auto stored = nlohmann::json::parse(read_file(options.out / "summary.json"));
+  EXPECT_EQ(stored, report);
+  for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "left_out",
+                          "times_ms", "warnings"}) {
+    EXPECT_TRUE(stored.contains(key)) << key;
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(options.out), {}), 4)
+      << "nothing else is left behind";
+}
+
+TEST_F(Scene, WhatCannotWorkIsSaidInOneLine) {
+  const TriangleMesh ball = sphere(22.0, 500);
+  const TriangleMesh socket = cup(25.0, 80.0, 300);
+  const auto message_of = [](const SceneOptions& options) -> std::string {
+    try {
+      measure(load_joint(options), options);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  SceneOptions options = joint_of(ball, socket);
+  options.centre = Vec3::Zero();
+  EXPECT_NE(message_of(options).find("lies outside of the ball"), std::string::npos) << message_of(options);
+  options.centre = kCentre;
+  options.precision_deg = 0.0005;
+  EXPECT_NE(message_of(options).find("GiB"), std::string::npos) << message_of(options);
+  EXPECT_NE(message_of(options).find("coarser"), std::string::npos);
+  options = joint_of(ball, socket);
+  options.socket = options.ball.parent_path() / "none.ply";
+  EXPECT_NE(message_of(options).find("none.ply"), std::string::npos);
+  TriangleMesh flat = octahedron(20.0);
+  for (Vec3& v : flat.vertices) v.z() = 0.0;
+  flat.faces.resize(4);
+  options = joint_of(flat, socket);
+  EXPECT_NE(message_of(options).find("ball.ply"), std::string::npos) << message_of(options);
+}
+
+// Both sides of the wall: the near one counts, and the share that is met twice is reported.
+TEST_F(Scene, AThickSocketIsReportedAndItsNearLayerUsed) {
+  TriangleMesh wall = cup(25.0, 80.0, 2000);
+  const TriangleMesh outside = cup(29.0, 80.0, 2000);
+  const auto shift = static_cast<VertexIndex>(wall.vertices.size());
+  for (const Face& f : outside.faces) wall.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
+  wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
+  SceneOptions options = joint_of(sphere(22.0, 2000), opened_to_the_right(wall));
+  const auto report = run(options);
+  EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.1);
+  EXPECT_NEAR(report["socket"]["directions_met_more_than_once"], 0.5 * (1.0 - std::cos(80.0 * kDegree)),
+              0.01);
+  ASSERT_EQ(report["warnings"].size(), 1U);
+  const std::string warning = report["warnings"][0];
+  EXPECT_NE(warning.find("socket.ply: not star-shaped"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("nearest to the centre"), std::string::npos) << warning;
+}
+
+}  // namespace
+}  // namespace impinge
