@@ -35,20 +35,24 @@ bool separates(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& first,
 struct Cap {
   Vec3 axis;
   double cos_radius;
+  double sin_radius;
 };
 
 Cap cap_of(const std::array<Vec3, 3>& corners) {
-  Cap cap{Vec3::Zero(), 1.0};
+  Cap cap{Vec3::Zero(), 1.0, 0.0};
   for (const Vec3& v : corners) cap.axis += v.normalized();
   cap.axis.normalize();
   for (const Vec3& v : corners) cap.cos_radius = std::min(cap.cos_radius, cap.axis.dot(v.normalized()));
+  cap.sin_radius = std::sqrt(std::max(0.0, 1.0 - cap.cos_radius * cap.cos_radius));
   return cap;
 }
 
+// May the caps share a direction? Radii are at most a quarter turn, so that their sum keeps the order of
+// cosines.
 bool caps_meet(const Cap& a, const Cap& b) {
   constexpr double slack = 1e-9;
-  const double sum = std::acos(a.cos_radius) + std::acos(b.cos_radius) + slack;
-  return sum >= kPi || a.axis.dot(b.axis) >= std::cos(sum);
+  if (a.cos_radius < 0.0 || b.cos_radius < 0.0) return true;
+  return a.axis.dot(b.axis) >= a.cos_radius * b.cos_radius - a.sin_radius * b.sin_radius - slack;
 }
 
 // Faces near each entry of a grid whose cells are about as large as a face: two faces with a common direction

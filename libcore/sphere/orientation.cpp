@@ -76,6 +76,7 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
   const double doubt = kPlaneTestError * a.lpNorm<1>() * b.lpNorm<1>() * c.lpNorm<1>();
   if (doubt > kSmallest && std::abs(det) > doubt && std::abs(det) < kLargest) return det > 0.0 ? 1 : -1;
+  if (a == b || b == c || c == a) return 0;  // a shared corner, the commonest zero
   return exact_orientation(scaled(a), scaled(b), scaled(c));
 }
 
