@@ -6,13 +6,11 @@
 // Left to itself, assimp 5.2
 // * allocates the counts that a header declares (4e9 vertices in a PLY file of 200 bytes: 48 GB);
 // * reads a binary PLY cut at any place, with indices far outside of the mesh for the missing faces, and an
-// ascii PLY
-//   or OFF one with empty faces and vertices at the origin; an ascii STL file that is cut makes it leak
-//   memory;
+//   ascii PLY or OFF one with empty faces and vertices at the origin; an ascii STL file that is cut makes it
+//   leak memory;
 // * reads an OBJ file cut at most places, and opens the material library that the file names;
 // * turns indices of an OFF file that are out of range into the last vertex, leaves out its polygons of more
-// than nine
-//   corners, and takes its comments for data;
+//   than nine corners, and takes its comments for data;
 // * reads no faces, or wrong ones, behind an element of a PLY file that it does not know, such as a camera;
 // * reads no coordinates that begin with a point in an OBJ file.
 #pragma once

@@ -23,11 +23,10 @@ void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh);
 // colours are not that of the vertices, or the name is empty, has blanks or is one of those below.
 //
 // Viewers disagree on where a scalar belongs, so the value is also written as
-//   quality (float): what MeshLab reads as the vertex quality, to be mapped to colours there;
-//   u, v (float, v = 0): VTK's reader, and with it ParaView and 3D Slicer, ignores properties of other names
-//   (VTK 9.1)
-//     and offers these two as the point array TCoords, whose first component is the value;
-//   red, green, blue (uchar): what all three show at once, in VTK as the point array RGB.
+// * quality (float): what MeshLab reads as the vertex quality, to be mapped to colours there;
+// * u, v (float, v = 0): VTK 9.1, and with it ParaView and 3D Slicer, ignores properties of other names and
+//   offers these two as the point array TCoords, whose first component is the value;
+// * red, green, blue (uchar), the colours: what all three show at once, in VTK as the point array RGB.
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std::string_view property,
                std::span<const double> values, std::span<const Rgb> colours = {});
 
