@@ -106,7 +106,7 @@ def load(results: Path, name: str) -> pd.DataFrame:
 
 
 def thesis(artefact: str | None = None) -> pd.DataFrame:
-    """The values that the thesis prints, as text: digits count. Columns artefact,row,column,value,unit,kind."""
+    """The values that the thesis prints, as text: digits count. Columns artefact,row,column,value ..."""
     values = pd.read_csv(HERE / "thesis_values.csv", dtype=str, keep_default_na=False)
     return values if artefact is None else values[values.artefact == artefact]
 

@@ -105,7 +105,7 @@ def publish(staging: Path, results: Path, outputs: list[str]) -> None:
 
 
 def finish(options: argparse.Namespace, staging: Path, code: int, seconds: float) -> int:
-    """Publishes a job that ended well and notes how long it took; says what is wrong with one that did not."""
+    """Publishes a job that ended well and notes how long it took; says what is wrong with another."""
     missing = [output for output in options.outputs if not (staging / output).is_file()]
     if code != 0:
         print(f"{options.name}: failed (exit {code}): {' '.join(options.command)}", file=sys.stderr)

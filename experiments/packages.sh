@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by experiments/reproduce and tests/run.
+# shellcheck shell=bash disable=SC2154 # root is set by whoever sources this: experiments/reproduce and tests/run.
 
 # missing_packages: the packages of experiments/packages that are not installed, on one line.
 missing_packages() {
