@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "experiment/detection_timing.hpp"
-#include "experiment/real_joints.hpp"
+#include "scene/real_joints.hpp"
 #include "experiment/timing_report.hpp"
 
 namespace {

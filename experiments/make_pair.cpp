@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/io.hpp"
 

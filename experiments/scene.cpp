@@ -10,7 +10,7 @@
 #include <exception>
 #include <iostream>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 #include "scene/report.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <openssl/evp.h>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 
 namespace impinge {
 
@@ -25,6 +25,6 @@ std::string sha256_hex(std::string_view bytes) {
   return text;
 }
 
-std::string sha256_of_file(const std::filesystem::path& path) { return sha256_hex(read_file(path)); }
+std::string sha256_of_file(const std::filesystem::path& path) { return sha256_hex(read_bytes(path)); }
 
 }  // namespace impinge

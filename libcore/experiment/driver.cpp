@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 
 namespace impinge {
 namespace {

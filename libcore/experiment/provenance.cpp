@@ -5,11 +5,11 @@
 #include <ctime>
 #include <system_error>
 
-#include "experiment/atomic_file.hpp"
 #include "experiment/build_info.hpp"
 #include "experiment/digest.hpp"
 #include "experiment/machine.hpp"
 #include "experiment/source_state.hpp"
+#include "files/file_bytes.hpp"
 
 namespace impinge {
 namespace {
@@ -63,8 +63,9 @@ void add_machine(json& record) {
 // True when the sidecar on the disk was written by this driver for these bytes.
 bool describes(const std::filesystem::path& path, const std::string& csv_digest) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  const json old = json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
+  if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::is_empty(path, ignored))
+    return false;
+  const json old = json::parse(read_bytes(path), nullptr, /*allow_exceptions=*/false);
   return old.is_object() && old.value("csv_sha256", json()) == csv_digest &&
          old.value("driver_sha256", json()) == driver_digest();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What assimp does not look at: whether a mesh file is whole. Each check walks through all the bytes of a
 // file, holds the counts that its header declares against what follows, and every index against the number of
-// vertices, before anything is allocated. All of them throw MeshFileError.
+// vertices, before anything is allocated. All of them throw FileError.
 //
 // Left to itself, assimp 5.2
 // * allocates the counts that a header declares (4e9 vertices in a PLY file of 200 bytes: 48 GB);

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "mesh/file_error.hpp"
+#include "files/file_error.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
@@ -17,14 +17,14 @@ namespace impinge {
 // assimp holds coordinates as float32: they are within 6e-8 of the file's, relatively (2e-7 for text), that
 // is within 3e-5 mm (1e-4 mm) for a scan 500 mm from its origin.
 //
-// Throws MeshFileError when the file is missing, not a regular file, empty, not of its format, cut short or
+// Throws FileError when the file is missing, not a regular file, empty, not of its format, cut short or
 // damaged (see file_checks.hpp for what that finds), has no faces, has coordinates that are NaN, infinite or
 // beyond the range of a float, or only faces without area.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
 // Writes a mesh in the format that the extension names, under a temporary name, then renamed. PLY (binary)
 // and OFF keep doubles, STL (binary) and OBJ hold float32. OBJ comes without a material library beside it.
-// Throws MeshFileError for an unknown extension, a mesh without faces, with a face that names no vertex or
+// Throws FileError for an unknown extension, a mesh without faces, with a face that names no vertex or
 // with coordinates that are not finite, and when the file cannot be written.
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 

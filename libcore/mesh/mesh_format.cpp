@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesh/file_error.hpp"
+#include "files/file_error.hpp"
 
 namespace impinge {
 
@@ -16,9 +16,9 @@ MeshFormat mesh_format(const std::filesystem::path& file) {
   if (extension == ".stl") return MeshFormat::stl;
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;
-  throw MeshFileError(
-      file, extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-      "use .ply, .stl, .obj or .off");
+  throw FileError(file,
+                  extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
+                  "use .ply, .stl, .obj or .off");
 }
 
 }  // namespace impinge

@@ -8,7 +8,7 @@ namespace impinge {
 
 enum class MeshFormat { ply, stl, obj, off };
 
-// Of the extension, in any case. Throws MeshFileError for another one.
+// Of the extension, in any case. Throws FileError for another one.
 MeshFormat mesh_format(const std::filesystem::path& file);
 
 }  // namespace impinge

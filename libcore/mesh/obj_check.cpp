@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "files/file_error.hpp"
 #include "mesh/file_checks.hpp"
-#include "mesh/file_error.hpp"
 #include "mesh/text_scan.hpp"
 
 namespace impinge {
@@ -33,7 +33,7 @@ class ObjScan {
       if (!words_.empty() && words_[0] == "f") take_face();
     }
     if (polygons_ == 0)
-      throw MeshFileError(file_, "has no faces", "it is no OBJ mesh or cut short, export it again");
+      throw FileError(file_, "has no faces", "it is no OBJ mesh or cut short, export it again");
     check_indices();
   }
 
@@ -75,19 +75,18 @@ class ObjScan {
     std::vector<bool> used(static_cast<std::size_t>(vertices_), false);
     for (const std::int64_t v : corners_) {
       if (v < 0 || v >= vertices_) {
-        throw MeshFileError(file_, "a face names a vertex that is not there, it is damaged",
-                            "export it again");
+        throw FileError(file_, "a face names a vertex that is not there, it is damaged", "export it again");
       }
       used[static_cast<std::size_t>(v)] = true;
     }
     if (line_end_missing_ && std::ranges::find(used, false) != used.end()) {
-      throw MeshFileError(file_, "its last line has no end and some vertices have no face, it is cut short",
-                          "export or copy it again");
+      throw FileError(file_, "its last line has no end and some vertices have no face, it is cut short",
+                      "export or copy it again");
     }
   }
 
   [[noreturn]] void throw_incomplete() const {
-    throw MeshFileError(
+    throw FileError(
         file_, "line " + std::to_string(line_) + " is no complete vertex or face, it is cut short or damaged",
         "export or copy it again");
   }
@@ -106,7 +105,7 @@ class ObjScan {
 
 MeshFileContent check_obj(const fs::path& file, std::string& bytes) {
   if (bytes.find('\0') != std::string::npos)
-    throw MeshFileError(file, "is no text, so no OBJ file", "export it again");
+    throw FileError(file, "is no text, so no OBJ file", "export it again");
   join_lines(bytes);
   const ObjScan scan(file, bytes);
   bytes = scan.text();

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "files/file_error.hpp"
 #include "mesh/file_checks.hpp"
-#include "mesh/file_error.hpp"
 #include "mesh/text_scan.hpp"
 
 namespace impinge {
@@ -30,10 +30,10 @@ void append_line(std::string& text, const Words& words, std::size_t n) {
 }
 
 [[noreturn]] void throw_damaged(const fs::path& file, const char* what, std::int64_t i, std::int64_t n) {
-  throw MeshFileError(file,
-                      std::string("ends within or cannot be read at ") + what + ' ' + std::to_string(i) +
-                          " of the " + std::to_string(n) + " declared, it is cut short or damaged",
-                      "export or copy it again");
+  throw FileError(file,
+                  std::string("ends within or cannot be read at ") + what + ' ' + std::to_string(i) +
+                      " of the " + std::to_string(n) + " declared, it is cut short or damaged",
+                  "export or copy it again");
 }
 
 // Are the first n words there, and numbers?
@@ -47,7 +47,7 @@ std::array<std::int64_t, 3> counts(const fs::path& file, LineScanner& lines) {
   Words words = lines.next_words();
   constexpr std::array<std::string_view, 5> kKeywords{"OFF", "COFF", "NOFF", "CNOFF", "STOFF"};
   if (words.empty() || std::ranges::find(kKeywords, words[0]) == kKeywords.end()) {
-    throw MeshFileError(file, "is no OFF file, it does not begin with OFF", "export it again");
+    throw FileError(file, "is no OFF file, it does not begin with OFF", "export it again");
   }
   words.erase(words.begin());
   if (words.empty()) words = lines.next_words();
@@ -55,9 +55,8 @@ std::array<std::int64_t, 3> counts(const fs::path& file, LineScanner& lines) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::optional<std::int64_t> count = k < words.size() ? to_integer(words[k]) : std::nullopt;
     if (!count || *count < 0) {
-      throw MeshFileError(file,
-                          "has no counts of vertices, faces and edges behind OFF (binary OFF is not read)",
-                          "export it again, as text");
+      throw FileError(file, "has no counts of vertices, faces and edges behind OFF (binary OFF is not read)",
+                      "export it again, as text");
     }
     n[k] = *count;
   }
@@ -97,7 +96,7 @@ MeshFileContent check_off(const fs::path& file, std::string& bytes) {
     for (std::size_t k = 1; k <= corners; ++k) content.sums->corners += *to_number(words[k]);
   }
   if (content.polygons == 0) {
-    throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+    throw FileError(file, "has no faces, only points", "triangulate the surface first");
   }
   return content;
 }

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <memory>
 
+#include "files/file_error.hpp"
 #include "mesh/file_checks.hpp"
-#include "mesh/file_error.hpp"
 #include "mesh/ply_header.hpp"
 #include "mesh/ply_values.hpp"
 
@@ -19,7 +19,7 @@ const PlyProperty* corner_list(const PlyElement& face) {
 }
 
 [[noreturn]] void throw_no_faces(const fs::path& file) {
-  throw MeshFileError(file, "has no faces, only points", "triangulate the surface first");
+  throw FileError(file, "has no faces, only points", "triangulate the surface first");
 }
 
 void check_elements(const fs::path& file, const PlyHeader& header) {
@@ -27,8 +27,7 @@ void check_elements(const fs::path& file, const PlyHeader& header) {
   const PlyElement* face = find_element(header, "face");
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) {
-      throw MeshFileError(file, "its PLY element '" + element.name + "' has no properties",
-                          "export it again");
+      throw FileError(file, "its PLY element '" + element.name + "' has no properties", "export it again");
     }
   }
   const auto has_scalar = [vertex](const char* name) {
@@ -36,14 +35,14 @@ void check_elements(const fs::path& file, const PlyHeader& header) {
     return property != nullptr && !property->count;
   };
   if (!has_scalar("x") || !has_scalar("y") || !has_scalar("z")) {
-    throw MeshFileError(file, "its PLY header has no vertices with x, y and z", "export it again");
+    throw FileError(file, "its PLY header has no vertices with x, y and z", "export it again");
   }
   if (face == nullptr || face->count == 0) {
     throw_no_faces(file);
   }
   if (corner_list(*face) == nullptr || face < vertex) {
-    throw MeshFileError(file, "its PLY faces have no list vertex_indices, or come before the vertices",
-                        "export it again");
+    throw FileError(file, "its PLY faces have no list vertex_indices, or come before the vertices",
+                    "export it again");
   }
 }
 
@@ -90,9 +89,9 @@ class Walk {
     for (std::int64_t k = 0; k < length; ++k) {
       const double v = value(list.type, face, i);
       if (!(v >= 0.0 && v < static_cast<double>(vertices_) && v == std::floor(v))) {
-        throw MeshFileError(file_,
-                            "face " + std::to_string(i) + " names a vertex that is not there, it is damaged",
-                            "export it again");
+        throw FileError(file_,
+                        "face " + std::to_string(i) + " names a vertex that is not there, it is damaged",
+                        "export it again");
       }
       sum += v;
     }
@@ -114,11 +113,10 @@ class Walk {
   }
 
   [[noreturn]] void throw_damaged(const PlyElement& element, std::int64_t i) const {
-    throw MeshFileError(file_,
-                        "ends within or cannot be read at " + element.name + ' ' + std::to_string(i) +
-                            " of the " + std::to_string(element.count) +
-                            " declared, it is cut short or damaged",
-                        "export or copy it again");
+    throw FileError(file_,
+                    "ends within or cannot be read at " + element.name + ' ' + std::to_string(i) +
+                        " of the " + std::to_string(element.count) + " declared, it is cut short or damaged",
+                    "export or copy it again");
   }
 
   const fs::path& file_;

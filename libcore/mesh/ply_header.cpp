@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mesh/file_error.hpp"
+#include "files/file_error.hpp"
 #include "mesh/text_scan.hpp"
 
 namespace impinge {
@@ -100,7 +100,7 @@ const PlyProperty* find_property(const PlyElement& element, std::string_view nam
 PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view bytes) {
   LineScanner lines(bytes);
   if (lines.next() != "ply")
-    throw MeshFileError(file, "is no PLY file, its first line is not 'ply'", "export it again");
+    throw FileError(file, "is no PLY file, its first line is not 'ply'", "export it again");
   PlyHeader header;
   bool has_format = false;
   Words words;
@@ -108,16 +108,16 @@ PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view b
     split_words(*line, words);
     if (words.empty()) continue;
     if (words[0] == "end_header") {
-      if (!has_format) throw MeshFileError(file, "its PLY header has no format line", "export it again");
+      if (!has_format) throw FileError(file, "its PLY header has no format line", "export it again");
       header.body = lines.rest();
       return header;
     }
     if (!take(words, header, has_format)) {
-      throw MeshFileError(file, "its PLY header has the line '" + std::string(line->substr(0, 60)) + "'",
-                          "correct it or export the mesh again");
+      throw FileError(file, "its PLY header has the line '" + std::string(line->substr(0, 60)) + "'",
+                      "correct it or export the mesh again");
     }
   }
-  throw MeshFileError(file, "its PLY header has no end, the file is cut short", "export or copy it again");
+  throw FileError(file, "its PLY header has no end, the file is cut short", "export or copy it again");
 }
 
 }  // namespace impinge

@@ -41,7 +41,7 @@ struct PlyHeader {
 const PlyElement* find_element(const PlyHeader& header, std::string_view name);
 const PlyProperty* find_property(const PlyElement& element, std::string_view name);
 
-// Throws MeshFileError, naming the line that is wrong. `bytes` must outlive the result.
+// Throws FileError, naming the line that is wrong. `bytes` must outlive the result.
 PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace impinge

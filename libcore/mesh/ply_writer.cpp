@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh/file_bytes.hpp"
-#include "mesh/file_error.hpp"
+#include "files/file_bytes.hpp"
+#include "files/file_error.hpp"
 
 namespace impinge {
 namespace {
@@ -61,8 +61,8 @@ void write(const std::filesystem::path& file, const TriangleMesh& mesh, const Ve
     bytes.push_back(3);
     for (const VertexIndex v : face) {
       if (v >= mesh.vertices.size()) {
-        throw MeshFileError(file, "is not written, a face names a vertex that is not there",
-                            "repair the mesh first");
+        throw FileError(file, "is not written, a face names a vertex that is not there",
+                        "repair the mesh first");
       }
       append_bits(bytes, v);
     }

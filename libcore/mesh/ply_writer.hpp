@@ -15,7 +15,7 @@ namespace impinge {
 using Rgb = std::array<std::uint8_t, 3>;
 
 // Binary little-endian PLY, atomically (see file_bytes.hpp): x y z as double in mm, faces as list uchar int
-// vertex_indices. Throws MeshFileError, also for a mesh with a face that names no vertex.
+// vertex_indices. Throws FileError, also for a mesh with a face that names no vertex.
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 // The same with one value per vertex under the name `property`, as double, and optionally one colour per

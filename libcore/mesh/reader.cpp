@@ -8,8 +8,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "files/file_bytes.hpp"
 #include "mesh/collinear.hpp"
-#include "mesh/file_bytes.hpp"
 #include "mesh/file_checks.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
@@ -65,8 +65,7 @@ MeshFileContent content_of(const fs::path& file, const aiScene& scene) {
       if (face.mNumIndices >= 3) ++found.polygons;
       for (const unsigned v : corners(face)) {
         if (v >= part->mNumVertices) {
-          throw MeshFileError(file, "a face names a vertex that is not there, it is damaged",
-                              "export it again");
+          throw FileError(file, "a face names a vertex that is not there, it is damaged", "export it again");
         }
         if (face.mNumIndices >= 3) found.sums->corners += v;
       }
@@ -80,16 +79,16 @@ void check_scene(const fs::path& file, const aiScene& scene, const MeshFileConte
   const MeshFileContent found = content_of(file, scene);
   const char* advice = "triangulate it and export it as STL";
   if (found.polygons != content.polygons || (content.vertices && found.vertices != content.vertices)) {
-    throw MeshFileError(file,
-                        "only " + std::to_string(found.polygons) + " of its " +
-                            std::to_string(content.polygons) + " faces could be read",
-                        advice);
+    throw FileError(file,
+                    "only " + std::to_string(found.polygons) + " of its " + std::to_string(content.polygons) +
+                        " faces could be read",
+                    advice);
   }
   if (!content.sums) return;
   const double off = std::abs(found.sums->coordinates - content.sums->coordinates);
   // Coordinates that are not finite are for check_coordinates: they are within no tolerance.
   if (off > 1e-6 * content.sums->coordinates || found.sums->corners != content.sums->corners) {
-    throw MeshFileError(file, "could not be read right, it has unusual elements", advice);
+    throw FileError(file, "could not be read right, it has unusual elements", advice);
   }
 }
 
@@ -115,9 +114,9 @@ void check_coordinates(const fs::path& file, const aiScene& scene) {
     }
   }
   if (lost == 0) return;
-  throw MeshFileError(
-      file, std::to_string(lost) + " vertices have coordinates that are NaN, infinite or beyond 3e38",
-      "remove them or export the mesh again");
+  throw FileError(file,
+                  std::to_string(lost) + " vertices have coordinates that are NaN, infinite or beyond 3e38",
+                  "remove them or export the mesh again");
 }
 
 // Only when there is something to do: assimp 5.2 aborts the program over a mesh of triangles and a face
@@ -128,7 +127,7 @@ void triangulate(const fs::path& file, Assimp::Importer& importer) {
   };
   if (!std::ranges::any_of(parts(*importer.GetScene()), has_polygon)) return;
   if (importer.ApplyPostProcessing(aiProcess_Triangulate) == nullptr) {
-    throw MeshFileError(file, "cannot be triangulated", "triangulate it and export it again");
+    throw FileError(file, "cannot be triangulated", "triangulate it and export it again");
   }
 }
 
@@ -137,7 +136,7 @@ void check_area(const fs::path& file, const TriangleMesh& mesh) {
     return collinear(corner(mesh, f, 0), corner(mesh, f, 1), corner(mesh, f, 2));
   };
   if (std::ranges::all_of(mesh.faces, flat)) {
-    throw MeshFileError(file, "none of its faces has an area", "export the surface again");
+    throw FileError(file, "none of its faces has an area", "export the surface again");
   }
 }
 
@@ -149,7 +148,7 @@ TriangleMesh read_mesh(const fs::path& file) {
   const MeshFileContent content = check(file, format, bytes);
   Assimp::Importer importer;
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format)) == nullptr) {
-    throw MeshFileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
+    throw FileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
   }
   check_scene(file, *importer.GetScene(), content);
   check_coordinates(file, *importer.GetScene());

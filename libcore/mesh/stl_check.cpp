@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "files/file_error.hpp"
 #include "mesh/file_checks.hpp"
-#include "mesh/file_error.hpp"
 #include "mesh/text_scan.hpp"
 
 namespace impinge {
@@ -21,7 +21,7 @@ std::uint64_t declared_triangles(std::string_view bytes) {
 }
 
 [[noreturn]] void throw_damaged(const fs::path& file, std::size_t facet) {
-  throw MeshFileError(
+  throw FileError(
       file,
       "ends within or cannot be read at facet " + std::to_string(facet) + ", it is cut short or damaged",
       "export or copy it again");
@@ -71,7 +71,7 @@ MeshFileContent check_ascii(const fs::path& file, std::string& bytes) {
       throw_damaged(file, content.polygons);
     }
   }
-  if (!ended) throw MeshFileError(file, "has no endsolid, it is cut short", "export or copy it again");
+  if (!ended) throw FileError(file, "has no endsolid, it is cut short", "export or copy it again");
   bytes = text + "endsolid mesh\n";
   return content;
 }
@@ -90,12 +90,12 @@ MeshFileContent check_stl(const fs::path& file, std::string& bytes) {
         bytes.size() < kHeader
             ? ""
             : ", its header declares " + std::to_string(declared_triangles(bytes)) + " triangles";
-    throw MeshFileError(file,
-                        "is neither ascii STL nor binary STL of 84 + 50 n bytes: it has " +
-                            std::to_string(bytes.size()) + " bytes" + declared,
-                        "it may be cut short, export or copy it again");
+    throw FileError(file,
+                    "is neither ascii STL nor binary STL of 84 + 50 n bytes: it has " +
+                        std::to_string(bytes.size()) + " bytes" + declared,
+                    "it may be cut short, export or copy it again");
   }
-  if (content.polygons == 0) throw MeshFileError(file, "has no faces", "export the surface again");
+  if (content.polygons == 0) throw FileError(file, "has no faces", "export the surface again");
   return content;
 }
 

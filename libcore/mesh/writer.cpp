@@ -8,7 +8,7 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/scene.h>
 
-#include "mesh/file_bytes.hpp"
+#include "files/file_bytes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
 #include "mesh/ply_writer.hpp"
@@ -28,7 +28,7 @@ void require_writable(const fs::path& file, const TriangleMesh& mesh) {
     if (std::ranges::max(face) >= mesh.vertices.size()) reason = "a face names a vertex that is not there";
   }
   if (reason != nullptr)
-    throw MeshFileError(file, std::string("is not written, ") + reason, "repair the mesh first");
+    throw FileError(file, std::string("is not written, ") + reason, "repair the mesh first");
 }
 
 // A scene of one mesh. assimp's destructors release what is allocated here.
@@ -63,7 +63,7 @@ void write_with_assimp(const fs::path& file, const TriangleMesh& mesh, const cha
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), assimp_format);
   if (blob == nullptr) {
-    throw MeshFileError(file, std::string("cannot be written, ") + exporter.GetErrorString(), "use .ply");
+    throw FileError(file, std::string("cannot be written, ") + exporter.GetErrorString(), "use .ply");
   }
   write_bytes(file, {static_cast<const char*>(blob->data), blob->size});
 }

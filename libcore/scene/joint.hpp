@@ -28,7 +28,7 @@ struct Joint {
   std::vector<std::string> warnings;
 };
 
-// Reads and examines both meshes. MeshFileError for a file that cannot be used; std::runtime_error, one line
+// Reads and examines both meshes. FileError for a file that cannot be used; std::runtime_error, one line
 // with the file and what to do, where the centre is not inside the ball or the socket is not round it.
 Joint load_joint(const SceneOptions& options);
 

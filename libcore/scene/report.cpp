@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "detection/gap_summary.hpp"
-#include "experiment/atomic_file.hpp"
 #include "experiment/csv.hpp"
+#include "files/file_bytes.hpp"
 #include "joint/clock.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -20,7 +20,7 @@ DriverRun driver_in(const std::filesystem::path& folder) {
 
 // Lines of a CSV without its header, split at commas.
 std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& csv) {
-  std::istringstream text(read_file(csv));
+  std::istringstream text(read_bytes(csv));
   std::vector<std::vector<std::string>> rows;
   std::string line;
   for (std::getline(text, line); std::getline(text, line);) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 #include "experiment/digest.hpp"
 #include "experiment/provenance.hpp"
 #include "support/temporary_folder.hpp"
@@ -50,7 +50,7 @@ TEST(AtomicFile, ReplacesTheBytesAndLeavesNothingElse) {
   const fs::path file = folder.path() / "a.csv";
   EXPECT_TRUE(write_if_changed(file, "one\n"));
   EXPECT_TRUE(write_if_changed(file, "two\n"));
-  EXPECT_EQ(read_file(file), "two\n");
+  EXPECT_EQ(read_bytes(file), "two\n");
   EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
@@ -76,7 +76,7 @@ TEST(AtomicFile, SaysWhichPathCannotBeWritten) {
     EXPECT_NE(std::string(error.what()).find("plain/a.csv"), std::string::npos) << error.what();
   }
   EXPECT_THROW(require_writable_folder(folder.path() / "plain"), std::runtime_error);
-  EXPECT_THROW(read_file(folder.path() / "missing"), std::runtime_error);
+  EXPECT_THROW(read_bytes(folder.path() / "missing"), std::runtime_error);
   require_writable_folder(folder.path() / "new" / "folder");
   EXPECT_EQ(files_in(folder.path() / "new" / "folder"), 0U);
 }
@@ -84,8 +84,8 @@ TEST(AtomicFile, SaysWhichPathCannotBeWritten) {
 TEST(Provenance, SidecarSaysHowTheCsvCameToBe) {
   const TemporaryFolder folder;
   write_result(record_in(folder.path()), small_result(1.5));
-  EXPECT_EQ(read_file(folder.path() / "numbers.csv"), "value\n1.5\n");
-  const auto record = nlohmann::json::parse(read_file(folder.path() / "numbers.json"));
+  EXPECT_EQ(read_bytes(folder.path() / "numbers.csv"), "value\n1.5\n");
+  const auto record = nlohmann::json::parse(read_bytes(folder.path() / "numbers.json"));
   EXPECT_EQ(record["csv_sha256"], sha256_hex("value\n1.5\n"));
   EXPECT_EQ(record["driver_sha256"], sha256_of_file("/proc/self/exe"));
   EXPECT_EQ(record["columns"][0]["unit"], "mm");
@@ -123,7 +123,7 @@ TEST(Provenance, ASidecarThatDoesNotFitIsReplaced) {
     write_result(record_in(folder.path()), small_result(1.5));
     std::ofstream(file) << wrong;
     write_result(record_in(folder.path()), small_result(1.5));
-    EXPECT_EQ(nlohmann::json::parse(read_file(file))["csv_sha256"], sha256_hex("value\n1.5\n")) << wrong;
+    EXPECT_EQ(nlohmann::json::parse(read_bytes(file))["csv_sha256"], sha256_hex("value\n1.5\n")) << wrong;
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: for any bytes, read_mesh returns a mesh whose indices exist and whose coordinates are finite, or
-// throws MeshFileError with one line "FILE: reason; advice". No proper prefix of a file is taken for the
+// throws FileError with one line "FILE: reason; advice". No proper prefix of a file is taken for the
 // file.
 #include <algorithm>
 #include <optional>
@@ -25,7 +25,7 @@ std::optional<std::string> refusal(const fs::path& file) {
   try {
     read_mesh(file);
     return std::nullopt;
-  } catch (const MeshFileError& error) {
+  } catch (const FileError& error) {
     const std::string what = error.what();
     EXPECT_TRUE(what.starts_with(file.string() + ": ")) << what;
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
@@ -84,7 +84,7 @@ TEST(BrokenFile, MessageStaysOneLineWhateverTheNameAndTheHeader) {
   try {
     read_mesh(folder.write("a\nb.ply", "ply\nformat\tmorse 1.0\x1b[2J\n"));
     FAIL() << "was read";
-  } catch (const MeshFileError& error) {
+  } catch (const FileError& error) {
     EXPECT_TRUE(std::ranges::none_of(std::string(error.what()), [](unsigned char c) { return c < 0x20; }));
   }
 }
@@ -312,7 +312,7 @@ TEST(BrokenFile, RandomDamageIsRefusedOrReadAsAMesh) {
         EXPECT_EQ(report.invalid_faces, 0U);
         EXPECT_EQ(report.non_finite_vertices, 0U);
         EXPECT_LT(report.degenerate_faces, report.faces);
-      } catch (const MeshFileError&) {
+      } catch (const FileError&) {
         ++refused;
       }
     }

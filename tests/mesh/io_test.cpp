@@ -92,13 +92,13 @@ TEST_P(Format, RefusesWhatItCannotWrite) {
   bad_index.faces[3][2] = 6;
   TriangleMesh not_finite = octahedron(1.0);
   not_finite.vertices[3].z() = std::nan("");
-  EXPECT_THROW(write_mesh(folder.path() / name, {}), MeshFileError);
-  EXPECT_THROW(write_mesh(folder.path() / name, bad_index), MeshFileError);
-  EXPECT_THROW(write_mesh(folder.path() / name, not_finite), MeshFileError);
-  EXPECT_THROW(write_mesh(folder.path() / "missing" / name, octahedron(1.0)), MeshFileError);
+  EXPECT_THROW(write_mesh(folder.path() / name, {}), FileError);
+  EXPECT_THROW(write_mesh(folder.path() / name, bad_index), FileError);
+  EXPECT_THROW(write_mesh(folder.path() / name, not_finite), FileError);
+  EXPECT_THROW(write_mesh(folder.path() / "missing" / name, octahedron(1.0)), FileError);
   EXPECT_EQ(files_in(folder.path()), 0U);
   fs::create_directory(folder.path() / name);
-  EXPECT_THROW(write_mesh(folder.path() / name, octahedron(1.0)), MeshFileError);
+  EXPECT_THROW(write_mesh(folder.path() / name, octahedron(1.0)), FileError);
   EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(All, Format, testing::Values("ply", "stl", "obj", "off"
 
 TEST(WriteMesh, UnknownExtension) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_mesh(folder.path() / "mesh.vtk", octahedron(1.0)), MeshFileError);
+  EXPECT_THROW(write_mesh(folder.path() / "mesh.vtk", octahedron(1.0)), FileError);
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 

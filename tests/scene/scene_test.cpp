@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "experiment/atomic_file.hpp"
+#include "files/file_bytes.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
@@ -138,15 +138,15 @@ std::size_t lines(const std::string& text) {
 TEST_F(Scene, WritesTheFilesOfTheContract) {
   SceneOptions options = joint_of(sphere(22.0, 500), opened_to_the_right(cup(25.0, 80.0, 300)));
   const auto report = run(options);
-  const std::string csv = read_file(options.out / "gaps.csv");
+  const std::string csv = read_bytes(options.out / "gaps.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,vertex,x,y,z,gap_mm");
   const TriangleMesh ball = read_mesh(options.out / "ball.ply");
   const TriangleMesh socket = read_mesh(options.out / "socket.ply");
   EXPECT_EQ(lines(csv), 1 + ball.vertices.size() + socket.vertices.size());
   EXPECT_NE(csv.find(",\n"), std::string::npos) << "an empty gap where the ball does not face the socket";
-  EXPECT_NE(read_file(options.out / "ball.ply").find("property double gap"), std::string::npos);
+  EXPECT_NE(read_bytes(options.out / "ball.ply").find("property double gap"), std::string::npos);
   EXPECT_LT((ball.vertices[0] - read_mesh(options.ball).vertices[0]).norm(), 1e-4) << "in the input frame";
-  const auto stored = nlohmann::json::parse(read_file(options.out / "summary.json"));
+  const auto stored = nlohmann::json::parse(read_bytes(options.out / "summary.json"));
   EXPECT_EQ(stored, report);
   for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "left_out",
                           "times_ms", "warnings"}) {

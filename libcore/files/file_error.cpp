@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/file_error.hpp"
+#include "files/file_error.hpp"
 
 #include <algorithm>
 
@@ -14,8 +14,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-MeshFileError::MeshFileError(const std::filesystem::path& file, const std::string& reason,
-                             const std::string& advice)
+FileError::FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice)
     : std::runtime_error(one_line(file.string() + ": " + reason + "; " + advice)) {}
 
 }  // namespace impinge

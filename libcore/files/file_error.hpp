@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is thrown when a mesh file cannot be read or written.
+// What is thrown when a file cannot be read or written.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 namespace impinge {
 
 // what() is one line: "FILE: what is wrong; what to do".
-class MeshFileError : public std::runtime_error {
+class FileError : public std::runtime_error {
  public:
-  MeshFileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
+  FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
 };
 
 }  // namespace impinge

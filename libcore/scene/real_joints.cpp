@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/real_joints.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "files/file_bytes.hpp"
+#include "joint/sphere_fit.hpp"
+#include "mesh/io.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::initializer_list<const char*> kBalls{"ball", "femoral_head", "humeral_head"};
+constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_facing", "glenoid_facing",
+                                                      "acetabulum", "glenoid"};
+constexpr std::initializer_list<const char*> kFormats{".ply", ".stl", ".obj", ".off"};
+constexpr const char* kSubject = "subject.json";
+constexpr const char* kCentre = "center_of_rotation_mm";
+
+// The first of these meshes that is there.
+std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    for (const char* format : kFormats) {
+      const fs::path file = folder / (std::string(name) + format);
+      if (fs::is_regular_file(file)) return file;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string listed(std::initializer_list<const char*> names) {
+  std::string text;
+  for (const char* name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+// The centre that the subject's description gives, if there is a description.
+std::optional<Vec3> described_centre(const fs::path& folder) {
+  const fs::path file = folder / kSubject;
+  if (!fs::is_regular_file(file)) return std::nullopt;
+  const nlohmann::json subject = nlohmann::json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
+  const nlohmann::json centre =
+      subject.is_object() ? subject.value(kCentre, nlohmann::json()) : nlohmann::json();
+  const bool numbers = std::all_of(centre.begin(), centre.end(), [](const auto& x) { return x.is_number(); });
+  if (!centre.is_array() || centre.size() != 3 || !numbers) {
+    throw std::runtime_error(
+        file.string() + ": no " + kCentre +
+        ": give the centre of rotation as [x, y, z], or remove the file to have it fitted");
+  }
+  return Vec3(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
+}
+
+}  // namespace
+
+std::vector<RealJoint> read_real_joints(const fs::path& folder, Progress& progress) {
+  std::vector<fs::path> subjects;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory()) subjects.push_back(entry.path());
+  }
+  std::sort(subjects.begin(), subjects.end());
+  std::vector<RealJoint> joints;
+  for (const fs::path& subject : subjects) {
+    const auto ball_file = find_mesh(subject, kBalls);
+    const auto socket_file = find_mesh(subject, kSockets);
+    if (!ball_file || !socket_file) {
+      progress.say("left out: " + subject.string() + " has no " + (ball_file ? "socket" : "ball") + " mesh");
+      continue;
+    }
+    const TriangleMesh ball = read_mesh(*ball_file);
+    const std::optional<Vec3> described = described_centre(subject);
+    const Vec3 centre = described ? *described : fit_ball(ball).centre;
+    joints.push_back({subject.filename().string(),
+                      {relative_to(ball, centre), relative_to(read_mesh(*socket_file), centre)}});
+  }
+  if (joints.empty()) {
+    throw std::runtime_error(folder.string() +
+                             ": no folder in it holds a joint: give one folder a subject with a ball (" +
+                             listed(kBalls) + ") and a socket (" + listed(kSockets) + ")");
+  }
+  return joints;
+}
+
+}  // namespace impinge

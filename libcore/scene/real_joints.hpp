@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real ball-and-socket joints that a user brings: a folder with one folder a subject. In each, in one frame
+// and in mm,
+//   ball, femoral_head or humeral_head                                      the ball
+//   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
+// as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
+//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z]; it is fitted to the
+//   ball otherwise
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiment/progress.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge {
+
+struct RealJoint {
+  std::string subject;    // name of its folder
+  BallSocketPair meshes;  // in the centre frame, mm
+};
+
+// In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws
+// std::runtime_error for a file that cannot be used, or when no joint is left.
+std::vector<RealJoint> read_real_joints(const std::filesystem::path& folder, Progress& progress);
+
+}  // namespace impinge
