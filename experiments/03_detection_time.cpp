@@ -12,8 +12,8 @@
 #include <limits>
 
 #include "experiment/detection_timing.hpp"
-#include "scene/real_joints.hpp"
 #include "experiment/timing_report.hpp"
+#include "scene/real_joints.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "files/file_bytes.hpp"
 #include "experiment/digest.hpp"
 #include "experiment/provenance.hpp"
+#include "files/file_bytes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program `scene` as a user runs it: what it writes, and what it says of input that cannot work.
+
+A refusal is a non-zero exit, one line that names the file or option and says what to do, and no file left behind.
+SCENE and MAKE_PAIR name the two programs.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import signal
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+SCENE = os.environ["SCENE"]
+MAKE_PAIR = os.environ["MAKE_PAIR"]
+TRIANGLE = "OFF\n3 1 0\n{}\n3 0 1 2\n"
+
+
+def run(*arguments: str | Path, **keywords) -> subprocess.CompletedProcess:
+    return subprocess.run([str(a) for a in arguments], capture_output=True, text=True, check=False, **keywords)
+
+
+class Scene(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-scene-")
+        cls.root = Path(cls.folder.name)
+        made = run(MAKE_PAIR, "--faces", 1000, "--out", cls.root / "pair")
+        assert made.returncode == 0, made.stderr
+        cls.ball = cls.root / "pair" / "ball.ply"
+        cls.socket = cls.root / "pair" / "socket.ply"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def scene(self, out: str, *more, ball=None, socket=None, **keywords) -> subprocess.CompletedProcess:
+        return run(SCENE, "--ball", ball or self.ball, "--socket", socket or self.socket, "--out", self.root / out,
+                   *more, **keywords)
+
+    def test_writes_the_four_files_and_says_what_it_found(self):
+        done = self.scene("good", "--precision", 1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        names = sorted(path.name for path in (self.root / "good").iterdir())
+        self.assertEqual(names, ["ball.ply", "gaps.csv", "socket.ply", "summary.json"])
+        summary = json.loads((self.root / "good" / "summary.json").read_text())
+        self.assertAlmostEqual(summary["smallest_gap"]["gap_mm"], 4.0, delta=0.15)
+        for word in ("centre of rotation", "smallest gap", "impinged at   0 mm   nowhere", "impinged at   4 mm"):
+            self.assertIn(word, done.stdout)
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        for out in ("one", "two"):
+            self.assertEqual(self.scene(out).returncode, 0)
+        for name in ("ball.ply", "socket.ply", "gaps.csv"):
+            self.assertEqual((self.root / "one" / name).read_bytes(), (self.root / "two" / name).read_bytes(), name)
+
+    def refused(self, done: subprocess.CompletedProcess, code: int, *words: str):
+        self.assertEqual(done.returncode, code, done.stderr + done.stdout)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertTrue(done.stderr.startswith("scene: error: "), done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def nothing_in(self, out: str):
+        folder = self.root / out
+        self.assertFalse(folder.exists() and any(folder.iterdir()), f"{out} is not empty")
+
+    def test_files_that_cannot_be_used(self):
+        good = self.ball.read_bytes()
+        bad = {
+            "missing.ply": (None, "no such file"),
+            "empty.ply": (b"", "empty"),
+            "cut.ply": (good[: len(good) // 2], "cut.ply"),
+            "text.ply": (b"not a mesh at all\n", "text.ply"),
+            "text.stl": (b"not a mesh at all\n", "text.stl"),
+            "picture.obj": (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "picture.obj"),
+            "mesh.xyz": (good, "mesh.xyz"),
+            "nan.off": (TRIANGLE.format("0 0 nan\n1 0 0\n0 1 0").encode(), "nan.off"),
+            "infinite.off": (TRIANGLE.format("0 0 1e999\n1 0 0\n0 1 0").encode(), "infinite.off"),
+            "no_faces.off": (b"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no_faces.off"),
+            "collinear.off": (TRIANGLE.format("0 0 0\n1 0 0\n2 0 0").encode(), "collinear.off"),
+            "index.off": (b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "index.off"),
+        }
+        for name, (content, word) in bad.items():
+            path = self.root / name
+            if content is not None:
+                path.write_bytes(content)
+            with self.subTest(name):
+                self.refused(self.scene("bad", ball=path), 1, name, word)
+                self.refused(self.scene("bad", socket=path), 1, name, word)
+                self.nothing_in("bad")
+        with self.subTest("a folder"):
+            (self.root / "folder.ply").mkdir()
+            self.refused(self.scene("bad", ball=self.root / "folder.ply"), 1, "folder.ply", "is a folder")
+
+    def test_options_that_cannot_be_used(self):
+        cases = [
+            (("--precision", "0"), "--precision"),
+            (("--precision", "-0.5"), "--precision"),
+            (("--precision", "0.7"), "divides 180"),
+            (("--precision", "1e-9"), "--precision"),
+            (("--precision", "abc"), "--precision"),
+            (("--scheme", "usidd"), "rsid"),
+            (("--colour", "red"), "--colour"),
+            (("--centre", "1,2"), "X,Y,Z"),
+            (("--pose", "flexion=90,bend=1"), "bend"),
+            (("--pose", "abduction=10"), "--side"),
+            (("--cartilage", "-1"), "--cartilage"),
+            (("--max-error", "0"), "--max-error"),
+        ]
+        for options, word in cases:
+            with self.subTest(options):
+                self.refused(self.scene("none", *options), 2, word)
+                self.nothing_in("none")
+        self.refused(run(SCENE, "--ball", self.ball), 2, "--socket")
+
+    def test_a_table_that_does_not_fit_is_refused_with_its_size(self):
+        self.refused(self.scene("huge", "--precision", "0.0001"), 1, "bytes", "GiB", "coarser")
+        self.nothing_in("huge")
+
+    def test_an_accuracy_that_cannot_be_kept_is_refused(self):
+        self.refused(self.scene("exact", "--max-error", "1e-9"), 1, "--max-error", "bound")
+        self.nothing_in("exact")
+
+    def test_a_centre_outside_of_the_ball_is_refused(self):
+        self.refused(self.scene("out", "--centre", "100,0,0"), 1, "ball.ply", "outside", "--centre")
+        self.nothing_in("out")
+
+    def test_a_socket_elsewhere_is_refused(self):
+        far = self.root / "far.off"  # fills less of the view than a cell of the grid that measures it
+        far.write_text(TRIANGLE.format("9000 0 0\n9001 0 0\n9000 1 0"))
+        flat = self.root / "flat.off"  # its plane holds the centre
+        flat.write_text(TRIANGLE.format("30 0 0\n31 0 0\n30 1 0"))
+        for path in (far, flat):
+            self.refused(self.scene("far", "--centre", "0,0,0", socket=path), 1, path.name, "one frame")
+            self.nothing_in("far")
+
+    def test_an_output_folder_that_cannot_be_written_is_refused(self):
+        done = run(SCENE, "--ball", self.ball, "--socket", self.socket, "--out", self.ball)
+        self.refused(done, 2, str(self.ball))
+
+    def test_a_full_disk_leaves_nothing_half_written(self):
+        limit = 30_000  # bytes a file may have, less than ball.ply needs
+
+        def small_files():  # with the signal ignored the limit is an error of write(), as on a full disk
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+        self.refused(self.scene("full", preexec_fn=small_files), 1, "ball.ply", "room")
+        self.nothing_in("full")
+
+
+if __name__ == "__main__":
+    unittest.main()

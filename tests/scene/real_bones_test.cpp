@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes of real joints, against what their descriptions (subject.json) measured by other means. The joints
+// lie beside the project: the environment variable IMPINGE_BONES names their folder. Without it there is
+// nothing to compare.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "files/file_bytes.hpp"
+#include "scene/report.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> hips() {
+  std::vector<fs::path> folders;
+  const char* bones = std::getenv("IMPINGE_BONES");  // NOLINT(concurrency-mt-unsafe)
+  if (bones == nullptr) return folders;
+  for (const auto& entry : fs::directory_iterator(bones)) {
+    if (fs::exists(entry.path() / "femoral_head.ply") && fs::exists(entry.path() / "subject.json")) {
+      folders.push_back(entry.path());
+    }
+  }
+  return folders;
+}
+
+SceneOptions options_of(const fs::path& hip) {
+  SceneOptions options;
+  options.ball = hip / "femoral_head.ply";
+  options.socket = hip / "acetabulum_facing.ply";
+  return options;
+}
+
+// The description fitted a sphere to the head and measured the smallest distance between triangles of both
+// bones. The smallest radial gap is over vertices and no less than that but for the decimation of the
+// regions, and near it.
+TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
+  for (const fs::path& hip : hips()) {
+    const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
+    const SceneOptions options = options_of(hip);
+    const Joint joint = load_joint(options);
+    const auto& centre = subject["center_of_rotation_mm"];
+    EXPECT_LT((joint.centre - Vec3(centre[0], centre[1], centre[2])).norm(), 0.5) << hip;
+    EXPECT_NEAR(joint.fit->radius, subject["radius_mm"].get<double>(), 0.3) << hip;
+    const auto report = summary(options, joint, measure(joint, options));
+    const double distance = subject["pose"]["min_gap_regions_mm"];
+    EXPECT_NEAR(report["smallest_gap"]["gap_mm"], distance, 0.15) << hip;
+    EXPECT_EQ(report["impingement"][0]["ball"]["vertices"], 0) << hip << ": no bone touches another";
+    EXPECT_GT(report["impingement"][1]["socket"]["area_mm2"], 100.0) << hip << ": 4 mm of cartilage do touch";
+  }
+}
+
+// Shares of directions that the description counted with its own rays.
+TEST(RealBones, CoverageIsThatOfTheDescription) {
+  for (const fs::path& hip : hips()) {
+    const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
+    SceneOptions options = options_of(hip);
+    const auto& centre = subject["center_of_rotation_mm"];
+    options.centre = Vec3(centre[0], centre[1], centre[2]);
+    const Joint joint = load_joint(options);
+    const auto& star = subject["star_shape"];
+    EXPECT_NEAR(joint.socket.star_shape.covered, star["socket_facing"]["fraction_hit"].get<double>(), 0.005)
+        << hip;
+    EXPECT_NEAR(joint.socket.star_shape.violating,
+                star["socket_facing"]["fraction_multi_of_all"].get<double>(), 0.001)
+        << hip;
+    EXPECT_NEAR(joint.ball.star_shape.covered, star["ball"]["fraction_hit"].get<double>(), 0.01) << hip;
+  }
+}
+
+}  // namespace
+}  // namespace impinge
