@@ -84,11 +84,11 @@ def element(tag: str, inner: str, **attributes: str) -> str:
     return f"<{tag}{words}>{inner}</{tag}>"
 
 
-def cell(value: str, title: str = "", shorten: bool = False) -> str:
-    """A table cell; numbers to the right, long ones rounded if that is asked for."""
+def cell(value: str, title: str = "", shorten: bool = False, name: bool = False) -> str:
+    """A table cell; numbers to the right unless they are names, long ones rounded if that is asked for."""
     attributes = {"data_title": title} if title else {}
     try:
-        number = float(value)
+        number = float("" if name else value)
     except ValueError:
         return element("td", html.escape(value), **attributes)
     plain = f"{number:,.10g}"
@@ -147,7 +147,7 @@ def verdict_table(verdicts: pd.DataFrame) -> str:
     rows = []
     for row in verdicts.to_dict("records"):
         verdict = row["verdict"]
-        cells = [cell(row[name], title=name) for name in names]
+        cells = [cell(row[name], title=name, name=name == "row") for name in names]
         cells.append(
             element(
                 "td",
