@@ -65,13 +65,19 @@ class Helix {
       const double share = phi_a < kPi ? std::clamp((phi - phi_a) / (kPi - phi_a), 0.0, 1.0) : 0.0;
       return last_turn(share, on_turn(phi_a));
     }
-    const Between a = on_turn(phi_a);
-    const Between b = on_turn(phi_b);
-    const double down = std::min(turns - above, 1.0);
-    return {{a.entry, a.entry + 1, b.entry, b.entry + 1},
-            {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down * (1.0 - b.share), down * b.share},
-            4,
-            cell_of(a.entry + 1, b.entry)};
+    return between(on_turn(phi_a), on_turn(phi_b), std::min(turns - above, 1.0));
+  }
+
+  // Entries of one turn do not stand below those of the next, so that a cell reads entries beyond its
+  // corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
+  // cells that have the same interval above or the same interval below. Calls visit(stencil) for all of
+  // these; the weights are of no meaning.
+  template <class Visit>
+  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
+    const bool first = at.taps == 3 && at.entry[2] == at.entry[1] + 1;
+    const bool last = at.taps == 3 && !first;
+    if (!first) visit_below({at.entry[0], 0.0}, visit);
+    if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
   }
 
   // Runs of the turns that cross the box round the cone.
@@ -116,6 +122,12 @@ class Helix {
   // Where the turn above is missing its pole counts as interval -1, where the one below is, as size - 1.
   static std::size_t cell_of(std::size_t a_after, std::size_t b) { return a_after + b; }
 
+  static Stencil between(Between a, Between b, double down) {
+    return {{a.entry, a.entry + 1, b.entry, b.entry + 1},
+            {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down * (1.0 - b.share), down * b.share},
+            4,
+            cell_of(a.entry + 1, b.entry)};
+  }
   static Stencil first_turn(double down, Between b) {
     return {{0, b.entry, b.entry + 1, 0},
             {1.0 - down, down * (1.0 - b.share), down * b.share, 0.0},
@@ -127,6 +139,26 @@ class Helix {
             {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down, 0.0},
             3,
             cell_of(a.entry + 1, size_ - 1)};
+  }
+
+  // All cells between interval a and the turn below it, between interval b and the turn above it.
+  template <class Visit>
+  void visit_below(Between a, Visit&& visit) const {
+    const double from = polar_angle(static_cast<double>(a.entry)) + turn_spacing();
+    const double to = polar_angle(static_cast<double>(a.entry + 1)) + turn_spacing();
+    if (to >= kPi) visit(last_turn(0.0, a));
+    if (from > kPi) return;
+    const Between end = on_turn(std::min(to, kPi));
+    for (Between b = on_turn(from); b.entry <= end.entry; ++b.entry) visit(between(a, b, 0.0));
+  }
+  template <class Visit>
+  void visit_above(Between b, Visit&& visit) const {
+    const double from = polar_angle(static_cast<double>(b.entry)) - turn_spacing();
+    const double to = polar_angle(static_cast<double>(b.entry + 1)) - turn_spacing();
+    if (from <= 0.0) visit(first_turn(0.0, b));
+    if (to < 0.0) return;
+    const Between end = on_turn(to);
+    for (Between a = on_turn(std::max(from, 0.0)); a.entry <= end.entry; ++a.entry) visit(between(a, b, 0.0));
   }
 
   template <class Visit>
@@ -159,18 +191,31 @@ class Helix {
     if (slope_ < 5.0) return kPi;  // two turns and six entries at most: some stencils span the sphere
     double largest = 0.0;
     const double count = std::min(kPolarEntries, last());
-    for (double i = 0.0; i < count; i += 1.0) {
-      const double phi = polar_angle(i);
-      const double next = polar_angle(i + 1.0);
-      const double corner = std::min(next + turn_spacing(), kPi);
-      largest = std::max(largest, separation(phi, corner, slope_ * (next - phi)));
-    }
+    for (double i = 0.0; i < count; i += 1.0) largest = std::max(largest, way_to_far_corner(i));
     if (last() > 2.0 * kPolarEntries) {
       const double step = polar_angle(count + 1.0) - polar_angle(count);
       const double along = step + turn_spacing();
       largest = std::max(largest, std::hypot(along, slope_ * (2.0 / last() + step * along)));
     }
     return largest;
+  }
+
+  // Length of a way from entry i to the far corner of its ribbon that does not leave the ribbon: along the
+  // turn, as far as the pole is in the way, and then straight. Near a pole that is longer than the way across
+  // it.
+  double way_to_far_corner(double i) const {
+    const double phi = polar_angle(i);
+    const double next = polar_angle(i + 1.0);
+    const double corner = std::min(next + turn_spacing(), kPi);
+    for (int part = 0;; ++part) {
+      const double from = phi + (next - phi) * part / 16.0;
+      const double apart = slope_ * (next - from);
+      const double down =
+          std::cos(from) * std::sin(corner) * std::cos(apart) - std::sin(from) * std::cos(corner);
+      const double ahead = std::sin(corner) * std::sin(apart);
+      if (part < 16 && i > 0.0 && down * slope_ * std::sin(from) < ahead) continue;
+      return std::hypot(from - phi, slope_ * std::sin(from) * (from - phi)) + separation(from, corner, apart);
+    }
   }
 
   // The larger of the gap at the pole, found exactly, and that of the rest, where the entries of the turns

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -60,6 +61,27 @@ TEST(LatitudeRows, ACellHasOneStencil) {
     Stencil& first = seen[stencil.cell];
     if (first.taps == 0) first = stencil;
     ASSERT_EQ(first.entry, stencil.entry) << "cell " << stencil.cell;
+  }
+}
+
+// A way from u to a tap, between two rows, meets only cells that for_each_cell_across() names.
+TEST(LatitudeRows, CellsAcrossHoldTheWaysToTheTaps) {
+  const LatitudeRows grid = LatitudeRows::with_precision(20.0);
+  for (const Vec3& u : test::random_directions(20000, 75)) {
+    const Stencil stencil = grid.stencil(u);
+    if (stencil.taps == 3) continue;
+    std::set<std::size_t> across;
+    grid.for_each_cell_across(stencil, [&](const Stencil& other) { across.insert(other.cell); });
+    ASSERT_TRUE(across.contains(stencil.cell));
+    const auto [phi, theta] = to_angles(u);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Angles tap = to_angles(grid.direction(stencil.entry[k]));
+      for (double t = 0.0; t < 0.999; t += 0.04) {
+        const Vec3 v = to_direction(
+            {phi + t * (tap.phi - phi), theta + t * std::remainder(tap.theta - theta, 2.0 * kPi)});
+        ASSERT_TRUE(across.contains(grid.stencil(v).cell)) << u.transpose() << " tap " << k;
+      }
+    }
   }
 }
 

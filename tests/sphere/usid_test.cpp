@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -120,6 +121,34 @@ TEST(Usid, ACellHasOneStencil) {
     Stencil& first = seen[stencil.cell];
     if (first.taps == 0) first = stencil;
     ASSERT_EQ(first.entry, stencil.entry) << "cell " << stencil.cell;
+  }
+}
+
+// A way from u to a tap, along the strip between two turns, meets only cells that for_each_cell_across()
+// names.
+TEST(Usid, CellsAcrossHoldTheWaysToTheTaps) {
+  const Usid helix = Usid::with_turns(9);
+  const double slope = 2.0 * 9.0;
+  for (const Vec3& u : test::random_directions(20000, 55)) {
+    const Stencil stencil = helix.stencil(u);
+    if (stencil.taps == 3) continue;
+    std::set<std::size_t> across;
+    helix.for_each_cell_across(stencil, [&](const Stencil& other) { across.insert(other.cell); });
+    ASSERT_TRUE(across.contains(stencil.cell));
+    const auto [phi, theta] = to_angles(u);
+    const double turn = std::floor((slope * phi - theta) / (2.0 * kPi));
+    const double along =
+        slope * phi - 2.0 * kPi * turn - theta;  // 0 on the turn above, 2 pi on the one below
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double phi_tap = to_angles(helix.direction(stencil.entry[k])).phi - (k < 2 ? 0.0 : kPi / 9.0);
+      const double end = k < 2 ? 1e-6 : 2.0 * kPi - 1e-6;
+      for (double t = 0.0; t < 0.999; t += 0.04) {
+        const double azimuth = theta + t * (slope * phi_tap - 2.0 * kPi * turn - theta);
+        const double offset = along + t * (end - along);
+        const Vec3 v = to_direction({(azimuth + offset + 2.0 * kPi * turn) / slope, azimuth});
+        ASSERT_TRUE(across.contains(helix.stencil(v).cell)) << u.transpose() << " tap " << k;
+      }
+    }
   }
 }
 

@@ -36,6 +36,10 @@ class HelixIsotropic {
 
   Vec3 direction(std::size_t entry) const { return helix_.direction(entry); }
   Stencil stencil(const Vec3& x) const { return helix_.stencil(x); }
+  template <class Visit>
+  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
+    helix_.for_each_cell_across(at, visit);
+  }
 
   // Away from the poles N rho^2 = 2 pi: half the diagonal of a square of 2 sqrt(pi / N).
   double covering_radius() const { return helix_.covering_radius(); }

@@ -49,9 +49,8 @@ class LatitudeRows {
   double row_height() const { return kPi / static_cast<double>(rows_); }  // radians
 
   Vec3 direction(std::size_t entry) const {
-    const auto above = std::upper_bound(first_->begin(), first_->end(), entry) - 1;
-    const auto row = static_cast<std::size_t>(above - first_->begin());
-    return direction(row_angle(row), row, entry - *above);
+    const std::size_t row = row_of(entry);
+    return direction(row_angle(row), row, entry - first(row));
   }
 
   Stencil stencil(const Vec3& x) const {
@@ -65,12 +64,21 @@ class LatitudeRows {
     }
     const std::size_t row = std::min(static_cast<std::size_t>(height), last - 1);
     const double down = std::min(height - static_cast<double>(row), 1.0);
-    const Between a = on_row(row, theta);
-    const Between b = on_row(row + 1, theta);
-    return {{first(row) + a.left, first(row) + a.right, first(row + 1) + b.left, first(row + 1) + b.right},
-            {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down * (1.0 - b.share), down * b.share},
-            4,
-            first(row) + first(row + 1) - 2 + a.step + b.step};
+    return between(row, on_row(row, theta), on_row(row + 1, theta), down);
+  }
+
+  // Entries of one row do not stand below those of the next, so that a cell reads entries beyond its corners:
+  // from any direction there is a way to each tap, no longer than stencil_radius(), through the cells that
+  // have the same gap above or the same gap below. Calls visit(stencil) for all of these; the weights are of
+  // no meaning.
+  template <class Visit>
+  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
+    if (at.taps == 3) return;
+    const std::size_t row = row_of(at.entry[0]);
+    for_each_in_gap(row, at.entry[0] - first(row), row + 1,
+                    [&](const Between& a, const Between& b) { visit(between(row, a, b, 0.0)); });
+    for_each_in_gap(row + 1, at.entry[2] - first(row + 1), row,
+                    [&](const Between& b, const Between& a) { visit(between(row, a, b, 0.0)); });
   }
 
   // Away from the poles N rho^2 = 2 pi, half the diagonal of a square of h.
@@ -106,11 +114,21 @@ class LatitudeRows {
     return {phi.sin * theta.cos, phi.sin * theta.sin, phi.cos};
   }
 
+  std::size_t row_of(std::size_t entry) const {
+    return static_cast<std::size_t>(std::upper_bound(first_->begin(), first_->end(), entry) -
+                                    first_->begin()) -
+           1;
+  }
+
   // Place of theta in a row, in entries from its first one; a turned row begins half a step after theta = 0.
   double column(std::size_t row, double theta) const {
     return theta / (2.0 * kPi) * static_cast<double>(row_size(row)) - (is_turned(row) ? 0.5 : 0.0);
   }
   Between on_row(std::size_t row, double theta) const;
+  Between gap(std::size_t row, std::size_t step, double share) const;
+  template <class Visit>
+  void for_each_in_gap(std::size_t row, std::size_t left, std::size_t other, Visit&& visit) const;
+  Stencil between(std::size_t row, const Between& a, const Between& b, double down) const;
   Stencil cap_stencil(std::size_t row, double outwards, double theta, std::size_t cell) const;
   double find_covering_radius() const;
   double find_stencil_radius() const;
@@ -201,13 +219,42 @@ inline LatitudeRows::LatitudeRows(std::size_t rows) : rows_(rows) {
   stencil_radius_ = find_stencil_radius();
 }
 
-inline LatitudeRows::Between LatitudeRows::on_row(std::size_t row, double theta) const {
+inline LatitudeRows::Between LatitudeRows::gap(std::size_t row, std::size_t step, double share) const {
   const std::size_t columns = row_size(row);
+  const std::size_t left = (step + (is_turned(row) ? columns - 1 : 0)) % columns;
+  return {left, (left + 1) % columns, step, share};
+}
+
+inline LatitudeRows::Between LatitudeRows::on_row(std::size_t row, double theta) const {
+  const double turned = is_turned(row) ? 1.0 : 0.0;
   const double place = column(row, theta);
-  const double left = std::floor(place);
-  const auto step = static_cast<std::size_t>(left + (is_turned(row) ? 1.0 : 0.0));
-  const std::size_t entry = (step + (is_turned(row) ? columns - 1 : 0)) % columns;
-  return {entry, (entry + 1) % columns, step, place - left};
+  const double left = std::min(std::floor(place), static_cast<double>(row_size(row)) - 1.0);
+  return gap(row, static_cast<std::size_t>(left + turned), place - left);
+}
+
+inline Stencil LatitudeRows::between(std::size_t row, const Between& a, const Between& b, double down) const {
+  const std::size_t upper = first(row);
+  const std::size_t lower = first(row + 1);
+  return {{upper + a.left, upper + a.right, lower + b.left, lower + b.right},
+          {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down * (1.0 - b.share), down * b.share},
+          4,
+          upper + lower - 2 + a.step + b.step};
+}
+
+// Calls visit(gap, gap of the other row) for the gaps of the other row that face the gap right of entry
+// `left`.
+template <class Visit>
+void LatitudeRows::for_each_in_gap(std::size_t row, std::size_t left, std::size_t other,
+                                   Visit&& visit) const {
+  const double step = 2.0 * kPi / static_cast<double>(row_size(row));
+  const double from = (static_cast<double>(left) + (is_turned(row) ? 0.5 : 0.0)) * step;
+  const auto visit_part = [&](double begin, double end) {
+    const Between here = on_row(row, 0.5 * (begin + end));
+    const std::size_t last = on_row(other, end).step;
+    for (std::size_t k = on_row(other, begin).step; k <= last; ++k) visit(here, gap(other, k, 0.0));
+  };
+  visit_part(from, std::min(from + step, 2.0 * kPi));
+  if (from + step > 2.0 * kPi + 1e-9) visit_part(0.0, from + step - 2.0 * kPi);  // on past the seam
 }
 
 // `outwards` from 0 at the pole to 1 on the row.
@@ -241,12 +288,18 @@ inline double LatitudeRows::find_covering_radius() const {
   return largest * (1.0 + 1e-9);
 }
 
-// The far corner of the widest stencil: one row and one gap away.
+// From an entry to the far corner of the widest stencil, one row and one gap away, without leaving the rows
+// between: along the row nearer to the pole as far as the pole is in the way, and then straight. (The
+// southern half mirrors the northern one.)
 inline double LatitudeRows::find_stencil_radius() const {
   double largest = row_height();  // across a cap
-  for (std::size_t row = 0; row + 1 < rows_; ++row) {
+  for (std::size_t row = 0; row < rows_ / 2; ++row) {
     const double gap = 2.0 * kPi / static_cast<double>(std::min(row_size(row), row_size(row + 1)));
-    largest = std::max(largest, separation(polar_angle(row), polar_angle(row + 1), gap));
+    const double upper = polar_angle(row);
+    const double lower = polar_angle(row + 1);
+    const double seen = lower < 0.5 * kPi ? std::acos(std::tan(upper) / std::tan(lower)) : 0.5 * kPi;
+    const double straight = std::min(gap, seen);
+    largest = std::max(largest, std::sin(upper) * (gap - straight) + separation(upper, lower, straight));
   }
   return largest;
 }

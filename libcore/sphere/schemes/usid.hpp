@@ -41,6 +41,10 @@ class Usid {
 
   Vec3 direction(std::size_t entry) const { return helix_.direction(entry); }
   Stencil stencil(const Vec3& x) const { return helix_.stencil(x); }
+  template <class Visit>
+  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
+    helix_.for_each_cell_across(at, visit);
+  }
 
   // Away from the poles w rho^2 = 4 + pi^2 / 4: half the diagonal of 4 / k along the curve by pi / k across.
   double covering_radius() const { return helix_.covering_radius(); }
