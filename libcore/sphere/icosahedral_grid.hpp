@@ -18,6 +18,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sphere/circumradius.hpp"
 #include "sphere/cone_polygon.hpp"
 #include "sphere/equator_division.hpp"
 #include "sphere/icosahedron.hpp"
@@ -99,12 +100,6 @@ class IcosahedralGrid {
       }
     }
     return widest;
-  }
-
-  // Angle from the middle of the circle through three directions to each of them.
-  static double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 axis = (b - a).cross(c - a);
-    return std::atan2(axis.cross(a).norm(), std::abs(axis.dot(a)));
   }
 
   std::size_t north() const { return 10 * n_ * n_; }
