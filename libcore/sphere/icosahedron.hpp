@@ -33,17 +33,20 @@ struct Icosahedron {
     return all;
   }
 
+  // Face whose middle is nearest to x, among ten and the ten opposite to them.
   std::size_t face_of(const Vec3& x) const {
     std::size_t nearest = 0;
-    double largest = face[0].axis.dot(x);
-    for (std::size_t f = 1; f < 20; ++f) {
-      const double along = face[f].axis.dot(x);
-      if (along > largest) {
-        largest = along;
+    double largest = -1.0;
+    bool behind = false;
+    for (std::size_t f = 0; f < 10; ++f) {
+      const double along = middle_[f].dot(x);
+      if (std::abs(along) > largest) {
+        largest = std::abs(along);
         nearest = f;
+        behind = along < 0.0;
       }
     }
-    return nearest;
+    return behind ? opposite_[nearest] : nearest;
   }
 
  private:
@@ -53,6 +56,12 @@ struct Icosahedron {
                   ring(2 * k + 2, 1.0));
       set_diamond(static_cast<std::size_t>(k) + 5, ring(2 * k + 2, 1.0), ring(2 * k + 1, -1.0),
                   -Vec3::UnitZ(), ring(2 * k + 3, -1.0));
+    }
+    for (std::size_t f = 0; f < 10; ++f) {
+      middle_[f] = face[f].axis;
+      for (std::size_t other = 10; other < 20; ++other) {
+        if (face[other].axis.dot(middle_[f]) < face[opposite_[f]].axis.dot(middle_[f])) opposite_[f] = other;
+      }
     }
   }
 
@@ -74,6 +83,9 @@ struct Icosahedron {
     made.axis = made.dual[0] + made.dual[1] + made.dual[2];
     return made;
   }
+
+  std::array<Vec3, 10> middle_;             // axes of the first ten faces
+  std::array<std::size_t, 10> opposite_{};  // the faces opposite to them
 };
 
 }  // namespace impinge

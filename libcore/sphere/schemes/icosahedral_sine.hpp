@@ -72,15 +72,15 @@ struct SineIcosahedralWarp {
   // m. Starts at the least of two upper bounds: asin(x) >= x, and no angle is above w.
   static double scale(const Vec3& lambda) {
     constexpr double sine = 0.9320390859672263;  // sin w
-    constexpr int most_steps = 20;               // four or five are taken
+    constexpr double negligible = 1e-9;          // the error is about ten times the square of the last step
+    constexpr int most_steps = 20;               // three to five are taken
     double m = std::min(kAngle / lambda.sum(), sine / lambda.maxCoeff());
     for (int step = 0; step < most_steps; ++step) {
       const Vec3 x = m * lambda;
       const double excess = x.array().asin().sum() - kAngle;
       const double slope = (lambda.array() / (1.0 - x.array().square()).sqrt()).sum();
-      const double next = m - excess / slope;
-      if (!(next < m)) break;
-      m = next;
+      m -= excess / slope;
+      if (std::abs(excess) < negligible * slope) break;
     }
     return m;
   }
