@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Icosahedral grids: each of the twenty faces divided into n^2 triangles, one entry a corner.
+//
+// Node (i, j) of a diamond (see sphere/icosahedron.hpp) lies in the direction of w(n - i - j) A + w(i) P +
+// w(j) Q if i + j <= n, else w(i + j - n) F + w(n - i) Q + w(n - j) P, with the weights w of the warp. A
+// diamond owns i = 1..n, j = 0..n-1; with the poles these are all nodes, each once: 10 n^2 + 2 entries.
+// Lookup: find the face, then the triangle; three taps with barycentric weights.
+//
+// Precision is 72 / n degrees: 5 n entries stand round the equator.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sphere/circumradius.hpp"
+#include "sphere/cone_polygon.hpp"
+#include "sphere/equator_division.hpp"
+#include "sphere/icosahedron.hpp"
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+// Lower and upper ends of three barycentric coordinates.
+struct TriangleRange {
+  Vec3 low;
+  Vec3 high;
+};
+
+// A warp says what makes one icosahedral grid differ from another:
+//   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
+//   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
+//   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
+//   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
+//                      times n; radians
+// and that the widest cell is at most kWidest steps from the middle of the face.
+template <class Warp>
+class IcosahedralGrid {
+ public:
+  static constexpr std::string_view name = Warp::name;
+  static constexpr std::string_view label = Warp::label;
+  static constexpr std::string_view citation = Warp::citation;
+
+  class Walker;
+
+  IcosahedralGrid() : IcosahedralGrid(72) {}
+  static IcosahedralGrid with_precision(double degrees) {
+    return IcosahedralGrid(equator_division(degrees, 72.0, label));
+  }
+
+  std::size_t divisions() const { return n_; }  // n
+  std::size_t size() const { return 10 * n_ * n_ + 2; }
+  std::size_t cells() const { return 20 * n_ * n_; }
+  std::size_t equator_points() const { return 5 * n_; }
+  double precision_deg() const { return 72.0 / static_cast<double>(n_); }
+  double covering_radius() const { return covering_radius_; }
+  double stencil_radius() const { return Warp::kLongestWay / static_cast<double>(n_); }
+
+  Vec3 direction(std::size_t entry) const {
+    if (entry >= north()) return {0.0, 0.0, entry == north() ? 1.0 : -1.0};
+    const std::size_t row = entry / n_;
+    return node(row / n_, entry % n_ + 1, row % n_, [this](std::size_t k) { return Warp::weight(k, n_); });
+  }
+
+  Stencil stencil(const Vec3& x) const {
+    const Icosahedron& icosahedron = Icosahedron::instance();
+    const std::size_t f = icosahedron.face_of(x);
+    const Icosahedron::Face& face = icosahedron.face[f];
+    const Vec3 flat = Vec3(face.dual[0].dot(x), face.dual[1].dot(x), face.dual[2].dot(x)).cwiseMax(0.0);
+    const Vec3 fraction = Warp::fractions(flat / flat.sum());
+    const auto n = static_cast<double>(n_);
+    return triangle_stencil(f, fraction[1] * n, fraction[2] * n);
+  }
+
+  Walker walker() const { return Walker(*this); }
+
+  friend bool operator==(const IcosahedralGrid&, const IcosahedralGrid&) = default;
+
+ private:
+  explicit IcosahedralGrid(std::size_t n) : n_(n), covering_radius_(widest_near_middle()) {}
+
+  // Largest circumradius of the triangles round the middle of a face.
+  double widest_near_middle() const {
+    const auto weight = [this](std::size_t k) { return Warp::weight(k, n_); };
+    const auto at = [&](std::size_t i, std::size_t j) { return node(0, i, j, weight); };
+    const std::size_t middle = n_ / 3;
+    const std::size_t low = middle - std::min(middle, kWidest);
+    double widest = 0.0;
+    for (std::size_t i = low; i <= middle + kWidest; ++i) {
+      for (std::size_t j = low; j <= middle + kWidest; ++j) {
+        if (i + j + 1 <= n_) widest = std::max(widest, circumradius(at(i, j), at(i + 1, j), at(i, j + 1)));
+        if (i + j + 2 <= n_) {
+          widest = std::max(widest, circumradius(at(i + 1, j + 1), at(i + 1, j), at(i, j + 1)));
+        }
+      }
+    }
+    return widest;
+  }
+
+  std::size_t north() const { return 10 * n_ * n_; }
+
+  // Node (i, j) of a diamond, weight(k) that of a corner.
+  template <class Weight>
+  Vec3 node(std::size_t diamond, std::size_t i, std::size_t j, Weight&& weight) const {
+    const auto& faces = Icosahedron::instance().face;
+    if (i + j <= n_) return blend(faces[2 * diamond].corner, weight(n_ - i - j), weight(i), weight(j));
+    return blend(faces[2 * diamond + 1].corner, weight(i + j - n_), weight(n_ - i), weight(n_ - j));
+  }
+
+  static Vec3 blend(const std::array<Vec3, 3>& corner, double a, double b, double c) {
+    const Vec3 sum = a * corner[0] + b * corner[1] + c * corner[2];
+    return sum / std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z());
+  }
+
+  std::size_t owned(std::size_t diamond, std::size_t i, std::size_t j) const {
+    return (diamond * n_ + j) * n_ + i - 1;
+  }
+
+  // Entry at node (i, j) of a diamond, i and j from 0 to n: its own, or that of the diamond across the edge.
+  std::size_t entry_at(std::size_t diamond, std::size_t i, std::size_t j) const {
+    if (i != 0 && j != n_) return owned(diamond, i, j);
+    const std::size_t next = diamond % 5 == 4 ? diamond - 4 : diamond + 1;
+    if (diamond < 5) {
+      if (i == 0) return j == 0 ? north() : owned(next, j, 0);
+      return owned(diamond + 5, i, 0);
+    }
+    if (j == n_) return i == n_ ? north() + 1 : owned(next, n_, i);
+    return owned(next - 5, n_, j);
+  }
+
+  // p and q are the shares of the second and third corner of a face, times n.
+  Stencil triangle_stencil(std::size_t face, double p, double q) const {
+    const std::size_t i = std::min(static_cast<std::size_t>(p), n_ - 1);
+    const std::size_t j = std::min(static_cast<std::size_t>(q), n_ - 1 - i);
+    const double a = std::min(p - static_cast<double>(i), 1.0);
+    double b = std::min(q - static_cast<double>(j), 1.0);
+    const bool last = i + j + 1 == n_;  // there is no upside-down triangle beyond the edge
+    const bool upright = last || a + b <= 1.0;
+    if (last) b = std::min(b, 1.0 - a);
+    const bool even = face % 2 == 0;
+    const auto entry = [&](std::size_t k, std::size_t l) {
+      return even ? entry_at(face / 2, k, l) : entry_at(face / 2, n_ - k, n_ - l);
+    };
+    const std::size_t square =
+        even ? (face / 2 * n_ + j) * n_ + i : (face / 2 * n_ + n_ - 1 - j) * n_ + n_ - 1 - i;
+    const std::size_t cell = 2 * square + (upright == even ? 0U : 1U);
+    if (upright) {
+      return {{entry(i, j), entry(i + 1, j), entry(i, j + 1), 0},
+              {std::max((1.0 - a) - b, 0.0), a, b, 0.0},
+              3,
+              cell};
+    }
+    return {{entry(i + 1, j + 1), entry(i + 1, j), entry(i, j + 1), 0},
+            {a - (1.0 - b), 1.0 - b, 1.0 - a, 0.0},
+            3,
+            cell};
+  }
+
+  static constexpr std::size_t kWidest = 3;
+
+  std::size_t n_;
+  double covering_radius_;  // radians
+};
+
+// Holds the weights of the warp, so that a filler computes each once.
+template <class Warp>
+class IcosahedralGrid<Warp>::Walker {
+ public:
+  explicit Walker(const IcosahedralGrid& scheme) : scheme_(scheme), weight_(scheme.n_ + 1) {
+    for (std::size_t k = 0; k < weight_.size(); ++k) weight_[k] = Warp::weight(k, scheme.n_);
+  }
+
+  template <class Visit>
+  void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
+    const ConePolygon triangle(cone);
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& x : triangle.corners()) middle += x / 3.0;
+    double least = 1.0;
+    for (const Vec3& x : triangle.corners()) least = std::min(least, middle.dot(x) / middle.norm());
+    // A cap of less than 90 degrees about the middle holds the triangle if it holds the corners.
+    const double reach = std::acos(std::max(least, -1.0)) + margin + Icosahedron::kCornerAngle + kRounding;
+    const bool anywhere = !(least > 0.01) || reach >= kPi;
+    const double limit = anywhere ? 0.0 : std::cos(reach) * middle.norm();
+    for (std::size_t f = 0; f < 20; ++f) {
+      const Vec3& axis = Icosahedron::instance().face[f].axis;
+      if (anywhere || axis.dot(middle) >= limit * axis.norm()) visit_face(f, triangle, margin, visit);
+    }
+  }
+
+ private:
+  static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
+  static constexpr double kSlack = 1e-6;         // of a spacing
+  static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
+  static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its coordinates to be accurate
+
+  // First and last multiple of 1 / n in a range.
+  struct Lines {
+    std::size_t first;
+    std::size_t last;
+  };
+
+  Lines lines(double low, double high) const {
+    const auto n = static_cast<double>(scheme_.n_);
+    const double first = std::clamp(std::ceil(low * n - kSlack), 0.0, n);
+    const double last = std::clamp(std::floor(high * n + kSlack), 0.0, n);
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+  }
+
+  // How much a barycentric coordinate of a point of a face differs from that of a point within the margin:
+  // central projection to the plane of the face, cos(corner angle) from the centre, stretches by at most that
+  // over cos^2, and the height of the face is one.
+  static double spread(double margin) {
+    const double height = Icosahedron::kEdge * 0.8660254037844386;
+    const double farthest = std::cos(Icosahedron::kCornerAngle + margin);
+    return margin * std::cos(Icosahedron::kCornerAngle) / (farthest * farthest * height);
+  }
+
+  // Range of the barycentric coordinates of the points of a face within the margin of the triangle; false if
+  // there is none.
+  static bool near_range(const Icosahedron::Face& face, ConePolygon polygon, double margin,
+                         TriangleRange& range) {
+    range = {Vec3::Zero(), Vec3::Ones()};
+    if (margin > kLargestMargin) return true;
+    const double wider = spread(margin + kRounding);
+    for (const Vec3& dual : face.dual) {
+      polygon.clip(dual + wider * face.axis);
+      if (polygon.empty()) return false;
+    }
+    TriangleRange found{Vec3::Ones(), Vec3::Zero()};
+    for (const Vec3& x : polygon.corners()) {
+      const double depth = face.axis.dot(x);
+      if (!(depth > kLeastDepth)) return true;  // an edge of the triangle passes close to the centre
+      const Vec3 flat = Vec3(face.dual[0].dot(x), face.dual[1].dot(x), face.dual[2].dot(x)) / depth;
+      found.low = found.low.cwiseMin(flat);
+      found.high = found.high.cwiseMax(flat);
+    }
+    range.low = (found.low.array() - wider).max(0.0).min(1.0);
+    range.high = (found.high.array() + wider).max(0.0).min(1.0);
+    return true;
+  }
+
+  template <class Visit>
+  void visit_face(std::size_t f, const ConePolygon& triangle, double margin, Visit&& visit) const {
+    TriangleRange range;
+    if (!near_range(Icosahedron::instance().face[f], triangle, margin, range)) return;
+    Warp::widen(range);
+    const Lines a = lines(range.low[0], range.high[0]);
+    Lines p = lines(range.low[1], range.high[1]);
+    Lines q = lines(range.low[2], range.high[2]);
+    const std::size_t n = scheme_.n_;
+    if ((f == 0 || f == 11) && a.last == n) visit_pole(f == 0 ? 0U : 1U, visit);
+    for (std::size_t j = q.first; j <= q.last; ++j) {
+      const std::size_t first = std::max(p.first, n - j > a.last ? n - j - a.last : 0);
+      const std::size_t end = std::min(p.last + 1, n - j >= a.first ? n - j - a.first + 1 : 0);
+      if (first >= end) continue;
+      if (f % 2 == 0) {
+        if (j < n) visit_row(f / 2, j, std::max<std::size_t>(first, 1), end, visit);
+      } else if (j > 0 && first + j < n) {
+        visit_row(f / 2, n - j, n - std::min(end - 1, n - j - 1), n - first + 1, visit);
+      }
+    }
+  }
+
+  template <class Visit>
+  void visit_pole(std::size_t pole, Visit&& visit) const {
+    DirectionRun run;
+    run.first = scheme_.north() + pole;
+    run.count = 1;
+    run.x[0] = 0.0;
+    run.y[0] = 0.0;
+    run.z[0] = pole == 0 ? 1.0 : -1.0;
+    visit(static_cast<const DirectionRun&>(run));
+  }
+
+  // Nodes i = first..end - 1 of a row of a diamond.
+  template <class Visit>
+  void visit_row(std::size_t diamond, std::size_t j, std::size_t first, std::size_t end,
+                 Visit&& visit) const {
+    DirectionRun run;
+    for (std::size_t i = first; i < end; i += run.count) {
+      run.first = scheme_.owned(diamond, i, j);
+      run.count = std::min(end - i, DirectionRun::kMost);
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const Vec3 u = scheme_.node(diamond, i + k, j, [this](std::size_t l) { return weight_[l]; });
+        run.x[k] = u.x();
+        run.y[k] = u.y();
+        run.z[k] = u.z();
+      }
+      visit(static_cast<const DirectionRun&>(run));
+    }
+  }
+
+  IcosahedralGrid scheme_;
+  std::vector<double> weight_;
+};
+
+}  // namespace impinge

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The icosahedron with its corners on the unit sphere: the poles N and S, U_k at azimuth 72 k degrees and D_k
+// at 72 k + 36, z = +-1 / sqrt(5).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// Two faces make one of ten diamonds with corners A, P, F, Q: faces 2 d and 2 d + 1 are A P Q and F Q P of
+// diamond d. Diamond k = 0..4 is (N, U_k, D_k, U_k+1) and diamond 5 + k is (U_k+1, D_k, S, D_k+1).
+struct Icosahedron {
+  struct Face {
+    std::array<Vec3, 3> corner;
+    std::array<Vec3, 3> dual;  // dual[k] . corner[l] = 1 if k = l, else 0
+    Vec3 axis;                 // sum of the duals: along the middle of the face
+  };
+  std::array<Face, 20> face;
+
+  // Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
+  static constexpr double kTangent = 0.7639320225002103;
+  static constexpr double kCornerAngle = 0.6523581397843682;
+  static constexpr double kEdge = 1.0514622242382672;  // length of an edge, 1 / sin 72 degrees
+
+  static const Icosahedron& instance() {
+    static const Icosahedron all;
+    return all;
+  }
+
+  // Face whose middle is nearest to x, among ten and the ten opposite to them.
+  std::size_t face_of(const Vec3& x) const {
+    std::size_t nearest = 0;
+    double largest = -1.0;
+    bool behind = false;
+    for (std::size_t f = 0; f < 10; ++f) {
+      const double along = middle_[f].dot(x);
+      if (std::abs(along) > largest) {
+        largest = std::abs(along);
+        nearest = f;
+        behind = along < 0.0;
+      }
+    }
+    return behind ? opposite_[nearest] : nearest;
+  }
+
+ private:
+  Icosahedron() {
+    for (long k = 0; k < 5; ++k) {
+      set_diamond(static_cast<std::size_t>(k), Vec3::UnitZ(), ring(2 * k, 1.0), ring(2 * k + 1, -1.0),
+                  ring(2 * k + 2, 1.0));
+      set_diamond(static_cast<std::size_t>(k) + 5, ring(2 * k + 2, 1.0), ring(2 * k + 1, -1.0),
+                  -Vec3::UnitZ(), ring(2 * k + 3, -1.0));
+    }
+    for (std::size_t f = 0; f < 10; ++f) {
+      middle_[f] = face[f].axis;
+      for (std::size_t other = 10; other < 20; ++other) {
+        if (face[other].axis.dot(middle_[f]) < face[opposite_[f]].axis.dot(middle_[f])) opposite_[f] = other;
+      }
+    }
+  }
+
+  // Corner at azimuth 36 k degrees.
+  static Vec3 ring(long k, double side) {
+    const CosSin azimuth = half_turn_fraction(k, 5);
+    const double z = 1.0 / std::sqrt(5.0);
+    return {2.0 * z * azimuth.cos, 2.0 * z * azimuth.sin, side * z};
+  }
+
+  void set_diamond(std::size_t d, const Vec3& a, const Vec3& p, const Vec3& f, const Vec3& q) {
+    face[2 * d] = make_face(a, p, q);
+    face[2 * d + 1] = make_face(f, q, p);
+  }
+
+  static Face make_face(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double volume = a.cross(b).dot(c);
+    Face made{{a, b, c}, {b.cross(c) / volume, c.cross(a) / volume, a.cross(b) / volume}, Vec3::Zero()};
+    made.axis = made.dual[0] + made.dual[1] + made.dual[2];
+    return made;
+  }
+
+  std::array<Vec3, 10> middle_;             // axes of the first ten faces
+  std::array<std::size_t, 10> opposite_{};  // the faces opposite to them
+};
+
+}  // namespace impinge
