@@ -66,6 +66,24 @@ bool edge_is_seen(const RadialTable<S>& table, const Stencil& stencil, double ra
   return layer == Layer::nearest ? radius <= high * reach : radius * reach >= low;
 }
 
+// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
+// scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
+template <SamplingScheme S, class Visit>
+void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
+  if constexpr (requires { scheme.for_each_cell_across(at, visit); }) {
+    scheme.for_each_cell_across(at, visit);
+  } else {
+    visit(at);
+  }
+}
+
+template <SamplingScheme S>
+void mask_cell(const Stencil& stencil, double radius, double slope, Layer layer, RadialTable<S>& table) {
+  const bool full = std::none_of(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
+                                 [&](std::size_t i) { return std::isnan(table.radii()[i]); });
+  if (full && edge_is_seen(table, stencil, radius, slope, layer)) table.mark_rim_cell(stencil.cell);
+}
+
 // Marks every cell in which all entries have a radius but the surface ends or jumps between them. (A cell
 // with an empty entry needs no mark: the empty entry speaks for it.)
 template <SamplingScheme S>
@@ -79,11 +97,9 @@ void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
       const Vec3 aside = side * across.normalized();
       for_each_cell_along(table.scheme(), from + from.norm() * aside, to + to.norm() * aside,
                           [&](const Stencil& stencil, const Vec3& x) {
-                            const bool full =
-                                std::none_of(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
-                                             [&](std::size_t i) { return std::isnan(table.radii()[i]); });
-                            if (full && edge_is_seen(table, stencil, x.norm(), edge.slope, layer))
-                              table.mark_rim_cell(stencil.cell);
+                            for_each_cell_reading(table.scheme(), stencil, [&](const Stencil& reader) {
+                              mask_cell(reader, x.norm(), edge.slope, layer, table);
+                            });
                           });
     }
   }

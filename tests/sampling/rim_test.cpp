@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "sampling/error_bound.hpp"
 #include "sampling/exact_raster.hpp"
 #include "sampling/pairwise.hpp"
 #include "sphere/scheme_list.hpp"
@@ -83,12 +85,22 @@ TEST(Rim, AFoldIsAJump) {
   const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
   for (const Face& f : far.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
   mesh.vertices.insert(mesh.vertices.end(), far.vertices.begin(), far.vertices.end());
-  const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::nearest);
-  for (const Vec3& u : test::random_directions(20000, 30)) {
-    const double radius = table.radius_at(u);
-    if (std::isnan(radius)) continue;
-    EXPECT_TRUE(std::abs(radius - 20.0) < 0.5 || std::abs(radius - 26.0) < 0.5)
-        << radius << " mixes two layers";
+  for (const double turn : {0.0, 0.7}) {  // along the rows of a grid, and across them
+    for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(turn, Vec3(1, 2, 3).normalized()) * v;
+    const RayCaster oracle(mesh);
+    for_each_scheme([&]<class S>() {
+      const S scheme = S::with_precision(5.0);
+      const auto table = fill_exact(mesh, scheme, Layer::nearest);
+      const auto slopes = largest_slopes(mesh, scheme);
+      for (const Vec3& u : test::random_directions(20000, 30)) {
+        const double radius = table.radius_at(u);
+        if (std::isnan(radius)) continue;
+        ASSERT_TRUE(std::abs(radius - 20.0) < 0.5 || std::abs(radius - 26.0) < 0.5)
+            << S::name << ": " << radius << " mixes two layers";
+        ASSERT_NEAR(radius, oracle.cast(u, Layer::nearest), error_bound_at(table, slopes, u) + 1e-11)
+            << S::name;
+      }
+    });
   }
 }
 
