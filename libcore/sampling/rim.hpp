@@ -70,11 +70,8 @@ bool edge_is_seen(const RadialTable<S>& table, const Stencil& stencil, double ra
 // scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
 template <SamplingScheme S, class Visit>
 void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
-  if constexpr (requires { scheme.for_each_cell_across(at, visit); }) {
-    scheme.for_each_cell_across(at, visit);
-  } else {
-    visit(at);
-  }
+  visit(at);
+  if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
 }
 
 template <SamplingScheme S>

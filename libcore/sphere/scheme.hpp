@@ -54,6 +54,10 @@ struct RunVisitor {
 //   every entry
 //                        inside the cone or within `margin` radians of it, and perhaps some outside; each
 //                        once, with the very numbers of direction(i)
+// A scheme whose stencils read entries beyond the cell that holds the direction also has
+//   for_each_cell_across(stencil, visit)   calls visit(other) for the stencils of all cells that read across
+//   the cell of
+//                        `stencil`, so that a rim in it is kept out of theirs
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {

@@ -94,15 +94,18 @@ TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
     std::vector<Vec3> entries;
     for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
     double farthest = 0.0;
-    for (const Vec3& u : test::random_directions(20000, 9)) {
+    // With poles and axes, where the largest gap of a scheme may be.
+    std::vector<Vec3> directions = test::random_directions(20000, 9);
+    for (const Vec3& x : test::special_directions()) directions.push_back(x.normalized());
+    for (const Vec3& u : directions) {
       double nearest = kPi;
       for (const Vec3& e : entries) nearest = std::min(nearest, (u - e).squaredNorm());
       farthest = std::max(farthest, 2.0 * std::asin(std::sqrt(nearest) / 2.0));
     }
-    EXPECT_LE(farthest, scheme.covering_radius()) << S::name;
+    EXPECT_LE(farthest, scheme.covering_radius() * (1.0 + 1e-12)) << S::name;
     // The largest gap may be in one place only, which random directions miss by a few per cent.
     farthest = std::max(farthest, test::climbed_gap(scheme, 1.0, 5000, 9));
-    EXPECT_LE(farthest, scheme.covering_radius()) << S::name;
+    EXPECT_LE(farthest, scheme.covering_radius() * (1.0 + 1e-12)) << S::name;
     EXPECT_GE(farthest, 0.97 * scheme.covering_radius()) << S::name << ": the declared radius is too large";
   });
 }
