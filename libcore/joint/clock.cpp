@@ -37,6 +37,7 @@ std::optional<ClockFace> clock_face(const TriangleMesh& socket) {
   const Vec3 up = Vec3::UnitZ() - axis.z() * axis;
   if (up.norm() < kVertical) return std::nullopt;
   ClockFace face{up.normalized(), axis.cross(up).normalized()};
+  if (std::abs(face.three.y()) < kVertical) return std::nullopt;  // neither side is anterior
   if (face.three.y() < 0.0) face.three = -face.three;
   return face;
 }

@@ -21,7 +21,8 @@ struct ClockFace {
 };
 
 // The dial of a socket (joint frame, centre as origin). Its axis is the area-weighted mean direction of the
-// surface; none if the axis is vertical (no side of the dial is superior) or the mean vanishes.
+// surface; none if the axis is vertical (no side of the dial is superior), points straight forward or back
+// (none is anterior) or the mean vanishes.
 std::optional<ClockFace> clock_face(const TriangleMesh& socket);
 
 // A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
@@ -32,7 +33,7 @@ struct ClockZone {
 };
 
 // Stretches that hold some area, at a resolution of a quarter of an hour; gaps of one quarter are bridged.
-// hours and area have the same size. In clockwise order, the largest area first. A full turn is one zone from
+// hours and area have the same size. The largest area first. A full turn is one zone from
 // 0 to 0.
 std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<const double> area);
 

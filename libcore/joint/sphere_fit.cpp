@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMostSteps = 100;
 constexpr double kConverged = 1e-13;  // last step, as a share of the radius
+constexpr double kSettled = 1e-6;     // a last step above this has found nothing
 constexpr double kFlat = 1e-10;       // smallest over largest variance of points in a plane
 constexpr int kMostRefinements = 50;
 
@@ -146,7 +147,10 @@ SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weigh
   if (points.size() < 4) throw std::invalid_argument("a sphere is fitted to at least four points");
   const Weighted data{points, weight};
   SphereFit fit = algebraic_fit(data);
-  for (int k = 0; k < kMostSteps && improve(data, fit) > kConverged; ++k) {
+  double step = 1.0;
+  for (int k = 0; k < kMostSteps && step > kConverged; ++k) step = std::abs(improve(data, fit));
+  if (!(step < kSettled && fit.radius > 0.0)) {
+    throw std::invalid_argument("no sphere fits the points: they do not bend round a centre");
   }
   fit.rms = rms(data, fit);
   return fit;

@@ -19,7 +19,8 @@ struct SphereFit {
 // Geometric least squares (Eberly 1999, "Least squares fitting of data", as in Section 3.4): the centre and
 // radius that minimise sum w_i (|x_i - c| - r)^2, by Gauss-Newton from the algebraic fit. weight is empty
 // (all 1) or has one weight a point, none negative. std::invalid_argument for fewer than four points or
-// points in a plane.
+// points in a plane, or points that
+// no sphere fits best (the iteration does not settle).
 SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weight = {});
 
 // Options of fit_ball(); lengths as shares of the radius found.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 namespace impinge {
 namespace {
 
+constexpr std::size_t kMostInBucket = 1000;
 constexpr double kMeasuringPrecision = 0.5;  // degrees
 
 // Does the plane through the origin with the normal a x b (a sign of it) have every corner of `first` on or
@@ -71,11 +73,14 @@ std::vector<std::vector<std::uint32_t>> bucket_faces(const std::vector<TriangleC
   return buckets;
 }
 
-std::size_t count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
+// Pairs that overlap; none if some bucket holds so many faces that trying all of its pairs would take long,
+// as when the whole mesh fills a small part of the view.
+std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
   std::vector<Cap> caps;
   for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
   for (const auto& bucket : bucket_faces(cones)) {
+    if (bucket.size() > kMostInBucket) return std::nullopt;
     for (std::size_t i = 0; i < bucket.size(); ++i) {
       for (std::size_t k = i + 1; k < bucket.size(); ++k) {
         if (caps_meet(caps[bucket[i]], caps[bucket[k]])) near.emplace_back(bucket[i], bucket[k]);
@@ -159,10 +164,11 @@ StarShapeReport star_shape(const TriangleMesh& mesh) {
     report.solid_angle += solid_angle(a, b, c);
     cones.emplace_back(a, b, c);
   }
-  report.overlapping_pairs = count_overlapping_pairs(cones);
+  const auto overlapping = count_overlapping_pairs(cones);
+  report.overlapping_pairs = overlapping.value_or(0);
   measure_shares(cones, report);
   const bool one_side = report.edge_on == 0 && (report.front_facing == 0) != (report.back_facing == 0);
-  report.star_shaped = one_side && report.overlapping_pairs == 0;
+  report.star_shaped = one_side && overlapping == 0U;
   return report;
 }
 

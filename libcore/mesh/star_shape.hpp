@@ -14,10 +14,11 @@ struct StarShapeReport {
   // Proven: all faces lie on one side (n.v0 > 0, or all < 0 as in a socket) and no two faces overlap as seen
   // from the centre. Both are decided with exact signs.
   bool star_shaped = false;
-  std::size_t front_facing = 0;       // faces with n.v0 > 0, normals away from the centre
-  std::size_t back_facing = 0;        // n.v0 < 0
-  std::size_t edge_on = 0;            // n.v0 = 0: the plane of the face holds the centre
-  std::size_t overlapping_pairs = 0;  // pairs of faces with a common direction inside both
+  std::size_t front_facing = 0;  // faces with n.v0 > 0, normals away from the centre
+  std::size_t back_facing = 0;   // n.v0 < 0
+  std::size_t edge_on = 0;       // n.v0 = 0: the plane of the face holds the centre
+  std::size_t overlapping_pairs =
+      0;  // pairs of faces with a common direction inside both; 0 if not counted; 0 if not counted
   // Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for one beside
   // it.
   double solid_angle = 0.0;

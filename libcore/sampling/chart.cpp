@@ -12,18 +12,26 @@ ChartPoint chart_point(const Vec3& x) {
   return {theta, phi, x.norm()};
 }
 
-// The azimuth of `point` that is nearest to that of `reference`, over the seam if need be.
-ChartPoint unrolled(ChartPoint point, const ChartPoint& reference) {
-  point.theta = reference.theta + std::remainder(point.theta - reference.theta, 2.0 * kPi);
-  return point;
+// The chart point of b, unrolled so that the edge from a (chart point `from`) runs as on the sphere. Azimuth
+// grows along it exactly if the north pole lies to its left; near half a turn the rounded step alone does not
+// know.
+ChartPoint unrolled(const Vec3& a, const ChartPoint& from, const Vec3& b) {
+  ChartPoint to = chart_point(b);
+  double step = std::remainder(to.theta - from.theta, 2.0 * kPi);
+  if (std::abs(step) > 0.5 * kPi && step * orientation(a, b, Vec3::UnitZ()) < 0.0) {
+    step -= std::copysign(2.0 * kPi, step);
+  }
+  to.theta = from.theta + step;
+  return to;
 }
 
 bool on_axis(const Vec3& x) { return x.x() == 0.0 && x.y() == 0.0; }
 
 // The region (a b b0 a0) of Figure 34, a0 and b0 at the pole: the chart of the triangle (pole, a, b).
-void add_polar_region(const ChartPoint& a, const ChartPoint& far_end, const ChartPoint& pole,
+void add_polar_region(const Vec3& from, const Vec3& to, const ChartPoint& pole,
                       std::vector<ChartTriangle>& triangles) {
-  const ChartPoint b = unrolled(far_end, a);
+  const ChartPoint a = chart_point(from);
+  const ChartPoint b = unrolled(from, a, to);
   const ChartPoint a0{a.theta, pole.phi, pole.radius};
   const ChartPoint b0{b.theta, pole.phi, pole.radius};
   triangles.push_back({a, b, b0});
@@ -37,7 +45,7 @@ void add_polar_regions(const TriangleCone& cone, const Vec3& axis, std::vector<C
     const Vec3& a = cone.corners()[k];
     const Vec3& b = cone.corners()[(k + 1) % 3];
     if (on_axis(a) || on_axis(b) || orientation(a, b, axis) == 0) continue;
-    add_polar_region(chart_point(a), chart_point(b), pole, triangles);
+    add_polar_region(a, b, pole, triangles);
   }
 }
 
@@ -49,9 +57,10 @@ std::vector<ChartTriangle> chart_triangles(const TriangleCone& cone) {
   if (cone.contains(north)) add_polar_regions(cone, north, triangles);
   if (cone.contains(-north)) add_polar_regions(cone, -north, triangles);
   if (triangles.empty()) {
-    const ChartPoint a = chart_point(cone.corners()[0]);
-    const ChartPoint b = unrolled(chart_point(cone.corners()[1]), a);
-    triangles.push_back({a, b, unrolled(chart_point(cone.corners()[2]), b)});
+    const auto& [p, q, r] = cone.corners();
+    const ChartPoint a = chart_point(p);
+    const ChartPoint b = unrolled(p, a, q);
+    triangles.push_back({a, b, unrolled(q, b, r)});
   }
   return triangles;
 }

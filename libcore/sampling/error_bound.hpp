@@ -41,19 +41,23 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
 }
 
 // Bound on |table.radius_at(x) - radius of the mesh along x|, mm, for a table filled exactly and its
-// largest_slopes(). kNoSurface where the table has no surface.
+// largest_slopes(). kNoSurface where the table has no surface; infinite where the
+// bound is above the radius itself and says nothing.
 template <SamplingScheme S>
 double error_bound_at(const RadialTable<S>& table, const std::vector<float>& slopes, const Vec3& x) {
   const Stencil stencil = table.scheme().stencil(x);
   if (table.is_rim_cell(stencil.cell)) return kNoSurface;
   const double reach = table.scheme().stencil_radius();
   double bound = 0.0;
+  double radius = 0.0;
   for (std::size_t k = 0; k < stencil.taps; ++k) {
     const std::size_t i = stencil.entry[k];
-    if (stencil.weight[k] > 0.0)
-      bound += stencil.weight[k] * table.radii()[i] * std::expm1(slopes[i] * reach);
+    if (stencil.weight[k] == 0.0) continue;
+    const double share = stencil.weight[k] * table.radii()[i];
+    radius += share;
+    bound += share * std::expm1(slopes[i] * reach);
   }
-  return bound;
+  return bound > radius ? std::numeric_limits<double>::infinity() : bound;
 }
 
 }  // namespace impinge

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -53,15 +54,19 @@ void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visi
 
 // Can a point of a jump edge at this radius belong to the layer that the taps sample? A layer changes by at
 // most exp(slope * angle) within the stencil; an edge farther off is hidden behind it (or lies before it).
+// The slope is that of the faces at the edge: where the layer gets much steeper within one cell (a coarse
+// table over a fine, oblique mesh) an edge that is seen may be taken for hidden.
 template <SamplingScheme S>
 bool edge_is_seen(const RadialTable<S>& table, const Stencil& stencil, double radius, double slope,
                   Layer layer) {
   const double reach = std::exp(slope * table.scheme().stencil_radius());
-  double low = table.radii()[stencil.entry[0]];
-  double high = low;
-  for (std::size_t k = 1; k < stencil.taps; ++k) {
-    low = std::min(low, table.radii()[stencil.entry[k]]);
-    high = std::max(high, table.radii()[stencil.entry[k]]);
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (std::size_t k = 0; k < stencil.taps; ++k) {
+    const double tap = table.radii()[stencil.entry[k]];
+    if (std::isnan(tap)) continue;
+    low = std::min(low, tap);
+    high = std::max(high, tap);
   }
   return layer == Layer::nearest ? radius <= high * reach : radius * reach >= low;
 }
@@ -74,15 +79,17 @@ void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
 }
 
+// Marks the cell if at least two of its entries have a radius that may belong to the layer of the edge. (One
+// alone is not mixed with anything; an empty entry speaks for its cell, but not on the line between two
+// others.)
 template <SamplingScheme S>
 void mask_cell(const Stencil& stencil, double radius, double slope, Layer layer, RadialTable<S>& table) {
-  const bool full = std::none_of(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
-                                 [&](std::size_t i) { return std::isnan(table.radii()[i]); });
-  if (full && edge_is_seen(table, stencil, radius, slope, layer)) table.mark_rim_cell(stencil.cell);
+  const auto filled = std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
+                                    [&](std::size_t i) { return !std::isnan(table.radii()[i]); });
+  if (filled > 1 && edge_is_seen(table, stencil, radius, slope, layer)) table.mark_rim_cell(stencil.cell);
 }
 
-// Marks every cell in which all entries have a radius but the surface ends or jumps between them. (A cell
-// with an empty entry needs no mark: the empty entry speaks for it.)
+// Marks every cell in which the surface ends or jumps between the entries that it reads.
 template <SamplingScheme S>
 void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
   for (const JumpEdge& edge : jump_edges(mesh)) {

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "mesh/io.hpp"
 
@@ -29,13 +31,29 @@ JointPart examine(TriangleMesh mesh, const Vec3& centre) {
   return part;
 }
 
+// The output has fixed names; in the folder of the input it could replace it.
+void require_other_folder(const SceneOptions& options) {
+  for (const std::filesystem::path& input : {options.ball, options.socket}) {
+    for (const char* name : {"ball.ply", "socket.ply"}) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(input, options.out / name, ignored)) {
+        throw std::runtime_error(input.string() +
+                                 ": would be replaced by the output; choose another folder with --out");
+      }
+    }
+  }
+}
+
 void require_centre_inside(const Joint& joint, const SceneOptions& options) {
   const StarShapeReport& ball = joint.ball.star_shape;
   if (std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView) {
+    char share[16];
+    std::snprintf(share, sizeof share, "%.0f", 100.0 * ball.covered);
     throw std::runtime_error(
-        options.ball.string() + ": the centre " + text_of(joint.centre) +
-        " lies outside of the ball; give one inside with --centre X,Y,Z, or check that the files are "
-        "not swapped and are in mm");
+        options.ball.string() + ": fills only " + share + " % of the view from the centre " +
+        text_of(joint.centre) +
+        ", so the centre lies outside of the ball or the mesh is a small part of one; give a "
+        "centre inside with --centre X,Y,Z, or check that the files are not swapped and in mm");
   }
   if (joint.socket.star_shape.covered == 0.0) {
     throw std::runtime_error(options.socket.string() + ": no direction from the centre " +
@@ -46,7 +64,8 @@ void require_centre_inside(const Joint& joint, const SceneOptions& options) {
 
 void warn(const JointPart& part, const std::string& file, const std::string& policy, Joint& joint) {
   const MeshReport& report = part.validation;
-  if (report.degenerate_faces + report.duplicate_faces + report.flipped_faces + report.non_manifold_edges >
+  if (report.degenerate_faces + report.duplicate_faces + report.flipped_faces + report.non_manifold_edges +
+          report.unreferenced_vertices >
       0) {
     std::string found = describe(report);
     for (char& c : found) c = c == '\n' ? ' ' : c;
@@ -60,6 +79,7 @@ void warn(const JointPart& part, const std::string& file, const std::string& pol
 }  // namespace
 
 Joint load_joint(const SceneOptions& options) {
+  require_other_folder(options);
   TriangleMesh ball = read_mesh(options.ball);
   TriangleMesh socket = read_mesh(options.socket);
   Joint joint;

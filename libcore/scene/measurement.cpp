@@ -39,22 +39,27 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-template <SamplingScheme S>
-std::size_t bytes_needed(const S& scheme) {
-  return 2 * (RadialTable<S>::bytes(scheme) +
-              scheme.size() * sizeof(float));  // radii and slopes of both surfaces
-}
-
+// Radii and slopes of both surfaces; in floating point, since entries by the 10^18 are asked for at times.
 template <SamplingScheme S>
 void require_memory(const S& scheme) {
-  const std::size_t needed = bytes_needed(scheme);
-  const std::size_t free = available_memory();
+  const double needed = 2.0 * static_cast<double>(scheme.size()) * (sizeof(double) + sizeof(float));
+  const auto free = static_cast<double>(available_memory());
   if (needed <= free) return;
-  throw std::runtime_error(
-      format("tables of %zu entries at %g degrees would take %zu bytes (%.1f GiB) and %.1f GiB of memory "
-             "are free; choose a coarser precision",
-             scheme.size(), scheme.precision_deg(), needed, static_cast<double>(needed) / 0x1p30,
-             static_cast<double>(free) / 0x1p30));
+  throw std::runtime_error(format(
+      "tables of %zu entries at %g degrees would take %.0f bytes (%.1f GiB) and %.1f GiB of memory are "
+      "free; choose a coarser --precision or a larger --max-error",
+      scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
+}
+
+// A vertex of no face belongs to no surface: it has no gap.
+void forget_stray_vertices(const TriangleMesh& mesh, std::vector<double>& gap) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) used[v] = true;
+  }
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!used[i]) gap[i] = kNoSurface;
+  }
 }
 
 template <SamplingScheme S>
@@ -90,6 +95,8 @@ struct Scans {
     scan_ball(socket_table, ball.vertices, pose, result.ball.gap);
     scan_socket(ball_table, socket.vertices, pose, result.socket.gap);
     result.scan_ms = watch.lap_ms();
+    forget_stray_vertices(ball, result.ball.gap);
+    forget_stray_vertices(socket, result.socket.gap);
     result.ball.bound = bounds(socket_table, largest_slopes(socket, scheme), ball.vertices,
                                [&](const Vec3& v) { return to_socket(pose, v); });
     result.socket.bound = bounds(ball_table, largest_slopes(ball, scheme), socket.vertices,
@@ -134,7 +141,9 @@ Pose pose_of(const SceneOptions& options) {
 
 double largest_bound(const SurfaceGaps& gaps) {
   double largest = 0.0;
-  for (const double bound : gaps.bound) largest = std::max(largest, std::isnan(bound) ? 0.0 : bound);
+  for (std::size_t i = 0; i < gaps.gap.size(); ++i) {
+    if (!std::isnan(gaps.gap[i])) largest = std::max(largest, gaps.bound[i]);
+  }
   return largest;
 }
 

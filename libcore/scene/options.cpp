@@ -55,6 +55,8 @@ template <class Parse>
 auto for_option(std::string_view option, Parse&& parse) {
   try {
     return parse();
+  } catch (const OptionError&) {
+    throw;  // names its option already
   } catch (const std::invalid_argument& error) {
     throw OptionError("option " + std::string(option) + ": " + error.what());
   }

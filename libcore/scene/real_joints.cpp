@@ -57,6 +57,14 @@ std::optional<Vec3> described_centre(const fs::path& folder) {
   return Vec3(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
 }
 
+Vec3 fitted_centre(const TriangleMesh& ball, const fs::path& file) {
+  try {
+    return fit_ball(ball).centre;
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(file.string() + ": " + error.what() + "; give the centre in " + kSubject);
+  }
+}
+
 }  // namespace
 
 std::vector<RealJoint> read_real_joints(const fs::path& folder, Progress& progress) {
@@ -75,7 +83,7 @@ std::vector<RealJoint> read_real_joints(const fs::path& folder, Progress& progre
     }
     const TriangleMesh ball = read_mesh(*ball_file);
     const std::optional<Vec3> described = described_centre(subject);
-    const Vec3 centre = described ? *described : fit_ball(ball).centre;
+    const Vec3 centre = described ? *described : fitted_centre(ball, *ball_file);
     joints.push_back({subject.filename().string(),
                       {relative_to(ball, centre), relative_to(read_mesh(*socket_file), centre)}});
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include "detection/gap_summary.hpp"
@@ -127,16 +128,38 @@ json levels_json(Surface surface, double cartilage) {
 }
 
 // Work that this scene did not need, and why.
-json left_out(const SceneOptions& options, const Joint& joint) {
+json left_out(const Joint& joint) {
   json items = json::array();
-  if (options.motion.flexion == 0.0 && options.motion.abduction == 0.0 &&
-      options.motion.internal_rotation == 0.0) {
-    items.push_back("rotation of the ball: the pose is that of the scan");
-  }
   if (joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0) {
     items.push_back("faces whose plane holds the centre: they cover no direction");
   }
   return items;
+}
+
+// What the bounds of all vertices together prove: the smallest gap of any of them lies in the interval.
+// Vertices without a finite bound (steep faces) are counted and left out of it.
+json bounds_json(const View& ball, const View& socket) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = low;
+  double largest = 0.0;
+  std::size_t unbounded = 0;
+  for (const View* v : {&ball, &socket}) {
+    for (std::size_t i = 0; i < v->gaps.gap.size(); ++i) {
+      const double gap = v->gaps.gap[i];
+      const double bound = v->gaps.bound[i];
+      if (std::isnan(gap)) continue;
+      if (std::isinf(bound)) {
+        ++unbounded;
+        continue;
+      }
+      low = std::min(low, gap - bound);
+      high = std::min(high, gap + bound);
+      largest = std::max(largest, bound);
+    }
+  }
+  return {{"largest", largest},
+          {"vertices_without_bound", unbounded},
+          {"smallest_gap_between", json::array({number(low), number(high)})}};
 }
 
 std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
@@ -170,7 +193,7 @@ std::string format(const char* pattern, auto... values) {
 }
 
 std::string describe_zones(const json& zones) {
-  if (zones.is_null()) return "no clock: the axis of the socket is vertical";
+  if (zones.is_null()) return "no clock positions: the socket looks straight up, down, forward or back";
   std::string text;
   for (const json& zone : zones) {
     if (zone["from"] == zone["to"]) return "all round the clock";
@@ -213,13 +236,12 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
           {"smallest_gap", smaller(smallest_json(ball, joint.centre, dial, axes),
                                    smallest_json(socket, joint.centre, dial, axes))},
           {"impingement", thresholds},
-          {"error_bound_mm",
-           number(std::max(largest_bound(measurement.ball), largest_bound(measurement.socket)))},
+          {"error_bound_mm", bounds_json(ball, socket)},
           {"colours",
            {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
             {"socket", levels_json(Surface::socket, options.cartilage_mm)},
             {"no_gap_rgb", kNoGapColour}}},
-          {"left_out", left_out(options, joint)},
+          {"left_out", left_out(joint)},
           {"warnings", joint.warnings},
           {"times_ms",
            {{"fill_tables", measurement.fill_ms},
@@ -256,7 +278,8 @@ std::string describe_scene(const json& summary) {
                  smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
   if (!smallest["clock"].is_null()) text += ", " + smallest["clock"].get<std::string>() + " o'clock";
   if (!smallest["error_bound_mm"].is_null()) {
-    text += format(" (table error at most %.3f mm)", smallest["error_bound_mm"].get<double>());
+    text +=
+        format(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
   }
   for (const json& level : summary["impingement"]) {
     text += format("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());

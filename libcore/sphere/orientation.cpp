@@ -10,7 +10,7 @@
 namespace impinge {
 namespace {
 
-// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
+// Inside these a product of two or three lengths has neither lost digits to underflow nor overflowed.
 constexpr double kSmallest = 1e-280;
 constexpr double kLargest = 1e300;
 
@@ -74,8 +74,10 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
   // 1-norms are cheaper than lengths and no smaller. Out of range both sides of the comparison fail it.
   const double det = a.dot(b.cross(c));
-  const double doubt = kPlaneTestError * a.lpNorm<1>() * b.lpNorm<1>() * c.lpNorm<1>();
-  if (doubt > kSmallest && std::abs(det) > doubt && std::abs(det) < kLargest) return det > 0.0 ? 1 : -1;
+  const double product = b.lpNorm<1>() * c.lpNorm<1>();
+  const double doubt = kPlaneTestError * a.lpNorm<1>() * product;
+  if (product > kSmallest && doubt > kSmallest && std::abs(det) > doubt && std::abs(det) < kLargest)
+    return det > 0.0 ? 1 : -1;
   if (a == b || b == c || c == a) return 0;  // a shared corner, the commonest zero
   return exact_orientation(scaled(a), scaled(b), scaled(c));
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -22,7 +23,9 @@ class TriangleCone {
         side_(orientation(a, b, c)),
         normal_(side_ * (b - a).cross(c - a)),
         offset_(normal_.dot(a)),
-        largest_radius_(std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))) {
+        largest_radius_(std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
+        smallest_radius_(std::sqrt(std::min({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
+        grazing_(!(offset_ > kPlaneTestError * (b - a).norm() * (c - a).norm() * largest_radius_)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& from = corner_[k];
       const Vec3& to = corner_[(k + 1) % 3];
@@ -64,13 +67,17 @@ class TriangleCone {
   // Distance of the centre from the plane of the face, mm.
   double plane_distance() const { return offset_ / normal_.norm(); }
 
-  // r = n.v0 / (n.u) along a unit u that the cone contains (mm). Never above the farthest corner, which only
-  // matters where u grazes the face and n.u is rounding noise.
-  double radius(const Vec3& u) const { return offset_ / std::max(normal_.dot(u), offset_ / largest_radius_); }
+  // r = n.v0 / (n.u) along a unit u that the cone contains (mm); the nearest corner's for a grazing face.
+  // Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
+  double radius(const Vec3& u) const {
+    if (grazing_) return smallest_radius_;
+    return offset_ / std::max(normal_.dot(u), offset_ / largest_radius_);
+  }
 
   // Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below
   // a limit form a convex cone, so that the largest is at a corner. This is |grad r| / r on the unit sphere.
   double largest_slope() const {
+    if (grazing_) return std::numeric_limits<double>::infinity();
     double slope = 0.0;
     for (const Vec3& v : corner_) slope = std::max(slope, normal_.cross(v).norm() / normal_.dot(v));
     return slope;
@@ -79,9 +86,11 @@ class TriangleCone {
  private:
   std::array<Vec3, 3> corner_;
   int side_;
-  Vec3 normal_;  // turned so that offset_ > 0
+  Vec3 normal_;  // turned so that offset_ > 0 unless grazing_
   double offset_;
   double largest_radius_;
+  double smallest_radius_;
+  bool grazing_;  // so near to the centre's plane that no digit of offset_ is certain
   std::array<Vec3, 3> edge_plane_;
   std::array<double, 3> doubt_{};
 };

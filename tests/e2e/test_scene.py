@@ -142,6 +142,11 @@ class Scene(unittest.TestCase):
             self.refused(self.scene("far", "--centre", "0,0,0", socket=path), 1, path.name, "one frame")
             self.nothing_in("far")
 
+    def test_input_is_never_replaced(self):
+        done = run(SCENE, "--ball", self.ball, "--socket", self.socket, "--out", self.ball.parent)
+        self.refused(done, 1, "ball.ply", "--out")
+        self.assertEqual(sorted(path.name for path in self.ball.parent.iterdir()), ["ball.ply", "socket.ply"])
+
     def test_an_output_folder_that_cannot_be_written_is_refused(self):
         done = run(SCENE, "--ball", self.ball, "--socket", self.socket, "--out", self.ball)
         self.refused(done, 2, str(self.ball))

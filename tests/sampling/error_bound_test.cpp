@@ -22,6 +22,7 @@ constexpr double kRounding = 1e-11;  // mm, of the oracle and the table
 struct Tightness {
   double worst = 0.0;        // largest error, mm
   double worst_share = 0.0;  // largest error as a share of its bound
+  bool bounded = false;      // most bounds are finite: they say something
 };
 
 template <class S>
@@ -33,6 +34,7 @@ Tightness measure(const TriangleMesh& mesh, double precision, Layer layer) {
   auto directions = test::random_directions(5000, 40);
   for (const Vec3& u : test::feature_directions(mesh)) directions.push_back(u);
   Tightness found;
+  std::size_t finite = 0;
   for (const Vec3& u : directions) {
     const double radius = table.radius_at(u);
     const double bound = error_bound_at(table, slopes, u);
@@ -41,8 +43,10 @@ Tightness measure(const TriangleMesh& mesh, double precision, Layer layer) {
     const double error = std::abs(radius - oracle.cast(u, layer));
     EXPECT_LE(error, bound + kRounding) << S::name << " at " << u.transpose();
     found.worst = std::max(found.worst, error);
+    finite += std::isfinite(bound) ? 1U : 0U;
     if (bound > 0.0) found.worst_share = std::max(found.worst_share, error / bound);
   }
+  found.bounded = 2 * finite > directions.size();
   return found;
 }
 
@@ -55,6 +59,8 @@ TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
     for (const double precision : {10.0, 2.0, 0.5}) {
       for (const TriangleMesh& mesh : {pair.ball, tilted, cone(), sphere(22.0, 300, {12.0, 3.0, -9.0})}) {
         const Tightness found = measure<S>(mesh, precision, Layer::farthest);
+        EXPECT_TRUE(found.bounded || precision > 2.0) << S::name << " at " << precision;
+        if (!found.bounded) continue;
         EXPECT_GT(found.worst_share, 0.02) << S::name << " at " << precision << ": the bound says nothing";
       }
       measure<S>(pair.socket, precision, Layer::nearest);
