@@ -72,6 +72,21 @@ TEST(Rim, TheMaskIsNoWiderThanItMustBe) {
   });
 }
 
+// A notch between two rows of entries, open along the grid line theta = 0: on the line itself the entries
+// above and below it must not be joined either.
+TEST(Rim, ANotchOnAGridLineIsNotBridged) {
+  TriangleMesh mesh = sphere(22.0, 20000);
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    const auto [phi, theta] =
+        to_angles(corner(mesh, face, 0) + corner(mesh, face, 1) + corner(mesh, face, 2));
+    const double off = std::abs(std::remainder(theta, 2.0 * kPi));
+    return std::abs(phi - 45.0 * kDegree) < 3.0 * kDegree && off < 14.0 * kDegree;
+  });
+  const auto table = fill_exact(mesh, Rsid::with_precision(10.0), Layer::nearest);
+  EXPECT_TRUE(std::isnan(table.radius_at(to_direction({45.0 * kDegree, 0.0}))));
+  EXPECT_FALSE(std::isnan(table.radius_at(to_direction({65.0 * kDegree, 0.0}))));
+}
+
 TEST(Rim, AClosedBodyHasNone) {
   EXPECT_TRUE(jump_edges(sphere(22.0, 500)).empty());
   EXPECT_TRUE(jump_edges(make_ball_socket_pair(300).ball).empty());

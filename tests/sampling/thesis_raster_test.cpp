@@ -108,6 +108,20 @@ TEST(ThesisRaster, ChartOfAClosedBodyCoversTheGridOnce) {
   }
 }
 
+// Edges that pass the pole within rounding, on one side of it or the other.
+TEST(ThesisRaster, EdgesBesideThePoleAreUnrolledTheRightWay) {
+  const Rsid scheme = Rsid::with_precision(5.0);
+  for (int k = 1; k <= 100; ++k) {
+    TriangleMesh mesh = octahedron(20.0);
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(0.0617 * k, Vec3::UnitZ()) * Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitX()))
+            .toRotationMatrix();
+    for (Vec3& v : mesh.vertices) v = turn * v;
+    for (const double radius : fill_thesis(mesh, scheme, Layer::farthest).radii())
+      ASSERT_FALSE(std::isnan(radius)) << k;
+  }
+}
+
 TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {
   for (const std::size_t faces : {300U, 1000U, 3000U}) {
     for (const TriangleMesh& mesh :
