@@ -77,6 +77,7 @@ std::vector<std::vector<std::uint32_t>> bucket_faces(const std::vector<TriangleC
 // as when the whole mesh fills a small part of the view.
 std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
   std::vector<Cap> caps;
+  caps.reserve(cones.size());
   for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
   for (const auto& bucket : bucket_faces(cones)) {
