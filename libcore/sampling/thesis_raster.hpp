@@ -21,11 +21,11 @@
 //   an eighth of the curve's acceleration. A direction in between is drawn from the wrong one of two faces
 //   that agree on the edge:  E2 = r T e + r (exp(T_all e) - 1),  with T_all the largest T of the mesh and T,
 //   r taken to psi + e.
-//   Both grow fast for a face that takes in a large part of the azimuth next to a pole. There the corners
-//   tell more: along
-//     any path |d ln r / ds| <= T_all, no direction of the drawn triangle is farther than D = min(dphi + s
-//     dtheta, twice the distance to the pole) from a corner, and the drawn value is a mean of the corners'
-//     radii: E3 = r (exp(T_all D) - 1).
+//   Poles. Both grow fast for a face that takes in a large part of the azimuth next to a pole. There the
+//   corners tell more: along any path |d ln r / ds| <= T_all, no direction of the drawn triangle is farther
+//   than D = min(dphi + s dtheta, twice the distance to the pole) from a corner, and the drawn value is a
+//   mean of the corners' radii:
+//     E3 = r (exp(T_all D) - 1).
 // The bound is the largest min(E1 + E2, E3). It holds where the surface continues across each edge: over all
 // of a closed star-shaped body, and inside the rim of an open one.
 #pragma once

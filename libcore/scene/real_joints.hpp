@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real ball-and-socket joints that a user brings: a folder with one folder a subject. In each, in one frame
-// and in mm,
+// and in millimetres,
 //   ball, femoral_head or humeral_head                                      the ball
 //   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
 // as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
-//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z]; it is fitted to the
-//   ball otherwise
+//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z]; otherwise it is
+//                     fitted to the ball
 #pragma once
 
 #include <filesystem>

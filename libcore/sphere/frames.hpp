@@ -4,9 +4,8 @@
 // Glossary of the frames, ranges and units of the library. All frames are right-handed.
 //
 //   input frame    coordinates as they stand in the user's mesh files, millimetres
-//   centre frame   input frame moved so that the centre of rotation is the origin: x_centre = x_input -
-//   centre.
-//                  Every table, filler and scan works in it. The subtraction is done in double.
+//   centre frame   input frame moved so that the centre of rotation is the origin,
+//                  x_centre = x_input - centre, subtracted in double; tables and scans work in it
 //   socket frame   centre frame of the socket, which stays at rest
 //   ball frame     centre frame of the ball, which a pose moves: x_socket = R x_ball + t
 //   joint frame    anatomical axes of the patient about the centre: x to the patient's right, y anterior,

@@ -41,9 +41,8 @@ struct RunVisitor {
 };
 
 // A scheme is a regular value type of a few bytes.
-//   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument
-//   if
-//                        there is none, with one line that says why
+//   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
+//                        one line that says why, if there is none
 //   size(), cells()      number of entries and of cells
 //   direction(i)         unit vector of entry i
 //   stencil(x)           entries round the direction of x, x of any length above zero
@@ -51,12 +50,12 @@ struct RunVisitor {
 //   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
 //   equator_points()     entries on the equator, or those nearest to it that stand for it
 //   walker()             an object whose visit_near(cone, margin, visit) calls visit(run) for runs that hold
-//   every entry
-//                        inside the cone or within `margin` radians of it, and perhaps some outside; each
-//                        once, with the very numbers of direction(i)
+//                        every entry inside the cone or within `margin` radians of it, and perhaps some
+//                        outside; each once, with the very numbers of direction(i)
+//
 // A scheme whose stencils read entries beyond the cell that holds the direction also has
-//   for_each_cell_across(stencil, visit)   calls visit(other) for the stencils of all cells that read across
-//   the cell of
+//   for_each_cell_across(stencil, visit)
+//                        calls visit(other) for the stencils of all cells that read across the cell of
 //                        `stencil`, so that a rim in it is kept out of theirs
 template <class S>
 concept SamplingScheme = std::regular<S> &&
