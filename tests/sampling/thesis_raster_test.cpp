@@ -117,8 +117,8 @@ TEST(ThesisRaster, EdgesBesideThePoleAreUnrolledTheRightWay) {
         (Eigen::AngleAxisd(0.0617 * k, Vec3::UnitZ()) * Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitX()))
             .toRotationMatrix();
     for (Vec3& v : mesh.vertices) v = turn * v;
-    for (const double radius : fill_thesis(mesh, scheme, Layer::farthest).radii())
-      ASSERT_FALSE(std::isnan(radius)) << k;
+    const auto table = fill_thesis(mesh, scheme, Layer::farthest);
+    for (const double radius : table.radii()) ASSERT_FALSE(std::isnan(radius)) << k;
   }
 }
 
@@ -146,8 +146,8 @@ TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {
 TEST(ThesisRaster, DrawsTheSmoothSphereBehindTheFaces) {
   const TriangleMesh mesh = sphere(22.0, 1000);
   const Rsid scheme = Rsid::with_precision(1.0);
-  for (const double radius : fill_thesis(mesh, scheme, Layer::farthest).radii())
-    EXPECT_NEAR(radius, 22.0, 0.02);
+  const auto table = fill_thesis(mesh, scheme, Layer::farthest);
+  for (const double radius : table.radii()) EXPECT_NEAR(radius, 22.0, 0.02);
 }
 
 TEST(ThesisRaster, BoundFallsWithTheSquareOfTheFaceSize) {
