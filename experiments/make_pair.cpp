@@ -12,8 +12,11 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/io.hpp"
 
-int main(int argc, char** argv) {
-  using namespace impinge;
+namespace {
+
+using namespace impinge;
+
+int run(int argc, char** argv) {
   CLI::App app{"Writes ball.ply and socket.ply of the generated joint.", "make_pair"};
   std::size_t faces = 12000;
   std::filesystem::path out;
@@ -21,15 +24,23 @@ int main(int argc, char** argv) {
   app.add_option("--out", out, "folder for the two meshes")->required();
   try {
     app.parse(argc, argv);
-    require_writable_folder(out);
-    const BallSocketPair pair = make_ball_socket_pair(faces);
-    write_mesh(out / "ball.ply", pair.ball);
-    write_mesh(out / "socket.ply", pair.socket);
   } catch (const CLI::Success& help) {
     return app.exit(help);
+  }
+  require_writable_folder(out);
+  const BallSocketPair pair = make_ball_socket_pair(faces);
+  write_mesh(out / "ball.ply", pair.ball);
+  write_mesh(out / "socket.ply", pair.socket);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "make_pair: error: " << error.what() << std::endl;
     return 2;
   }
-  return 0;
 }
