@@ -20,6 +20,7 @@ import common  # noqa: E402
 import log_plot  # noqa: E402
 import ply  # noqa: E402
 import timing  # noqa: E402
+import verdict  # noqa: E402
 
 
 class Loading(unittest.TestCase):
@@ -97,6 +98,27 @@ class Counterparts(unittest.TestCase):
         for table in (timing.TABLE_3, timing.TABLE_4):
             columns = set(common.thesis(table.artefact).column)
             self.assertEqual(columns, set(common.counterparts(table.artefact)))
+
+
+class Verdict(unittest.TestCase):
+    """Printed digits decide."""
+
+    def test_rounds_to(self):
+        for measured, printed, good in (
+            (0.2715, "0.272", True),
+            (0.2714, "0.272", False),
+            (52441.0, "52441", True),
+            (-3.77, "-4", True),
+            (1.14896, "1.15", True),
+        ):
+            self.assertEqual(verdict.rounds_to(measured, printed), good, f"{measured} {printed}")
+
+    def test_printed_row(self):
+        value = next(common.thesis("table-5").itertuples())
+        good = verdict.printed_row(value, float(value.value) + 1e-5)
+        bad = verdict.printed_row(value, 2 * float(value.value), "because", "thesis-misprint")
+        self.assertEqual((good["verdict"], bad["verdict"], bad["note"]), ("reproduced", "thesis-misprint", "because"))
+        self.assertEqual((good["artefact"], good["row"], good["column"]), (value.artefact, value.row, value.column))
 
 
 class Ply(unittest.TestCase):

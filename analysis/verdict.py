@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a verdict is: one line of verdicts.csv, and the rules that several tables share."""
+
+from __future__ import annotations
+
+import common
+
+COLUMNS = ["artefact", "row", "column", "thesis", "measured", "unit", "rule", "tolerance", "verdict", "note"]
+
+
+def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, object]:
+    """One line of verdicts.csv; what is not given stays empty."""
+    return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, **rest}
+
+
+def rounds_to(measured: float, printed: str) -> bool:
+    """Whether the value has the printed digits when it is rounded to as many."""
+    decimals = len(printed.partition(".")[2])
+    return f"{measured:.{decimals}f}" == f"{float(printed):.{decimals}f}"
+
+
+def printed_row(value, measured: float, note: str = "", otherwise: str = "differs") -> dict[str, object]:
+    """A value that follows from a formula: reproduced when ours rounds to the digits printed, or else what
+    `otherwise` says; the note goes with it. value is a line of common.thesis().
+    """
+    good = rounds_to(measured, value.value)
+    return row(
+        value.artefact,
+        value.row,
+        value.column,
+        thesis=value.value,
+        measured=common.plain(measured, 10),
+        unit=value.unit,
+        rule="equal when rounded to the digits printed",
+        tolerance="half a unit of the last digit",
+        verdict="reproduced" if good else otherwise,
+        note=note,
+    )
+
+
+def input_row(value) -> dict[str, object]:
+    """A value that the thesis takes from elsewhere and we take from it."""
+    return row(
+        value.artefact,
+        value.row,
+        value.column,
+        thesis=value.value,
+        measured=value.value,
+        unit=value.unit,
+        rule="given, not computed",
+        verdict="input",
+    )
