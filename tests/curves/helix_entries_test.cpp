@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Entries at equal T (Eq. 10) and at equal arc length; the index that Eq. 10 gives for the latter.
+#include "curves/helix_entries.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "curves/helix_length.hpp"
+#include "sphere/direction.hpp"
+#include "sphere/schemes/usid.hpp"
+
+namespace impinge {
+namespace {
+
+// cos(phi_i) = 1 - 2 i / (w - 1), the entries of the scheme.
+TEST(HelixEntries, AtEqualTravelAreThoseOfUsid) {
+  for (const std::size_t turns : {2UL, 10UL, 229UL, 100000UL}) {
+    const HelixEntries entries = thesis_entries(turns);
+    const Usid usid = Usid::with_turns(turns);
+    ASSERT_EQ(entries.count, usid.size());
+    for (std::size_t i = 0; i < entries.count; i += 1 + entries.count / 1000) {
+      ASSERT_NEAR(polar_angle_of_equal_travel(entries, i), to_angles(usid.direction(i)).phi, 1e-14);
+    }
+    EXPECT_EQ(polar_angle_of_equal_travel(entries, 0), 0.0);
+    EXPECT_EQ(polar_angle_of_equal_travel(entries, entries.count - 1), kPi);
+  }
+}
+
+// Steps between entries, summed as a polygon of short chords, are all the same.
+TEST(HelixEntries, AtEqualArcAreEquallyFarApart) {
+  const HelixEntries entries = thesis_entries(12);
+  const double step = helix_total_length(12.0) / static_cast<double>(entries.count - 1);
+  for (std::size_t i = 0; i + 1 < entries.count; ++i) {
+    const double from = polar_angle_of_equal_arc(entries, i);
+    const double to = polar_angle_of_equal_arc(entries, i + 1);
+    double length = 0.0;
+    Vec3 before = to_direction({from, 24.0 * from});
+    for (int part = 1; part <= 2000; ++part) {
+      const double phi = from + (to - from) * part / 2000.0;
+      const Vec3 point = to_direction({phi, 24.0 * phi});
+      length += (point - before).norm();
+      before = point;
+    }
+    ASSERT_NEAR(length, step, 1e-6 * step);
+  }
+}
+
+// By definition: index of Eq. 10 at an entry that stands at place i, minus i.
+TEST(IndexMismatch, IsTheIndexOfEq10MinusTheEntry) {
+  const HelixEntries entries = thesis_entries(229);
+  const double dx = helix_total_length(229.0) / 52440.0;
+  for (const std::size_t i : {0UL, 1UL, 77UL, 1000UL, 26220UL, 50000UL, 52440UL}) {
+    const double phi = polar_angle_of_equal_arc(entries, i);
+    const double t = travelled_distance(229.0, phi);
+    EXPECT_NEAR(index_mismatch(entries, HelixSpacing::true_arc, phi), t / dx - static_cast<double>(i), 1e-8);
+    EXPECT_NEAR(index_mismatch(entries, HelixSpacing::travelled, phi),
+                t / (917.0 / 52440.0) - static_cast<double>(i), 1e-8);
+  }
+}
+
+// Against the largest over many places.
+TEST(IndexMismatch, LargestIsWhereItIsSaidToBe) {
+  for (const std::size_t turns : {2UL, 10UL, 229UL, 4584UL}) {
+    const HelixEntries entries = thesis_entries(turns);
+    for (const HelixSpacing spacing : {HelixSpacing::true_arc, HelixSpacing::travelled}) {
+      const Mismatch largest = largest_index_mismatch(entries, spacing);
+      EXPECT_DOUBLE_EQ(index_mismatch(entries, spacing, largest.phi), largest.index);
+      double found = 0.0;
+      for (int i = 0; i <= 20000; ++i) {
+        const double phi = 0.5 * kPi * (1.0 - std::cos(kPi * i / 20000.0));
+        found = std::max(found, std::abs(index_mismatch(entries, spacing, phi)));
+      }
+      EXPECT_LE(found, std::abs(largest.index) * (1.0 + 1e-9)) << turns;
+      EXPECT_GE(found, std::abs(largest.index) * (1.0 - 1e-5)) << turns;
+    }
+  }
+}
+
+// With the true spacing the index passes the table: at the end by (4 k + 1) / L(pi) - 1 of it, about k / 4.
+// The largest mismatch is a little before. With Eq. 10's own spacing both ends are met.
+TEST(IndexMismatch, GrowsWithTheTurns) {
+  const HelixEntries entries = thesis_entries(229);
+  const double end = 52440.0 * (917.0 / helix_total_length(229.0) - 1.0);
+  EXPECT_NEAR(index_mismatch(entries, HelixSpacing::true_arc, kPi), end, 1e-8);
+  EXPECT_NEAR(end, 56.25, 5e-3);
+  EXPECT_NEAR(largest_index_mismatch(entries, HelixSpacing::true_arc).index, 56.48, 5e-3);
+  EXPECT_NEAR(index_mismatch(entries, HelixSpacing::travelled, kPi), 0.0, 1e-8);
+  EXPECT_GT(largest_index_mismatch(thesis_entries(100000), HelixSpacing::true_arc).index, 24000.0);
+  const double fine = largest_index_mismatch(thesis_entries(100000), HelixSpacing::travelled).index;
+  EXPECT_TRUE(std::abs(fine) > 0.3 && std::abs(fine) < 1.0) << fine;
+}
+
+TEST(HelixEntries, RefusesWhatIsNone) {
+  EXPECT_THROW(polar_angle_of_equal_arc(thesis_entries(1), 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_travel(thesis_entries(0), 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_arc({10.0, 0}, 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_arc({10.0, 1}, 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_travel({10.0, 100}, 100), std::invalid_argument);
+  EXPECT_THROW(largest_index_mismatch({1.5, 100}, HelixSpacing::travelled), std::invalid_argument);
+  const HelixEntries huge = thesis_entries(100000);
+  const double phi = polar_angle_of_equal_arc(huge, huge.count / 3);
+  EXPECT_NEAR(helix_length(1e5, phi) / helix_total_length(1e5) * static_cast<double>(huge.count - 1),
+              static_cast<double>(huge.count / 3), 1e-3);
+}
+
+}  // namespace
+}  // namespace impinge
