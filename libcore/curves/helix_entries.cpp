@@ -10,6 +10,8 @@
 namespace impinge {
 namespace {
 
+constexpr double kSame = 1e-6;  // relative; rounding of two mismatches of one size
+
 double last(const HelixEntries& entries) {
   if (entries.count < 2) throw std::invalid_argument("a helix has at least 2 entries, one on each pole");
   return static_cast<double>(entries.count - 1);
@@ -54,7 +56,7 @@ Mismatch largest_index_mismatch(const HelixEntries& entries, HelixSpacing spacin
   Mismatch largest;
   for (const double phi : {stationary, kPi - stationary, kPi}) {
     const double index = index_mismatch(entries, spacing, phi);
-    if (std::abs(index) > std::abs(largest.index) * (1.0 + 1e-9)) largest = {phi, index};
+    if (std::abs(index) > std::abs(largest.index) * (1.0 + kSame)) largest = {phi, index};
   }
   return largest;
 }

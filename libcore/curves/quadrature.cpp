@@ -24,7 +24,10 @@ double integrate(const std::function<double(double)>& function, double low, doub
   GslCallback call(function);
   double value = 0.0;
   double error = 0.0;
-  const int status = gsl_integration_qag(call.get(), low, high, 0.0, kRelative, kMostIntervals,
+  double size = 0.0;  // of |function|, so that an integral that vanishes has a tolerance too
+  double deviation = 0.0;
+  gsl_integration_qk61(call.get(), low, high, &value, &error, &size, &deviation);
+  const int status = gsl_integration_qag(call.get(), low, high, kRelative * size, kRelative, kMostIntervals,
                                          GSL_INTEG_GAUSS61, space.get(), &value, &error);
   call.require(status, "integral");
   return value;

@@ -88,6 +88,8 @@ TEST(IndexMismatch, GrowsWithTheTurns) {
   EXPECT_NEAR(end, 56.25, 5e-3);
   EXPECT_NEAR(largest_index_mismatch(entries, HelixSpacing::true_arc).index, 56.48, 5e-3);
   EXPECT_NEAR(index_mismatch(entries, HelixSpacing::travelled, kPi), 0.0, 1e-8);
+  EXPECT_LT(largest_index_mismatch(thesis_entries(4584), HelixSpacing::travelled).index, 0.0)
+      << "north first";
   EXPECT_GT(largest_index_mismatch(thesis_entries(100000), HelixSpacing::true_arc).index, 24000.0);
   const double fine = largest_index_mismatch(thesis_entries(100000), HelixSpacing::travelled).index;
   EXPECT_TRUE(std::abs(fine) > 0.3 && std::abs(fine) < 1.0) << fine;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curves/conchoid_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "curves/nearest_point.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kRim = 0.5 * kPi;
+
+Vec3 surface_point(const ConchoidShape& shape, double phi, double theta) {
+  return conchoid_radius(shape, phi) * to_direction({phi, theta});
+}
+
+// Points in one place share what the first of them was given.
+void share(std::span<const Vec3> points, std::vector<double>& areas) {
+  std::map<std::tuple<double, double, double>, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    places[{points[i].x(), points[i].y(), points[i].z()}].push_back(i);
+  }
+  for (const auto& [place, group] : places) {
+    double sum = 0.0;
+    for (const std::size_t i : group) sum += areas[i];
+    for (const std::size_t i : group) areas[i] = sum / static_cast<double>(group.size());
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3> conchoid_rings(const ConchoidShape& shape, std::span<const double> angles,
+                                 std::size_t per_ring) {
+  std::vector<Vec3> points;
+  points.reserve(angles.size() * per_ring);
+  for (const double phi : angles) {
+    for (std::size_t i = 0; i < per_ring; ++i) {
+      const double theta = 2.0 * kPi * static_cast<double>(i) / static_cast<double>(per_ring);
+      points.push_back(surface_point(shape, phi, theta));
+    }
+  }
+  return points;
+}
+
+std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count) {
+  if (count == 0) throw std::invalid_argument("a spiral on a conchoid has at least one point");
+  const double each = cap_area(shape, kRim) / static_cast<double>(count);
+  std::vector<Vec3> points;
+  points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double phi = polar_angle_at_cap_area(shape, (static_cast<double>(i) + 0.5) * each);
+    points.push_back(surface_point(shape, phi, 2.0 * kPi * meridian_length(shape, phi) / std::sqrt(each)));
+  }
+  return points;
+}
+
+// The pieces: rings equally far apart along the meridian, each cut into pieces about as long as it is wide.
+std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Vec3> points,
+                                  std::size_t pieces_per_point) {
+  if (points.empty() || pieces_per_point == 0) {
+    throw std::invalid_argument("areas need at least one point on the conchoid and one piece a point");
+  }
+  const double mean = cap_area(shape, kRim) / static_cast<double>(points.size());
+  const NearestPoint nearest(points, std::sqrt(mean));
+  const double length = meridian_length(shape, kRim);
+  const double rows = std::ceil(length / std::sqrt(mean / static_cast<double>(pieces_per_point)));
+  std::vector<double> areas(points.size(), 0.0);
+  double above = 0.0;
+  for (double row = 1.0; row <= rows; row += 1.0) {
+    const double below =
+        cap_area(shape, std::min(polar_angle_at_meridian_length(shape, length * row / rows), kRim));
+    const double phi = polar_angle_at_cap_area(shape, 0.5 * (above + below));
+    const double around = 2.0 * kPi * conchoid_radius(shape, phi) * std::sin(phi);
+    const double pieces = std::max(std::round(around * rows / length), 1.0);
+    for (double piece = 0.5; piece < pieces; piece += 1.0) {
+      areas[nearest(surface_point(shape, phi, 2.0 * kPi * piece / pieces))] += (below - above) / pieces;
+    }
+    above = below;
+  }
+  share(points, areas);
+  return areas;
+}
+
+}  // namespace impinge

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sample points on the surface that a conchoid sweeps about its axis, from the apex to its rim at phi = 90
+// degrees, and how much of the surface each one stands for. Points in the conchoid frame, mm.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "curves/conchoid.hpp"
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// A ring of per_ring points at each of these polar angles (radians), from azimuth 0 on: what rays at equal
+// theta sample. A ring at the apex has all of its points there, as a latitude grid has.
+std::vector<Vec3> conchoid_rings(const ConchoidShape& shape, std::span<const double> angles,
+                                 std::size_t per_ring);
+
+// The equal-area spiral: count >= 1 points, each for the same area of the cap, A(phi_i) = (i + 1/2) A /
+// count, on turns that are as far apart along the meridian, h = sqrt(A / count), as points are along a turn:
+// theta_i = 2 pi s(phi_i) / h, with s the length of the meridian.
+std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count);
+
+// Area of the cap that is nearer to each point than to any other (mm^2, Euclidean), by counting equal small
+// pieces, about pieces_per_point >= 1 a point. Points in one place share it. The areas sum to the cap's.
+// std::invalid_argument without a point.
+std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Vec3> points,
+                                  std::size_t pieces_per_point);
+
+}  // namespace impinge
