@@ -37,8 +37,11 @@ TimedCase make_case(std::string_view method, const Fill& fill, const BallSocketP
   timed.key = {method, precision, kTriangles};
   timed.rounds = precision < 0.1 ? 5 : 15;
   timed.run = [fill, &pair, scheme] {
-    benchmark::DoNotOptimize(fill(pair.ball, scheme, Layer::farthest).radii().data());
-    benchmark::DoNotOptimize(fill(pair.socket, scheme, Layer::nearest).radii().data());
+    for (const auto& [mesh, layer] :
+         {std::pair{&pair.ball, Layer::farthest}, {&pair.socket, Layer::nearest}}) {
+      const RadialTable<Rsid> table = fill(*mesh, scheme, layer);
+      benchmark::DoNotOptimize(table.radii().data());
+    }
   };
   timed.verify = [fill, &pair, scheme, exact = method == "rsid"] {
     for (const auto& [mesh, layer] :

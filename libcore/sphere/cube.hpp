@@ -5,7 +5,8 @@
 // a_j on the other two in the order x, y, z, where a_k = warp(-1 + 2 k / n). Lookup is bilinear in the
 // unwarped coordinate. Grid lines are great circles whatever the warp. Entries on the edges of the cube are
 // repeated on each of its faces, bit for bit, so that no lookup crosses a seam: 6 (n + 1)^2 entries of which
-// 6 n^2 + 2 differ.
+// 6 n^2 + 2 differ. The cells are rectangles in (a, b), whatever the warp, so that plane_stencil() is
+// bilinear in it.
 //
 // Precision is 90 / n degrees: 4 n entries stand round the equator.
 #pragma once
@@ -35,6 +36,7 @@ class CubeMap {
   static constexpr std::string_view name = Warp::name;
   static constexpr std::string_view label = Warp::label;
   static constexpr std::string_view citation = Warp::citation;
+  static constexpr bool kFlatCells = true;
 
   class Walker;
 
@@ -53,17 +55,12 @@ class CubeMap {
   }
 
   Stencil stencil(const Vec3& x) const {
-    const std::size_t face = face_of(x);
-    const Axes& axes = kAxes[face / 2];
-    const double depth = std::abs(x[axes.depth]);
-    const auto [i, a] = place(x[axes.a] / depth);
-    const auto [j, b] = place(x[axes.b] / depth);
-    const std::size_t low = (face * (n_ + 1) + j) * (n_ + 1) + i;
-    const std::size_t high = low + n_ + 1;
-    return {{low, low + 1, high, high + 1},
-            {(1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b},
-            4,
-            (face * n_ + j) * n_ + i};
+    return bilinear(x, [this](double a) { return place(a); });
+  }
+
+  double depth(const Vec3& x) const { return x.cwiseAbs().maxCoeff(); }
+  Stencil plane_stencil(const Vec3& x) const {
+    return bilinear(x, [this](double a) { return flat_place(a); });
   }
 
   double covering_radius() const;
@@ -101,6 +98,28 @@ class CubeMap {
     const double position = std::max(grid_position(a), 0.0);
     const std::size_t line = std::min(static_cast<std::size_t>(position), n_ - 1);
     return {line, std::min(position - static_cast<double>(line), 1.0)};
+  }
+
+  // The same line, with the share of the flat cell.
+  Place flat_place(double a) const {
+    const std::size_t line = place(a).line;
+    const double from = node(line);
+    return {line, std::clamp((a - from) / (node(line + 1) - from), 0.0, 1.0)};
+  }
+
+  template <class PlaceOf>
+  Stencil bilinear(const Vec3& x, PlaceOf&& place_of) const {
+    const std::size_t face = face_of(x);
+    const Axes& axes = kAxes[face / 2];
+    const double depth = std::abs(x[axes.depth]);
+    const auto [i, a] = place_of(x[axes.a] / depth);
+    const auto [j, b] = place_of(x[axes.b] / depth);
+    const std::size_t low = (face * (n_ + 1) + j) * (n_ + 1) + i;
+    const std::size_t high = low + n_ + 1;
+    return {{low, low + 1, high, high + 1},
+            {(1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b},
+            4,
+            (face * n_ + j) * n_ + i};
   }
 
   // Whole numbers make the grid symmetric bit for bit.

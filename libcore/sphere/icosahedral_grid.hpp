@@ -4,7 +4,8 @@
 // Node (i, j) of a diamond (see sphere/icosahedron.hpp) lies in the direction of w(n - i - j) A + w(i) P +
 // w(j) Q if i + j <= n, else w(i + j - n) F + w(n - i) Q + w(n - j) P, with the weights w of the warp. A
 // diamond owns i = 1..n, j = 0..n-1; with the poles these are all nodes, each once: 10 n^2 + 2 entries.
-// Lookup: find the face, then the triangle; three taps with barycentric weights.
+// Lookup: find the face, then the triangle; three taps with barycentric weights, in the fractions for
+// stencil() and on the flat face for plane_stencil().
 //
 // Precision is 72 / n degrees: 5 n entries stand round the equator.
 #pragma once
@@ -36,6 +37,7 @@ struct TriangleRange {
 //   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
 //   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
 //   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
+//   kFlatCells         whether the fractions are lambda itself
 //   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
 //                      times n; radians
 // and that the widest cell is at most kWidest steps from the middle of the face.
@@ -45,6 +47,8 @@ class IcosahedralGrid {
   static constexpr std::string_view name = Warp::name;
   static constexpr std::string_view label = Warp::label;
   static constexpr std::string_view citation = Warp::citation;
+
+  static constexpr bool kFlatCells = Warp::kFlatCells;
 
   class Walker;
 
@@ -68,13 +72,19 @@ class IcosahedralGrid {
   }
 
   Stencil stencil(const Vec3& x) const {
+    const std::size_t face = Icosahedron::instance().face_of(x);
+    return to_stencil(face, triangle_at(flat_place(face, x)));
+  }
+
+  double depth(const Vec3& x) const {
     const Icosahedron& icosahedron = Icosahedron::instance();
-    const std::size_t f = icosahedron.face_of(x);
-    const Icosahedron::Face& face = icosahedron.face[f];
-    const Vec3 flat = Vec3(face.dual[0].dot(x), face.dual[1].dot(x), face.dual[2].dot(x)).cwiseMax(0.0);
-    const Vec3 fraction = Warp::fractions(flat / flat.sum());
-    const auto n = static_cast<double>(n_);
-    return triangle_stencil(f, fraction[1] * n, fraction[2] * n);
+    return icosahedron.face[icosahedron.face_of(x)].axis.dot(x);
+  }
+  Stencil plane_stencil(const Vec3& x) const {
+    if constexpr (kFlatCells) return stencil(x);
+    const std::size_t face = Icosahedron::instance().face_of(x);
+    const Vec3 flat = flat_place(face, x);
+    return to_stencil(face, flat_triangle_at(flat));
   }
 
   Walker walker() const { return Walker(*this); }
@@ -133,35 +143,103 @@ class IcosahedralGrid {
     return owned(next - 5, n_, j);
   }
 
-  // p and q are the shares of the second and third corner of a face, times n.
-  Stencil triangle_stencil(std::size_t face, double p, double q) const {
-    const std::size_t i = std::min(static_cast<std::size_t>(p), n_ - 1);
-    const std::size_t j = std::min(static_cast<std::size_t>(q), n_ - 1 - i);
-    const double a = std::min(p - static_cast<double>(i), 1.0);
-    double b = std::min(q - static_cast<double>(j), 1.0);
-    const bool last = i + j + 1 == n_;  // there is no upside-down triangle beyond the edge
-    const bool upright = last || a + b <= 1.0;
-    if (last) b = std::min(b, 1.0 - a);
-    const bool even = face % 2 == 0;
-    const auto entry = [&](std::size_t k, std::size_t l) {
-      return even ? entry_at(face / 2, k, l) : entry_at(face / 2, n_ - k, n_ - l);
-    };
-    const std::size_t square =
-        even ? (face / 2 * n_ + j) * n_ + i : (face / 2 * n_ + n_ - 1 - j) * n_ + n_ - 1 - i;
-    const std::size_t cell = 2 * square + (upright == even ? 0U : 1U);
-    if (upright) {
-      return {{entry(i, j), entry(i + 1, j), entry(i, j + 1), 0},
-              {std::max((1.0 - a) - b, 0.0), a, b, 0.0},
-              3,
-              cell};
+  // A triangle of a face: the upright one with the nodes (i, j), (i + 1, j), (i, j + 1), where the face has
+  // its corners at (0, 0), (n, 0), (0, n), or the one upside down beside it, (i + 1, j + 1) in place of
+  // (i, j). Weights are those of the nodes in this order.
+  struct Triangle {
+    std::size_t i;
+    std::size_t j;
+    bool upright;
+    std::array<double, 3> weight;
+
+    using Node = std::array<std::size_t, 2>;
+    std::array<Node, 3> nodes() const {
+      return {upright ? Node{i, j} : Node{i + 1, j + 1}, Node{i + 1, j}, Node{i, j + 1}};
     }
-    return {{entry(i + 1, j + 1), entry(i + 1, j), entry(i, j + 1), 0},
-            {a - (1.0 - b), 1.0 - b, 1.0 - a, 0.0},
-            3,
-            cell};
+  };
+
+  // Barycentric coordinates on the flat face.
+  static Vec3 flat_place(std::size_t f, const Vec3& x) {
+    const Icosahedron::Face& face = Icosahedron::instance().face[f];
+    const Vec3 flat = Vec3(face.dual[0].dot(x), face.dual[1].dot(x), face.dual[2].dot(x)).cwiseMax(0.0);
+    return flat / flat.sum();
+  }
+
+  // The triangle that holds a place, with the weights of the fractions.
+  Triangle triangle_at(const Vec3& flat) const {
+    const Vec3 place = Warp::fractions(flat) * static_cast<double>(n_);
+    const std::size_t i = std::min(static_cast<std::size_t>(place[1]), n_ - 1);
+    const std::size_t j = std::min(static_cast<std::size_t>(place[2]), n_ - 1 - i);
+    const double a = std::min(place[1] - static_cast<double>(i), 1.0);
+    double b = std::min(place[2] - static_cast<double>(j), 1.0);
+    const bool last = i + j + 1 == n_;  // there is no upside-down triangle beyond the edge
+    if (last) b = std::min(b, 1.0 - a);
+    if (last || a + b <= 1.0) return {i, j, true, {std::max((1.0 - a) - b, 0.0), a, b}};
+    return {i, j, false, {a - (1.0 - b), 1.0 - b, 1.0 - a}};
+  }
+
+  // The triangle that holds a place on the flat face, with the weights there. It is that of the fractions,
+  // or beside their border, which is curved on the flat face, a neighbour.
+  Triangle flat_triangle_at(const Vec3& flat) const {
+    Triangle triangle = triangle_at(flat);
+    for (std::size_t step = 0;; ++step) {
+      triangle.weight = flat_weights(triangle, flat);
+      const auto least =
+          static_cast<std::size_t>(std::ranges::min_element(triangle.weight) - triangle.weight.begin());
+      if (triangle.weight[least] >= 0.0 || step == kMostSteps || !cross_edge(least, triangle)) break;
+    }
+    double sum = 0.0;
+    for (double& w : triangle.weight) sum += w = std::max(w, 0.0);  // negative by rounding alone
+    for (double& w : triangle.weight) w /= sum;
+    return triangle;
+  }
+
+  // The triangle across the edge that a node is opposite to; false if it is on another face.
+  bool cross_edge(std::size_t opposite, Triangle& triangle) const {
+    Triangle next = triangle;
+    next.upright = !triangle.upright;
+    if (opposite == 1) triangle.upright ? --next.i : ++next.j;
+    if (opposite == 2) triangle.upright ? --next.j : ++next.i;
+    if (std::max(next.i, next.j) >= n_ || next.i + next.j + (next.upright ? 1 : 2) > n_) return false;
+    triangle = next;
+    return true;
+  }
+
+  // Weights of the nodes on the flat face, in whose plane the second and third coordinate are enough;
+  // negative for a place outside.
+  std::array<double, 3> flat_weights(const Triangle& triangle, const Vec3& flat) const {
+    const auto on_face = [this](const typename Triangle::Node& node) -> Eigen::Vector2d {
+      const double first = Warp::weight(n_ - node[0] - node[1], n_);
+      const Eigen::Vector2d rest(Warp::weight(node[0], n_), Warp::weight(node[1], n_));
+      return rest / (first + rest.sum());
+    };
+    const auto [p, q, r] = triangle.nodes();
+    const Eigen::Vector2d from = on_face(p);
+    const Eigen::Vector2d u = on_face(q) - from;
+    const Eigen::Vector2d v = on_face(r) - from;
+    const Eigen::Vector2d x = flat.tail<2>() - from;
+    const double area = u.x() * v.y() - u.y() * v.x();
+    const double b = (x.x() * v.y() - x.y() * v.x()) / area;
+    const double c = (u.x() * x.y() - u.y() * x.x()) / area;
+    return {(1.0 - b) - c, b, c};
+  }
+
+  Stencil to_stencil(std::size_t face, const Triangle& triangle) const {
+    const bool even = face % 2 == 0;
+    const auto& weight = triangle.weight;
+    Stencil stencil{{}, {weight[0], weight[1], weight[2], 0.0}, 3, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [i, j] = triangle.nodes()[k];
+      stencil.entry[k] = even ? entry_at(face / 2, i, j) : entry_at(face / 2, n_ - i, n_ - j);
+    }
+    const std::size_t column = even ? triangle.i : n_ - 1 - triangle.i;
+    const std::size_t row = even ? triangle.j : n_ - 1 - triangle.j;
+    stencil.cell = 2 * ((face / 2 * n_ + row) * n_ + column) + (triangle.upright == even ? 0U : 1U);
+    return stencil;
   }
 
   static constexpr std::size_t kWidest = 3;
+  static constexpr std::size_t kMostSteps = 4;  // to a neighbour: one is enough but for rounding
 
   std::size_t n_;
   double covering_radius_;  // radians

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "sphere/cell_mask.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {
@@ -22,11 +22,13 @@ template <SamplingScheme S>
 class RadialTable {
  public:
   // A table without any surface. std::bad_alloc where it does not fit in memory; see bytes().
-  explicit RadialTable(const S& scheme) : scheme_(scheme), radii_(scheme.size(), kNoSurface) {}
+  explicit RadialTable(const S& scheme)
+      : scheme_(scheme), radii_(scheme.size(), kNoSurface), rim_(scheme.cells()) {}
 
   const S& scheme() const { return scheme_; }
-  std::span<const double> radii() const { return radii_; }
-  std::span<double> radii() { return radii_; }
+  std::span<const double> radii() const& { return radii_; }
+  std::span<double> radii() & { return radii_; }
+  std::span<const double> radii() const&& = delete;  // they would dangle: keep the table
 
   // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
   // one bit a cell where a surface has a rim inside the reach of four entries.
@@ -45,19 +47,14 @@ class RadialTable {
     return radius;
   }
 
-  bool is_rim_cell(std::size_t cell) const {
-    return !rim_.empty() && (rim_[cell / 64] >> (cell % 64) & 1U) != 0U;
-  }
-
-  void mark_rim_cell(std::size_t cell) {
-    if (rim_.empty()) rim_.resize((scheme_.cells() + 63) / 64, 0U);
-    rim_[cell / 64] |= std::uint64_t{1} << (cell % 64);
-  }
+  bool is_rim_cell(std::size_t cell) const { return rim_.contains(cell); }
+  void mark_rim_cell(std::size_t cell) { rim_.mark(cell); }
+  const CellMask& rim_cells() const { return rim_; }
 
  private:
   S scheme_;
   std::vector<double> radii_;
-  std::vector<std::uint64_t> rim_;  // one bit a cell, empty where no cell is masked
+  CellMask rim_;
 };
 
 }  // namespace impinge

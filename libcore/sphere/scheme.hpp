@@ -57,6 +57,7 @@ struct RunVisitor {
 //   for_each_cell_across(stencil, visit)
 //                        calls visit(other) for the stencils of all cells that read across the cell of
 //                        `stencil`, so that a rim in it is kept out of theirs
+// and a scheme may have what PlaneExactScheme and AreaScheme ask for below.
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {
@@ -73,6 +74,27 @@ concept SamplingScheme = std::regular<S> &&
   { scheme.stencil_radius() } -> std::same_as<double>;
   { scheme.equator_points() } -> std::same_as<std::size_t>;
   scheme.walker().visit_near(TriangleCone(x, x, x), degrees, RunVisitor{});
+};
+
+// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
+//   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is
+//                     the point of the solid in the direction of x
+//   plane_stencil(x)  taps on the face of that point, with weights that are not negative and sum to 1 and
+//                     put it between those of the taps: x / depth(x) = sum w_i u_i / depth(u_i)
+//   kFlatCells        whether all cells are bounded by great circles. Then taps and cell are those of
+//                     stencil(x); else they may be those of a neighbour where x is close to the border
+template <class S>
+concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const Vec3& x) {
+  { scheme.depth(x) } -> std::same_as<double>;
+  { scheme.plane_stencil(x) } -> std::same_as<Stencil>;
+  { S::kFlatCells } -> std::convertible_to<bool>;
+};
+
+// A scheme that divides the sphere among its entries in closed form:
+//   area(i)  solid angle that entry i stands for, steradians; the sum is 4 pi
+template <class S>
+concept AreaScheme = SamplingScheme<S> && requires(const S scheme, std::size_t i) {
+  { scheme.area(i) } -> std::same_as<double>;
 };
 
 }  // namespace impinge

@@ -34,6 +34,6 @@ struct EquiangularCubeWarp {
 
 using CubeEquiangular = CubeMap<EquiangularCubeWarp>;
 
-static_assert(SamplingScheme<CubeEquiangular>);
+static_assert(PlaneExactScheme<CubeEquiangular>);
 
 }  // namespace impinge

@@ -29,6 +29,6 @@ struct GnomonicCubeWarp {
 
 using CubeGnomonic = CubeMap<GnomonicCubeWarp>;
 
-static_assert(SamplingScheme<CubeGnomonic>);
+static_assert(PlaneExactScheme<CubeGnomonic>);
 
 }  // namespace impinge

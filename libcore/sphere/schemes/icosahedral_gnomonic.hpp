@@ -21,6 +21,7 @@ struct GnomonicIcosahedralWarp {
   static constexpr std::string_view citation =
       "Baumgardner and Frederickson 1985, SIAM J. Numer. Anal. 22:1107-1115";
 
+  static constexpr bool kFlatCells = true;
   static double weight(std::size_t k, std::size_t) { return static_cast<double>(k); }
   static Vec3 fractions(const Vec3& lambda) { return lambda; }
   static void widen(TriangleRange&) {}
@@ -32,6 +33,6 @@ struct GnomonicIcosahedralWarp {
 
 using IcosahedralGnomonic = IcosahedralGrid<GnomonicIcosahedralWarp>;
 
-static_assert(SamplingScheme<IcosahedralGnomonic>);
+static_assert(PlaneExactScheme<IcosahedralGnomonic>);
 
 }  // namespace impinge

@@ -26,6 +26,7 @@ struct SineIcosahedralWarp {
   static constexpr std::string_view citation =
       "spherical linear interpolation of Shoemake 1985 (SIGGRAPH), for three corners and with w = 1.2 rad";
 
+  static constexpr bool kFlatCells = false;
   static constexpr double kAngle = 1.2;  // w, radians
 
   static double weight(std::size_t k, std::size_t n) {
@@ -88,6 +89,6 @@ struct SineIcosahedralWarp {
 
 using IcosahedralSine = IcosahedralGrid<SineIcosahedralWarp>;
 
-static_assert(SamplingScheme<IcosahedralSine>);
+static_assert(PlaneExactScheme<IcosahedralSine>);
 
 }  // namespace impinge
