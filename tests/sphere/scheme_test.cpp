@@ -3,6 +3,8 @@
 //   sum w_i = 1, w_i >= 0        a constant is reproduced
 //   angle(u, tap) <= stencil radius,  min over entries <= covering radius
 //   entries inside a spherical triangle = those of brute force
+//   areas a_i > 0, sum a_i = 4 pi, sum a_i u_i = 0, sum a_i z_i^2 = 4 pi / 3    where a scheme declares them
+// (Planes: inverse_depth_table_test.cpp.)
 #include "sphere/scheme.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "sphere/entries_inside.hpp"
+#include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/scheme_list.hpp"
 #include "support/covering.hpp"
@@ -24,8 +27,16 @@ namespace {
 
 constexpr double kCoarse = 10.0;  // degrees; small enough for brute force over all entries
 
+// Random ones, poles, axes, seam, and rings ever nearer to the poles: there are the first and the last turn,
+// row or ring of every scheme.
 std::vector<Vec3> probes() {
   std::vector<Vec3> u = test::random_directions(20000, 7);
+  for (double phi = 1e-9; phi < 0.3; phi *= 1.7) {
+    for (double theta = 0.0; theta < 2.0 * kPi; theta += 0.3) {
+      u.push_back(to_direction({phi, theta}));
+      u.push_back(-u.back());
+    }
+  }
   for (const Vec3& x : test::special_directions()) u.push_back(x.normalized());
   return u;
 }
@@ -43,6 +54,16 @@ TEST(Scheme, WeightsSumToOneAndTapsExist) {
       }
       ASSERT_NEAR(sum, 1.0, 4e-16) << S::name << " at " << u.transpose();
       ASSERT_LT(stencil.cell, scheme.cells()) << S::name;
+    }
+  });
+}
+
+TEST(Scheme, AConstantIsReproduced) {
+  for_each_scheme([]<class S>() {
+    for (const double precision : {30.0, 1.0}) {
+      RadialTable<S> table(S::with_precision(precision));
+      std::ranges::fill(table.radii(), 24.0);
+      for (const Vec3& u : probes()) ASSERT_NEAR(table.radius_at(u), 24.0, 2e-14) << S::name;
     }
   });
 }
@@ -108,6 +129,56 @@ TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
     EXPECT_LE(farthest, scheme.covering_radius() * (1.0 + 1e-12)) << S::name;
     EXPECT_GE(farthest, 0.97 * scheme.covering_radius()) << S::name << ": the declared radius is too large";
   });
+}
+
+// A million directions. The nearest tap is mostly near enough; where it is not, some other entry must be.
+TEST(Scheme, NoDirectionIsBeyondTheCoveringRadius) {
+  const std::vector<Vec3> directions = test::random_directions(1000000, 12);
+  for_each_scheme([&directions]<class S>() {
+    const S scheme = S::with_precision(4.0);
+    std::vector<Vec3> entries;
+    for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
+    const double rho = scheme.covering_radius();
+    const double near_enough = std::cos(rho);
+    const auto walker = scheme.walker();
+    for (const Vec3& u : directions) {
+      const Stencil stencil = scheme.stencil(u);
+      double cosine = -1.0;
+      for (std::size_t k = 0; k < stencil.taps; ++k)
+        cosine = std::max(cosine, u.dot(entries[stencil.entry[k]]));
+      if (cosine > near_enough) continue;
+      ASSERT_LE(test::nearest_entry(walker, u, 1.01 * rho), rho * (1.0 + 1e-12))
+          << S::name << " at " << u.transpose();
+    }
+  });
+}
+
+TEST(Scheme, AreasArePositiveAndSumToTheSphere) {
+  int claims = 0;
+  for_each_scheme([&claims]<class S>() {
+    if constexpr (AreaScheme<S>) {
+      ++claims;
+      for (const double precision : {60.0, 10.0, 1.0}) {
+        const S scheme = S::with_precision(precision);
+        double sum = 0.0;
+        Vec3 first = Vec3::Zero();
+        double second = 0.0;
+        for (std::size_t i = 0; i < scheme.size(); ++i) {
+          ASSERT_GT(scheme.area(i), 0.0) << S::name << " entry " << i;
+          const Vec3 u = scheme.direction(i);
+          sum += scheme.area(i);
+          first += scheme.area(i) * u;
+          second += scheme.area(i) * u.z() * u.z();
+        }
+        EXPECT_NEAR(sum, 4.0 * kPi, 4.0 * kPi * 1e-12) << S::name;
+        // The moments are those of a sum over points, of the order of the square of their distance.
+        const double error = 4.0 * kPi * scheme.covering_radius() * scheme.covering_radius();
+        EXPECT_LT(first.norm(), error) << S::name << ' ' << precision;
+        EXPECT_NEAR(second, 4.0 * kPi / 3.0, error) << S::name << ' ' << precision;
+      }
+    }
+  });
+  EXPECT_GT(claims, 0);
 }
 
 // The walker finds what a loop over all entries finds: once each, with the numbers of direction().

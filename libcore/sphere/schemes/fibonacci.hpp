@@ -62,6 +62,13 @@ class Fibonacci {
   // A Delaunay triangle lies in a circle of the covering radius.
   double stencil_radius() const { return 2.0 * covering_radius_; }
 
+  // The zone half a step of z either way; the first and the last entry have the rest of theirs, 1/2 + eps
+  // steps.
+  double area(std::size_t entry) const {
+    const bool end = entry == 0 || entry + 1 == size_;
+    return (end ? 0.5 + kEps : 1.0) * 4.0 * kPi / height();
+  }
+
   const Fibonacci& walker() const { return *this; }
   template <class Visit>
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const;
@@ -228,6 +235,6 @@ inline Fibonacci Fibonacci::with_precision(double degrees) {
   return Fibonacci(static_cast<std::size_t>(size));
 }
 
-static_assert(SamplingScheme<Fibonacci>);
+static_assert(AreaScheme<Fibonacci>);
 
 }  // namespace impinge

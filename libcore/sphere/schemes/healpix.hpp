@@ -77,6 +77,8 @@ class Healpix {
     for_each_overlap(ring(k + 1), at.entry[2], ring(k), visit_middle);
   }
 
+  double area(std::size_t) const { return 4.0 * kPi / static_cast<double>(size()); }
+
   RingWalker<Healpix> walker() const { return RingWalker(*this); }
 
   // Ring k of the library is ring i = k + 1 of the paper.
@@ -225,6 +227,6 @@ inline double Healpix::find_stencil_radius() const {
   return largest;
 }
 
-static_assert(SamplingScheme<Healpix>);
+static_assert(AreaScheme<Healpix>);
 
 }  // namespace impinge

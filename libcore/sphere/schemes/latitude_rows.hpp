@@ -85,6 +85,13 @@ class LatitudeRows {
   double covering_radius() const { return covering_radius_; }
   double stencil_radius() const { return stencil_radius_; }
 
+  // Share of the band half a step either way of the row.
+  double area(std::size_t entry) const {
+    const std::size_t row = row_of(entry);
+    const double height = 2.0 * row_angle(row).sin * std::sin(0.5 * row_height());
+    return 2.0 * kPi * height / static_cast<double>(row_size(row));
+  }
+
   Walker walker() const;
 
   friend bool operator==(const LatitudeRows& a, const LatitudeRows& b) { return a.rows_ == b.rows_; }
@@ -304,6 +311,6 @@ inline double LatitudeRows::find_stencil_radius() const {
   return largest;
 }
 
-static_assert(SamplingScheme<LatitudeRows>);
+static_assert(AreaScheme<LatitudeRows>);
 
 }  // namespace impinge

@@ -62,6 +62,15 @@ class OctahedralEqualArea {
 
   Stencil stencil(const Vec3& x) const;
 
+  // A quarter of each cell round the entry, of which there are four, but two at the four corners of the
+  // equator.
+  double area(std::size_t entry) const {
+    const std::size_t first = ring(n_).first;
+    const bool corner = entry >= first && entry < first + 4 * n_ && (entry - first) % n_ == 0;
+    const auto n = static_cast<double>(n_);
+    return (corner ? 0.5 : 1.0) * kPi / (n * n);
+  }
+
   RingWalker<OctahedralEqualArea> walker() const { return RingWalker(*this); }
 
   // Ring 0 is the north pole, ring n the equator, ring 2 n the south pole.
@@ -168,6 +177,6 @@ inline Stencil OctahedralEqualArea::stencil(const Vec3& x) const {
           (quarter * n_ + j) * n_ + i};
 }
 
-static_assert(SamplingScheme<OctahedralEqualArea>);
+static_assert(AreaScheme<OctahedralEqualArea>);
 
 }  // namespace impinge

@@ -69,6 +69,16 @@ class Rsid {
   // The far corner of a cell: no farther than its diagonal, sides p and at most p.
   double stencil_radius() const { return std::sqrt(2.0) * spacing(); }
 
+  // Share of the band half a step either way of the row; a pole's entries share its cap.
+  double area(std::size_t entry) const {
+    const std::size_t row = entry / columns();
+    const bool pole = row == 0 || row == divisions_;
+    const double half = std::sin(0.5 * spacing());
+    const double quarter = std::sin(0.25 * spacing());
+    const double height = pole ? 2.0 * quarter * quarter : 2.0 * row_angle(row).sin * half;
+    return 2.0 * kPi * height / static_cast<double>(columns());
+  }
+
   Walker walker() const;
 
   friend bool operator==(const Rsid&, const Rsid&) = default;
@@ -170,6 +180,6 @@ inline double Rsid::covering_radius() const {
   return angle_between(centre, direction(upper, {1.0, 0.0}));
 }
 
-static_assert(SamplingScheme<Rsid>);
+static_assert(AreaScheme<Rsid>);
 
 }  // namespace impinge
