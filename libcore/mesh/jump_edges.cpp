@@ -13,7 +13,7 @@ namespace impinge {
 namespace {
 
 double face_slope(const TriangleMesh& mesh, const Face& face) {
-  const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+  const TriangleCone cone = cone_of(mesh, face);
   return cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
 }
 

@@ -95,14 +95,6 @@ std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCon
   }));
 }
 
-// Inside, not on the boundary, so that a ray through an edge counts once at the most.
-bool strictly_inside(const std::array<Vec3, 3>& corners, int side, const Vec3& u) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (side * orientation(corners[k], corners[(k + 1) % 3], u) <= 0) return false;
-  }
-  return true;
-}
-
 void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& report) {
   const Rsid grid = Rsid::with_precision(kMeasuringPrecision);
   const Rsid::Walker walker = grid.walker();
@@ -111,7 +103,8 @@ void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& rep
   for (const TriangleCone& cone : cones) {
     for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
       met[entry] = true;
-      if (inside[entry] < UINT16_MAX && strictly_inside(cone.corners(), cone.side(), u)) ++inside[entry];
+      // Not on the boundary, so that a ray through an edge counts once at the most.
+      if (inside[entry] < UINT16_MAX && place_in_cone(cone.corners(), cone.side(), u) > 0) ++inside[entry];
     });
   }
   double total = 0.0;

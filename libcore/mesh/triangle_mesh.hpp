@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sphere/direction.hpp"
+#include "sphere/triangle_cone.hpp"
 
 namespace impinge {
 
@@ -25,6 +25,11 @@ struct TriangleMesh {
 // Corner k of face f.
 inline const Vec3& corner(const TriangleMesh& mesh, const Face& face, std::size_t k) {
   return mesh.vertices[face[k]];
+}
+
+// A face of a mesh in the centre frame, as the centre sees it.
+inline TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
+  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
 }
 
 // Vector along the outward normal, twice the area of the face long (mm^2).

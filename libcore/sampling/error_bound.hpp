@@ -28,7 +28,7 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   std::vector<float> slopes(scheme.size(), 0.0F);
   const auto walker = scheme.walker();
   for (const Face& face : mesh.faces) {
-    const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
     // A float may round down; one step up keeps the bound.
     const float safe = std::nextafter(static_cast<float>(slope), std::numeric_limits<float>::infinity());

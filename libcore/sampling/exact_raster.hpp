@@ -21,7 +21,7 @@ RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer
   const auto radii = table.radii();
   const auto walker = scheme.walker();
   for (const Face& face : mesh.faces) {
-    const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;
     for_each_entry_inside(
         walker, cone, [&](std::size_t entry, const Vec3& u) { keep(radii[entry], cone.radius(u), layer); });

@@ -13,7 +13,7 @@ constexpr std::size_t kBlock = 256;  // faces tested at a time, so that the comp
 
 RayCaster::RayCaster(const TriangleMesh& mesh) {
   for (const Face& face : mesh.faces) {
-    const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;
     const auto& [a, b, c] = cone.corners();
     double doubt = 0.0;

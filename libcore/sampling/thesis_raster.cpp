@@ -109,10 +109,6 @@ double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, d
   return std::min(second_order_bound(cone, t, largest_slope), farthest * std::expm1(largest_slope * reach));
 }
 
-TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
-  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
-}
-
 }  // namespace
 
 RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {

@@ -26,15 +26,6 @@ void include_bulge(const Vec3& a, const Vec3& b, AngularBox& box) {
   if (rise_at_a <= 0.0 && rise_at_b >= 0.0) box.phi_max = std::max(box.phi_max, kPi - top);
 }
 
-bool contains(const std::array<Vec3, 3>& corners, const Vec3& u) {
-  const int side = orientation(corners[0], corners[1], corners[2]);
-  if (side == 0) return false;  // an arc: its bulge and azimuths tell all
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (side * orientation(corners[k], corners[(k + 1) % 3], u) < 0) return false;
-  }
-  return true;
-}
-
 // Azimuth range of the corners taken along the edges; the whole circle if a pole is inside or on the
 // boundary.
 void set_azimuths(const std::array<Vec3, 3>& corners, const std::array<Angles, 3>& angles, AngularBox& box) {
@@ -74,8 +65,11 @@ AngularBox angular_box(const std::array<Vec3, 3>& corners, double margin) {
   box.phi_max = std::max({angles[0].phi, angles[1].phi, angles[2].phi});
   for (std::size_t k = 0; k < 3; ++k) include_bulge(corners[k], corners[(k + 1) % 3], box);
   set_azimuths(corners, angles, box);
-  if (contains(corners, Vec3::UnitZ())) box.phi_min = 0.0;
-  if (contains(corners, -Vec3::UnitZ())) box.phi_max = kPi;
+  const int side = orientation(corners[0], corners[1], corners[2]);
+  if (side != 0) {  // else an arc: its bulge and azimuths tell all
+    if (place_in_cone(corners, side, Vec3::UnitZ()) >= 0) box.phi_min = 0.0;
+    if (place_in_cone(corners, side, -Vec3::UnitZ()) >= 0) box.phi_max = kPi;
+  }
   widen(box, margin + kRounding);
   return box;
 }

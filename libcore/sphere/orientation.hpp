@@ -3,6 +3,10 @@
 // a direction lie. With exact signs a ray through an edge or vertex of a closed surface never slips through.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -12,6 +16,15 @@ namespace impinge {
 // the rest. Each vector is scaled by a power of two first; exactness is lost only where the components of one
 // vector differ by more than a factor of about 2^300.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Where does u lie in the cone over a triangle whose corners have the orientation `side`? Inside +1, on the
+// boundary 0, outside -1; 0 for any u where side is 0. Exact.
+inline int place_in_cone(const std::array<Vec3, 3>& corners, int side, const Vec3& u) {
+  int place = 1;
+  for (std::size_t k = 0; k < 3 && place >= 0; ++k)
+    place = std::min(place, side * orientation(corners[k], corners[(k + 1) % 3], u));
+  return place;
+}
 
 // |fl(u . fl(a x b)) - u . (a x b)| <= kPlaneTestError |u| |a| |b|, in any evaluation order: 2 roundings a
 // component of the cross product, 3 in the scalar product, each 2^-53 of sum |u_i| (|a_j b_k| + |a_k b_j|)

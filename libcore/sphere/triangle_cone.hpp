@@ -45,12 +45,13 @@ class TriangleCone {
   // Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
   // vertex at least one answers yes.
   bool contains(const Vec3& u) const {
+    bool certain = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const double distance = edge_plane_[k].dot(u);
       if (distance < -doubt_[k]) return false;
-      if (distance <= doubt_[k] && side_ * orientation(corner_[k], corner_[(k + 1) % 3], u) < 0) return false;
+      certain = certain && distance > doubt_[k];
     }
-    return true;
+    return certain || place_in_cone(corner_, side_, u) >= 0;
   }
 
   // Least of the three edge plane tests for u = (x, y, z): above `doubt()` the cone contains u, below

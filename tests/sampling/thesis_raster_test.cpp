@@ -18,10 +18,6 @@
 namespace impinge {
 namespace {
 
-TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
-  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
-}
-
 // Radius at a chart point by barycentric coordinates over all triangles and whole turns of theta; NaN if none
 // holds it.
 double brute_force(const std::vector<ChartTriangle>& triangles, double theta, double phi) {
