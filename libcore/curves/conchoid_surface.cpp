@@ -13,6 +13,7 @@ namespace impinge {
 namespace {
 
 constexpr double kRim = 0.5 * kPi;
+constexpr double kRounding = 1e-12;
 
 Vec3 surface_point(const ConchoidShape& shape, double phi, double theta) {
   return conchoid_radius(shape, phi) * to_direction({phi, theta});
@@ -83,6 +84,34 @@ std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Ve
   }
   share(points, areas);
   return areas;
+}
+
+std::vector<AreaBand> area_bands(const ConchoidShape& shape, std::span<const Vec3> points,
+                                 const AreaBandOptions& options) {
+  if (options.bands == 0) throw std::invalid_argument("areas are listed in at least one band");
+  const std::vector<double> areas = nearest_areas(shape, points, options.pieces_per_point);
+  const double margin = std::sqrt(cap_area(shape, kRim) / static_cast<double>(points.size()));
+  const double inside = meridian_length(shape, kRim) - margin;
+  const double width = kRim / static_cast<double>(options.bands);
+  std::vector<AreaBand> bands(options.bands);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double phi = to_angles(points[i]).phi;
+    if (phi > kRim || meridian_length(shape, phi) > inside) continue;
+    const double place =
+        std::floor(phi / width * (1.0 + kRounding));  // a ring on a border is in the band it starts
+    AreaBand& band = bands[std::min(static_cast<std::size_t>(place), options.bands - 1)];
+    band.smallest = band.points == 0 ? areas[i] : std::min(band.smallest, areas[i]);
+    band.largest = std::max(band.largest, areas[i]);
+    band.mean += areas[i];
+    ++band.points;
+  }
+  for (std::size_t k = 0; k < bands.size(); ++k) {
+    bands[k].from = kRim * static_cast<double>(k) / static_cast<double>(options.bands);
+    bands[k].to = kRim * static_cast<double>(k + 1) / static_cast<double>(options.bands);
+    bands[k].mean /= static_cast<double>(std::max<std::size_t>(bands[k].points, 1));
+  }
+  std::erase_if(bands, [](const AreaBand& band) { return band.points == 0; });
+  return bands;
 }
 
 }  // namespace impinge

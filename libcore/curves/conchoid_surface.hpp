@@ -28,4 +28,24 @@ std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count)
 std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Vec3> points,
                                   std::size_t pieces_per_point);
 
+struct AreaBandOptions {
+  std::size_t pieces_per_point = 400;
+  std::size_t bands = 9;
+};
+
+// Areas (mm^2) of the points with `from` <= phi < `to`, radians.
+struct AreaBand {
+  double from = 0.0;
+  double to = 0.0;
+  std::size_t points = 0;
+  double smallest = 0.0;
+  double mean = 0.0;
+  double largest = 0.0;
+};
+
+// nearest_areas() in bands of equal angle from apex to rim. Points nearer to the rim than sqrt(area /
+// points), whose area the rim cuts, are left out; a band without a point is not listed.
+std::vector<AreaBand> area_bands(const ConchoidShape& shape, std::span<const Vec3> points,
+                                 const AreaBandOptions& options = {});
+
 }  // namespace impinge

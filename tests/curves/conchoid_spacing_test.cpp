@@ -2,15 +2,13 @@
 // Segments between rays at equal angles from points of the axis (thesis, Figure 53).
 #include "curves/conchoid_spacing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "curves/conchoid_surface.hpp"
-#include "joint/sphere_fit.hpp"
+#include "curves/conchoid_origins.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -60,36 +58,6 @@ TEST(ConchoidSpacing, CutsAreAtEqualAnglesAndSegmentsMakeTheArc) {
   }
 }
 
-// Of a circle every whole-curve centre is the circle's; of the half circle r / 2 and 2 r / pi are known.
-TEST(ConchoidSpacing, CentresOfACircle) {
-  for (const SamplingOrigin& at : sampling_origins(kCircle)) {
-    double expected = 0.0;
-    if (at.name == "cap_extent_middle" || at.name == "cap_surface_centroid") expected = 11.0;
-    if (at.name == "cap_curve_centroid") expected = 44.0 / kPi;
-    EXPECT_NEAR(at.height, expected, 1e-9) << at.name;
-  }
-  EXPECT_GE(sampling_origins(kCircle).size(), 4U);
-  EXPECT_EQ(sampling_origins({}).size(), 9U);
-}
-
-// Against the fit of points that stand for equal areas.
-TEST(ConchoidSpacing, BestSphereIsThatOfTheSurface) {
-  const auto points = conchoid_spiral({}, 20000);
-  const SphereFit expected = fit_sphere(points);
-  const AxialSphere sphere = fit_axial_sphere({});
-  EXPECT_NEAR(sphere.height, expected.centre.z(), 1e-3);
-  EXPECT_NEAR(sphere.radius, expected.radius, 1e-3);
-  double lowest = 0.0;
-  double highest = 0.0;
-  for (const Vec3& p : points) {
-    const double residual = (p - expected.centre).norm() - expected.radius;
-    lowest = std::min(lowest, residual);
-    highest = std::max(highest, residual);
-  }
-  EXPECT_NEAR(sphere.lowest_residual, lowest, 5e-3);
-  EXPECT_NEAR(sphere.highest_residual, highest, 5e-3);
-}
-
 TEST(ConchoidSpacing, RefusesOriginsOutsideAndTooFewRays) {
   for (const double height : {-1.0, 38.344, 50.0, std::nan("")}) {
     EXPECT_THROW(spacing_rate({}, height, 1.0), std::invalid_argument);
@@ -97,7 +65,6 @@ TEST(ConchoidSpacing, RefusesOriginsOutsideAndTooFewRays) {
   }
   EXPECT_THROW(ray_cuts({}, 1.0, 0), std::invalid_argument);
   EXPECT_THROW(segment_lengths({}, 1.0, 1), std::invalid_argument);
-  EXPECT_THROW(sampling_origins({1.0, 2.0}), std::invalid_argument);
   EXPECT_EQ(segment_lengths({}, 1.0, 2).size(), 1U);
 }
 

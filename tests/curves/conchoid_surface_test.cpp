@@ -97,6 +97,23 @@ TEST(NearestAreas, OfTheSpiralAreNearlyEqual) {
   for (std::size_t i = 30; i < 1100; ++i) EXPECT_NEAR(areas[i], mean, 0.06 * mean) << i;
 }
 
+// The bands hold every point but those at the rim, and their means those of nearest_areas().
+TEST(AreaBands, AreThoseOfTheirPoints) {
+  const ConchoidShape shape;
+  const auto points = conchoid_rings(shape, original_angles(10), 30);
+  const auto areas = nearest_areas(shape, points, 100);
+  const auto bands = area_bands(shape, points, {100, 3});
+  ASSERT_EQ(bands.size(), 3U);
+  for (std::size_t band = 0; band < 3; ++band) {  // rings at 0, 10, 20; 30, 40, 50; 60, 70, 80 degrees
+    EXPECT_EQ(bands[band].points, 90U);
+    const auto from = areas.begin() + static_cast<std::ptrdiff_t>(90 * band);
+    EXPECT_EQ(bands[band].smallest, *std::min_element(from, from + 90));
+    EXPECT_EQ(bands[band].largest, *std::max_element(from, from + 90));
+    EXPECT_NEAR(bands[band].mean, std::accumulate(from, from + 90, 0.0) / 90.0, 1e-12);
+  }
+  EXPECT_THROW(area_bands(shape, points, {100, 0}), std::invalid_argument);
+}
+
 TEST(ConchoidSurface, RefusesNothing) {
   EXPECT_THROW(conchoid_spiral({}, 0), std::invalid_argument);
   EXPECT_THROW(nearest_areas({}, {}, 10), std::invalid_argument);
