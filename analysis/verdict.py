@@ -16,7 +16,7 @@ def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, obje
 def rounds_to(measured: float, printed: str) -> bool:
     """Whether the value has the printed digits when it is rounded to as many."""
     decimals = len(printed.partition(".")[2])
-    return f"{measured:.{decimals}f}" == f"{float(printed):.{decimals}f}"
+    return float(f"{measured:.{decimals}f}") == float(printed)  # as numbers: -0 is 0
 
 
 def printed_row(value, measured: float, note: str = "", otherwise: str = "differs") -> dict[str, object]:

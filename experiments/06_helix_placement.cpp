@@ -25,7 +25,7 @@ constexpr std::array<std::size_t, 4> kTurns{229, 458, 2292, 4584};  // Table 6
 constexpr std::array<std::size_t, 3> kDrawn{10, 20, 40};            // Figure 47
 constexpr int kMismatchSteps = 720;
 const Vec3 kVertex =
-    to_direction({52.0 * kDegree, 36.0 * kDegree});  // of Figure 48, with kDrawn.front() turns
+    to_direction({48.0 * kDegree, 36.0 * kDegree});  // of Figure 48, with kDrawn.front() turns
 
 Result placement() {
   Result result{

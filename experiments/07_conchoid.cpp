@@ -50,8 +50,8 @@ Result angles() {
 
 void add_bands(Table& table, const char* name, const std::vector<Vec3>& points) {
   for (const AreaBand& band : area_bands(kShape, points, {kPieces, kBands})) {
-    table.add_row({name, points.size(), band.from / kDegree, band.to / kDegree, band.points, band.smallest,
-                   band.mean, band.largest});
+    table.add_row({name, points.size(), band.from_deg, band.to_deg, band.points, band.smallest, band.mean,
+                   band.largest});
   }
 }
 

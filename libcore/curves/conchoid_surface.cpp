@@ -106,8 +106,8 @@ std::vector<AreaBand> area_bands(const ConchoidShape& shape, std::span<const Vec
     ++band.points;
   }
   for (std::size_t k = 0; k < bands.size(); ++k) {
-    bands[k].from = kRim * static_cast<double>(k) / static_cast<double>(options.bands);
-    bands[k].to = kRim * static_cast<double>(k + 1) / static_cast<double>(options.bands);
+    bands[k].from_deg = 90.0 * static_cast<double>(k) / static_cast<double>(options.bands);
+    bands[k].to_deg = 90.0 * static_cast<double>(k + 1) / static_cast<double>(options.bands);
     bands[k].mean /= static_cast<double>(std::max<std::size_t>(bands[k].points, 1));
   }
   std::erase_if(bands, [](const AreaBand& band) { return band.points == 0; });

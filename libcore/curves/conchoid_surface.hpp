@@ -33,10 +33,10 @@ struct AreaBandOptions {
   std::size_t bands = 9;
 };
 
-// Areas (mm^2) of the points with `from` <= phi < `to`, radians.
+// Areas (mm^2) of the points with from_deg <= phi < to_deg.
 struct AreaBand {
-  double from = 0.0;
-  double to = 0.0;
+  double from_deg = 0.0;
+  double to_deg = 0.0;
   std::size_t points = 0;
   double smallest = 0.0;
   double mean = 0.0;

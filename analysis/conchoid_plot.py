@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the figures of the conchoid share: the curve from data/conchoid_curve.csv, drawn with its axis upright and
+its apex at the bottom, as the thesis' claims about "bottom" and "top" read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from mpl_toolkits.mplot3d import Axes3D  # noqa: F401  (registers the projection)
+
+import common
+
+RIM_DEG = 90  # the cap of the hip ends here
+CURVE, SECOND, THIRD = common.COLOURS[0], common.COLOURS[1], common.COLOURS[2]
+
+
+def load(results: Path) -> pd.DataFrame:
+    """The meridian from apex to 180 degrees; `down` is the height in a drawing, apex lowest."""
+    curve = common.load(results, "conchoid_curve")
+    return curve.assign(up_mm=-curve.z_mm)
+
+
+def cap(curve: pd.DataFrame) -> pd.DataFrame:
+    """From apex to rim."""
+    return curve[curve.phi_deg <= RIM_DEG]
+
+
+def at(curve: pd.DataFrame, phi_deg: np.ndarray, column: str) -> np.ndarray:
+    """A column at any polar angles."""
+    return np.interp(phi_deg, curve.phi_deg, curve[column])
+
+
+def point(curve: pd.DataFrame, phi_deg: float) -> np.ndarray:
+    """Where a ray from the conchoid's origin meets the curve, in a drawing."""
+    return np.array([at(curve, phi_deg, "x_mm"), at(curve, phi_deg, "up_mm")])
+
+
+def plane(axes: plt.Axes) -> None:
+    """Equal scales in mm and no frame beyond what is needed."""
+    axes.set_aspect("equal")
+    axes.set(xlabel="distance from the axis, mm", ylabel="along the axis, mm")
+
+
+def draw_axis(axes: plt.Axes, low: float, high: float) -> None:
+    """The rotation axis."""
+    axes.plot([0, 0], [low, high], color="#555555", linestyle="-.", linewidth=0.9)
+
+
+def draw_both_sides(axes: plt.Axes, curve: pd.DataFrame, **look) -> None:
+    """The meridian and its mirror image as one line."""
+    x = np.concatenate([-curve.x_mm[::-1], curve.x_mm])
+    axes.plot(x, np.concatenate([curve.up_mm[::-1], curve.up_mm]), **look)
+
+
+def rays(axes: plt.Axes, curve: pd.DataFrame, angles_deg: np.ndarray, **look) -> None:
+    """Rays from the conchoid's origin to the curve; one label for all."""
+    for k, phi in enumerate(angles_deg):
+        axes.plot(
+            *np.array([[0, 0], point(curve, phi)]).T,
+            **{**look, "label": look.get("label") if k == 0 else None},
+        )
+
+
+def space(figure: plt.Figure, place: tuple[int, int, int], reach: float) -> plt.Axes:
+    """Three dimensions without a frame, equal scales."""
+    axes = figure.add_subplot(*place, projection="3d")
+    axes.set_box_aspect((1, 1, 1), zoom=1.5)
+    axes.view_init(elev=20, azim=-62)
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(-reach * 1.5, reach * 0.5))
+    axes.set_axis_off()
+    return axes
+
+
+def turned(curve: pd.DataFrame, theta_deg: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The meridian in the half plane of theta."""
+    theta = np.radians(theta_deg)
+    x = curve.x_mm.to_numpy()
+    return x * np.cos(theta), x * np.sin(theta), curve.up_mm.to_numpy()

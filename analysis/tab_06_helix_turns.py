@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Table 6, turns of the helix and its points at the equator: thesis beside ours. From data/lut_memory.csv."""
+
+import pandas as pd
+
+import common
+
+HELIX = "usid"  # Table 6 of the thesis matches this one
+GRID = "rsid"  # to this one
+
+
+def main() -> None:
+    """Writes tables/table-6.csv and .tex."""
+    options = common.arguments(__doc__)
+    ours = common.load(options.results, "lut_memory")
+    helix = ours[ours.scheme == HELIX].set_index("precision_deg")
+    grid = ours[ours.scheme == GRID].set_index("precision_deg")
+    thesis = common.thesis("table-6").pivot(index="row", columns="column", values="value")
+    lines = pd.DataFrame(
+        [
+            {
+                "precision_deg": precision,
+                "grid_equator_points": grid.equator_points[precision],
+                "thesis_helix_turns": int(thesis.helix_turns[f"{precision:g}deg"]),
+                "measured_helix_turns": int(row.helix_turns),
+                "thesis_equator_points": int(thesis.equator_points[f"{precision:g}deg"]),
+                "measured_equator_points": row.equator_points,
+            }
+            for precision, row in helix.iterrows()
+            if f"{precision:g}deg" in thesis.index
+        ]
+    )
+    common.write_table(options.out, "table-6", lines, latex(lines))
+
+
+def latex(lines: pd.DataFrame) -> str:
+    """Turns and points, thesis and here."""
+    rows = [
+        f"{line.precision_deg:g}\\textdegree & {line.grid_equator_points:,} & {line.thesis_helix_turns:,} & "
+        f"{line.measured_helix_turns:,} & {line.thesis_equator_points:,} & "
+        f"{line.measured_equator_points:,} \\\\"
+        for line in lines.astype({"measured_equator_points": int}).itertuples()
+    ]
+    return "\n".join(
+        [
+            "\\begin{tabular}{@{}lrrrrr@{}}",
+            "\\toprule",
+            " & grid & \\multicolumn{2}{c}{turns $k$ of the helix} & "
+            "\\multicolumn{2}{c}{its points at the equator} \\\\",
+            "\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}",
+            "Precision & points & thesis & here & thesis & here \\\\",
+            "\\midrule",
+            *rows,
+            "\\bottomrule",
+            "\\end{tabular}",
+            "",
+        ]
+    )
+
+
+common.run(main)
