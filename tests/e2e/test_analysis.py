@@ -109,6 +109,7 @@ class Verdict(unittest.TestCase):
             (0.2714, "0.272", False),
             (52441.0, "52441", True),
             (-3.77, "-4", True),
+            (-0.13, "0", True),
             (1.14896, "1.15", True),
         ):
             self.assertEqual(verdict.rounds_to(measured, printed), good, f"{measured} {printed}")
