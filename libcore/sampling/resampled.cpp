@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sampling/resampled.hpp"
+
+namespace impinge {
+
+double resampling_bound(const TriangleMesh& mesh, double precision_deg) {
+  const double drawn = thesis_raster_bound(mesh);
+  if (std::isinf(drawn)) return drawn;  // a face is edge-on
+  double radius = 0.0;
+  double slope = 0.0;
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    slope = std::max(slope, cone.largest_slope());
+    for (const Vec3& x : cone.corners()) radius = std::max(radius, x.norm());
+  }
+  return drawn + radius * std::expm1(slope * raster_for(precision_deg).stencil_radius());
+}
+
+}  // namespace impinge
