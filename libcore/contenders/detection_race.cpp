@@ -7,15 +7,18 @@
 #include "contenders/cgal_tree.hpp"
 #include "contenders/fcl_obb.hpp"
 #include "contenders/pairwise.hpp"
-#include "sampling/exact_raster.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "sphere/schemes/usid.hpp"
 
 namespace impinge {
+namespace {
 
-std::shared_ptr<const TablePair<Rsid>> make_rsid_tables(const BallSocketPair& pair, double precision_deg) {
-  const Rsid scheme = Rsid::with_precision(precision_deg);
-  return std::make_shared<const TablePair<Rsid>>(TablePair<Rsid>{
-      fill_exact(pair.ball, scheme, Layer::farthest), fill_exact(pair.socket, scheme, Layer::nearest)});
+template <SamplingScheme S>
+std::unique_ptr<Contender> make_table_scan(const BallSocketPair& pair, double precision_deg) {
+  return std::make_unique<TableScan<S>>(pair.ball, pair.socket, make_tables<S>(pair, precision_deg));
 }
+
+}  // namespace
 
 Contender& DetectionRace::contender(std::string_view name) const {
   for (const auto& candidate : contenders) {
@@ -30,8 +33,8 @@ DetectionRace make_detection_race(const BallSocketPair& pair, double precision_d
   race.oracle = make_cgal_tree(pair.ball, pair.socket);
   race.contenders.push_back(make_pairwise(pair.ball, pair.socket));
   race.contenders.push_back(make_fcl_obb(pair.ball, pair.socket));
-  race.contenders.push_back(
-      std::make_unique<TableScan<Rsid>>(pair.ball, pair.socket, make_rsid_tables(pair, precision_deg)));
+  race.contenders.push_back(make_table_scan<Rsid>(pair, precision_deg));
+  race.contenders.push_back(make_table_scan<Usid>(pair, precision_deg));
   return race;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint with the contenders of the thesis' Table 4, the poses they are timed over and the oracle that
-// each of them must agree with first.
+// One joint with the contenders of the thesis' Tables 4 and 9, the poses they are timed over and the oracle
+// that each of them must agree with first.
 #pragma once
 
 #include <memory>
@@ -9,23 +9,28 @@
 #include "contenders/pose_set.hpp"
 #include "contenders/table_scan.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sphere/schemes/rsid.hpp"
+#include "sampling/exact_raster.hpp"
 
 namespace impinge {
 
 // Tables of both surfaces by the exact raster: farthest layer of the ball, nearest of the socket.
-std::shared_ptr<const TablePair<Rsid>> make_rsid_tables(const BallSocketPair& pair, double precision_deg);
+template <SamplingScheme S>
+std::shared_ptr<const TablePair<S>> make_tables(const BallSocketPair& pair, double precision_deg) {
+  const S scheme = S::with_precision(precision_deg);
+  return std::make_shared<const TablePair<S>>(TablePair<S>{fill_exact(pair.ball, scheme, Layer::farthest),
+                                                           fill_exact(pair.socket, scheme, Layer::nearest)});
+}
 
 struct DetectionRace {
   std::vector<NamedPose> poses;
   std::unique_ptr<Contender> oracle;                   // exact predicates
-  std::vector<std::unique_ptr<Contender>> contenders;  // pairwise, fcl_obb, rsid
+  std::vector<std::unique_ptr<Contender>> contenders;  // pairwise, fcl_obb, rsid, usid
 
   // Throws std::out_of_range when nobody has this name.
   Contender& contender(std::string_view name) const;
 };
 
-// Meshes in their centre frames, mm; the precision is that of the tables of rsid.
+// Meshes in their centre frames, mm; the precision is that of the tables of rsid and usid.
 DetectionRace make_detection_race(const BallSocketPair& pair, double precision_deg);
 
 }  // namespace impinge

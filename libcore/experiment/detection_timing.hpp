@@ -18,7 +18,7 @@ struct RaceJoint {
   DetectionRace race;
 };
 
-// Meshes in their centre frames; the precision, degrees, is that of the tables of rsid.
+// Meshes in their centre frames; the precision, degrees, is that of all tables.
 RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, std::vector<Cell> after,
                           double precision_deg);
 

@@ -18,6 +18,8 @@
 #include "contenders/fcl_obb.hpp"
 #include "contenders/pairwise.hpp"
 #include "mesh/bodies.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "sphere/schemes/usid.hpp"
 
 namespace impinge {
 namespace {
@@ -93,7 +95,8 @@ TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
   const double margin = 2.0 * sag(make_ball_socket_pair(1000, PairShape{.cam_height = 0.0}).ball) + 0.1;
   ASSERT_LT(margin, 0.6);
   DetectionRace race = make_detection_race(pair, 0.5);
-  auto& scan = dynamic_cast<TableScan<Rsid>&>(race.contender("rsid"));
+  auto& rsid = dynamic_cast<TableScan<Rsid>&>(race.contender("rsid"));
+  auto& usid = dynamic_cast<TableScan<Usid>&>(race.contender("usid"));
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> length(0.0, 6.0);
   int touching = 0;
@@ -104,14 +107,16 @@ TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
     touching += truth ? 1 : 0;
     EXPECT_EQ(race.contender("pairwise").touches(pose), truth) << "pose " << i;
     EXPECT_EQ(race.contender("fcl_obb").touches(pose), truth) << "pose " << i;
-    const double gap = scan.smallest_gap(pose);
-    if (std::abs(gap) <= margin) continue;
-    ++compared;
-    EXPECT_EQ(scan.touches(pose), truth) << "pose " << i << ", gap " << gap << " mm";
+    for (const auto& [gap, touches] : {std::pair{rsid.smallest_gap(pose), rsid.touches(pose)},
+                                       {usid.smallest_gap(pose), usid.touches(pose)}}) {
+      if (std::abs(gap) <= margin) continue;
+      ++compared;
+      EXPECT_EQ(touches, truth) << "pose " << i << ", gap " << gap << " mm";
+    }
   }
   EXPECT_GT(touching, 10);
   EXPECT_LT(touching, 50);
-  EXPECT_GT(compared, 30);
+  EXPECT_GT(compared, 60);
 }
 
 TEST(Contenders, DegenerateFacesChangeNothing) {
@@ -130,24 +135,31 @@ TEST(Contenders, DegenerateFacesChangeNothing) {
 
 TEST(Contenders, OnlyTheScansGiveDistances) {
   const DetectionRace race = make_detection_race(make_ball_socket_pair(300), 1.0);
-  ASSERT_EQ(race.contenders.size(), 3U);
+  ASSERT_EQ(race.contenders.size(), 4U);
   EXPECT_FALSE(race.contender("pairwise").gives_distance());
   EXPECT_FALSE(race.contender("fcl_obb").gives_distance());
   EXPECT_TRUE(race.contender("rsid").gives_distance());
+  EXPECT_TRUE(race.contender("usid").gives_distance());
   EXPECT_THROW(race.contender("rapid"), std::out_of_range);
 }
 
 // Contract: the gap of a concentric pair is S - B at every vertex, up to the sag of the face on the other
 // side.
-TEST(TableScan, GivesTheGapOfEveryVertex) {
+template <SamplingScheme S>
+void expect_the_gap_of_every_vertex() {
   const BallSocketPair pair{radial_body(1000, [](const Vec3&) { return kBall; }),
                             radial_body(1000, [](const Vec3&) { return kShell; })};
-  TableScan<Rsid> scan(pair.ball, pair.socket, make_rsid_tables(pair, 1.0));
+  TableScan<S> scan(pair.ball, pair.socket, make_tables<S>(pair, 1.0));
   const double smallest = scan.smallest_gap({});
   ASSERT_EQ(scan.gaps().size(), pair.ball.vertices.size() + pair.socket.vertices.size());
   const double margin = sag(pair.ball) + sag(pair.socket);
   for (const double gap : scan.gaps()) EXPECT_NEAR(gap, kShell - kBall, margin);
   EXPECT_EQ(smallest, *std::min_element(scan.gaps().begin(), scan.gaps().end()));
+}
+
+TEST(TableScan, GivesTheGapOfEveryVertex) {
+  expect_the_gap_of_every_vertex<Rsid>();
+  expect_the_gap_of_every_vertex<Usid>();
 }
 
 TEST(TableScan, WithoutAnySurfaceInSightThereIsNoGapAndNoTouch) {

@@ -10,6 +10,7 @@
 #include "contenders/detection_race.hpp"
 #include "contenders/table_check.hpp"
 #include "sampling/exact_raster.hpp"
+#include "sphere/schemes/rsid.hpp"
 
 namespace impinge {
 namespace {
@@ -19,7 +20,7 @@ TEST(PoseSet, IsClearNearAndTouchingAtEveryLevel) {
     const BallSocketPair pair = make_ball_socket_pair(faces);
     const auto poses = pose_set(pair.ball, pair.socket);
     ASSERT_EQ(poses.size(), 6U);
-    TableScan<Rsid> scan(pair.ball, pair.socket, make_rsid_tables(pair, 0.5));
+    TableScan<Rsid> scan(pair.ball, pair.socket, make_tables<Rsid>(pair, 0.5));
     for (const NamedPose& named : poses) {
       const double gap = scan.smallest_gap(named.pose);
       const bool clear = named.name.starts_with("clear");

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways of filling the tables of a joint that Tables 3 and 8 of the thesis time, and ours beside them.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "contenders/table_check.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sampling/resampled.hpp"
+#include "sphere/schemes/usid.hpp"
+
+namespace impinge {
+
+// One way of filling the table of a scheme.
+template <SamplingScheme S>
+struct FillMethod {
+  std::string_view name;
+  RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);
+  // Proven bound on the error of an entry, mm, at a precision in degrees. None: the way is the oracle itself,
+  // and needs no check.
+  double (*tolerance)(const TriangleMesh&, double) = nullptr;
+  bool same_cover = false;  // does it fill the entries of the surface exactly, along its rim too?
+};
+
+inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
+  double radius = 0.0;
+  for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
+  return 1e-9 * radius;
+}
+
+inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
+  return thesis_raster_bound(mesh);
+}
+
+inline constexpr FillMethod<Rsid> kPairwise{"pairwise", fill_pairwise<Rsid>};
+inline constexpr FillMethod<Rsid> kRsidThesis{"rsid_thesis", fill_thesis, raster_tolerance};
+inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};
+inline constexpr FillMethod<Usid> kUsidPairwise{"usid_pairwise", fill_pairwise<Usid>};
+inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
+inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};
+
+// Calls visit(table, mesh, layer) for the tables of ball and socket, each filled and released in its turn.
+template <SamplingScheme S, class Visit>
+void for_both_tables(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
+                     Visit&& visit) {
+  visit(method.fill(pair.ball, scheme, Layer::farthest), pair.ball, Layer::farthest);
+  visit(method.fill(pair.socket, scheme, Layer::nearest), pair.socket, Layer::nearest);
+}
+
+// Compares `entries` entries of both tables with brute force. Throws std::runtime_error for the first one
+// that is farther off than the tolerance of the method.
+template <SamplingScheme S>
+void require_filling(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
+                     std::size_t entries) {
+  if (method.tolerance == nullptr) return;
+  for_both_tables(method, pair, scheme, [&](const auto& table, const TriangleMesh& mesh, Layer layer) {
+    const double tolerance = method.tolerance(mesh, scheme.precision_deg());
+    require_radii(table, mesh, layer, {entries, tolerance, method.same_cover});
+  });
+}
+
+}  // namespace impinge
