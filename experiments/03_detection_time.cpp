@@ -59,7 +59,7 @@ double race_generated(DriverRun& run, RaceOptions options) {
 
 void race_real(DriverRun& run, RaceOptions options) {
   std::vector<RaceJoint> joints;
-  for (const auto& [subject, pair] : read_real_joints(*run.bones, run.progress)) {
+  for (const auto& [subject, pair, centre] : read_real_joints(*run.bones, run.progress)) {
     joints.push_back(
         make_race_joint({subject}, pair, {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
   }

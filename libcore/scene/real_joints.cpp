@@ -85,7 +85,8 @@ std::vector<RealJoint> read_real_joints(const fs::path& folder, Progress& progre
     const std::optional<Vec3> described = described_centre(subject);
     const Vec3 centre = described ? *described : fitted_centre(ball, *ball_file);
     joints.push_back({subject.filename().string(),
-                      {relative_to(ball, centre), relative_to(read_mesh(*socket_file), centre)}});
+                      {relative_to(ball, centre), relative_to(read_mesh(*socket_file), centre)},
+                      centre});
   }
   if (joints.empty()) {
     throw std::runtime_error(folder.string() +

@@ -20,6 +20,7 @@ namespace impinge {
 struct RealJoint {
   std::string subject;    // name of its folder
   BallSocketPair meshes;  // in the centre frame, mm
+  Vec3 centre;            // of rotation, in the input frame, mm
 };
 
 // In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws

@@ -40,6 +40,7 @@ TEST(RealJoints, AreReadInOrderAndMovedToTheirCentre) {
   ASSERT_EQ(joints.size(), 2U);
   EXPECT_EQ(joints[0].subject, "a_shoulder");
   EXPECT_EQ(joints[1].subject, "b_hip");
+  EXPECT_EQ(joints[1].centre, kCentre);
   const BallSocketPair expected = make_ball_socket_pair(100);
   ASSERT_EQ(joints[1].meshes.ball.vertices.size(), expected.ball.vertices.size());
   for (std::size_t i = 0; i < expected.ball.vertices.size(); ++i) {
