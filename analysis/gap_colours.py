@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The colours of a gap: those of the scene (libcore/joint/gap_levels.hpp), the thesis' five, darker towards
+contact, so that a picture reads in grey and with every common colour vision.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.patches import Patch
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+import ply
+import render
+
+SHADES = 4096  # entries of a colour table: so finely are thresholds resolved
+
+
+@dataclass(frozen=True)
+class Colours:
+    """Upper ends of the levels in mm, the last one infinite, and the colour of each and of no gap, from 0 to
+    1.
+    """
+
+    upper: np.ndarray
+    rgb: np.ndarray
+    nothing: np.ndarray
+
+
+def colours_of(summary: dict, part: str) -> Colours:
+    """The levels that the scene used for the ball or the socket."""
+    levels = summary["colours"][part]
+    upper = [np.inf if level["up_to_mm"] is None else level["up_to_mm"] for level in levels]
+    return Colours(
+        np.array(upper),
+        np.array([level["rgb"] for level in levels]) / 255,
+        np.array(summary["colours"]["no_gap_rgb"]) / 255,
+    )
+
+
+def lookup(colours: Colours) -> tuple[vtkLookupTable, tuple[float, float]]:
+    """Colour by gap, and the range of gaps that it spans; beyond, the first and the last colour hold."""
+    limits = (-1.0, float(colours.upper[-2]) + 1.0)
+    gaps = np.linspace(*limits, SHADES)
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(SHADES)
+    for i, level in enumerate(np.searchsorted(colours.upper, gaps)):
+        table.SetTableValue(i, *colours.rgb[level], 1)
+    table.SetNanColor(*colours.nothing, 1)
+    return table, limits
+
+
+def coloured(mesh: ply.Mesh, colours: Colours, opacity: float = 1.0) -> vtkActor:
+    """The mesh with the colours of its gap."""
+    table, limits = lookup(colours)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(render.polydata(mesh))
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(*limits)
+    mapper.InterpolateScalarsBeforeMappingOn()
+    return render.surface(mapper, opacity)
+
+
+def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[Patch]:
+    """The colours from contact outwards; the last differs between ball and socket."""
+    first = colours_of(summary, parts[0])
+    patches = [Patch(color=first.rgb[0], label="bones touch or overlap")]
+    for low, high, colour in zip(first.upper, first.upper[1:-1], first.rgb[1:-1]):
+        patches.append(Patch(color=colour, label=f"{low:.2g} to {high:.2g} mm"))
+    for part in parts:
+        colours = colours_of(summary, part)
+        patches.append(Patch(color=colours.rgb[-1], label=f"{part}, over {colours.upper[-2]:.2g} mm"))
+    return [*patches, Patch(color=first.nothing, label="no surface opposite")]
