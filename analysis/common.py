@@ -42,6 +42,9 @@ LABELS = {
     "pairwise": "pairwise",
     "rsid": "RSID",
     "rsid_thesis": "RSID, raster of the thesis",
+    "usid": "USID",
+    "usid_thesis": "USID, resampled (thesis)",
+    "usid_pairwise": "USID, pairwise",
     "fcl_obb": "OBB tree (FCL)",
     "rapid": "OBB tree (RAPID)",
 }
@@ -111,11 +114,22 @@ def thesis(artefact: str | None = None) -> pd.DataFrame:
     return values if artefact is None else values[values.artefact == artefact]
 
 
+def _counterparts(artefact: str) -> pd.DataFrame:
+    table = pd.read_csv(HERE / "counterparts.csv", keep_default_na=False)
+    return table[table.artefact == artefact]
+
+
 def counterparts(artefact: str) -> dict[str, str]:
     """The method of ours that stands for each column of a timing table of the thesis."""
-    table = pd.read_csv(HERE / "counterparts.csv")
-    table = table[table.artefact == artefact]
-    return dict(zip(table.thesis_column, table.method))
+    table = _counterparts(artefact)
+    return {column: method for column, method in zip(table.thesis_column, table.method) if column}
+
+
+def methods_of(artefact: str) -> list[str]:
+    """The methods of ours that a timing table of the thesis shows: the counterparts of its columns, and those
+    that stand beside them.
+    """
+    return list(_counterparts(artefact).method)
 
 
 def number(text: str) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time to fill a table against its precision, ours and Table 3 of the thesis. From data/sampling_time.csv."""
+"""Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis. From data/sampling_time.csv."""
 
 import common
 import log_plot
@@ -9,7 +9,7 @@ import timing
 def main() -> None:
     """Writes figures/sampling-time.svg, .png and .pdf."""
     options = common.arguments(__doc__)
-    lines = timing.compare(options.results, timing.TABLE_3)
+    lines = timing.compare(options.results, timing.TABLE_8)
     lines["points"] = 1 / lines.precision_deg
     ticks = {1 / p: f"{p:g}°" for p in lines.precision_deg.unique()}
     figure = log_plot.draw(

@@ -3,8 +3,10 @@
 the timed data.
 
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN;
-exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; rounds, control and inconclusive:DATA;
-and the machine: cpu, cores, compiler, flags, commit, profile ...
+exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
+times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA;
+difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
+machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
 from __future__ import annotations
@@ -66,7 +68,7 @@ def grouped(text: str) -> str:
 
 
 def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
-    """Growth of each method, rounds, control and inconclusive cases of a timed table."""
+    """Growth of each method, ratios, rounds, control and inconclusive cases of a timed table."""
     lines = timing.compare(results, table)
     size = lines[table.key] if table.key != "precision_deg" else 1 / lines[table.key]
     facts = {}
@@ -80,6 +82,7 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
             facts[
                 f"exponent-thesis:{table.data}:{method}"
             ] = f"{log_plot.slope(size[every], lines.thesis_ms[every]):.2f}"
+    facts |= ratio_facts(lines, table)
     data = common.load(results, table.data)
     rounds = data[~data.extrapolated].rounds
     protocol = data.attrs.get("timing") or {}
@@ -90,6 +93,31 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     facts[f"inconclusive:{table.data}"] = str(len(protocol.get("inconclusive", [])))
     facts[f"extrapolated:{table.data}"] = str(int(data.extrapolated.sum()))
     facts |= {f"parameter:{table.data}:{key}": str(value) for key, value in data.attrs["parameters"].items()}
+    return facts
+
+
+def ratio_facts(lines: pd.DataFrame, table: timing.TimingTable) -> dict[str, str]:
+    """Every time of ours over every other one of the same row."""
+    return {
+        f"ratio:{table.data}:{key:g}:{one.method}/{other.method}": common.digits(
+            one.measured_ms / other.measured_ms
+        )
+        for key, group in lines.groupby(table.key)
+        for one in group.itertuples()
+        for other in group.itertuples()
+        if one.method != other.method
+    }
+
+
+def difference_facts(results: Path) -> dict[str, str]:
+    """How far the gaps by RSID and by USID are apart, and how many vertices change sides of a threshold."""
+    table = pd.read_csv(results / "tables" / "figure-50-difference.csv")
+    facts = {}
+    for (joint, surface), rows in table.groupby(["joint", "surface"]):
+        name = f"difference:{joint}:{surface}"
+        facts[f"{name}:largest"] = common.digits(rows.largest_difference_mm.iloc[0], 2)
+        facts[f"{name}:changed"] = f"{rows.changed.sum():,}"
+        facts[f"{name}:vertices"] = f"{rows.met_by_both.iloc[0]:,}"
     return facts
 
 
@@ -129,7 +157,8 @@ def main() -> None:
         flag for flag in facts["flags"].split() if not flag.startswith("-W")
     )  # warnings change nothing
     facts |= verdict_facts(verdicts)
-    for table in (timing.TABLE_3, timing.TABLE_4):
+    facts |= difference_facts(options.results)
+    for table in (timing.TABLE_8, timing.TABLE_9):  # they hold Tables 3 and 4
         facts |= timing_facts(options.results, table)
     lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]
     common.write(options.out / "paper" / "facts.tex", "\n".join(lines) + "\n")

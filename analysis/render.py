@@ -25,19 +25,20 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  # registers the renderer
 import common
 import ply
 
-PIXELS = 900  # a side of one view
+PIXELS = 900  # a side of one view, if it does not say otherwise
 
 
 @dataclass(frozen=True)
 class View:
     """A camera without perspective that looks along `towards` at `focus`; `size` (mm) is from the middle of the
-    picture to its border.
+    picture to its border, `pixels` a side of it.
     """
 
     focus: np.ndarray
     towards: np.ndarray
     up: np.ndarray
     size: float
+    pixels: int = PIXELS
 
     def place(self, point: np.ndarray) -> np.ndarray:
         """Pixel (column, row from above) at which a point is seen."""
@@ -45,7 +46,7 @@ class View:
         right = right / np.linalg.norm(right)
         offset = point - self.focus
         seen = np.array([offset @ right, -offset @ np.cross(right, self.towards)])
-        return (PIXELS - 1) / 2 + seen / self.size * PIXELS / 2
+        return (self.pixels - 1) / 2 + seen / self.size * self.pixels / 2
 
 
 def _data(vertices: np.ndarray, cells: np.ndarray) -> tuple[vtkPolyData, vtkCellArray]:
@@ -136,14 +137,15 @@ def picture(actors: list[vtkActor], view: View) -> np.ndarray:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(PIXELS, PIXELS)
+    window.SetSize(view.pixels, view.pixels)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     grab.Update()
-    return np.flipud(vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(PIXELS, PIXELS, 3))
+    image = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+    return np.flipud(image.reshape(view.pixels, view.pixels, 3))
 
 
 def upwards(axes: str, axis: np.ndarray) -> np.ndarray:

@@ -27,6 +27,9 @@ class TimingTable:
 
 TABLE_3 = TimingTable("table-3", "sampling_time", "precision_deg", "Precision", "{:g}\\textdegree")
 TABLE_4 = TimingTable("table-4", "detection_time", "triangles", "Triangles a model", "{:,.0f}")
+TABLE_8 = TimingTable("table-8", "sampling_time", "precision_deg", "Precision", "{:g}\\textdegree")
+TABLE_9 = TimingTable("table-9", "detection_time", "triangles", "Triangles a model", "{:,.0f}")
+TABLES = (TABLE_3, TABLE_4, TABLE_8, TABLE_9)
 REFERENCE = "rsid"  # the thesis' name of its own method: every ratio is to it
 
 
@@ -37,8 +40,8 @@ def thesis_times(table: TimingTable) -> dict[tuple[float, str], float]:
 
 
 def compare(results: Path, table: TimingTable) -> pd.DataFrame:
-    """One row for each row of the table and method: thesis and measured time, and both as ratios to the
-    reference.
+    """One row for each row of the table and method of ours: thesis and measured time, and both as ratios to the
+    reference. Methods without a counterpart in the thesis' table are there too.
     """
     ours = common.load(results, table.data)
     theirs = thesis_times(table)

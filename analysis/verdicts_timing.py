@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Verdicts on times (Tables 3 and 4). A time on another machine says nothing by itself; what can be compared is
+"""Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be compared is
 which method is faster and by how much, and those have rows of their own.
 """
 
@@ -18,12 +18,11 @@ RATIO_FACTOR = math.sqrt(
     10
 )  # half an order of magnitude: other machine, compiler, implementation of the rival
 RATIO_RULE = "ratio within half an order of magnitude of the thesis' ratio"
-TABLES = (timing.TABLE_3, timing.TABLE_4)
 
 
 def rows(results: Path) -> list[dict]:
     """Those of every timing table."""
-    return [line for table in TABLES for line in timing_rows(results, table)]
+    return [line for table in timing.TABLES for line in timing_rows(results, table)]
 
 
 def doubts(*lines: pd.Series) -> list[str]:

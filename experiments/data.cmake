@@ -119,17 +119,25 @@ foreach(driver IN LISTS drivers)
 endforeach()
 
 # impinge_scene(NAME BALL SOCKET OPTION...): the scene program on one joint, into scenes/NAME.
-set(IMPINGE_SCENES "")
 function(impinge_scene name ball socket)
   impinge_job(
     NAME scene-${name} KIND data
     OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
     DEPENDS "${scene_program}" "${ball}" "${socket}"
-    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --precision 0.5 --cartilage 4
-            ${ARGN} --out scenes/${name}
+    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --cartilage 4 ${ARGN} --out scenes/${name}
     SECONDS 2 2
     ARTEFACTS scene-${name}
     QUESTION "Where is the joint ${name} impinged?")
+endfunction()
+
+# The joint in detail, for its picture, and as each of the thesis' two systems has it at 1 degree, for Figures 49 and 50.
+set(IMPINGE_SCENES "")
+set(IMPINGE_SYSTEMS rsid usid)
+function(impinge_scenes name)
+  impinge_scene(${name} ${ARGN} --precision 0.5)
+  foreach(scheme IN LISTS IMPINGE_SYSTEMS)
+    impinge_scene(${name}-${scheme} ${ARGN} --precision 1 --scheme ${scheme})
+  endforeach()
   set(IMPINGE_SCENES ${IMPINGE_SCENES} ${name} PARENT_SCOPE)
 endfunction()
 
@@ -146,11 +154,12 @@ if(TARGET scene AND TARGET make_pair)
     QUESTION "What does the generated ball-and-socket pair look like?")
   set(pair "${IMPINGE_RESULTS_DIR}/scenes/generated/input")
   # In this pose the bump of the ball is under the socket.
-  impinge_scene(generated "${pair}/ball.ply" "${pair}/socket.ply" --side right --pose abduction=80)
+  impinge_scenes(generated "${pair}/ball.ply" "${pair}/socket.ply" --side right --pose abduction=80)
   foreach(joint IN LISTS IMPINGE_JOINTS)
     side_and_axes(options "${IMPINGE_BONES}/${joint}")
-    impinge_scene(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
+    impinge_scenes(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
   endforeach()
 endif()
 set(IMPINGE_SCENES "${IMPINGE_SCENES}" PARENT_SCOPE)
+set(IMPINGE_SYSTEMS "${IMPINGE_SYSTEMS}" PARENT_SCOPE)
 set(IMPINGE_JOINTS "${IMPINGE_JOINTS}" PARENT_SCOPE)

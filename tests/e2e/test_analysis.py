@@ -6,6 +6,7 @@ from __future__ import annotations
 import hashlib
 import json
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,13 +15,16 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
+import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
 import log_plot  # noqa: E402
 import ply  # noqa: E402
+import render  # noqa: E402
 import timing  # noqa: E402
 import verdict  # noqa: E402
+import verdicts_memory  # noqa: E402
 
 
 class Loading(unittest.TestCase):
@@ -95,9 +99,15 @@ class Counterparts(unittest.TestCase):
     """Every timed column of the thesis' tables has a method of ours."""
 
     def test_complete(self):
-        for table in (timing.TABLE_3, timing.TABLE_4):
+        self.assertEqual(
+            [table.artefact for table in timing.TABLES], ["table-3", "table-4", "table-8", "table-9"]
+        )
+        for table in timing.TABLES:
             columns = set(common.thesis(table.artefact).column)
             self.assertEqual(columns, set(common.counterparts(table.artefact)))
+            methods = common.methods_of(table.artefact)
+            self.assertLessEqual(set(common.counterparts(table.artefact).values()), set(methods))
+            self.assertEqual(len(methods), len(set(methods)))
 
 
 class Verdict(unittest.TestCase):
@@ -118,8 +128,61 @@ class Verdict(unittest.TestCase):
         value = next(common.thesis("table-5").itertuples())
         good = verdict.printed_row(value, float(value.value) + 1e-5)
         bad = verdict.printed_row(value, 2 * float(value.value), "because", "thesis-misprint")
-        self.assertEqual((good["verdict"], bad["verdict"], bad["note"]), ("reproduced", "thesis-misprint", "because"))
-        self.assertEqual((good["artefact"], good["row"], good["column"]), (value.artefact, value.row, value.column))
+        self.assertEqual(
+            (good["verdict"], bad["verdict"], bad["note"]), ("reproduced", "thesis-misprint", "because")
+        )
+        self.assertEqual(
+            (good["artefact"], good["row"], good["column"]), (value.artefact, value.row, value.column)
+        )
+
+
+class Memory(unittest.TestCase):
+    """A memory that does not round from the entries of its own row is a slip of the thesis."""
+
+    def test_contradiction(self):
+        values = common.thesis("table-7")
+        found = {value.row: verdicts_memory.contradiction(value, values) for value in values.itertuples()}
+        slips = [row for row, words in found.items() if words]
+        self.assertEqual(slips, ["0.1deg"])
+        self.assertEqual(found["0.1deg"]["otherwise"], "thesis-misprint")
+        self.assertRegex(found["0.1deg"]["note"], "40.0792 MiB: digits were cut off")
+
+
+class View(unittest.TestCase):
+    """Where a point is seen in a picture."""
+
+    def test_place(self):
+        x, y, z = np.eye(3)
+        view = render.View(focus=z, towards=z, up=y, size=2.0, pixels=101)
+        self.assertEqual(view.place(5 * z).tolist(), [50, 50])
+        self.assertEqual(view.place(2 * y).tolist(), [50, -0.5])  # the border above
+        self.assertEqual(view.place(-2 * x).tolist(), [100.5, 50])  # z away, y above: x to the left
+
+
+class GapDifference(unittest.TestCase):
+    """Two scenes of one joint, compared vertex by vertex."""
+
+    def test_table(self):
+        levels = [{"up_to_mm": 0.0}, {"up_to_mm": 2.0}, {"up_to_mm": None}]
+        gaps = {"rsid": ["-1", "1.5", "", "3"], "usid": ["0.5", "1.75", "1", "3"]}
+        with tempfile.TemporaryDirectory() as folder:
+            for scheme, values in gaps.items():
+                scene = Path(folder) / "scenes" / f"hip-{scheme}"
+                scene.mkdir(parents=True)
+                rows = [f"ball,{i},0,0,0,{gap}" for i, gap in enumerate(values)]
+                (scene / "gaps.csv").write_text("\n".join(["surface,vertex,x,y,z,gap_mm", *rows]) + "\n")
+                (scene / "summary.json").write_text(json.dumps({"colours": {"ball": levels}}))
+            words = ["--results", folder, "--out", folder, "--joints", "hip"]
+            script = ROOT / "analysis" / "tab_gap_difference.py"
+            subprocess.run([sys.executable, "-B", str(script), *words], check=True)
+            table = pd.read_csv(Path(folder) / "tables" / "figure-50-difference.csv")
+        self.assertEqual(table.threshold_mm.tolist(), [0, 2])
+        self.assertEqual(table[["vertices", "met_by_both", "met_by_one"]].iloc[0].tolist(), [4, 3, 1])
+        self.assertEqual(table.largest_difference_mm.iloc[0], 1.5)
+        self.assertAlmostEqual(table.rms_difference_mm.iloc[0], ((1.5**2 + 0.25**2) / 3) ** 0.5)
+        self.assertEqual(table.impinged_rsid.tolist(), [1, 2])
+        self.assertEqual(table.impinged_usid.tolist(), [0, 2])
+        self.assertEqual(table.changed.tolist(), [1, 0])
 
 
 class Ply(unittest.TestCase):

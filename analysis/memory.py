@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Entries and memory of a table of the thesis beside ours (Tables 2 and 7)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+SCHEMES = {"table-2": "rsid", "table-6": "usid", "table-7": "usid"}  # what each table of the thesis is about
+MIB = 2**20  # bytes: the "MB" of the thesis
+
+
+def ours(results: Path, artefact: str) -> pd.DataFrame:
+    """The rows of lut_memory.csv for the scheme of that table, by precision."""
+    table = common.load(results, "lut_memory")
+    return table[table.scheme == SCHEMES[artefact]].set_index("precision_deg")
+
+
+def compare(results: Path, artefact: str) -> pd.DataFrame:
+    """One row for each precision of the table; the thesis' digits are text."""
+    thesis = common.thesis(artefact).pivot(index="row", columns="column", values="value")
+    return pd.DataFrame(
+        [
+            {
+                "precision_deg": precision,
+                "thesis_entries": int(thesis.lut_entries[f"{precision:g}deg"]),
+                "measured_entries": row.entries,
+                "bytes_per_entry": row.bytes_per_entry,
+                "thesis_mib": thesis.memory[f"{precision:g}deg"],
+                "measured_mib": row.bytes / MIB,
+            }
+            for precision, row in ours(results, artefact).iterrows()
+            if f"{precision:g}deg" in thesis.index
+        ]
+    )
+
+
+def latex(groups: list[tuple[str, int]], rows: list[list[str]]) -> str:
+    """Precision, then columns under group titles, each group as many columns wide as it says: thesis and here,
+    or one number of ours alone.
+    """
+    spans, rules, titles, column = [], [], [], 2
+    for title, width in groups:
+        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{title}}}")
+        rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
+        titles.append("thesis & here" if width == 2 else "here")
+        column += width
+    return "\n".join(
+        [
+            f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}",
+            "\\toprule",
+            " & ".join(["", *spans]) + " \\\\",
+            "".join(rules),
+            " & ".join(["Precision", *titles]) + " \\\\",
+            "\\midrule",
+            *(" & ".join(row) + " \\\\" for row in rows),
+            "\\bottomrule",
+            "\\end{tabular}",
+            "",
+        ]
+    )
+
+
+def cells(line) -> list[str]:
+    """Entries and MiB of a line of compare(), thesis and here."""
+    return [
+        f"{line.thesis_entries:,}",
+        f"{line.measured_entries:,.0f}",
+        line.thesis_mib,
+        f"{line.measured_mib:,.3f}",
+    ]
