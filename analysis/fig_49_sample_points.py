@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole. From
-data/sample_points.csv or data/sample_points_bones.csv, data/lut_memory.csv and scenes/NAME-SCHEME/socket.ply.
+"""Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole.
+From data/sample_points.csv or data/sample_points_bones.csv, data/lut_memory.csv and scenes/NAME-SCHEME/socket.ply.
 """
 
 from __future__ import annotations

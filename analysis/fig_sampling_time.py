@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis. From data/sampling_time.csv."""
+"""Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis. From
+data/sampling_time.csv.
+"""
 
 import common
 import log_plot

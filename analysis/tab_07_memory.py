@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside ours.
-From data/lut_memory.csv.
+"""Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside
+ours. From data/lut_memory.csv.
 """
 
 import common

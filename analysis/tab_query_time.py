@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models. From
-data/detection_time.csv.
+"""Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models.
+From data/detection_time.csv.
 
-The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's formula
-fixes them: half as many as triangles for a closed surface.
+The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's
+formula fixes them: half as many as triangles for a closed surface.
 """
 
 import pandas as pd

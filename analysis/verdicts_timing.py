@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be compared is
-which method is faster and by how much, and those have rows of their own.
+"""Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be
+compared is which method is faster and by how much, and those have rows of their own.
 """
 
 from __future__ import annotations

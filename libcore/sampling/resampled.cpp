@@ -9,7 +9,7 @@ double resampling_bound(const TriangleMesh& mesh, double precision_deg) {
   double radius = 0.0;
   double slope = 0.0;
   for (const Face& face : mesh.faces) {
-    const TriangleCone cone(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    const TriangleCone cone = cone_of(mesh, face);
     slope = std::max(slope, cone.largest_slope());
     for (const Vec3& x : cone.corners()) radius = std::max(radius, x.norm());
   }
