@@ -46,8 +46,7 @@ TEST(Usid, EntriesStandOnTheHelix) {
       const Vec3 expected(static_cast<double>(std::sin(phi) * std::cos(theta)),
                           static_cast<double>(std::sin(phi) * std::sin(theta)),
                           static_cast<double>(1.0L - 2.0L * share));
-      // theta is 2 k pi at most and rounded once or twice.
-      ASSERT_LT((helix.direction(i) - expected).norm(), 1e-15 + 2e-15 * static_cast<double>(turns));
+      ASSERT_LT((helix.direction(i) - expected).norm(), 6e-16 + 1e-15 * static_cast<double>(turns));
     }
   }
 }

@@ -5,7 +5,8 @@
 // theta = sqrt(pi N) phi (Bauer 2000), that is 2 k = sqrt(pi w) in Eq. 9 of the thesis, where k = sqrt(w)
 // leaves the entries 4 / pi times as far apart along the curve as across it. Heights are those of Rakhmanov,
 // Saff & Zhou 1994, cos(phi_i) = 1 - 2 i / (N - 1), which put an entry on each pole as in Usid, so that one
-// lookup serves both; Bauer's own are half a step inside, 1 - (2 i + 1) / N.
+// lookup serves both; Bauer's own are half a step inside, 1 - (2 i + 1) / N. Away from the poles
+// N rho^2 = 2 pi: half the diagonal of a square of 2 sqrt(pi / N).
 #pragma once
 
 #include <cmath>
@@ -13,12 +14,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sphere/helix.hpp"
+#include "sphere/height_steps.hpp"
 #include "sphere/scheme.hpp"
+#include "sphere/spiral.hpp"
 
 namespace impinge {
 
-class HelixIsotropic {
+class HelixIsotropic : public Spiral<HeightSteps> {
  public:
   static constexpr std::string_view name = "helix_isotropic";
   static constexpr std::string_view label = "Isotropic helix";
@@ -28,33 +30,17 @@ class HelixIsotropic {
   HelixIsotropic() : HelixIsotropic(41253) {}
   static HelixIsotropic with_precision(double degrees);
 
-  std::size_t size() const { return helix_.size(); }
-  std::size_t cells() const { return helix_.cells(); }
   // Of the turn round the equator: 2 pi over the spacing.
-  std::size_t equator_points() const { return static_cast<std::size_t>(std::round(helix_.slope())); }
-  double precision_deg() const { return helix_.turn_spacing() / kDegree; }
-
-  Vec3 direction(std::size_t entry) const { return helix_.direction(entry); }
-  Stencil stencil(const Vec3& x) const { return helix_.stencil(x); }
-  template <class Visit>
-  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
-    helix_.for_each_cell_across(at, visit);
-  }
-
-  // Away from the poles N rho^2 = 2 pi: half the diagonal of a square of 2 sqrt(pi / N).
-  double covering_radius() const { return helix_.covering_radius(); }
-  double stencil_radius() const { return helix_.stencil_radius(); }
-
-  Helix walker() const { return helix_; }
+  std::size_t equator_points() const { return static_cast<std::size_t>(std::round(placement().slope())); }
+  double precision_deg() const { return 360.0 / placement().slope(); }
 
   friend bool operator==(const HelixIsotropic&, const HelixIsotropic&) = default;
 
  private:
   static constexpr double kMostEntries = 9e15;  // below 2^53: every index is exact in double
 
-  explicit HelixIsotropic(std::size_t size) : helix_(size, std::sqrt(kPi * static_cast<double>(size))) {}
-
-  Helix helix_;
+  explicit HelixIsotropic(std::size_t size)
+      : Spiral(HeightSteps(size, std::sqrt(kPi * static_cast<double>(size)))) {}
 };
 
 inline HelixIsotropic HelixIsotropic::with_precision(double degrees) {

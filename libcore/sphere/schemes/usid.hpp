@@ -7,7 +7,8 @@
 // are another scheme. Lookup is Algorithm 3.
 //
 // A turn at the equator spans pi / k of phi, hence pi w / (2 k) = pi k / 2 entries: rounded up, the counts of
-// Table 6. With 360 / p of them k = 2 (360 / p) / pi.
+// Table 6. With 360 / p of them k = 2 (360 / p) / pi. Away from the poles w rho^2 = 4 + pi^2 / 4: half the
+// diagonal of 4 / k along the curve by pi / k across.
 #pragma once
 
 #include <cmath>
@@ -15,12 +16,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sphere/helix.hpp"
+#include "sphere/height_steps.hpp"
 #include "sphere/scheme.hpp"
+#include "sphere/spiral.hpp"
 
 namespace impinge {
 
-class Usid {
+class Usid : public Spiral<HeightSteps> {
  public:
   static constexpr std::string_view name = "usid";
   static constexpr std::string_view label = "USID helix";
@@ -32,38 +34,20 @@ class Usid {
   static Usid with_turns(std::size_t turns);
 
   std::size_t helix_turns() const { return turns_; }
-  std::size_t size() const { return helix_.size(); }
-  std::size_t cells() const { return helix_.cells(); }
   std::size_t equator_points() const {
     return static_cast<std::size_t>(std::ceil(0.5 * kPi * static_cast<double>(turns_)));
   }
   double precision_deg() const { return 720.0 / (kPi * static_cast<double>(turns_)); }
-
-  Vec3 direction(std::size_t entry) const { return helix_.direction(entry); }
-  Stencil stencil(const Vec3& x) const { return helix_.stencil(x); }
-  template <class Visit>
-  void for_each_cell_across(const Stencil& at, Visit&& visit) const {
-    helix_.for_each_cell_across(at, visit);
-  }
-
-  // Away from the poles w rho^2 = 4 + pi^2 / 4: half the diagonal of 4 / k along the curve by pi / k across.
-  double covering_radius() const { return helix_.covering_radius(); }
-  double stencil_radius() const { return helix_.stencil_radius(); }
-
-  Helix walker() const { return helix_; }
-
-  // Index of the point of the curve at polar angle phi, between entries a fraction.
-  double place(double phi) const { return helix_.place(phi); }
 
   friend bool operator==(const Usid&, const Usid&) = default;
 
  private:
   static constexpr std::size_t kMostTurns = 90'000'000;  // w below 2^53: every index is exact in double
 
-  explicit Usid(std::size_t turns) : turns_(turns), helix_(turns * turns, 2.0 * static_cast<double>(turns)) {}
+  explicit Usid(std::size_t turns)
+      : Spiral(HeightSteps(turns * turns, 2.0 * static_cast<double>(turns))), turns_(turns) {}
 
   std::size_t turns_;
-  Helix helix_;
 };
 
 inline Usid Usid::with_turns(std::size_t turns) {
