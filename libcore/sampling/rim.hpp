@@ -24,13 +24,18 @@ inline constexpr double kRimStep = 0.125;
 // distance on either side, radians.
 inline constexpr double kBesideEdge = 1e-9;
 
+// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
+inline constexpr double kRimPlace = 1e-12;
+
 // Calls visit(stencil, x) once for each stretch of the line from `from` to `to` within one cell, in order; x
 // is a point of it.
 template <SamplingScheme S, class Visit>
 void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visit&& visit) {
   const auto point = [&](double t) -> Vec3 { return from + t * (to - from); };
   const double step = kRimStep * scheme.covering_radius();
-  const auto pieces = static_cast<std::size_t>(angle_between(from, to) / step) + 1;
+  const double length = angle_between(from, to);
+  const double near = kRimPlace / std::max(length, kRimPlace);
+  const auto pieces = static_cast<std::size_t>(length / step) + 1;
   double at = 0.0;
   Stencil here = scheme.stencil(from);
   visit(here, from);
@@ -40,8 +45,8 @@ void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visi
     while (here.cell != next_cell) {
       double inside = at;
       double outside = next;
-      for (double middle = 0.5 * (inside + outside); middle > inside && middle < outside;
-           middle = 0.5 * (inside + outside)) {
+      while (outside - inside > near) {
+        const double middle = 0.5 * (inside + outside);
         (scheme.stencil(point(middle)).cell == here.cell ? inside : outside) = middle;
       }
       at = outside;
