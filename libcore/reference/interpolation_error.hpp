@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a table is from smooth functions, looked up with the scheme's own stencil.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "reference/band_limited.hpp"
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+// Directions, each with the function that is looked up there and its value: made once, used for every scheme.
+struct ErrorProbe {
+  ErrorProbe(BandLimited functions, std::size_t count, std::uint64_t seed);
+
+  std::size_t function_at(std::size_t i) const { return i % functions.functions(); }
+
+  BandLimited functions;
+  std::vector<Vec3> directions;
+  std::vector<double> truth;
+};
+
+// In units of the standard deviation of the functions. p9999 is exceeded in 1 of 10,000 directions: the
+// largest value of a random sample varies too much to compare schemes by.
+struct InterpolationError {
+  double max = 0.0;
+  double p9999 = 0.0;
+  double rms = 0.0;
+};
+
+// Of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws std::invalid_argument
+// for no error and std::runtime_error for one that is not a number.
+InterpolationError summarise_errors(std::vector<double> errors);
+
+// What tables of the scheme, one of each function, answer in the directions of the probe: of their entries
+// only those that a stencil reads are worked out.
+template <SamplingScheme S>
+InterpolationError interpolation_error(const S& scheme, const ErrorProbe& probe) {
+  std::vector<double> errors;
+  errors.reserve(probe.directions.size());
+  for (std::size_t i = 0; i < probe.directions.size(); ++i) {
+    const Stencil stencil = scheme.stencil(probe.directions[i]);
+    double answer = 0.0;
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      const Vec3 entry = scheme.direction(stencil.entry[k]);
+      answer += stencil.weight[k] * probe.functions.value(probe.function_at(i), entry);
+    }
+    errors.push_back(answer - probe.truth[i]);
+  }
+  return summarise_errors(std::move(errors));
+}
+
+}  // namespace impinge

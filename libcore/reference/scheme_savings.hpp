@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How many entries a scheme needs to be as good as a reference table, in several meanings of "as good".
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "reference/interpolation_error.hpp"
+#include "reference/scheme_metrics.hpp"
+#include "reference/scheme_search.hpp"
+
+namespace impinge {
+
+template <SamplingScheme S>
+double measured_covering_radius(const S& scheme) {
+  return widest_gap(sphere_delaunay_of(scheme)).radius;
+}
+
+// Entries of the largest table that is made to be measured.
+inline constexpr std::size_t kMostMeasured = 1'000'000;
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+// A table that is as good as the reference in one meaning. It was really made and measured.
+struct Saving {
+  std::string_view meaning;
+  std::size_t entries = 0;
+  double measured_ratio = kUnknown;  // of what is to be equal, over that of the reference
+};
+
+inline double saved_percent(std::size_t entries, std::size_t reference_entries) {
+  return 100.0 * (1.0 - static_cast<double>(entries) / static_cast<double>(reference_entries));
+}
+
+// Entries at equal distances on the equator, the thesis' meaning: what with_precision gives.
+template <SamplingScheme S>
+std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
+  const auto scheme = scheme_of_precision<S>(precision_deg);
+  if (!scheme) return std::nullopt;
+  return Saving{"equator_spacing", scheme->size(), scheme->precision_deg() / precision_deg};
+}
+
+// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider. The
+// search begins at the size to which the declared radius of any scheme `near` by scales. Beyond kMostMeasured
+// entries no table is made: the size is that to which the measured radius scales, without a measured ratio.
+template <SamplingScheme S>
+std::optional<Saving> saving_at_equal_gap(const S& near, double covering_radius) {
+  const auto scaled = [&](double radius) {
+    const double wider = radius / covering_radius;
+    return static_cast<std::size_t>(std::round(static_cast<double>(near.size()) * wider * wider));
+  };
+  const std::size_t entries = scaled(near.covering_radius());
+  if (entries > kMostMeasured)
+    return Saving{"covering_radius", scaled(measured_covering_radius(near)), kUnknown};
+  const auto found = smallest_within<S>(covering_radius, entries, measured_covering_radius<S>);
+  if (!found) return std::nullopt;
+  return Saving{"covering_radius", found->scheme.size(), found->measured / covering_radius};
+}
+
+// Equal errors of interpolating the functions of the probe. An error falls with the number of entries, so
+// that of one table tells the size of the next, twice. There is no search: among many tables it would find
+// one whose few largest errors are small by luck.
+template <SamplingScheme S>
+std::vector<Saving> savings_at_equal_error(const S& near, const InterpolationError& target,
+                                           const ErrorProbe& probe) {
+  struct Meaning {
+    std::string_view name;
+    double InterpolationError::*error;
+  };
+  const InterpolationError own = interpolation_error(near, probe);
+  std::vector<Saving> savings;
+  for (const Meaning& meaning : {Meaning{"interpolation_p9999", &InterpolationError::p9999},
+                                 Meaning{"interpolation_rms", &InterpolationError::rms}}) {
+    Saving saving{meaning.name, near.size(), own.*meaning.error / target.*meaning.error};
+    for (int step = 0; step < 2; ++step) {
+      const double entries = std::round(static_cast<double>(saving.entries) * saving.measured_ratio);
+      const S scheme = scheme_of_size<S>(static_cast<std::size_t>(entries));
+      if (scheme.size() == saving.entries) break;
+      const InterpolationError error = interpolation_error(scheme, probe);
+      saving = {meaning.name, scheme.size(), error.*meaning.error / target.*meaning.error};
+    }
+    savings.push_back(saving);
+  }
+  return savings;
+}
+
+}  // namespace impinge

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Schemes against their closed forms, with the Delaunay triangulation of all of their entries:
+//   N rho^2 = constant within 2 %,   declared covering radius >= measured,   areas sum to 4 pi
+#include "reference/scheme_metrics.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "reference/scheme_search.hpp"
+#include "sphere/scheme_choice.hpp"
+#include "sphere/schemes/rsid.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kThesisEntries = 65160;  // of RSID at 1 degree
+
+TEST(SchemeMetrics, DeclaredCoveringRadiusIsThatMeasuredOrALittleMore) {
+  for_each_scheme([]<class S>() {
+    for (const double precision : {20.0, 7.5, 2.5}) {
+      const auto scheme = scheme_of_precision<S>(precision);
+      if (!scheme) continue;
+      const double measured = widest_gap(sphere_delaunay_of(*scheme)).radius;
+      EXPECT_GE(scheme->covering_radius(), measured * (1.0 - 1e-11)) << S::name << ' ' << precision;
+      EXPECT_LE(scheme->covering_radius(), measured * 1.03) << S::name << ' ' << precision;
+    }
+  });
+}
+
+TEST(SchemeMetrics, AreasOfAllEntriesSumToTheSphere) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(2.5);
+    double sum = 0.0;
+    for (const double area : entry_areas(sphere_delaunay_of(scheme))) sum += area;
+    EXPECT_NEAR(sum, 4.0 * kPi, 1e-9) << S::name;
+  });
+}
+
+TEST(SchemeMetrics, NoSchemeIsBelowTheLeastCoveringConstant) {
+  for_each_scheme([]<class S>() {
+    const SchemeMetrics metrics = measure_scheme(S::with_precision(2.5));
+    EXPECT_GE(metrics.covering_constant(), kLeastCoveringConstant) << S::name;
+    EXPECT_GE(metrics.widest.radius, metrics.widest_away.radius) << S::name;
+    EXPECT_GE(metrics.entry_area_ratio, 1.0) << S::name;
+    EXPECT_LE(metrics.directions, metrics.entries) << S::name;
+  });
+}
+
+struct ClosedForm {
+  std::string_view scheme;
+  double constant;       // N rho^2 of fine tables
+  bool away_from_poles;  // it holds there only
+};
+
+// Where the poles are left out their gap is a larger multiple of the spacing than elsewhere, however fine the
+// table.
+const std::vector<ClosedForm> kClosedForms{
+    {"rsid", kPi* kPi, false},
+    {"usid", 4.0 + kPi* kPi / 4.0, false},
+    {"helix_isotropic", 2.0 * kPi, true},
+    {"latitude_rows", 2.0 * kPi, true},
+    {"fibonacci", 2.0 * kPi, true},
+    {"cube_gnomonic", 12.0, false},
+    {"cube_equiangular", 0.75 * kPi* kPi, false},
+    {"octahedral_equal_area", 6.70,
+     false},  // at this size; the limit, 2 + pi^2 / 2 = 6.93, is reached slowly
+    {"healpix", 8.0, false},
+    {"icosahedral_gnomonic", 10.0 * (3.0 - std::sqrt(5.0)) * (3.0 - std::sqrt(5.0)), false},
+    {"icosahedral_sine", 5.236, false}};
+
+TEST(SchemeMetrics, CoveringConstantsAreTheClosedForms) {
+  for (const auto& [name, constant, away_from_poles] : kClosedForms) {
+    with_scheme(name, [&]<class S>() {
+      const S scheme = scheme_of_size<S>(kThesisEntries);
+      const SphereDelaunay delaunay = sphere_delaunay_of(scheme);
+      const double rho = widest_gap(delaunay, away_from_poles ? kAwayFromPoles : 1.0).radius;
+      const double measured = static_cast<double>(scheme.size()) * rho * rho;
+      EXPECT_NEAR(measured, constant, 0.02 * constant) << name;
+    });
+  }
+}
+
+// Two pole rows of 360 entries share one cell each, a cap of half a spacing: the ratio to a cell at the
+// equator is
+//   h^2 / (pi (h / 2)^2 / 360) = 1440 / pi.
+TEST(SchemeMetrics, PoleEntriesOfRsidShareTheirCell) {
+  const SchemeMetrics metrics = measure_scheme(Rsid::with_precision(1.0));
+  EXPECT_EQ(metrics.entries, 65160U);
+  EXPECT_EQ(metrics.directions, 179U * 360U + 2U);
+  EXPECT_NEAR(metrics.covering_constant(), kPi * kPi * (1.0 + 1.0 / 180.0), 1e-3);
+  EXPECT_NEAR(metrics.entry_area_ratio, 1440.0 / kPi, 1.0);
+}
+
+}  // namespace
+}  // namespace impinge
