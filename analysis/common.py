@@ -145,6 +145,12 @@ def label(name: str) -> str:
     return LABELS.get(name, name.replace("_", " "))
 
 
+def scheme_labels(results: Path) -> dict[str, str]:
+    """What a reader calls each scheme, from data/schemes.csv and in its order: schemes name themselves."""
+    table = load(results, "schemes")
+    return dict(zip(table.scheme, table.label))
+
+
 # Writing
 
 

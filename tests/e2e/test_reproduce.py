@@ -20,7 +20,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
-DATA = ["lut_memory", "sample_points", "sampling_time", "detection_time"]
+DATA = ["lut_memory", "sample_points", "sampling_time", "detection_time", "schemes"]
 PROMISED = [
     "report.html",
     "paper.pdf",
@@ -33,9 +33,22 @@ PROMISED = [
     ),
     *(
         f"figures/{name}.{kind}"
-        for name in ("sampling-time", "detection-time", "figure-49", "figure-50")
+        for name in (
+            "sampling-time",
+            "detection-time",
+            "figure-49",
+            "figure-50",
+            "scheme-points",
+            "scheme-area",
+            "scheme-covering",
+            "covering-cost",
+            "scheme-error",
+            "scheme-savings",
+        )
         for kind in ("svg", "png", "pdf")
     ),
+    "tables/schemes.csv",
+    "tables/schemes.tex",
     "figures/joint-generated.png",
     *(f"data/{name}.{kind}" for name in DATA for kind in ("csv", "json")),
 ]

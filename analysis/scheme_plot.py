@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the figures of sampling schemes share: one row a scheme, values off the scale, spheres side by side.
+
+No scheme is named here but the reference, the thesis' own first table.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+
+import common
+
+REFERENCE = "rsid"  # what savings and errors are counted from
+FLOOR = (
+    8 * math.pi / (3 * math.sqrt(3))
+)  # N rho^2 of the best covering of the plane by circles (Kershner 1939)
+FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
+
+
+def reach(values: pd.Series) -> float:
+    """The largest value worth a place on a linear axis: others, beyond three medians, are only named."""
+    return float(values[values <= 3 * values.median()].max())
+
+
+def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
+    """One row a scheme, the first at the top; its places."""
+    places = np.arange(len(names))
+    axes.set_yticks(places, names)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(axis="y", visible=False)
+    return places
+
+
+def dots(
+    axes: plt.Axes, values: pd.Series, places: np.ndarray, span: tuple[float, float], look: dict
+) -> None:
+    """A marker a row, no line; values beyond the span stand at its edge with an arrow and their number."""
+    low, high = span
+    look = {**look, "linestyle": "none"}
+    inside = values.between(low, high).to_numpy()
+    axes.plot(values[inside], places[inside], **look)
+    for value, place in zip(values[~inside], places[~inside]):
+        left = value < low
+        axes.plot(low if left else high, place, clip_on=False, **{**look, "label": None})
+        axes.annotate(
+            f"← {value:,.0f}" if left else f"{value:,.3g} →",
+            (low if left else high, place),
+            xytext=(8 if left else -8, 0),
+            textcoords="offset points",
+            ha="left" if left else "right",
+            va="center",
+            fontsize=8,
+        )
+
+
+def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) -> None:
+    """A name near each point, joined to it by a thin line, where it covers no point and no other name."""
+    axes.figure.canvas.draw()
+    points = axes.transData.transform(np.column_stack([x, y]))
+    frame = axes.get_window_extent()
+    taken = [(px - 5, py - 4, px + 5, py + 4) for px, py in points]
+    for k in np.argsort(points[:, 1]):
+        found = None
+        for dx, dy in _offsets():
+            text = axes.annotate(
+                names[k],
+                (x.iloc[k], y.iloc[k]),
+                xytext=(dx, dy),
+                textcoords="offset points",
+                ha="left" if dx > 0 else "right" if dx < 0 else "center",
+                va="center",
+                fontsize=8.5,
+                bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
+                arrowprops={
+                    "arrowstyle": "-",
+                    "color": "#999999",
+                    "linewidth": 0.6,
+                    "shrinkA": 0,
+                    "shrinkB": 4,
+                },
+            )
+            box = text.get_window_extent()
+            outside = box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1
+            covered = 10 * outside + sum(
+                box.x0 < x1 and x0 < box.x1 and box.y0 < y1 and y0 < box.y1
+                for i, (x0, y0, x1, y1) in enumerate(taken)
+                if i != k
+            )
+            if found is not None and covered >= found[0]:
+                text.remove()
+                continue
+            if found is not None:
+                found[1].remove()
+            found = (covered, text, (box.x0, box.y0, box.x1, box.y1))
+            if covered == 0:
+                break
+        taken.append(found[2])
+
+
+def _offsets() -> list[tuple[float, float]]:
+    """Where a name may stand, in points from its own: near before far, right before left."""
+    return [
+        (dx, dy)
+        for away in (0, 10, 20, 32, 46, 62)
+        for dy in dict.fromkeys((away, -away))
+        for dx in (9, -9, 26)
+    ]
+
+
+def panels(
+    title: str, names: dict[str, str], draw: Callable[[plt.Axes, str], None], size: tuple[float, float]
+) -> plt.Figure:
+    """A picture a scheme under its label, five a line; draw(axes, scheme) fills one. Sizes are inches."""
+    columns = 5
+    lines = math.ceil(len(names) / columns)
+    figure, grid = plt.subplots(lines, columns, figsize=(columns * size[0], lines * size[1]), squeeze=False)
+    for axes in grid.flat:
+        axes.set_axis_off()
+    for axes, (scheme, label) in zip(grid.flat, names.items()):
+        draw(axes, scheme)
+        axes.set_title(label, fontsize=8.5, loc="center", pad=3)
+    figure.subplots_adjust(wspace=0.06, hspace=0.2)
+    figure.suptitle(title, x=0.125, y=0.88 + 0.5 / (lines * size[1]), ha="left", va="bottom", fontsize=11)
+    return figure
+
+
+def turn(azimuth_deg: float, elevation_deg: float) -> np.ndarray:
+    """Rows: right, up and towards the eye of a viewer in that direction."""
+    a, e = np.radians([azimuth_deg, elevation_deg])
+    eye = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    return np.stack([right, np.cross(eye, right), eye])
