@@ -75,7 +75,9 @@ def space(figure: plt.Figure, place: tuple[int, int, int], reach: float) -> plt.
 
 
 def turned(curve: pd.DataFrame, theta_deg: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The meridian in the half plane of theta."""
+    """The meridian in the half plane of theta. The apex, on +z, is drawn lowest, so +y is drawn towards -y: the
+    frame stays right-handed.
+    """
     theta = np.radians(theta_deg)
     x = curve.x_mm.to_numpy()
-    return x * np.cos(theta), x * np.sin(theta), curve.up_mm.to_numpy()
+    return x * np.cos(theta), -x * np.sin(theta), curve.up_mm.to_numpy()

@@ -7,7 +7,7 @@ import numpy as np
 import common
 import conchoid_plot as conchoid
 
-PHI_DEG, THETA_DEG = 55, 320  # of the point that is shown
+PHI_DEG, THETA_DEG = 55, 40  # of the point that is shown
 REACH = 29  # mm, of the drawn axes
 
 
@@ -23,28 +23,28 @@ def draw_cap(axes: plt.Axes, curve, colour: str) -> None:
 
 def draw_coordinates(axes: plt.Axes, curve) -> None:
     """Axes, a ray and its two angles. The +z axis of the coordinates points to the apex."""
-    ends = {"x": (REACH, 0, 0), "y": (0, REACH, 0), "z": (0, 0, -43)}
+    ends = {"x": (REACH, 0, 0), "y": (0, -REACH, 0), "z": (0, 0, -43)}
     for name, end in ends.items():
         axes.quiver(0, 0, 0, *end, color="black", linewidth=1.1, arrow_length_ratio=0.06)
         axes.text(*(1.1 * np.array(end)), name, ha="center", va="center", fontsize=12)
     theta = np.radians(THETA_DEG)
     x, up = conchoid.point(curve, PHI_DEG)
-    tip = np.array([x * np.cos(theta), x * np.sin(theta), up])
+    tip = np.array([x * np.cos(theta), -x * np.sin(theta), up])
     axes.plot(*np.array([np.zeros(3), tip]).T, color=conchoid.SECOND, linewidth=2.2)
     axes.plot(*tip[:, None], "o", color=conchoid.SECOND, markersize=7)
     axes.plot(*conchoid.turned(curve, THETA_DEG), color=conchoid.SECOND, linewidth=2.0)
     axes.plot([0, tip[0]], [0, tip[1]], [0, 0], color="#555555", linestyle="--", linewidth=1)
     phi = np.radians(np.linspace(0, PHI_DEG, 40))
     axes.plot(
-        11 * np.sin(phi) * np.cos(theta), 11 * np.sin(phi) * np.sin(theta), -11 * np.cos(phi), color="black"
+        11 * np.sin(phi) * np.cos(theta), -11 * np.sin(phi) * np.sin(theta), -11 * np.cos(phi), color="black"
     )
     middle = 15 * np.array(
-        [np.sin(phi[20]) * np.cos(theta), np.sin(phi[20]) * np.sin(theta), -np.cos(phi[20])]
+        [np.sin(phi[20]) * np.cos(theta), -np.sin(phi[20]) * np.sin(theta), -np.cos(phi[20])]
     )
     axes.text(*middle, "φ", ha="center", va="center", fontsize=14)
-    turn = np.linspace(0, theta - 2 * np.pi, 40)
-    axes.plot(13 * np.cos(turn), 13 * np.sin(turn), 0 * turn, color="black")
-    axes.text(17 * np.cos(turn[20]), 17 * np.sin(turn[20]), 0, "θ", ha="center", va="center", fontsize=14)
+    turn = np.linspace(0, theta, 40)
+    axes.plot(13 * np.cos(turn), -13 * np.sin(turn), 0 * turn, color="black")
+    axes.text(17 * np.cos(turn[20]), -17 * np.sin(turn[20]), 0, "θ", ha="center", va="center", fontsize=14)
 
 
 def main() -> None:

@@ -12,13 +12,8 @@ namespace {
 
 constexpr double kSame = 1e-6;  // relative; rounding of two mismatches of one size
 
-double last(const HelixEntries& entries) {
-  if (entries.count < 2) throw std::invalid_argument("a helix has at least 2 entries, one on each pole");
-  return static_cast<double>(entries.count - 1);
-}
-
 double place(const HelixEntries& entries, std::size_t i) {
-  const double end = last(entries);
+  const double end = last_index(entries);
   if (i >= entries.count) throw std::invalid_argument("there is no such entry on the helix");
   return static_cast<double>(i) / end;
 }
@@ -30,6 +25,11 @@ double assumed_length(const HelixEntries& entries, HelixSpacing spacing) {
 }
 
 }  // namespace
+
+double last_index(const HelixEntries& entries) {
+  if (entries.count < 2) throw std::invalid_argument("a helix has at least 2 entries, one on each pole");
+  return static_cast<double>(entries.count - 1);
+}
 
 HelixEntries thesis_entries(std::size_t turns) { return {static_cast<double>(turns), turns * turns}; }
 
@@ -45,7 +45,7 @@ double polar_angle_of_equal_arc(const HelixEntries& entries, std::size_t i) {
 double index_mismatch(const HelixEntries& entries, HelixSpacing spacing, double phi) {
   const double assumed = travelled_distance(entries.turns, phi) / assumed_length(entries, spacing);
   const double true_place = helix_length(entries.turns, phi) / helix_total_length(entries.turns);
-  return last(entries) * (assumed - true_place);
+  return last_index(entries) * (assumed - true_place);
 }
 
 Mismatch largest_index_mismatch(const HelixEntries& entries, HelixSpacing spacing) {

@@ -18,6 +18,9 @@ struct HelixEntries {
 // The k^2 entries of the thesis' helix.
 HelixEntries thesis_entries(std::size_t turns);
 
+// count - 1: the index of the entry on the south pole, and the number of steps.
+double last_index(const HelixEntries& entries);
+
 // phi of entry i at equal steps of T: cos(phi_i) = 1 - 2 i / (count - 1). T / dx is then i itself.
 double polar_angle_of_equal_travel(const HelixEntries& entries, std::size_t i);
 
