@@ -21,10 +21,18 @@ class NearestPoint {
   std::size_t operator()(const Vec3& x) const;
 
  private:
-  using Cube = Eigen::Vector3i;
+  struct Cube {
+    int x, y, z;
+  };
+  struct Best {
+    std::size_t point;
+    double square;  // of its distance
+  };
 
   Cube cube_of(const Vec3& x) const;
-  std::size_t number(const Cube& cube) const;
+  std::size_t number(int x, int y, int z) const;
+  void search(std::size_t cube, const Vec3& x, Best& best) const;
+  void search_shell(const Cube& own, int reach, const Vec3& x, Best& best) const;
 
   std::span<const Vec3> points_;
   double side_;
