@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grid of directions on which spherical harmonics are summed exactly.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// L rows at the Gauss-Legendre nodes of z = cos(phi), from the +z pole down, of 2 L equally spaced columns
+// from theta = 0. Sums over it are integrals over the sphere for products of two functions of band limit L
+// (degrees below L).
+class GaussGrid {
+ public:
+  // std::invalid_argument unless 1 <= band_limit <= 4096.
+  explicit GaussGrid(std::size_t band_limit);
+
+  std::size_t band_limit() const { return z_.size(); }
+  std::size_t rows() const { return z_.size(); }
+  std::size_t columns() const { return 2 * z_.size(); }
+  std::size_t size() const { return rows() * columns(); }
+
+  double z(std::size_t row) const { return z_[row]; }
+  double phi(std::size_t row) const { return phi_[row]; }  // radians
+  // Solid angle that an entry of the row stands for, steradians; they sum to 4 pi.
+  double weight(std::size_t row) const { return weight_[row]; }
+  Vec3 direction(std::size_t row, std::size_t column) const;
+
+ private:
+  std::vector<double> z_;
+  std::vector<double> phi_;
+  std::vector<double> weight_;
+};
+
+// Values of f at the directions of the grid, row by row.
+std::vector<double> sample(const GaussGrid& grid, const std::function<double(const Vec3&)>& f);
+
+// Share of the sphere, by solid angle, on which the values are numbers.
+double covered_share(const GaussGrid& grid, const std::vector<double>& values);
+
+}  // namespace impinge
