@@ -33,8 +33,8 @@ std::vector<RadialSurface> formulas(double radius) {
   const ConchoidShape hip;
   return {spherical_surface("sphere", radius, Vec3::Zero()),
           spherical_surface("sphere_1mm_off", radius, kAxis),
-          spherical_surface("sphere_5mm_off", radius, 5.0 * kAxis), conchoid_surface("conchoid", {hip.a, hip.b}, kAxis),
-          head_surface({})};
+          spherical_surface("sphere_5mm_off", radius, 5.0 * kAxis),
+          conchoid_surface("conchoid", {hip.a, hip.b}, kAxis), head_surface({})};
 }
 
 const Column kScheme{"scheme", "", "name of the sampling scheme"};
@@ -46,7 +46,8 @@ void name_columns(SamplingStudy& study) {
       kPrecision,
       {"formula_max_mm", "mm", "Eq. 7: half the diagonal of a cell at the equator, along the surface"},
       {"formula_relative", "percent", "Eq. 8: the same as a share of the radius"},
-      {"measured_max_mm", "mm", "largest |radius of the table - radius of the mesh|"},
+      {"measured_max_mm", "mm",
+       "largest |radius of the table - radius of the mesh|; empty where it was not measured"},
       {"measured_rms_mm", "mm", "root mean square of it over uniform directions"}};
   study.surfaces.columns = {
       {"surface", "", "what was sampled"},

@@ -105,6 +105,13 @@ void add_formulas(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   }
 }
 
+// Row of `errors` for a scheme that is not measured: the formula alone.
+template <SamplingScheme S>
+void add_formula(SamplingStudy& study, const S& scheme, double precision) {
+  study.errors.add_row({S::name, precision, thesis_sampling_error(study.radius, scheme.equator_points()),
+                        100.0 * thesis_relative_error(scheme.equator_points()), Cell(), Cell()});
+}
+
 // Rows of the head, whose table is really filled.
 template <SamplingScheme S>
 void add_head(SamplingStudy& study, const StudyCase& now, const S& scheme) {
@@ -153,7 +160,7 @@ void add_bounds(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   }
 }
 
-// All rows of a scheme at a precision, degrees.
+// All rows of a scheme at a precision, degrees, measured.
 template <SamplingScheme S>
 void add_scheme(SamplingStudy& study, const S& scheme, double precision) {
   StudyCase now;

@@ -60,6 +60,15 @@ TEST_F(Study, FormulaAndErrorStandSideBySide) {
   EXPECT_LT(number(study_.errors, 1, "measured_rms_mm"), number(study_.errors, 1, "measured_max_mm"));
 }
 
+TEST_F(Study, TheFormulaAloneLeavesTheMeasuredCellsEmpty) {
+  SamplingStudy formula;
+  formula.errors.columns = study_.errors.columns;
+  add_formula(formula, Rsid::with_precision(0.05), 0.05);
+  ASSERT_EQ(formula.errors.rows.size(), 1U);
+  EXPECT_NEAR(std::stod(formula.errors.rows[0][2].text()), 0.013575, 1e-6);
+  EXPECT_EQ(formula.errors.rows[0][4].text() + formula.errors.rows[0][5].text(), "");
+}
+
 TEST_F(Study, ASphereAboutTheCentreHasNoRadialErrorAndItsTangentialOneIsTheFormula) {
   const std::size_t row = row_of("sphere", 1.0, "smooth");
   EXPECT_LT(number(study_.surfaces, row, "radial_max_mm"), 1e-13);

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision: above
+1 the promise is broken. From data/sampling_error_bounds.csv.
+"""
+
+import pandas as pd
+
+import common
+
+PROMISES = {
+    "nearest": "nearest entry",
+    "planar_face": "plane",
+    "planar_face_at_pole": "plane, at a pole",
+    "edge": "edge",
+}
+
+
+def main() -> None:
+    """Writes tables/sampling-error-bounds.csv and .tex."""
+    options = common.arguments(__doc__)
+    bounds = common.load(options.results, "sampling_error_bounds")
+    bounds = bounds[(bounds.precision_deg == bounds.precision_deg.min()) & (bounds.reach != "stencil")]
+    shares = bounds.pivot_table(index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False)
+    table = shares[list(PROMISES)].reset_index()
+    common.write_table(options.out, "sampling-error-bounds", table, latex(table))
+
+
+def latex(table: pd.DataFrame) -> str:
+    """One line a scheme; broken promises in bold."""
+    rows = []
+    for line in table.to_dict("records"):
+        cells = [common.digits(line[name], 2) for name in PROMISES]
+        bold = [f"\\textbf{{{text}}}" if line[name] > 1 else text for name, text in zip(PROMISES, cells)]
+        rows.append(f"{common.tex(common.label(line['scheme']))} & {' & '.join(bold)} \\\\")
+    return "\n".join(
+        [
+            f"\\begin{{tabular}}{{@{{}}l{'r' * len(PROMISES)}@{{}}}}",
+            "\\toprule",
+            f"Scheme & {' & '.join(PROMISES.values())} \\\\",
+            "\\midrule",
+            *rows,
+            "\\bottomrule",
+            "\\end{tabular}",
+            "",
+        ]
+    )
+
+
+common.run(main)
