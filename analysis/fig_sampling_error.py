@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The thesis' sampling error (Eq. 7) beside the errors that a table of the head really makes, a panel a scheme.
-From data/sampling_error.csv and sampling_error_surfaces.csv.
+From data/sampling_error.csv, sampling_error_surfaces.csv and schemes.csv.
 """
 
 import math
@@ -27,6 +27,7 @@ def main() -> None:
     errors = common.load(options.results, "sampling_error")
     surfaces = common.load(options.results, "sampling_error_surfaces")
     schemes = list(errors.scheme.unique())
+    labels = common.scheme_labels(options.results)
     common.style()
     rows = math.ceil((len(schemes) + 1) / COLUMNS)
     figure, grid = plt.subplots(rows, COLUMNS, figsize=(9.6, 2.15 * rows + 0.5), sharex=True, sharey=True)
@@ -34,7 +35,7 @@ def main() -> None:
     panels = list(grid.flat)
     for axes, scheme in zip(panels, schemes):
         draw(axes, errors[errors.scheme == scheme], surfaces[surfaces.scheme == scheme], looks)
-        axes.set_title(common.label(scheme), fontsize=9)
+        axes.set_title(labels[scheme], fontsize=9)
     for axes in panels[len(schemes) :]:
         axes.set_visible(False)
     label_axes(grid, len(schemes), sorted(errors.precision_deg.unique()))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Largest error of an interpolated radius on four surfaces, a line a scheme. From data/sampling_error_surfaces.csv."""
+"""Largest error of an interpolated radius on four surfaces, a line a scheme. From data/sampling_error_surfaces.csv
+and schemes.csv."""
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -22,8 +23,9 @@ def main() -> None:
     common.style()
     figure, grid = plt.subplots(2, 2, figsize=(9.2, 7.2), sharex=True)
     looks = scheme_looks(list(smooth.scheme.unique()))
+    labels = common.scheme_labels(options.results)
     for axes, (surface, title) in zip(grid.flat, PANELS.items()):
-        draw(axes, smooth[smooth.surface == surface], looks)
+        draw(axes, smooth[smooth.surface == surface], looks, labels)
         axes.set_title(title)
     precisions = sorted(table.precision_deg.unique())
     grid[0, 0].set_xticks(precisions, [f"{p:g}°" for p in precisions])
@@ -48,10 +50,10 @@ def scheme_looks(schemes: list[str]) -> dict[str, dict]:
     return looks
 
 
-def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
+def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, labels: dict[str, str]) -> None:
     """Lines of all schemes, and two slopes to compare with."""
     for scheme, lines in table.groupby("scheme", sort=False):
-        axes.plot(lines.precision_deg, lines.radial_max_mm, label=common.label(scheme), **looks[scheme])
+        axes.plot(lines.precision_deg, lines.radial_max_mm, label=labels[scheme], **looks[scheme])
     coarse, fine = table.precision_deg.max(), table.precision_deg.min()
     top, low = table.radial_max_mm.max() * 1.6, table[table.precision_deg == coarse].radial_max_mm.min() / 1.6
     if top > 20 * table.radial_max_mm.min():

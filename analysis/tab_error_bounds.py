@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision: above
-1 the promise is broken. From data/sampling_error_bounds.csv.
+1 the promise is broken. From data/sampling_error_bounds.csv
+and schemes.csv.
 """
 
 import pandas as pd
@@ -22,16 +23,17 @@ def main() -> None:
     bounds = bounds[(bounds.precision_deg == bounds.precision_deg.min()) & (bounds.reach != "stencil")]
     shares = bounds.pivot_table(index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False)
     table = shares[list(PROMISES)].reset_index()
-    common.write_table(options.out, "sampling-error-bounds", table, latex(table))
+    labels = common.scheme_labels(options.results)
+    common.write_table(options.out, "sampling-error-bounds", table, latex(table, labels))
 
 
-def latex(table: pd.DataFrame) -> str:
+def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
     """One line a scheme; broken promises in bold."""
     rows = []
     for line in table.to_dict("records"):
         cells = [common.digits(line[name], 2) for name in PROMISES]
         bold = [f"\\textbf{{{text}}}" if line[name] > 1 else text for name, text in zip(PROMISES, cells)]
-        rows.append(f"{common.tex(common.label(line['scheme']))} & {' & '.join(bold)} \\\\")
+        rows.append(f"{common.tex(labels[line['scheme']])} & {' & '.join(bold)} \\\\")
     return "\n".join(
         [
             f"\\begin{{tabular}}{{@{{}}l{'r' * len(PROMISES)}@{{}}}}",

@@ -3,7 +3,7 @@
 // @writes    slices slice_band_limit spectrum band_limit
 // @writes-with-bones  spectrum_bones band_limit_bones
 // @timing    no
-// @seconds   4 6
+// @seconds   1 4
 //
 // The thesis' slices of a sphere; then its question put to the surfaces themselves: the power of their
 // spherical harmonics by degree, and the entries that the sampling theorems ask for.

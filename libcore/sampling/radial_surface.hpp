@@ -25,8 +25,8 @@ struct RadialSurface {
 // Sphere about `centre`, |centre| < radius; both mm.
 RadialSurface spherical_surface(std::string name, double radius, const Vec3& centre);
 
-// Menschik's conchoid r = a + b cos(phi), 0 <= b < a (mm), turned about its axis (unit vector) and examined up
-// to phi = 90 degrees, as in the thesis (Eq. 11-14).
+// Menschik's conchoid r = a + b cos(phi), 0 <= b < a (mm), turned about its axis (unit vector) and examined
+// up to phi = 90 degrees, as in the thesis (Eq. 11-14).
 struct Conchoid {
   double a = 1.0;
   double b = 0.0;

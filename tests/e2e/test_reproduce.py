@@ -20,12 +20,22 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
-DATA = ["lut_memory", "sample_points", "sampling_time", "detection_time", "schemes"]
+DATA = [
+    "lut_memory",
+    "sample_points",
+    "sampling_time",
+    "detection_time",
+    "schemes",
+    "sampling_error",
+    "slices",
+    "spectrum",
+    "band_limit",
+]
 PROMISED = [
     "report.html",
     "paper.pdf",
     "verdicts.csv",
-    *(f"tables/table-{n}.{kind}" for n in (2, 3, 4, 7, 8, 9) for kind in ("csv", "tex")),
+    *(f"tables/table-{n}.{kind}" for n in (2, 3, 4, 5, 7, 8, 9) for kind in ("csv", "tex")),
     *(
         f"tables/{name}.{kind}"
         for name in ("table-9-queries", "figure-50-difference")
@@ -36,6 +46,10 @@ PROMISED = [
         for name in (
             "sampling-time",
             "detection-time",
+            "sampling-error",
+            "spectrum",
+            "figure-45",
+            "figure-46",
             "figure-49",
             "figure-50",
             "scheme-points",
