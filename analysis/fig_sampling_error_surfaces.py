@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Largest error of an interpolated radius on four surfaces, a line a scheme. From data/sampling_error_surfaces.csv
-and schemes.csv."""
+and schemes.csv.
+"""
 
 import matplotlib.pyplot as plt
 import pandas as pd

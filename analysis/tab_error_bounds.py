@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision: above
-1 the promise is broken. From data/sampling_error_bounds.csv
-and schemes.csv.
+1 the promise is broken. From data/sampling_error_bounds.csv and schemes.csv.
 """
 
 import pandas as pd
