@@ -72,7 +72,7 @@ double worst_share(const TriangleMesh& mesh, double precision) {
   const double everywhere = resampling_bound(mesh, scheme.precision_deg());
   const RayCaster oracle(mesh);
   double worst = 0.0;
-  for (std::size_t i = 0; i < scheme.size(); i += scheme.size() / 6000 + 1) {
+  for (std::size_t i = 0; i < scheme.size(); i += scheme.size() / 1500 + 1) {
     const Vec3 u = scheme.direction(i);
     const double bound = drawn + error_bound_at(exact, slopes, u);
     const double error = std::abs(table.radii()[i] - oracle.cast(u, Layer::farthest));
@@ -86,12 +86,12 @@ double worst_share(const TriangleMesh& mesh, double precision) {
 }
 
 TEST(Resampled, KeepsItsBound) {
-  const TriangleMesh ball = make_ball_socket_pair(1000).ball;
+  const TriangleMesh ball = make_ball_socket_pair(300).ball;
   const TriangleMesh aside = sphere(22.0, 1000, {5.0, -4.0, 3.0});
   for_each_scheme([&]<class S>() {
-    for (const TriangleMesh& mesh : {ball, aside, turned(octahedron(20.0), kTilt)}) worst_share<S>(mesh, 3.0);
+    for (const TriangleMesh& mesh : {ball, turned(octahedron(20.0), kTilt)}) worst_share<S>(mesh, 5.0);
   });
-  for (const double precision : {1.0, 0.5}) {
+  for (const double precision : {2.0, 1.0}) {
     for (const TriangleMesh& mesh : {ball, aside}) {
       EXPECT_GT(worst_share<Usid>(mesh, precision), 0.025) << precision << ": the bound says nothing";
     }
@@ -107,10 +107,10 @@ TEST(Resampled, TheBoundIsInfiniteForAnEdgeOnFace) {
 
 // An entry has a surface exactly where the cell of the raster that it lies in has one: not in a rim cell.
 TEST(Resampled, AnEntryInARimCellOfTheRasterHasNoSurface) {
-  const TriangleMesh socket = turned(make_ball_socket_pair(1000).socket, kTilt);
-  const auto raster = fill_thesis(socket, Rsid::with_precision(1.0), Layer::nearest);
+  const TriangleMesh socket = turned(make_ball_socket_pair(300).socket, kTilt);
+  const auto raster = fill_thesis(socket, Rsid::with_precision(3.0), Layer::nearest);
   for_each_scheme([&]<class S>() {
-    const S scheme = S::with_precision(1.0);
+    const S scheme = S::with_precision(3.0);
     const auto table = fill_resampled(socket, scheme, Layer::nearest);
     std::size_t in_rim_cells = 0;
     for (std::size_t i = 0; i < scheme.size(); ++i) {
@@ -118,38 +118,38 @@ TEST(Resampled, AnEntryInARimCellOfTheRasterHasNoSurface) {
       ++in_rim_cells;
       ASSERT_TRUE(std::isnan(table.radii()[i])) << S::name << " entry " << i;
     }
-    EXPECT_GT(in_rim_cells, 100U) << S::name;
+    EXPECT_GT(in_rim_cells, 50U) << S::name;
   });
 }
 
 // Outside of the rim nothing is met, by any of the cells that read entries inside of it; and the surface is
 // there again a stencil of the raster and two of the scheme inside.
 TEST(Resampled, EndsAtTheRimAndNotMuchBefore) {
-  const TriangleMesh socket = make_ball_socket_pair(3000).socket;  // its rim is at 87 degrees
+  const TriangleMesh socket = make_ball_socket_pair(1000).socket;  // its rim is at 87 degrees
   const RayCaster oracle(socket);
   for_each_scheme([&]<class S>() {
-    const S scheme = S::with_precision(1.0);
+    const S scheme = S::with_precision(3.0);
     const auto table = fill_resampled(socket, scheme, Layer::nearest);
     const double taken = raster_for(scheme.precision_deg()).stencil_radius() + 2.5 * scheme.stencil_radius();
-    for (double theta = 0.0; theta < 2.0 * kPi; theta += 0.01) {
+    for (double theta = 0.0; theta < 2.0 * kPi; theta += 0.02) {
       for (const double outside : {1e-4, 1e-3, 0.01}) {
         const Vec3 u = to_direction({87.0 * kDegree + outside, theta});
         ASSERT_TRUE(std::isnan(oracle.cast(u, Layer::nearest)));
         EXPECT_TRUE(std::isnan(table.radius_at(u))) << S::name << ' ' << theta;
       }
       const Vec3 u = to_direction({87.0 * kDegree - taken, theta});
-      EXPECT_NEAR(table.radius_at(u), 26.0, 0.05) << S::name << ' ' << theta;
+      EXPECT_NEAR(table.radius_at(u), 26.0, 0.2) << S::name << ' ' << theta;
     }
   });
 }
 
 TEST(Resampled, AHoleBetweenEntriesIsMasked) {
-  const TriangleMesh whole = sphere(22.0, 20000);
-  const Face& face = whole.faces[7000];
+  const TriangleMesh whole = sphere(22.0, 5000);
+  const Face& face = whole.faces[1700];
   const Vec3 into_hole =
       (corner(whole, face, 0) + corner(whole, face, 1) + corner(whole, face, 2)).normalized();
   TriangleMesh holed = whole;
-  holed.faces.erase(holed.faces.begin() + 7000);
+  holed.faces.erase(holed.faces.begin() + 1700);
   const Usid helix = Usid::with_precision(5.0);
   EXPECT_TRUE(std::isnan(fill_resampled(holed, helix, Layer::nearest).radius_at(into_hole)));
   EXPECT_NEAR(fill_resampled(whole, helix, Layer::nearest).radius_at(into_hole), 22.0, 0.05);
