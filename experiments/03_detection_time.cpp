@@ -3,7 +3,7 @@
 // @writes    detection_time detection_time_samples detection_time_precision detection_time_precision_samples
 // @writes-with-bones  detection_time_bones detection_time_bones_samples
 // @timing    yes
-// @seconds   60 240
+// @seconds   60 260
 //
 // The generated pair, and real joints when they are given. A time is the mean over the six poses of
 // pose_set.hpp.
