@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure 46: a) the arccosine that gives a slice its angle, b) the gap between the angles of neighbouring slices.
-From data/slices.csv.
+"""Figure 46: a) the arccosine that gives a slice its angle, b) the gap between the angles of neighbouring
+slices. From data/slices.csv.
 """
 
 import matplotlib.pyplot as plt
@@ -31,7 +31,9 @@ def draw_curve(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:
     axes.vlines(x, 0, slices.phi_deg, color=common.COLOURS[0], linewidth=0.5)
     axes.hlines(slices.phi_deg, -1, x, color=common.COLOURS[0], linewidth=0.5)
     axes.set(xlim=(-1, 1), ylim=(0, 180), yticks=range(0, 181, 30))
-    axes.set(xlabel="x = i ΔT / r", ylabel="φ, degrees", title="a) even steps in height, uneven ones in angle")
+    axes.set(
+        xlabel="x = i ΔT / r", ylabel="φ, degrees", title="a) even steps in height, uneven ones in angle"
+    )
     axes.legend(loc="upper right")
 
 
@@ -42,7 +44,8 @@ def draw_gaps(axes: plt.Axes, slices: pd.DataFrame) -> None:
     for index, gap in zip(slices.slice, slices.gap_deg):
         axes.text(index, gap + 0.12, f"{gap:.2f}", ha="center", va="bottom", fontsize=8, rotation=90)
     axes.axhline(smallest, color=common.COLOURS[1], linestyle="--", linewidth=1.2)
-    axes.text(0.3, smallest + 1.9, f"smallest gap {smallest:.2f}°,\nnext to the middle plane", fontsize=9, color=common.COLOURS[1])
+    text = f"smallest gap {smallest:.2f}°,\nnext to the middle plane"
+    axes.text(0.3, smallest + 1.9, text, fontsize=9, color=common.COLOURS[1])
     axes.set(xlim=(0.2, slices.slice.max() + 0.8), ylim=(0, slices.gap_deg.max() * 1.18))
     axes.set_xticks(slices.slice)
     axes.tick_params(axis="x", labelsize=8)

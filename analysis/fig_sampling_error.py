@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The thesis' sampling error (Eq. 7) beside the errors that a table of the head really makes, a panel a scheme.
-From data/sampling_error.csv, sampling_error_surfaces.csv and schemes.csv.
+"""The thesis' sampling error (Eq. 7) beside the errors that a table of the head really makes, a panel a
+scheme. From data/sampling_error.csv, sampling_error_surfaces.csv and schemes.csv.
 """
 
 import math
@@ -41,7 +41,9 @@ def main() -> None:
     label_axes(grid, len(schemes), sorted(errors.precision_deg.unique()))
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
-    figure.suptitle("What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11)
+    figure.suptitle(
+        "What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11
+    )
     figure.tight_layout(rect=(0, 0, 1, 0.99))
     common.save_figure(figure, options.out, "sampling-error")
 

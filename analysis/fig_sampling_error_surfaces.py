@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Largest error of an interpolated radius on four surfaces, a line a scheme. From data/sampling_error_surfaces.csv
-and schemes.csv.
+"""Largest error of an interpolated radius on four surfaces, a line a scheme. From
+data/sampling_error_surfaces.csv and schemes.csv.
 """
 
 import matplotlib.pyplot as plt
@@ -67,7 +67,9 @@ def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, labels: dict[str, str
     axes.set(xscale="log", yscale="log")
     if table.radial_max_mm.max() < 10 * table.radial_max_mm.min():
         axes.set_ylim(table.radial_max_mm.min() / 4, table.radial_max_mm.max() * 4)
-        axes.text(0.5, 0.66, "the faces stay what they are", ha="center", transform=axes.transAxes, fontsize=8)
+        axes.text(
+            0.5, 0.66, "the faces stay what they are", ha="center", transform=axes.transAxes, fontsize=8
+        )
     axes.minorticks_off()
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out. From data/SPECTRUM.csv,
-BAND_LIMIT.csv and slice_band_limit.csv.
+"""Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out. From
+data/SPECTRUM.csv, BAND_LIMIT.csv and slice_band_limit.csv.
 """
 
 import matplotlib.pyplot as plt
@@ -42,12 +42,16 @@ def draw(left: plt.Axes, right: plt.Axes, lines: pd.DataFrame, look: dict) -> No
 
 def mark_limits(axes: plt.Axes, spectrum: pd.DataFrame, limits: pd.DataFrame, looks: dict) -> None:
     """A marker where the band limit of each surface lies on its curve."""
-    chosen = limits[(limits.asked == "power_share") & (limits.value == SHARE) & (limits.filling != "membrane")]
+    chosen = limits[
+        (limits.asked == "power_share") & (limits.value == SHARE) & (limits.filling != "membrane")
+    ]
     for line in chosen.itertuples():
         on = spectrum[(spectrum.surface == line.surface) & (spectrum.filling == line.filling)]
         power = on[on.degree == min(line.band_limit, on.degree.max())].power.iloc[0]
         look = looks[line.surface]
-        axes.plot(line.band_limit, power, look["marker"], color=look["color"], markersize=9, markeredgecolor="black")
+        axes.plot(
+            line.band_limit, power, look["marker"], color=look["color"], markersize=9, markeredgecolor="black"
+        )
 
 
 def mark_slices(left: plt.Axes, right: plt.Axes, slices: pd.DataFrame) -> None:
@@ -77,7 +81,8 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
     left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
     right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
     handles = [
-        plt.Line2D([], [], label=surface.replace("_", " "), markeredgecolor="black", **look) for surface, look in looks
+        plt.Line2D([], [], label=surface.replace("_", " "), markeredgecolor="black", **look)
+        for surface, look in looks
     ]
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.05, 0.0), ncols=3)
     figure.tight_layout()

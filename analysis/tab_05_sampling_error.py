@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Table 5, the sampling error of the RSID table: the thesis' formula (Eq. 7-8), the distance along the surface
-that it stands for, and the error of the radius. From data/sampling_error.csv and sampling_error_surfaces.csv.
+"""Table 5, the sampling error of the RSID table: the thesis' formula (Eq. 7-8), the distance along the
+surface that it stands for, and the error of the radius, where they were measured. From data/sampling_error.csv
+and sampling_error_surfaces.csv.
 """
+
+import math
 
 import pandas as pd
 
@@ -28,7 +31,7 @@ def main() -> None:
                 "formula_error_mm": row.formula_max_mm,
                 "thesis_relative_percent": thesis.relative_error[f"{precision:g}deg"],
                 "formula_relative_percent": row.formula_relative,
-                "tangential_max_mm": sphere.tangential_max_mm[precision],
+                "tangential_max_mm": sphere.tangential_max_mm.get(precision, math.nan),
                 "radial_max_mm": row.measured_max_mm,
                 "radial_rms_mm": row.measured_rms_mm,
             }
@@ -40,10 +43,11 @@ def main() -> None:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """The formula, thesis and here; then what is measured, along the surface in mm and of the radius in um."""
+    """The formula, thesis and here; then what is measured, along the surface in mm, of the radius in um."""
     rows = [
         f"{line.precision_deg:g}\\textdegree & {line.thesis_error_mm} & {line.formula_error_mm:.4f} & "
-        f"{line.thesis_relative_percent} & {line.formula_relative_percent:.4f} & {line.tangential_max_mm:.4f} & "
+        f"{line.thesis_relative_percent} & {line.formula_relative_percent:.4f} & "
+        f"{common.digits(line.tangential_max_mm, 4)} & "
         f"{common.digits(1000 * line.radial_max_mm)} & {common.digits(1000 * line.radial_rms_mm)} \\\\"
         for line in lines.itertuples()
     ]

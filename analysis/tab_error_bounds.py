@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision: above
-1 the promise is broken. From data/sampling_error_bounds.csv and schemes.csv.
+"""Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision:
+above 1 the promise is broken. From data/sampling_error_bounds.csv and schemes.csv.
 """
 
 import pandas as pd
@@ -20,7 +20,9 @@ def main() -> None:
     options = common.arguments(__doc__)
     bounds = common.load(options.results, "sampling_error_bounds")
     bounds = bounds[(bounds.precision_deg == bounds.precision_deg.min()) & (bounds.reach != "stencil")]
-    shares = bounds.pivot_table(index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False)
+    shares = bounds.pivot_table(
+        index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False
+    )
     table = shares[list(PROMISES)].reset_index()
     labels = common.scheme_labels(options.results)
     common.write_table(options.out, "sampling-error-bounds", table, latex(table, labels))
