@@ -11,7 +11,7 @@ import scheme_plot
 MEASURES = {
     "entries_p9999": "error that 1 in 10,000 directions exceeds",
     "entries_rms": "root mean square error",
-    "entries_max": "largest error met: where a scheme is worst, such as at its poles",
+    "entries_rms_poles": "root mean square error within 1° of the poles",
 }
 
 

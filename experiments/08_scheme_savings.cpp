@@ -11,6 +11,7 @@
 
 #include "experiment/driver.hpp"
 #include "reference/scheme_savings.hpp"
+#include "reference/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 
@@ -59,7 +60,7 @@ struct AddRows {
 
 void body(DriverRun& run) {
   const std::size_t probes = run.quick() ? kProbesInQuick : kProbes;
-  const ErrorProbe probe(BandLimited(kFunction), probes, run.record.seed);
+  const ErrorProbe probe(BandLimited(kFunction), uniform_directions(probes, run.record.seed));
   Result result;
   result.name = "scheme_savings";
   result.question = "How many entries does each scheme need to be as good as RSID?";

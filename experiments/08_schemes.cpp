@@ -11,6 +11,7 @@
 #include "reference/interpolation_error.hpp"
 #include "reference/scheme_metrics.hpp"
 #include "reference/scheme_search.hpp"
+#include "reference/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 
@@ -20,6 +21,7 @@ using namespace impinge;
 
 constexpr std::size_t kProbes = 400000;  // directions in which tables are compared with the function
 constexpr std::size_t kProbesInQuick = 100000;
+constexpr std::size_t kPolarProbes = 20000;  // more of them within 1 degree of the poles
 constexpr BandLimitedChoice kFunction;
 
 const Column kScheme{"scheme", "", "name of the sampling scheme"};
@@ -60,13 +62,16 @@ struct Results {
                              {"max", "1", "largest error, in standard deviations of the functions"},
                              {"p9999", "1", "error that 1 in 10,000 directions exceeds"},
                              {"rms", "1", "root mean square error"},
+                             {"rms_poles", "1", "the same within 1 degree of the poles"},
                              {"entries_max", "1", "entries times max"},
                              {"entries_p9999", "1", "entries times p9999: memory for a given error"},
-                             {"entries_rms", "1", "entries times rms"}});
+                             {"entries_rms", "1", "entries times rms"},
+                             {"entries_rms_poles", "1", "entries times rms_poles"}});
 };
 
 struct AddRows {
   const ErrorProbe& probe;
+  const ErrorProbe& poles;
   std::size_t entries;
   Results& results;
 
@@ -81,18 +86,20 @@ struct AddRows {
                                     metrics.covering_constant_away(), metrics.widest.centre.z(),
                                     scheme.covering_radius() / kDegree, metrics.direction_area_ratio});
     const InterpolationError error = interpolation_error(scheme, probe);
+    const double polar = interpolation_error(scheme, poles).rms;
     const auto n = static_cast<double>(metrics.entries);
-    results.errors.table.add_row({S::name, metrics.entries, error.max, error.p9999, error.rms, n * error.max,
-                                  n * error.p9999, n * error.rms});
+    results.errors.table.add_row({S::name, metrics.entries, error.max, error.p9999, error.rms, polar,
+                                  n * error.max, n * error.p9999, n * error.rms, n * polar});
   }
 };
 
 void body(DriverRun& run) {
   const std::size_t probes = run.quick() ? kProbesInQuick : kProbes;
-  const ErrorProbe probe(BandLimited(kFunction), probes, run.record.seed);
+  const ErrorProbe probe(BandLimited(kFunction), uniform_directions(probes, run.record.seed));
+  const ErrorProbe poles(BandLimited(kFunction), polar_directions(kPolarProbes, kDegree, run.record.seed));
   const std::size_t entries = Rsid::with_precision(1.0).size();
   Results results;
-  for_each_scheme(AddRows{probe, entries, results});
+  for_each_scheme(AddRows{probe, poles, entries, results});
   const nlohmann::json size = {
       {"entries", "nearest to the " + std::to_string(entries) + " of RSID at 1 degree"}};
   results.schemes.parameters = results.covering.parameters = results.errors.parameters = size;
@@ -101,7 +108,8 @@ void body(DriverRun& run) {
                                     {"waves", kFunction.waves},
                                     {"functions", kFunction.functions},
                                     {"function_seed", kFunction.seed},
-                                    {"directions", probes}});
+                                    {"directions", probes},
+                                    {"polar_directions", kPolarProbes}});
   for (const Result* result : {&results.schemes, &results.covering, &results.errors}) {
     run.write(*result);
   }

@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/uniform_directions.hpp"
-
 namespace impinge {
 
-ErrorProbe::ErrorProbe(BandLimited several, std::size_t count, std::uint64_t seed)
-    : functions(std::move(several)), directions(uniform_directions(count, seed)) {
-  truth.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) truth.push_back(functions.value(function_at(i), directions[i]));
+ErrorProbe::ErrorProbe(BandLimited several, std::vector<Vec3> where)
+    : functions(std::move(several)), directions(std::move(where)) {
+  truth.reserve(directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    truth.push_back(functions.value(function_at(i), directions[i]));
+  }
 }
 
 InterpolationError summarise_errors(std::vector<double> errors) {

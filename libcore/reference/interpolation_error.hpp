@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace impinge {
 
 // Directions, each with the function that is looked up there and its value: made once, used for every scheme.
 struct ErrorProbe {
-  ErrorProbe(BandLimited functions, std::size_t count, std::uint64_t seed);
+  ErrorProbe(BandLimited functions, std::vector<Vec3> directions);
 
   std::size_t function_at(std::size_t i) const { return i % functions.functions(); }
 

@@ -32,4 +32,18 @@ inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t see
   return directions;
 }
 
+// Uniform on the two caps within an angle of the poles, radians, in turn.
+inline std::vector<Vec3> polar_directions(std::size_t count, double within, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Vec3> directions;
+  directions.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    // 1 - cos(phi) = 2 sin^2(phi / 2) is uniform.
+    const double phi = 2.0 * std::asin(std::sin(0.5 * within) * std::sqrt(uniform(random)));
+    const Vec3 u = to_direction({phi, 2.0 * kPi * uniform(random)});
+    directions.emplace_back(u.x(), u.y(), i % 2 == 0 ? u.z() : -u.z());
+  }
+  return directions;
+}
+
 }  // namespace impinge

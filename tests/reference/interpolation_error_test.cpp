@@ -74,7 +74,7 @@ TEST(InterpolationError, IsSummarisedByRank) {
 
 // The errors are those of tables that are really filled.
 TEST(InterpolationError, IsThatOfRadialTables) {
-  const ErrorProbe probe(BandLimited({10.0, 8, 3, 2}), 3000, 3);
+  const ErrorProbe probe(BandLimited({10.0, 8, 3, 2}), uniform_directions(3000, 3));
   for_each_scheme([&]<class S>() {
     const S scheme = S::with_precision(6.0);
     double largest = 0.0;
@@ -96,15 +96,33 @@ TEST(InterpolationError, IsThatOfRadialTables) {
 // exp(i k n.u) is above k^2 + k.
 TEST(InterpolationError, OfOneWaveIsWithinTheClosedForm) {
   const double k = 20.0;
-  const ErrorProbe probe(BandLimited({k, 1, 50, 2}), 50000, 3);
+  const ErrorProbe probe(BandLimited({k, 1, 50, 2}), uniform_directions(50000, 3));
   const double bound = std::sqrt(2.0) * 2.0 * (k * k + k) * kDegree * kDegree / 8.0;
   const InterpolationError error = interpolation_error(Rsid::with_precision(1.0), probe);
   EXPECT_LE(error.max, bound);
   EXPECT_GE(error.max, 0.4 * bound);
 }
 
+TEST(UniformDirections, FillTheSphereAndItsCapsEvenly) {
+  const auto all = uniform_directions(40000, 6);
+  const auto polar = polar_directions(40000, 0.5, 7);
+  double squares = 0.0;
+  double south = 0.0;
+  double inner = 0.0;
+  for (const Vec3& u : all) squares += u.z() * u.z() / 40000.0;
+  for (const Vec3& u : polar) {
+    ASSERT_NEAR(u.norm(), 1.0, 1e-15);
+    ASSERT_GE(std::abs(u.z()), std::cos(0.5) - 1e-15);
+    south += u.z() < 0.0 ? 1.0 / 40000.0 : 0.0;
+    inner += 1.0 - std::abs(u.z()) < 0.5 * (1.0 - std::cos(0.5)) ? 1.0 / 40000.0 : 0.0;
+  }
+  EXPECT_NEAR(squares, 1.0 / 3.0, 0.006);
+  EXPECT_EQ(std::round(south * 1000.0), 500.0);
+  EXPECT_NEAR(inner, 0.5, 0.01);
+}
+
 TEST(InterpolationError, FallsWithTheNumberOfEntriesForEveryScheme) {
-  const ErrorProbe probe(BandLimited({10.0, 16, 64, 4}), 20000, 5);
+  const ErrorProbe probe(BandLimited({10.0, 16, 64, 4}), uniform_directions(20000, 5));
   for_each_scheme([&]<class S>() {
     const S coarse = S::with_precision(3.0);
     const S fine = S::with_precision(1.5);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
@@ -22,7 +23,7 @@ TEST(SchemeSavings, HelixAtEqualSpacingIsTheClosedForm) {
 }
 
 TEST(SchemeSavings, ReferenceSavesNothing) {
-  const ErrorProbe probe(BandLimited({10.0, 8, 16, 1}), 5000, 2);
+  const ErrorProbe probe(BandLimited({10.0, 8, 16, 1}), uniform_directions(5000, 2));
   const Rsid rsid = Rsid::with_precision(5.0);
   EXPECT_EQ(saving_at_equal_gap(rsid, measured_covering_radius(rsid))->entries, rsid.size());
   for (const Saving& saving : savings_at_equal_error(rsid, interpolation_error(rsid, probe), probe)) {
@@ -48,7 +49,7 @@ TEST(SchemeSavings, EqualGapsAreThoseOfTheSmallestTable) {
 }
 
 TEST(SchemeSavings, EqualErrorsAreEqualAsFarAsSizesGo) {
-  const ErrorProbe probe(BandLimited({10.0, 8, 64, 1}), 20000, 2);
+  const ErrorProbe probe(BandLimited({10.0, 8, 64, 1}), uniform_directions(20000, 2));
   const InterpolationError target = interpolation_error(Rsid::with_precision(3.0), probe);
   for_each_scheme([&]<class S>() {
     const auto savings = savings_at_equal_error(scheme_of_size<S>(7320), target, probe);
