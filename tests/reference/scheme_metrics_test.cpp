@@ -4,6 +4,7 @@
 #include "reference/scheme_metrics.hpp"
 
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -71,17 +72,20 @@ const std::vector<ClosedForm> kClosedForms{
     {"icosahedral_gnomonic", 10.0 * (3.0 - std::sqrt(5.0)) * (3.0 - std::sqrt(5.0)), false},
     {"icosahedral_sine", 5.236, false}};
 
-TEST(SchemeMetrics, CoveringConstantsAreTheClosedForms) {
-  for (const auto& [name, constant, away_from_poles] : kClosedForms) {
-    with_scheme(name, [&]<class S>() {
-      const S scheme = scheme_of_size<S>(kThesisEntries);
-      const SphereDelaunay delaunay = sphere_delaunay_of(scheme);
-      const double rho = widest_gap(delaunay, away_from_poles ? kAwayFromPoles : 1.0).radius;
-      const double measured = static_cast<double>(scheme.size()) * rho * rho;
-      EXPECT_NEAR(measured, constant, 0.02 * constant) << name;
-    });
-  }
+class KnownScheme : public testing::TestWithParam<ClosedForm> {};
+
+TEST_P(KnownScheme, CoveringConstantIsTheClosedForm) {
+  with_scheme(GetParam().scheme, []<class S>() {
+    const S scheme = scheme_of_size<S>(kThesisEntries);
+    const double z_max = GetParam().away_from_poles ? kAwayFromPoles : 1.0;
+    const double rho = widest_gap(sphere_delaunay_of(scheme), z_max).radius;
+    const double measured = static_cast<double>(scheme.size()) * rho * rho;
+    EXPECT_NEAR(measured, GetParam().constant, 0.02 * GetParam().constant);
+  });
 }
+
+INSTANTIATE_TEST_SUITE_P(All, KnownScheme, testing::ValuesIn(kClosedForms),
+                         [](const auto& known) { return std::string(known.param.scheme); });
 
 // Two pole rows of 360 entries share one cell each, a cap of half a spacing: the ratio to a cell at the
 // equator is
