@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Adding a sampling scheme is adding one file: nothing else changes, and it is in the data, plots and tables.
+
+A copy of the project's sources gets tests/data/example_scheme.hpp, builds the experiments on schemes and the
+property tests, runs both, and makes plots and the paper's table.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ROOT / "tests" / "data" / "example_scheme.hpp"
+NAME = "example_scheme"
+LABEL = "Example scheme"
+GENERATED = {"build", ".git", "__pycache__"}
+DRIVERS = ["01_memory", "08_schemes", "08_scheme_savings", "09_lookup_time"]
+FIGURES = {"fig_scheme_covering": "scheme-covering", "fig_covering_cost": "covering-cost"}
+
+
+def run(*words: str | Path, cwd: Path | None = None) -> str:
+    """What the command prints; a failure shows its end."""
+    done = subprocess.run([str(word) for word in words], cwd=cwd, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{words}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
+    return done.stdout
+
+
+def copy_sources(to: Path) -> None:
+    """All that is not generated."""
+    shutil.copytree(
+        ROOT,
+        to,
+        ignore=lambda folder, names: [
+            name for name in names if name in GENERATED or Path(folder) == ROOT / "results" and name != "README.md"
+        ],
+    )
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    """The lines of a CSV."""
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class AddScheme(unittest.TestCase):
+    """One copy and build for all tests."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-add-scheme-")
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.project = Path(cls.folder.name) / "project"
+        cls.results = Path(cls.folder.name) / "results"
+        cls.build = cls.project / "build" / "release"
+        copy_sources(cls.project)
+        shutil.copy(EXAMPLE, cls.project / "libcore" / "sphere" / "schemes")
+        run("cmake", "--preset", "release", "-DIMPINGE_RESULTS=OFF", cwd=cls.project)
+        run("cmake", "--build", cls.build, "--target", *DRIVERS, "test_sphere")
+        for driver in DRIVERS:
+            run(cls.build / "experiments" / driver, "--out", cls.results / "data", "--profile", "quick")
+
+    def script(self, name: str) -> None:
+        """Makes a table or figure as the graph does."""
+        script = self.project / "analysis" / f"{name}.py"
+        run(sys.executable, "-B", script, "--results", self.results, "--out", self.results)
+
+    def test_properties_hold(self):
+        """The property tests over the list run on it, too."""
+        properties = "Scheme.*:SchemeChoice.*:InverseDepthTable.*"
+        output = run(self.build / "tests" / "test_sphere", f"--gtest_filter={properties}")
+        self.assertIn("[  PASSED  ]", output)
+        listed = (self.build / "libcore/sphere/generated/sphere/scheme_list.hpp").read_text()
+        self.assertIn("ExampleScheme", listed)
+
+    def test_in_the_data(self):
+        """Once in schemes.csv with what it says of itself, once a precision in lut_memory.csv."""
+        own = [row for row in rows(self.results / "data" / "schemes.csv") if row["scheme"] == NAME]
+        self.assertEqual(len(own), 1)
+        self.assertEqual(own[0]["label"], LABEL)
+        self.assertEqual(own[0]["citation"], "thesis, Section 3.1")
+        self.assertAlmostEqual(float(own[0]["covering_constant"]), 9.87, delta=0.1)
+        memory = [row for row in rows(self.results / "data" / "lut_memory.csv") if row["scheme"] == NAME]
+        self.assertEqual([int(row["entries"]) for row in memory if row["precision_deg"] == "1"], [64442])
+        sidecar = json.loads((self.results / "data" / "schemes.json").read_text())
+        self.assertIn("csv_sha256", sidecar)
+
+    def test_in_the_plots(self):
+        """By its label; text of the PDFs is text."""
+        for script, figure in FIGURES.items():
+            with self.subTest(figure=figure):
+                self.script(script)
+                text = run("pdftotext", self.results / "figures" / f"{figure}.pdf", "-")
+                self.assertIn(LABEL, " ".join(text.split()))
+                for kind in ("svg", "png"):
+                    self.assertGreater((self.results / "figures" / f"{figure}.{kind}").stat().st_size, 0)
+
+    def test_in_the_table_of_the_paper(self):
+        """tables/schemes.tex is what the paper shows."""
+        self.script("tab_schemes")
+        self.assertIn(LABEL, (self.results / "tables" / "schemes.tex").read_text())
+        labels = [row["label"] for row in rows(self.results / "tables" / "schemes.csv")]
+        self.assertEqual(labels.count(LABEL), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
