@@ -13,6 +13,7 @@
 #include "sampling/error_bound.hpp"
 #include "sampling/exact_raster.hpp"
 #include "sampling/pairwise.hpp"
+#include "sphere/inverse_depth_table.hpp"
 #include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
 
@@ -55,6 +56,25 @@ TEST(Rim, NothingIsMetOutsideOfTheRim) {
     for (const Vec3& u : near_rim) {
       ASSERT_TRUE(std::isnan(oracle.cast(u, Layer::nearest)));
       EXPECT_TRUE(std::isnan(table.radius_at(u))) << S::name << ' ' << u.transpose();
+    }
+  });
+}
+
+// Nor with the other interpolant, whose taps are those of a neighbour beside the curved cells of one scheme.
+TEST(Rim, MeshExactReachesAcrossNoRimEither) {
+  TriangleMesh mesh = make_ball_socket_pair(3000).socket;
+  for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
+  const RayCaster oracle(mesh);
+  const auto directions = test::random_directions(100000, 32);
+  for_each_scheme([&]<class S>() {
+    if constexpr (PlaneExactScheme<S>) {
+      const RadialTable<S> smooth = fill_exact(mesh, S::with_precision(4.0), Layer::nearest);
+      const InverseDepthTable<S> table(smooth);
+      for (const Vec3& u : directions) {
+        const double radius = table.radius_at(u);
+        if (std::isnan(radius)) continue;
+        ASSERT_NEAR(radius, oracle.cast(u, Layer::nearest), 0.5) << S::name << " at " << u.transpose();
+      }
     }
   });
 }

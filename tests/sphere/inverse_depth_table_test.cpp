@@ -202,5 +202,25 @@ TEST(InverseDepthTable, MissingSurfaceIsThatOfTheRadialTable) {
   });
 }
 
+// Beside a curved border a rim in either cell, that of the direction and that of the taps, may part them.
+TEST(InverseDepthTable, ARimInEitherCellCounts) {
+  for_each_plane_exact_scheme([]<class S>() {
+    const S scheme = S::with_precision(10.0);
+    int beside = 0;
+    for (const Vec3& u : test::random_directions(20000, 98)) {
+      const std::array<std::size_t, 2> cells{scheme.stencil(u).cell, scheme.plane_stencil(u).cell};
+      if (cells[0] == cells[1] || ++beside > 20) continue;
+      for (const std::size_t cell : cells) {
+        RadialTable<S> radii(scheme);
+        std::ranges::fill(radii.radii(), 5.0);
+        EXPECT_FALSE(std::isnan(InverseDepthTable<S>(radii).radius_at(u))) << S::name;
+        radii.mark_rim_cell(cell);
+        EXPECT_TRUE(std::isnan(InverseDepthTable<S>(radii).radius_at(u))) << S::name;
+      }
+    }
+    EXPECT_EQ(beside == 0, S::kFlatCells) << S::name;
+  });
+}
+
 }  // namespace
 }  // namespace impinge
