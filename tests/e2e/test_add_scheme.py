@@ -35,13 +35,12 @@ def run(*words: str | Path, cwd: Path | None = None) -> str:
 
 def copy_sources(to: Path) -> None:
     """All that is not generated."""
-    shutil.copytree(
-        ROOT,
-        to,
-        ignore=lambda folder, names: [
-            name for name in names if name in GENERATED or Path(folder) == ROOT / "results" and name != "README.md"
-        ],
-    )
+
+    def generated(folder: str, names: list[str]) -> set[str]:
+        made = set(names) - {"README.md"} if Path(folder) == ROOT / "results" else set()
+        return made | GENERATED & set(names)
+
+    shutil.copytree(ROOT, to, ignore=generated)
 
 
 def rows(path: Path) -> list[dict[str, str]]:
