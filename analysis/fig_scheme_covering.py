@@ -30,9 +30,9 @@ def main() -> None:
             va="center",
             fontsize=8.5,
         )
-    away = table.constant_away < 0.995 * table.constant
+    away = (table.constant_away < 0.995 * table.constant) & (table.constant_away <= end)
     axes.plot(
-        table.constant_away[away].clip(upper=end),
+        table.constant_away[away],
         places[away],
         linestyle="none",
         marker="D",

@@ -28,8 +28,7 @@ def main() -> None:
     span = (0.5, 1.08 * max(scheme_plot.reach(share) for share in shares.values()))
     for place, *ends in zip(places, *(share.clip(*span) for share in shares.values())):
         axes.plot([min(ends), max(ends)], [place, place], color="#bbbbbb", linewidth=1.2, zorder=1)
-    for (name, text), look in zip(MEASURES.items(), common.look(list(MEASURES)).values()):
-        scheme_plot.dots(axes, shares[name], places, span, {**look, "label": text})
+    scheme_plot.dots(axes, shares, span, MEASURES, apart=0)
     axes.axvline(1, color="black", linewidth=1, linestyle=":")
     axes.set(
         xlim=span,

@@ -27,18 +27,9 @@ def main() -> None:
     saved = saved.sort_values("covering_radius", ascending=False, kind="stable")
     common.style()
     figure, axes = plt.subplots(figsize=(6.8, 1.0 + 0.42 * len(saved)))
-    places = scheme_plot.rows(axes, [labels[scheme] for scheme in saved.index])
+    scheme_plot.rows(axes, [labels[scheme] for scheme in saved.index])
     span = (max(-60.0, float(saved.min().min()) - 5), float(saved.max().max()) + 5)
-    for k, (meaning, look) in enumerate(common.look(list(MEANINGS)).items()):
-        beside = places + 0.17 * (k - 1.5)  # values that are alike stay apart
-        there = saved[meaning].notna()
-        scheme_plot.dots(
-            axes,
-            saved[meaning][there],
-            beside[there],
-            span,
-            {**look, "markersize": 5.5, "label": MEANINGS[meaning]},
-        )
+    scheme_plot.dots(axes, {meaning: saved[meaning] for meaning in MEANINGS}, span, MEANINGS, apart=0.17)
     axes.axvline(0, color="black", linewidth=1)
     thesis = common.thesis("section-4.4").iloc[0]
     axes.axvline(

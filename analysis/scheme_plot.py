@@ -12,6 +12,7 @@ from collections.abc import Callable
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from matplotlib.text import Text
 
 import common
 
@@ -38,25 +39,40 @@ def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
 
 
 def dots(
-    axes: plt.Axes, values: pd.Series, places: np.ndarray, span: tuple[float, float], look: dict
+    axes: plt.Axes,
+    values: dict[str, pd.Series],
+    span: tuple[float, float],
+    names: dict[str, str],
+    apart: float,
 ) -> None:
-    """A marker a row, no line; values beyond the span stand at its edge with an arrow and their number."""
-    low, high = span
-    look = {**look, "linestyle": "none"}
-    inside = values.between(low, high).to_numpy()
-    axes.plot(values[inside], places[inside], **look)
-    for value, place in zip(values[~inside], places[~inside]):
-        left = value < low
-        axes.plot(low if left else high, place, clip_on=False, **{**look, "label": None})
-        axes.annotate(
-            f"← {value:,.0f}" if left else f"{value:,.3g} →",
-            (low if left else high, place),
-            xytext=(8 if left else -8, 0),
-            textcoords="offset points",
-            ha="left" if left else "right",
-            va="center",
-            fontsize=8,
+    """A marker a row for each series, `apart` rows from one another; names are those of the legend. What is
+    beyond the span is written at its edge, in the order of the legend.
+    """
+    middle = (len(values) - 1) / 2
+    for k, (name, look) in enumerate(common.look(list(values)).items()):
+        inside = values[name].between(*span).to_numpy()
+        places = np.flatnonzero(inside) + apart * (k - middle)
+        axes.plot(
+            values[name][inside],
+            places,
+            **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]},
         )
+    for place in range(len(next(iter(values.values())))):
+        row = [series.iloc[place] for series in values.values()]
+        for text, edge, shift, side in (
+            (["←", *(f"{value:,.0f}" for value in row if value < span[0])], span[0], 4, "left"),
+            ([*(common.digits(value) for value in row if value > span[1]), "→"], span[1], -4, "right"),
+        ):
+            if len(text) > 1:
+                axes.annotate(
+                    "  ".join(text).replace("-", "\u2212"),
+                    (edge, place),
+                    xytext=(shift, 0),
+                    textcoords="offset points",
+                    ha=side,
+                    va="center",
+                    fontsize=8.5,
+                )
 
 
 def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) -> None:
@@ -85,7 +101,8 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
                     "shrinkB": 4,
                 },
             )
-            box = text.get_window_extent()
+            text.get_window_extent()  # puts it in its place
+            box = Text.get_window_extent(text)  # of the words, without the line to the point
             outside = box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1
             covered = 10 * outside + sum(
                 box.x0 < x1 and x0 < box.x1 and box.y0 < y1 and y0 < box.y1

@@ -43,19 +43,21 @@ std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
   return Saving{"equator_spacing", scheme->size(), scheme->precision_deg() / precision_deg};
 }
 
-// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider. The
-// search begins at the size to which the declared radius of any scheme `near` by scales. Beyond kMostMeasured
-// entries no table is made: the size is that to which the measured radius scales, without a measured ratio.
+// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider.
+// Declared radii lead to about its size, from any scheme `near`; there the search begins. Beyond
+// kMostMeasured entries no table is measured: the size is the one at which the declared radius is as large.
 template <SamplingScheme S>
-std::optional<Saving> saving_at_equal_gap(const S& near, double covering_radius) {
-  const auto scaled = [&](double radius) {
-    const double wider = radius / covering_radius;
-    return static_cast<std::size_t>(std::round(static_cast<double>(near.size()) * wider * wider));
-  };
-  const std::size_t entries = scaled(near.covering_radius());
-  if (entries > kMostMeasured)
-    return Saving{"covering_radius", scaled(measured_covering_radius(near)), kUnknown};
-  const auto found = smallest_within<S>(covering_radius, entries, measured_covering_radius<S>);
+std::optional<Saving> saving_at_equal_gap(S near, double covering_radius) {
+  // Where gaps next to the poles differ from the rest N rho^2 is not quite constant: a few rounds find the
+  // size.
+  constexpr int kRounds = 5;
+  for (int round = 0; round < kRounds; ++round) {
+    const double wider = near.covering_radius() / covering_radius;
+    const double entries = std::round(static_cast<double>(near.size()) * wider * wider);
+    near = scheme_of_size<S>(static_cast<std::size_t>(entries));
+  }
+  if (near.size() > kMostMeasured) return Saving{"covering_radius", near.size(), kUnknown};
+  const auto found = smallest_within<S>(covering_radius, near.size(), measured_covering_radius<S>);
   if (!found) return std::nullopt;
   return Saving{"covering_radius", found->scheme.size(), found->measured / covering_radius};
 }

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "reference/uniform_directions.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/scheme_choice.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 
@@ -121,6 +123,9 @@ TEST(UniformDirections, FillTheSphereAndItsCapsEvenly) {
   EXPECT_NEAR(inner, 0.5, 0.01);
 }
 
+// Errors fall with the square of the spacing, so with the number of entries. Next to a pole, where the mean
+// of a few entries or one of them stands for a missing row, they fall with the spacing only: that shows in
+// the largest, and in all where the entries there are few.
 TEST(InterpolationError, FallsWithTheNumberOfEntriesForEveryScheme) {
   const ErrorProbe probe(BandLimited({10.0, 16, 64, 4}), uniform_directions(20000, 5));
   for_each_scheme([&]<class S>() {
@@ -129,11 +134,24 @@ TEST(InterpolationError, FallsWithTheNumberOfEntriesForEveryScheme) {
     const double ratio = static_cast<double>(fine.size()) / static_cast<double>(coarse.size());
     const InterpolationError before = interpolation_error(coarse, probe);
     const InterpolationError after = interpolation_error(fine, probe);
-    EXPECT_NEAR(before.rms / after.rms, ratio, 0.05 * ratio) << S::name;
-    EXPECT_NEAR(before.p9999 / after.p9999, ratio, 0.2 * ratio) << S::name;
+    EXPECT_GE(before.rms / after.rms, 0.7 * ratio) << S::name;
+    EXPECT_LE(before.rms / after.rms, 1.1 * ratio) << S::name;
+    EXPECT_GE(before.p9999 / after.p9999, 0.9 * std::sqrt(ratio)) << S::name;
     EXPECT_GE(before.max, before.p9999) << S::name;
     EXPECT_GE(before.p9999, before.rms) << S::name;
   });
+}
+
+TEST(InterpolationError, OfGridsWithoutSuchPolesFallsWithTheSquareOfTheSpacing) {
+  const ErrorProbe probe(BandLimited({10.0, 16, 64, 4}), uniform_directions(20000, 5));
+  for (const std::string_view name : {"rsid", "icosahedral_gnomonic", "icosahedral_sine", "cube_gnomonic"}) {
+    with_scheme(name, [&]<class S>() {
+      const InterpolationError before = interpolation_error(S::with_precision(3.0), probe);
+      const InterpolationError after = interpolation_error(S::with_precision(1.5), probe);
+      EXPECT_NEAR(before.rms / after.rms, 4.0, 0.1) << S::name;
+      EXPECT_NEAR(before.p9999 / after.p9999, 4.0, 0.5) << S::name;
+    });
+  }
 }
 
 }  // namespace

@@ -33,9 +33,10 @@ TEST(SchemeSavings, ReferenceSavesNothing) {
 }
 
 TEST(SchemeSavings, EqualGapsAreThoseOfTheSmallestTable) {
-  const double radius = measured_covering_radius(Rsid::with_precision(3.0));
+  const Rsid rsid = Rsid::with_precision(6.0);
+  const double radius = measured_covering_radius(rsid);
   for_each_scheme([&]<class S>() {
-    const auto saving = saving_at_equal_gap(scheme_of_size<S>(7320), radius);
+    const auto saving = saving_at_equal_gap(scheme_of_size<S>(rsid.size()), radius);
     ASSERT_TRUE(saving) << S::name;
     SizeLadder<S> ladder(saving->entries);
     const auto table = ladder.first_of(saving->entries);
@@ -56,7 +57,7 @@ TEST(SchemeSavings, EqualErrorsAreEqualAsFarAsSizesGo) {
     ASSERT_EQ(savings.size(), 2U) << S::name;
     // A grid of 12 n^2 entries comes in steps of 8 % here; the largest errors scatter.
     EXPECT_NEAR(savings[0].measured_ratio, 1.0, 0.2) << S::name;
-    EXPECT_NEAR(savings[1].measured_ratio, 1.0, 0.05) << S::name;
+    EXPECT_NEAR(savings[1].measured_ratio, 1.0, 0.1) << S::name;
   });
 }
 
