@@ -4,7 +4,8 @@ the timed data.
 
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
-times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA;
+times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
+one for each number of further CSVs (see paper_cells.py), as scheme:usid:covering_constant;
 difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
 machine: cpu, cores, compiler, flags, commit, profile ...
 """
@@ -16,7 +17,9 @@ from pathlib import Path
 import pandas as pd
 
 import common
+import finding
 import log_plot
+import paper_cells
 import timing
 
 MACHINE = [
@@ -45,7 +48,7 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
     for artefact, rows in verdicts.groupby("artefact"):
         facts |= {
             f"count:{artefact}:{name}": str((rows.verdict == name).sum())
-            for name in ("reproduced", "differs")
+            for name in ("reproduced", "differs", "thesis-misprint")
         }
         facts[f"count:{artefact}:all"] = str(len(rows))
     for row in verdicts.itertuples():
@@ -121,6 +124,13 @@ def difference_facts(results: Path) -> dict[str, str]:
     return facts
 
 
+def finding_facts(results: Path) -> dict[str, str]:
+    """How many statements hold, and how many do not."""
+    table = pd.read_csv(results / "tables" / "findings.csv")
+    facts = {f"finding:{name}": str((table.verdict == name).sum()) for name in finding.VERDICTS}
+    return facts | {"finding:all": str(len(table))}
+
+
 def judged_table(verdicts: pd.DataFrame) -> str:
     """The rows that are judged by order or ratio, as a table of the paper."""
     judged = verdicts[verdicts.unit.isin(["ratio", "order"])]
@@ -158,6 +168,8 @@ def main() -> None:
     )  # warnings change nothing
     facts |= verdict_facts(verdicts)
     facts |= difference_facts(options.results)
+    facts |= finding_facts(options.results)
+    facts |= paper_cells.facts(options.results)
     for table in (timing.TABLE_8, timing.TABLE_9):  # they hold Tables 3 and 4
         facts |= timing_facts(options.results, table)
     lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]

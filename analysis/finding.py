@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a finding is: a statement, what was computed about it, and whether it holds.
+
+A verdict follows from the numbers by a condition in the code, it is never written down.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+COLUMNS = ["where", "claim", "computed", "evidence", "verdict", "source"]
+VERDICTS = ("holds", "wrong", "misprint", "imprecise")
+
+
+def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> dict[str, str]:
+    """One line of findings.csv. rest: holds (bool), otherwise (the verdict if it does not; wrong unless given),
+    and source, the key of a reference that the statement is held against.
+    """
+    otherwise = str(rest.get("otherwise", "wrong"))
+    if otherwise not in VERDICTS:
+        raise ValueError(f"{otherwise} is no verdict on a statement: use one of {VERDICTS}")
+    return {
+        "where": where,
+        "claim": claim,
+        "computed": computed,
+        "evidence": evidence,
+        "verdict": "holds" if rest["holds"] else otherwise,
+        "source": str(rest.get("source", "")),
+    }
+
+
+def load(results: Path, name: str, **chosen: object) -> pd.DataFrame:
+    """The rows of data/NAME.csv that have the given values."""
+    table = common.load(results, name)
+    for column, value in chosen.items():
+        table = table[table[column] == value]
+    return table
+
+
+def one(table: pd.DataFrame, column: str, **chosen: object) -> float:
+    """The only value of the column in the rows that have the given values."""
+    for key, value in chosen.items():
+        table = table[table[key] == value]
+    (value,) = table[column]
+    return value
+
+
+def rounded(value: float, significant: int = 3) -> str:
+    """For reading, as common.digits(), but with a plain minus sign and no empty text."""
+    text = common.digits(value, significant)
+    if not text:
+        raise ValueError(f"there is no number to print: {value}")
+    return text

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Statements of the thesis, and of the note that suspected it, that a computation confirms or refutes.
+
+Each findings_*.py beside this file has rows(results); every number in them comes from data/NAME.csv.
+"""
+
+from __future__ import annotations
+
+import importlib
+import re
+
+import pandas as pd
+
+import common
+import finding
+
+FIRST, LAST = "findings_grid", "findings_note"  # the thesis from front to back, then the note
+
+
+def main() -> None:
+    """Writes tables/findings.csv and .tex."""
+    options = common.arguments(__doc__)
+    names = sorted(path.stem for path in common.HERE.glob("findings_*.py"))
+    names.sort(key=lambda name: (name == LAST, name != FIRST, name == "findings_conchoid"))
+    modules = [importlib.import_module(name) for name in names]
+    rows = pd.DataFrame([row for module in modules for row in module.rows(options.results)], columns=finding.COLUMNS)
+    rows.insert(0, "number", range(1, len(rows) + 1))
+    common.write_table(options.out, "findings", rows, latex(rows))
+
+
+def mathematical(text: str) -> str:
+    """LaTeX for a statement in plain text: powers, Greek letters, minus signs and signs of comparison."""
+    text = common.tex(text)
+    for plain, latex_text in {
+        "\\textasciicircum{}2": "\\textsuperscript{2}",
+        "N rho\\textsuperscript{2}": "$N\\rho^2$",
+        "rho\\textsuperscript{2} / 2 r (1 + 2 tan\\textsuperscript{2} psi), rho": (
+            "$\\tfrac12\\rho^2 r\\,(1+2\\tan^2\\psi)$, $\\rho$"
+        ),
+        "(1 - cos phi) / 2": "$(1-\\cos\\varphi)/2$",
+        "d <= d\\_i": "$d\\le d_i$",
+        "k = sqrt(w)": "$k=\\sqrt w$",
+        "floor(T / dx)": "$\\lfloor T/\\Delta x\\rfloor$",
+        "own dx": "own $\\Delta x$",
+        "n - 1": "$n-1$",
+        " x ": "\\,$\\times$\\,",
+    }.items():
+        text = text.replace(plain, latex_text)
+    text = re.sub(r"(?<![\w-])-(?=\d)", "$-$", text)
+    return re.sub(r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text)
+
+
+def latex(rows: pd.DataFrame) -> str:
+    """A table over several pages: the body and its head; the caption is the paper's."""
+    body = []
+    for row in rows.itertuples():
+        source = f"~\\cite{{{row.source}}}" if row.source else ""
+        evidence = common.tex(row.evidence).replace("\\_", "\\_\\allowbreak{}")
+        body.append(
+            f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & {mathematical(row.computed)}{source} "
+            f"{{\\scriptsize\\textcolor{{black!60}}{{[{evidence}]}}}} & {row.verdict} \\\\"
+        )
+    return "\n".join(["\\midrule", "\\addlinespace[2pt]\n".join(line + "\n" for line in body), ""])
+
+
+common.run(main)

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison of the thesis' Algorithms 2 and 3 as they are written, beside the signed gap.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace impinge {
+
+// Which surface the vertices of a scan are of; the table is the other one's.
+enum class ScannedSurface { ball, socket };
+
+struct ScanVerdicts {
+  std::size_t met = 0;         // vertices that meet the other surface
+  std::size_t by_gap = 0;      // of these, with a gap of 0 or less
+  std::size_t as_written = 0;  // of these, with d <= d_i: d from the table, d_i of the vertex
+};
+
+// gap in mm, NaN where no surface is met, as scan_ball() or scan_socket() gives it: d - d_i for vertices of
+// the ball and d_i - d for those of the socket, to which the thesis applies the same comparison.
+ScanVerdicts compare_as_written(std::span<const double> gap, ScannedSurface scanned);
+
+}  // namespace impinge
