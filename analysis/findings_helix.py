@@ -99,7 +99,9 @@ def index(results: Path) -> dict:
 
 def saving(results: Path) -> dict:
     """Section 4.4."""
-    saved = load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
+    saved = (
+        load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
+    )
     return finding(
         "4.4",
         "USID takes about 20 % less memory.",
@@ -139,7 +141,9 @@ def search(results: Path) -> dict:
     times = common.load(results, "stencil_time").sort_values("entries")
     ratios = times.groupby("scheme").median_ns.agg(lambda values: values.iloc[-1] / values.iloc[0])
     growth = times.entries.max() / times.entries.min()
-    solid = ratios[[name for name in ratios.index if pd.Series([labels[name]]).str.contains(POLYHEDRA, case=False)[0]]]
+    solid = ratios[
+        [name for name in ratios.index if pd.Series([labels[name]]).str.contains(POLYHEDRA, case=False)[0]]
+    ]
     listed = ", ".join(f"{labels[name]} {value:.2f}" for name, value in solid.items())
     return finding(
         "4.5",

@@ -47,7 +47,13 @@ def facts(results: Path) -> dict[str, str]:
     every = {}
     for cells in CELLS:
         every |= of_table(common.load(results, cells.data), cells)
-    return every | stencil_growth(results) | area_spread(results) | scheme_extremes(results) | helix_lengths(results)
+    return (
+        every
+        | stencil_growth(results)
+        | area_spread(results)
+        | scheme_extremes(results)
+        | helix_lengths(results)
+    )
 
 
 def of_table(table: pd.DataFrame, cells: Cells) -> dict[str, str]:
@@ -130,5 +136,6 @@ def helix_lengths(results: Path) -> dict[str, str]:
     """length:TURNS of the curve to four decimals, aspect:TURNS of its spacings."""
     placement = common.load(results, "helix_placement")
     return {f"length:{row.turns:g}": f"{row.length:,.4f}" for row in placement.itertuples()} | {
-        f"aspect:{row.turns:g}": f"{row.along_deg / row.between_turns_deg:.2f}" for row in placement.itertuples()
+        f"aspect:{row.turns:g}": f"{row.along_deg / row.between_turns_deg:.2f}"
+        for row in placement.itertuples()
     }

@@ -2,7 +2,7 @@
 """Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
 the timed data.
 
-Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis and measured:ARTEFACT:ROW:COLUMN;
+Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see paper_cells.py), as scheme:usid:covering_constant;
@@ -56,6 +56,7 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
         facts |= {
             f"thesis:{name}": grouped(row.thesis),
             f"measured:{name}": grouped(row.measured),
+            f"rounded:{name}": rounded(row.measured),
             f"verdict:{name}": row.verdict,
         }
     return facts
@@ -68,6 +69,14 @@ def grouped(text: str) -> str:
     except ValueError:
         return text
     return f"{number:,.10g}" if number >= 1000 else text
+
+
+def rounded(text: str) -> str:
+    """Three significant digits, for a number; anything else as it is."""
+    try:
+        return common.digits(float(text))
+    except ValueError:
+        return text
 
 
 def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
@@ -133,7 +142,10 @@ def finding_facts(results: Path) -> dict[str, str]:
 
 def judged_table(verdicts: pd.DataFrame) -> str:
     """The rows that are judged by order or ratio, as a table of the paper."""
-    judged = verdicts[verdicts.unit.isin(["ratio", "order"])]
+    judged = verdicts[verdicts.unit.isin(["ratio", "order"]) & verdicts.artefact.str.startswith("table")]
+    judged = judged.drop_duplicates(
+        ["row", "column", "thesis", "measured"], keep="last"
+    )  # of a table that repeats one
     rows = [
         " & ".join(
             common.tex(grouped(value))

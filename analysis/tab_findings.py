@@ -16,6 +16,20 @@ import finding
 
 FIRST, LAST = "findings_grid", "findings_note"  # the thesis from front to back, then the note
 
+HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{42mm}
+  >{\raggedright\arraybackslash}p{66mm}l@{}}
+  \caption{Statements, and what was computed about them.}\label{tab:findings}\\
+  \toprule
+  & where & statement & computed & verdict \\
+  \midrule
+  \endfirsthead
+  \toprule
+  & where & statement & computed & verdict \\
+  \midrule
+  \endhead
+  \bottomrule
+  \endfoot"""
+
 
 def main() -> None:
     """Writes tables/findings.csv and .tex."""
@@ -23,7 +37,9 @@ def main() -> None:
     names = sorted(path.stem for path in common.HERE.glob("findings_*.py"))
     names.sort(key=lambda name: (name == LAST, name != FIRST, name == "findings_conchoid"))
     modules = [importlib.import_module(name) for name in names]
-    rows = pd.DataFrame([row for module in modules for row in module.rows(options.results)], columns=finding.COLUMNS)
+    rows = pd.DataFrame(
+        [row for module in modules for row in module.rows(options.results)], columns=finding.COLUMNS
+    )
     rows.insert(0, "number", range(1, len(rows) + 1))
     common.write_table(options.out, "findings", rows, latex(rows))
 
@@ -47,11 +63,13 @@ def mathematical(text: str) -> str:
     }.items():
         text = text.replace(plain, latex_text)
     text = re.sub(r"(?<![\w-])-(?=\d)", "$-$", text)
-    return re.sub(r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text)
+    return re.sub(
+        r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text
+    )
 
 
 def latex(rows: pd.DataFrame) -> str:
-    """A table over several pages: the body and its head; the caption is the paper's."""
+    """A table over several pages: its head is repeated."""
     body = []
     for row in rows.itertuples():
         source = f"~\\cite{{{row.source}}}" if row.source else ""
@@ -60,7 +78,9 @@ def latex(rows: pd.DataFrame) -> str:
             f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & {mathematical(row.computed)}{source} "
             f"{{\\scriptsize\\textcolor{{black!60}}{{[{evidence}]}}}} & {row.verdict} \\\\"
         )
-    return "\n".join(["\\midrule", "\\addlinespace[2pt]\n".join(line + "\n" for line in body), ""])
+    return "\n".join(
+        [HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""]
+    )
 
 
 common.run(main)
