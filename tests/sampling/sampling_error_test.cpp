@@ -66,13 +66,15 @@ double largest_share_on_plane(const std::vector<Vec3>& directions, double rho, c
   return share;
 }
 
-// Schemes whose taps are the corners of a cell no wider than its covering circle keep the promise.
+// Schemes whose taps are the corners of a cell no wider than its covering circle.
+const std::set<std::string_view> kCells{"rsid",      "cube_gnomonic",        "cube_equiangular",
+                                        "fibonacci", "icosahedral_gnomonic", "icosahedral_sine"};
+
+// They keep the promise.
 TEST(SamplingError, OnAPlaneIsOfSecondOrder) {
-  const std::set<std::string_view> cells{"rsid",      "cube_gnomonic",        "cube_equiangular",
-                                         "fibonacci", "icosahedral_gnomonic", "icosahedral_sine"};
   std::size_t checked = 0;
   for_each_scheme([&]<class S>() {
-    if (!cells.contains(S::name)) return;
+    if (!kCells.contains(S::name)) return;
     ++checked;
     for (const double precision : {2.0, 0.5}) {
       const S scheme = S::with_precision(precision);
@@ -83,7 +85,7 @@ TEST(SamplingError, OnAPlaneIsOfSecondOrder) {
       EXPECT_GT(share, 0.5) << S::name << ": the bound is loose";
     }
   });
-  EXPECT_EQ(checked, cells.size());
+  EXPECT_EQ(checked, kCells.size());
 }
 
 // Where rows end in a pole, their taps bend round it: an arc of few entries misses the pole's tangent by a
@@ -126,7 +128,10 @@ TEST(SamplingError, AcrossAnEdgeIsBounded) {
         share = std::max(share, error / edge_bound(edge, scheme, u, scheme.stencil_radius()));
       }
       EXPECT_LE(share, 1.0) << S::name;
-      EXPECT_GT(share, 0.03) << S::name << ": the bound says nothing";
+      // Entries of a scheme that is sparse elsewhere may lie denser here than its stencil radius says.
+      if (kCells.contains(S::name)) {
+        EXPECT_GT(share, 0.05) << S::name << ": the bound says nothing";
+      }
     });
   }
 }
