@@ -23,6 +23,7 @@ def rows(results: Path) -> list[dict]:
         rasterised(results),
         travelled_distance(results),
         index(results),
+        first_turn(results),
         saving(results),
         same_result(results),
         search(results),
@@ -94,6 +95,23 @@ def index(results: Path) -> dict:
         f"It is exact for points at equal steps of Eq. 10 ({exact:.1e} mm).",
         "helix_placement: mismatch_true_spacing, mismatch_eq10_spacing; helix_lookup_error: rms_mm",
         holds=abs(first.mismatch_true_spacing) < 1,
+    )
+
+
+def first_turn(results: Path) -> dict:
+    """Section 4.3."""
+    usid, rsid = (
+        common.load(results, "scheme_errors").set_index("scheme").loc[name] for name in ("usid", "rsid")
+    )
+    return finding(
+        "4.3",
+        "Inside the first and the last turn, three neighbours are enough.",
+        f"Within 1 degree of a pole the error (root mean square times entries) is {usid.entries_rms_poles:,.0f}, "
+        f"{usid.entries_rms_poles / usid.entries_rms:.1f} times that over the whole sphere; RSID has {rsid.entries_rms_poles:,.0f} "
+        "there: the entry on the pole stands for a missing row.",
+        "scheme_errors: entries_rms_poles, entries_rms",
+        holds=usid.entries_rms_poles < 1.5 * usid.entries_rms,
+        otherwise="imprecise",
     )
 
 

@@ -24,6 +24,7 @@ def rows(results: Path) -> list[dict]:
         equal_covering(results),
         equal_error(results),
         fibonacci(results),
+        octahedron(results),
         solid_angle(results),
         best_sphere(results),
         closed_form(results),
@@ -128,6 +129,23 @@ def fibonacci(results: Path) -> dict:
         f"N rho^2 is {rounded(constants.fibonacci)} against {rounded(constants.latitude_rows)}.",
         "schemes: covering_constant",
         holds=constants.fibonacci >= constants.latitude_rows,
+    )
+
+
+def octahedron(results: Path) -> dict:
+    """Section B, at equal error."""
+    saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index(
+        "scheme"
+    )
+    solid = saved.saved_percent.octahedral_equal_area
+    return finding(
+        "note, B",
+        "The equal-area octahedron saves 32 %.",
+        f"{one(load(results, 'scheme_savings', precision_deg=1.0, meaning='covering_radius'), 'saved_percent', scheme='octahedral_equal_area'):.0f} % "
+        f"at equal covering; at equal interpolation error (99.99th percentile) {solid:.0f} %.",
+        "scheme_savings: saved_percent",
+        holds=solid > 30,
+        otherwise="imprecise",
     )
 
 

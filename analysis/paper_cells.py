@@ -133,9 +133,13 @@ def savings_of(results: Path, scheme: str) -> pd.Series:
 
 
 def helix_lengths(results: Path) -> dict[str, str]:
-    """length:TURNS of the curve to four decimals, aspect:TURNS of its spacings."""
-    placement = common.load(results, "helix_placement")
-    return {f"length:{row.turns:g}": f"{row.length:,.4f}" for row in placement.itertuples()} | {
-        f"aspect:{row.turns:g}": f"{row.along_deg / row.between_turns_deg:.2f}"
-        for row in placement.itertuples()
-    }
+    """length:TURNS of the curve to four decimals, aspect:TURNS of its spacings, mismatch:TURNS:true and :eq10, by how
+    many entries an index is off at most with either spacing.
+    """
+    found = {}
+    for row in common.load(results, "helix_placement").itertuples():
+        found[f"length:{row.turns:g}"] = f"{row.length:,.4f}"
+        found[f"aspect:{row.turns:g}"] = f"{row.along_deg / row.between_turns_deg:.2f}"
+        found[f"mismatch:{row.turns:g}:true"] = common.digits(abs(row.mismatch_true_spacing))
+        found[f"mismatch:{row.turns:g}:eq10"] = common.digits(abs(row.mismatch_eq10_spacing))
+    return found

@@ -16,8 +16,8 @@ import finding
 
 FIRST, LAST = "findings_grid", "findings_note"  # the thesis from front to back, then the note
 
-HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{42mm}
-  >{\raggedright\arraybackslash}p{66mm}l@{}}
+HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{45mm}
+  >{\raggedright\arraybackslash}p{69mm}l@{}}
   \caption{Statements, and what was computed about them.}\label{tab:findings}\\
   \toprule
   & where & statement & computed & verdict \\
