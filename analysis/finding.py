@@ -24,7 +24,7 @@ def finding(where: str, claim: str, computed: str, evidence: str, **rest: object
     if otherwise not in VERDICTS:
         raise ValueError(f"{otherwise} is no verdict on a statement: use one of {VERDICTS}")
     return {
-        "where": where,
+        "where": f"Section {where}" if where[0].isdigit() else where,
         "claim": claim,
         "computed": computed,
         "evidence": evidence,

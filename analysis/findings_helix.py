@@ -90,9 +90,9 @@ def index(results: Path) -> dict:
         "4.3, step c",
         "With points equally distributed along the curve, the index is floor(T / dx).",
         f"Off by up to {rounded(abs(first.mismatch_true_spacing))} entries ({last.mismatch_true_spacing:,.0f} with "
-        f"{last.turns:,.0f} turns), or by {rounded(abs(first.mismatch_eq10_spacing), 2)} to "
-        f"{rounded(abs(last.mismatch_eq10_spacing), 2)} with Eq. 10's own dx: {rounded(off)} mm root mean square on the ball. "
-        f"It is exact for points at equal steps of Eq. 10 ({exact:.1e} mm).",
+        f"{last.turns:,.0f} turns), on the ball {rounded(off)} mm root mean square; with Eq. 10's own dx by up to "
+        f"{rounded(abs(first.mismatch_eq10_spacing), 2)} to {rounded(abs(last.mismatch_eq10_spacing), 2)} entries. It is exact for "
+        f"points at equal steps of Eq. 10 ({exact:.1e} mm).",
         "helix_placement: mismatch_true_spacing, mismatch_eq10_spacing; helix_lookup_error: rms_mm",
         holds=abs(first.mismatch_true_spacing) < 1,
     )

@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import html
 import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -62,7 +63,7 @@ class Job:
 
 
 def load_jobs(path: Path) -> list[Job]:
-    """Tables and figures in the order of the graph."""
+    """Tables and figures: those of the thesis by their numbers, then the others in the order of the graph."""
     jobs = []
     for line in path.read_text().splitlines():
         name, kind, _, _, _, _, outputs, depends, command, question = line.split("\t")
@@ -73,7 +74,13 @@ def load_jobs(path: Path) -> list[Job]:
         ]
         script = next((word for word in command.split() if word.endswith(".py")), "")
         jobs.append(Job(name, kind, outputs.split(";"), data, script, question))
-    return jobs
+    return sorted(jobs, key=place)
+
+
+def place(job: Job) -> tuple:
+    """The thesis' tables, then its figures, by number; then all others."""
+    thesis = re.fullmatch(r"(table|figure)-(\d+).*", job.name)
+    return (0, thesis[1] == "figure", int(thesis[2])) if thesis else (1,)
 
 
 def element(tag: str, inner: str, **attributes: str) -> str:
