@@ -19,6 +19,7 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
+import finding  # noqa: E402
 import log_plot  # noqa: E402
 import ply  # noqa: E402
 import render  # noqa: E402
@@ -65,6 +66,37 @@ class Loading(unittest.TestCase):
         self.csv.unlink()
         with self.assertRaisesRegex(common.Refused, "not there"):
             common.load(self.results, "x")
+
+
+class Findings(unittest.TestCase):
+    """The verdict on a statement follows from what was computed."""
+
+    def test_verdict(self):
+        line = finding.finding("3.2", "One is two.", "1 is 1.", "data: column", holds=1 == 2)
+        self.assertEqual((line["verdict"], line["where"], line["source"]), ("wrong", "Section 3.2", ""))
+        self.assertEqual(
+            finding.finding("Eq. 7", "", "", "", holds=True, otherwise="misprint")["verdict"], "holds"
+        )
+        self.assertEqual(
+            finding.finding("Eq. 7", "", "", "", holds=False, otherwise="misprint")["verdict"], "misprint"
+        )
+        with self.assertRaises(KeyError):  # nobody forgets the condition
+            finding.finding("Eq. 7", "", "", "")
+        with self.assertRaises(ValueError):
+            finding.finding("Eq. 7", "", "", "", holds=False, otherwise="bad")
+
+    def test_one(self):
+        table = pd.DataFrame({"k": [1, 2, 2], "x": [3.0, 4.0, 5.0]})
+        self.assertEqual(finding.one(table, "x", k=1), 3.0)
+        with self.assertRaises(ValueError):
+            finding.one(table, "x", k=2)
+        with self.assertRaises(ValueError):
+            finding.one(table, "x", k=7)
+
+    def test_rounded(self):
+        self.assertEqual(finding.rounded(0.012345), "0.0123")
+        with self.assertRaises(ValueError):
+            finding.rounded(float("nan"))
 
 
 class Numbers(unittest.TestCase):
