@@ -8,15 +8,9 @@
 // that is none (see require_shape()), a phi outside of [0, pi], a length or area beyond the curve.
 #pragma once
 
+#include "sphere/conchoid_shape.hpp"
+
 namespace impinge {
-
-// Lengths in mm. The default is Menschik's acetabulum (thesis, Section 5.1.2).
-struct ConchoidShape {
-  double a = 20.501;
-  double b = 17.843;
-
-  friend bool operator==(const ConchoidShape&, const ConchoidShape&) = default;
-};
 
 // Throws unless a > 0, b >= 0 and a >= b, all finite. A conchoid with a < b has a loop through its origin:
 // r changes sign, and a direction would meet it twice.

@@ -32,7 +32,7 @@ RadialSurface spherical_surface(std::string name, double radius, const Vec3& cen
   return surface;
 }
 
-RadialSurface conchoid_surface(std::string name, const Conchoid& shape, const Vec3& axis) {
+RadialSurface conchoid_surface(std::string name, const ConchoidShape& shape, const Vec3& axis) {
   if (!(shape.b >= 0.0 && shape.a > shape.b)) {
     throw std::invalid_argument(
         "a conchoid a + b cos(phi) has one radius a direction for 0 <= b < a, not otherwise");

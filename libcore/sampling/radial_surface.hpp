@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sphere/conchoid_shape.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -27,11 +28,7 @@ RadialSurface spherical_surface(std::string name, double radius, const Vec3& cen
 
 // Menschik's conchoid r = a + b cos(phi), 0 <= b < a (mm), turned about its axis (unit vector) and examined
 // up to phi = 90 degrees, as in the thesis (Eq. 11-14).
-struct Conchoid {
-  double a = 1.0;
-  double b = 0.0;
-};
-RadialSurface conchoid_surface(std::string name, const Conchoid& shape, const Vec3& axis);
+RadialSurface conchoid_surface(std::string name, const ConchoidShape& shape, const Vec3& axis);
 
 // The plane n.x = p (n a unit vector, p > 0 mm), examined up to an incidence of `steepest_deg` < 90 degrees.
 RadialSurface planar_surface(std::string name, const Vec3& normal, double distance, double steepest_deg);

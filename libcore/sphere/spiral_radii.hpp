@@ -111,16 +111,54 @@ double worst_gap(const FromPole<P>& curve, double phi_a) {
   return worst_on_turn(curve, high, phi_a);
 }
 
-// Of the cap at the pole: the largest gap, found exactly.
+// The largest sine between two polar angles.
+inline double widest_parallel(double from, double to) {
+  return from < 0.5 * kPi && to > 0.5 * kPi ? 1.0 : std::max(std::sin(from), std::sin(to));
+}
+
+// Length of the curve between two polar angles, at most: of pieces as if each were on its longest parallel.
+template <class P>
+double curve_length(const FromPole<P>& curve, double from, double to) {
+  constexpr int kPieces = 16;
+  double length = 0.0;
+  double phi = from;
+  for (int k = 1; k <= kPieces; ++k) {
+    const double next = from + (to - from) * k / kPieces;
+    const double across = 2.0 * kPi * (curve.turn(next) - curve.turn(phi));
+    length += std::hypot(next - phi, across * widest_parallel(phi, next));
+    phi = next;
+  }
+  return length;
+}
+
+// From any direction between two turns it is at most half of their distance to the nearer one and then at
+// most half a step along it; the pole stands for a turn that is missing. The largest such way from the polar
+// entries.
+template <class P>
+double polar_gap_bound(const FromPole<P>& curve) {
+  double largest = 0.5 * curve.polar_of_turn(1.0);
+  for (double i = 0.0; i < std::min(kPolarEntries, curve.last()); i += 1.0) {
+    const double phi = curve.polar_angle(i);
+    const double next = curve.polar_angle(i + 1.0);
+    const double above = curve.polar_of_turn(curve.turn(phi) - 1.0);
+    const double spacing = std::max(curve.below(next) - next, phi - above);
+    largest = std::max(largest, 0.5 * (spacing + curve_length(curve, phi, next)));
+  }
+  return std::min(largest, kPi);
+}
+
+// Of the cap at the pole: the largest gap, found exactly where the entries in reach are not too many. (They
+// are where the cap of a conchoid that is nearly a cusp takes in half of the sphere.)
 template <class P>
 double polar_gap(const FromPole<P>& curve) {
+  constexpr double kMostTaken = 2000.0;
   const double cap = curve.polar_angle(std::min(kPolarEntries, curve.last()));
   const double reach = 1.5 * std::max(worst_gap(curve, curve.polar_of_turn(0.5 * curve.turn(kPi) - 0.5)),
                                       flat_gap(curve, curve.polar_angle(1.0)));
-  const double taken = std::floor(curve.place(std::min(cap + 2.0 * reach, kPi)));
+  const double taken = std::min(std::floor(curve.place(std::min(cap + 2.0 * reach, kPi))), curve.last());
+  if (taken > kMostTaken) return polar_gap_bound(curve);
   std::vector<Vec3> polar;
-  for (double i = 0.0; i <= std::min(taken, curve.last()); i += 1.0)
-    polar.push_back(curve.direction(static_cast<std::size_t>(i)));
+  for (double i = 0.0; i <= taken; i += 1.0) polar.push_back(curve.direction(static_cast<std::size_t>(i)));
   return largest_gap(polar, std::cos(cap), reach);
 }
 
@@ -169,9 +207,28 @@ double way_to_far_corner(const FromPole<P>& curve, double i) {
   }
 }
 
-// The direction farthest from an entry is at the far corner of its ribbon. Beyond the polar entries the way
-// there is at most a step and a spacing along phi, and across at most the step's azimuth on the longest
-// parallel that it meets.
+// Longest way from the entry at place t to a direction that reads it, on any placement. From the entry along
+// the turn to the direction's azimuth is at most the longer step next to it, and from there along the
+// meridian at most a spacing of turns; or both at once, along phi and across on the longest parallel that is
+// met.
+template <class P>
+double way_to_readers(const FromPole<P>& curve, double t) {
+  const double phi = curve.polar_angle(t);
+  const double before = curve.polar_angle(t - 1.0);
+  const double after = curve.polar_angle(t + 1.0);
+  const double above = curve.polar_of_turn(curve.turn(before) - 1.0);
+  const double below = curve.below(after);
+  const double step = std::max(curve_length(curve, before, phi), curve_length(curve, phi, after));
+  const double spacing = std::max(below - after, before - above);
+  const double turn = curve.turn(phi);
+  const double across = 2.0 * kPi * std::max(curve.turn(after) - turn, turn - curve.turn(before));
+  const double along = std::max(below - phi, phi - above);
+  return std::min(step + spacing, std::hypot(along, across * widest_parallel(above, below)));
+}
+
+// The direction farthest from an entry is at the far corner of its ribbon where turns are no farther apart at
+// the pole than elsewhere, as those of a helix. Beyond the polar entries a reader is away at most a step and
+// a spacing along phi, and across at most the step's azimuth on the longest parallel that is met.
 template <class P>
 double spiral_stencil_radius(const P& placement) {
   if (placement.turns() < 2.5) return kPi;  // six entries or so: some stencils span the sphere
@@ -179,23 +236,18 @@ double spiral_stencil_radius(const P& placement) {
   for (const bool south : {false, true}) {
     if (south && P::kMirrored) continue;
     const FromPole<P> curve(placement, south);
+    largest = std::max(largest, curve.polar_of_turn(1.0));
     for (double i = 0.0; i < std::min(kPolarEntries, curve.last()); i += 1.0)
-      largest = std::max(largest, way_to_far_corner(curve, i));
+      largest = std::max(largest, P::kMirrored ? way_to_far_corner(curve, i) : way_to_readers(curve, i));
   }
-  if (placement.last() <= 2.0 * kPolarEntries) return largest;
-  const FromPole<P> curve(placement, false);
-  const auto way = [&](double phi) {
-    const double next = curve.polar_angle(curve.place(phi) + 1.0);
-    const double above = curve.polar_of_turn(curve.turn(phi) - 1.0);
-    const double below = curve.below(next);
-    const double widest =
-        above < 0.5 * kPi && below > 0.5 * kPi ? 1.0 : std::max(std::sin(above), std::sin(below));
-    const double along = std::max(below - phi, next - above);
-    return std::hypot(along, 2.0 * kPi * widest * (curve.turn(next) - curve.turn(phi)));
-  };
-  const double from = curve.polar_angle(kPolarEntries);
-  const double to = curve.polar_angle(curve.last() - kPolarEntries);
-  return std::max(largest, largest_between(from, to, way));
+  if (placement.last() > 2.0 * kPolarEntries) {
+    const FromPole<P> curve(placement, false);
+    const double from = curve.polar_angle(kPolarEntries);
+    const double to = curve.polar_angle(curve.last() - kPolarEntries);
+    const auto way = [&](double phi) { return way_to_readers(curve, curve.place(phi)); };
+    largest = std::max(largest, largest_between(from, to, way));
+  }
+  return std::min(largest, kPi);
 }
 
 }  // namespace impinge

@@ -59,7 +59,9 @@ TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
     for (const double precision : {10.0, 2.0, 0.5}) {
       for (const TriangleMesh& mesh : {pair.ball, tilted, cone(), sphere(22.0, 300, {12.0, 3.0, -9.0})}) {
         const Tightness found = measure<S>(mesh, precision, Layer::farthest);
-        EXPECT_TRUE(found.bounded || precision > 2.0) << S::name << " at " << precision;
+        // A scheme that is sparse somewhere, as the conchoid at its south pole, has a wide bound everywhere.
+        const double reach = S::with_precision(precision).stencil_radius();
+        EXPECT_TRUE(found.bounded || reach > 10.0 * kDegree) << S::name << " at " << precision;
         if (!found.bounded) continue;
         EXPECT_GT(found.worst_share, 0.02) << S::name << " at " << precision << ": the bound says nothing";
       }

@@ -15,7 +15,7 @@ namespace impinge {
 namespace {
 
 const Vec3 kAxis = Vec3(0.48, 0.6, 0.64);
-constexpr Conchoid kHip{20.501, 17.843};  // mm (thesis, Section 5.1.2)
+constexpr ConchoidShape kHip{20.501, 17.843};  // mm (thesis, Section 5.1.2)
 
 // Length of the gradient of r by central differences.
 double gradient(const RadialSurface& surface, const Vec3& u) {

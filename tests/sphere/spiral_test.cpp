@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "sphere/entries_inside.hpp"
+#include "sphere/schemes/conchoid.hpp"
 #include "sphere/schemes/helix_isotropic.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "sphere/schemes/usid_arc.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -19,7 +21,7 @@ namespace {
 
 template <class S>
 class Spirals : public testing::Test {};
-using All = testing::Types<Usid, HelixIsotropic>;
+using All = testing::Types<Usid, UsidArc, HelixIsotropic, Conchoid>;
 TYPED_TEST_SUITE(Spirals, All);
 
 // Places of entries in all parts of a table, both ends among them.

@@ -37,7 +37,8 @@ class HelixIsotropic : public Spiral<HeightSteps> {
   friend bool operator==(const HelixIsotropic&, const HelixIsotropic&) = default;
 
  private:
-  static constexpr double kMostEntries = 9e15;  // below 2^53: every index is exact in double
+  static constexpr double kMostEntries =
+      1e12;  // beyond them angles have too few digits to tell entries apart
 
   explicit HelixIsotropic(std::size_t size)
       : Spiral(HeightSteps(size, std::sqrt(kPi * static_cast<double>(size)))) {}
@@ -50,7 +51,7 @@ inline HelixIsotropic HelixIsotropic::with_precision(double degrees) {
   const double spacing = degrees * kDegree;
   const double size = std::round(4.0 * kPi / spacing / spacing);
   if (!(size <= kMostEntries)) {
-    throw std::invalid_argument("an isotropic helix has a precision of at least 2.2e-6 degrees");
+    throw std::invalid_argument("an isotropic helix has a precision of at least 2.1e-4 degrees");
   }
   return HelixIsotropic(static_cast<std::size_t>(size));
 }

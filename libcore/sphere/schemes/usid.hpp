@@ -42,7 +42,8 @@ class Usid : public Spiral<HeightSteps> {
   friend bool operator==(const Usid&, const Usid&) = default;
 
  private:
-  static constexpr std::size_t kMostTurns = 90'000'000;  // w below 2^53: every index is exact in double
+  static constexpr std::size_t kMostTurns =
+      1'000'000;  // beyond them angles have too few digits to tell entries apart
 
   explicit Usid(std::size_t turns)
       : Spiral(HeightSteps(turns * turns, 2.0 * static_cast<double>(turns))), turns_(turns) {}
@@ -52,7 +53,7 @@ class Usid : public Spiral<HeightSteps> {
 
 inline Usid Usid::with_turns(std::size_t turns) {
   if (turns < 2) throw std::invalid_argument("a USID helix has at least 2 turns");
-  if (turns > kMostTurns) throw std::invalid_argument("a USID helix has at most 90000000 turns");
+  if (turns > kMostTurns) throw std::invalid_argument("a USID helix has at most 1000000 turns");
   return Usid(turns);
 }
 
@@ -62,7 +63,7 @@ inline Usid Usid::with_precision(double degrees) {
   }
   const double turns = std::round(720.0 / (kPi * degrees));
   if (turns > static_cast<double>(kMostTurns)) {
-    throw std::invalid_argument("a USID precision is at least 2.6e-6 degrees");
+    throw std::invalid_argument("a USID precision is at least 2.3e-4 degrees");
   }
   return with_turns(static_cast<std::size_t>(turns));
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Placement of a Spiral: the helix theta = 2 k phi (thesis, Eq. 9) whose w entries stand at equal steps of
+// true arc length. With L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4 k^2) the place of
+// a point is t(phi) = (w - 1) L(phi) / L(pi).
+#pragma once
+
+#include <cstddef>
+
+#include "sphere/direction.hpp"
+#include "sphere/elliptic_arc.hpp"
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+class ArcSteps {
+ public:
+  static constexpr bool kMirrored = true;
+
+  // size >= 4 entries, below 2^53; turns >= 2.
+  ArcSteps(std::size_t size, std::size_t turns);
+
+  double last() const { return last_; }
+  double turns() const { return turns_; }
+  double turn(double phi) const { return phi / spacing_; }
+  double polar_of_turn(double turn) const { return turn * spacing_; }
+  double place(double phi) const;
+  double polar_angle(double t) const;
+
+  double length() const { return 2.0 * northern_.length(); }  // L(pi), radii
+
+  Vec3 direction(std::size_t entry) const;
+  void fill(DirectionRun& run) const;
+  double area(std::size_t entry) const;
+
+  friend bool operator==(const ArcSteps& a, const ArcSteps& b) {
+    return a.last_ == b.last_ && a.turns_ == b.turns_;
+  }
+
+ private:
+  double last_;
+  double turns_;
+  double spacing_;  // of two turns, radians
+  EllipticArc northern_;
+  double step_;  // between entries, radii
+};
+
+}  // namespace impinge

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Placement of a Spiral that is uniform on the surface of a rotational conchoid r = a + b cos(phi): entries
+// at equal steps of area A(phi), on turns at equal distances h along the meridian s(phi),
+//   A(phi_i) = A(pi) i / (w - 1),   theta_i = 2 pi s(phi_i) / h,   h^2 = A(pi) / w,
+// so that entries are as far apart along a turn as turns are. With b = 0 this is the isotropic helix.
+#pragma once
+
+#include <cstddef>
+
+#include "sphere/conchoid_cap.hpp"
+#include "sphere/conchoid_shape.hpp"
+#include "sphere/direction.hpp"
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+class ConchoidSteps {
+ public:
+  static constexpr bool kMirrored = false;
+
+  // 0 <= b < a, size >= 6 entries and so many that there are two turns.
+  ConchoidSteps(const ConchoidShape& shape, std::size_t size);
+
+  double last() const { return last_; }
+  double turns() const { return north_turns_ + south_turns_; }
+  double spacing() const { return spacing_; }  // h, in units of a
+  double turn(double phi) const;
+  double polar_of_turn(double turn) const;
+  double place(double phi) const;
+  double polar_angle(double t) const;
+
+  Vec3 direction(std::size_t entry) const;
+  void fill(DirectionRun& run) const;
+  double area(std::size_t entry) const;  // solid angle, as for every placement
+
+  friend bool operator==(const ConchoidSteps& a, const ConchoidSteps& b) {
+    return a.last_ == b.last_ && a.b_ == b.b_;
+  }
+
+ private:
+  // What is known of a place: the pole that it is treated from and sin^2 of half of its angle from there.
+  struct Seen {
+    bool south;
+    double y;
+  };
+  Seen seen(double t) const;
+
+  double last_;
+  double b_;  // in units of a
+  ConchoidCap north_;
+  ConchoidCap south_;
+  double step_;  // area between entries
+  double spacing_;
+  double north_places_;  // from the north pole to phi = pi / 2, and so on
+  double north_turns_;
+  double south_turns_;
+};
+
+}  // namespace impinge

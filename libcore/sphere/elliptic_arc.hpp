@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The length E(x | m) of an elliptic arc as a function of x, and x as a function of the length, fast.
+#pragma once
+
+#include <memory>
+
+#include "sphere/smooth_table.hpp"
+
+namespace impinge {
+
+// Arc from x = 0 to `end` with speed sqrt(cos^2 x + complement sin^2 x), complement = 1 - m > 0. `end` is at
+// most pi / 2 where the speed rises, complement >= 1, and pi / 4 where it falls: beyond it may fall to
+// nothing, and the length no longer tells x. A copy shares the tables of the original. Both functions have a
+// relative error of about 1e-15.
+class EllipticArc {
+ public:
+  EllipticArc(double complement, double end);
+
+  double length() const { return length_; }
+  double length(double x) const { return x * (*mean_speed_)(x); }
+  double angle(double length) const { return length * (*mean_slowness_)(length); }
+
+ private:
+  double length_;
+  std::shared_ptr<const SmoothTable> mean_speed_;     // length over x
+  std::shared_ptr<const SmoothTable> mean_slowness_;  // x over length
+};
+
+// x with E(x | 1 - complement) = length, at most `end`.
+double elliptic_angle(double length, double complement, double end);
+
+}  // namespace impinge

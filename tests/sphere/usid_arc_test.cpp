@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The helix with entries at equal true arc length, and the thesis' look-up among them.
+#include "sphere/schemes/usid_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "sphere/elliptic.hpp"
+#include "sphere/schemes/usid.hpp"
+#include "support/covering.hpp"
+#include "support/quadrature.hpp"
+
+namespace impinge {
+namespace {
+
+TEST(UsidArc, SizesAndTurnsAreThoseOfUsid) {
+  for (const double precision : {1.0, 0.5, 0.1, 0.05}) {
+    const Usid usid = Usid::with_precision(precision);
+    const UsidArc arc = UsidArc::with_precision(precision);
+    EXPECT_EQ(arc.size(), usid.size());
+    EXPECT_EQ(arc.helix_turns(), usid.helix_turns());
+    EXPECT_EQ(arc.equator_points(), usid.equator_points());
+  }
+  EXPECT_THROW(UsidArc::with_turns(1), std::invalid_argument);
+  EXPECT_THROW(UsidArc::with_turns(10'000'000), std::invalid_argument);
+}
+
+// The length of the curve between two entries, integrated, is the same everywhere.
+TEST(UsidArc, EntriesAreEquallyFarApartAlongTheCurve) {
+  for (const std::size_t turns : {2U, 9U, 229U}) {
+    const UsidArc helix = UsidArc::with_turns(turns);
+    const double slope = 2.0 * static_cast<double>(turns);
+    const auto speed = [&](double phi) { return std::hypot(1.0, slope * std::sin(phi)); };
+    const double step =
+        2.0 * elliptic_e(0.5 * kPi, 1.0 + slope * slope) / static_cast<double>(helix.size() - 1);
+    for (std::size_t i = 0; i + 1 < helix.size(); i += 1 + helix.size() / 500) {
+      const double from = to_angles(helix.direction(i)).phi;
+      const double to = to_angles(helix.direction(i + 1)).phi;
+      double length = 0.0;  // of pieces that are short beside the place where the speed begins to grow
+      for (int k = 0; k < 32; ++k) {
+        length += test::integral(speed, from + (to - from) * k / 32.0, from + (to - from) * (k + 1) / 32.0);
+      }
+      ASSERT_NEAR(length, step, 1e-11) << turns << " entry " << i;
+    }
+  }
+}
+
+// theta = 2 k phi, with phi found by halving E(phi).
+TEST(UsidArc, EntriesStandOnTheHelix) {
+  for (const std::size_t turns : {2U, 229U, 4584U}) {
+    const UsidArc helix = UsidArc::with_turns(turns);
+    const double slope = 2.0 * static_cast<double>(turns);
+    const double half = elliptic_e(0.5 * kPi, 1.0 + slope * slope);
+    for (std::size_t i = 0; i < helix.size(); i += 1 + helix.size() / 300) {
+      const double length = 2.0 * half * static_cast<double>(i) / static_cast<double>(helix.size() - 1);
+      const bool south = length > half;
+      double low = 0.0;
+      double high = 0.5 * kPi;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (elliptic_e(middle, 1.0 + slope * slope) < (south ? 2.0 * half - length : length) ? low : high) =
+            middle;
+      }
+      const Vec3 expected = to_direction({high, std::remainder(slope * high, 2.0 * kPi)});
+      const Vec3 u = helix.direction(i);
+      ASSERT_LT((Vec3(u.x(), south ? -u.y() : u.y(), south ? -u.z() : u.z()) - expected).norm(),
+                1e-14 + 2e-15 * slope);
+    }
+  }
+}
+
+TEST(UsidArc, BothPolesAreEntriesAndPlacesAreWhole) {
+  const UsidArc helix = UsidArc::with_precision(1.0);
+  EXPECT_EQ(helix.direction(0), Vec3(0, 0, 1));
+  EXPECT_EQ(helix.direction(helix.size() - 1), Vec3(0, 0, -1));
+  for (std::size_t i = 0; i < helix.size(); i += 7) {
+    ASSERT_NEAR(helix.place(to_angles(helix.direction(i)).phi), static_cast<double>(i),
+                1e-14 * static_cast<double>(helix.size()));
+  }
+}
+
+// T with the true spacing is off by as much as (w - 1) / (4 k) entries, near to k / 4: 56 at k = 229 and 1145
+// at k = 4584, so that the taps are entries elsewhere on the turn.
+TEST(UsidArc, TheThesisLookupReadsOtherEntries) {
+  for (const auto& [turns, expected] : {std::pair{229U, 56.0}, {4584U, 1145.0}}) {
+    const UsidArc helix = UsidArc::with_turns(turns);
+    double worst = 0.0;
+    for (double phi = 0.0; phi <= kPi; phi += 1e-4)
+      worst = std::max(worst, std::abs(helix.place_by_travelled_distance(phi) - helix.place(phi)));
+    EXPECT_NEAR(worst, expected, 0.02 * expected);
+  }
+  const UsidArc helix = UsidArc::with_turns(229);
+  double farthest = 0.0;
+  for (const Vec3& u : test::random_directions(5000, 90)) {
+    const Stencil stencil = helix.stencil_by_travelled_distance(u);
+    const Stencil right = helix.stencil(u);
+    ASSERT_EQ(stencil.taps, right.taps);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      ASSERT_LT(stencil.entry[k], helix.size());
+      sum += stencil.weight[k];
+      farthest = std::max(farthest, angle_between(u, helix.direction(stencil.entry[k])));
+    }
+    ASSERT_NEAR(sum, 1.0, 4e-16);
+  }
+  EXPECT_GT(farthest, 10.0 * helix.stencil_radius());
+}
+
+TEST(UsidArc, CoveringConstant) {
+  const UsidArc helix = UsidArc::with_precision(1.0);
+  const double closed_form = 4.0 + kPi * kPi / 4.0;
+  EXPECT_NEAR(test::covering_constant(helix, helix.covering_radius()), closed_form, 0.02 * closed_form);
+}
+
+}  // namespace
+}  // namespace impinge
