@@ -61,6 +61,7 @@ struct ClosedForm {
 const std::vector<ClosedForm> kClosedForms{
     {"rsid", kPi* kPi, false},
     {"usid", 4.0 + kPi* kPi / 4.0, false},
+    {"usid_arc", 4.0 + kPi* kPi / 4.0, false},
     {"helix_isotropic", 2.0 * kPi, true},
     {"latitude_rows", 2.0 * kPi, true},
     {"fibonacci", 2.0 * kPi, true},
