@@ -13,6 +13,7 @@ import hashlib
 import json
 import math
 import os
+import re
 import sys
 from pathlib import Path
 from typing import NoReturn
@@ -235,11 +236,22 @@ def look(names: list[str]) -> dict[str, dict]:
     }
 
 
+def number_clip_paths(svg: Path) -> None:
+    """Numbers the clip paths of an SVG in their order: matplotlib names those that are no rectangles after
+    addresses in memory, which differ from run to run.
+    """
+    text = svg.read_text(encoding="utf-8")
+    for number, name in enumerate(re.findall(r'<clipPath id="([^"]+)"', text)):
+        text = text.replace(f'"{name}"', f'"clip{number}"').replace(f"#{name})", f"#clip{number})")
+    svg.write_text(text, encoding="utf-8", newline="\n")
+
+
 def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
     """figures/NAME.svg, .png and .pdf, the same bytes for the same figure."""
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
+    number_clip_paths(folder / f"{name}.svg")
     figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight")
     figure.savefig(
         folder / f"{name}.pdf",

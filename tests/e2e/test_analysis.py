@@ -217,6 +217,27 @@ class GapDifference(unittest.TestCase):
         self.assertEqual(table.changed.tolist(), [1, 0])
 
 
+class Figures(unittest.TestCase):
+    """The same figure gives the same bytes."""
+
+    def test_same_bytes(self):
+        texts = []
+        kept = []  # what the first run left in memory, so that addresses differ
+        with tempfile.TemporaryDirectory() as folder:
+            for run in range(2):
+                common.style()
+                figure, axes = common.plt.subplots()
+                line = axes.plot([0, 1])[0]
+                circle = common.plt.Circle((0.5, 0.5), 0.3, transform=axes.transData)
+                line.set_clip_path(circle)
+                kept.append(circle)
+                common.save_figure(figure, Path(folder) / str(run), "x")
+                texts.append((Path(folder) / str(run) / "figures" / "x.svg").read_text())
+        self.assertEqual(*texts)
+        self.assertIn('<clipPath id="clip0"', texts[0])
+        self.assertIn("url(#clip0)", texts[0])
+
+
 class Ply(unittest.TestCase):
     """Text and binary give the same mesh."""
 
