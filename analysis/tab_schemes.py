@@ -14,7 +14,7 @@ SAVINGS = ["covering_radius", "interpolation_p9999", "interpolation_rms"]
 
 
 def main() -> None:
-    """Writes tables/schemes.csv and .tex."""
+    """Writes tables/scheme-comparison.csv and .tex."""
     options = common.arguments(__doc__)
     schemes, covering, lookup, savings = (
         common.load(options.results, name)
@@ -29,7 +29,7 @@ def main() -> None:
         .merge(saved[SAVINGS].add_prefix("saved_percent_"), left_on="scheme", right_index=True, how="left")
         .sort_values("covering_constant", kind="stable", ignore_index=True)
     )
-    common.write_table(options.out, "schemes", lines, latex(lines))
+    common.write_table(options.out, "scheme-comparison", lines, latex(lines))
 
 
 def short(citation: str) -> str:

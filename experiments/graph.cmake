@@ -93,6 +93,15 @@ function(impinge_job)
     add_dependencies(result-${job_NAME} programs)
   endif()
 
+  # --only and --why take the name of an artefact: it must say which one.
+  get_property(artefacts GLOBAL PROPERTY IMPINGE_ARTEFACTS)
+  foreach(artefact IN LISTS job_ARTEFACTS)
+    if(artefact IN_LIST artefacts)
+      message(FATAL_ERROR "Job ${job_NAME} makes '${artefact}', and so does a job before it: name one of them otherwise")
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY IMPINGE_ARTEFACTS ${job_ARTEFACTS})
+
   list(GET job_SECONDS 0 quick)
   list(GET job_SECONDS 1 full)
   set(timing no)

@@ -357,3 +357,5 @@ if __name__ == "__main__":
         sys.exit(main())
     except KeyboardInterrupt:
         sys.exit("\nreproduce: stopped; the next run goes on from here")
+    except BrokenPipeError:  # who reads the list has read enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

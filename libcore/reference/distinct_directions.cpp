@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace impinge {
 namespace {
@@ -24,6 +25,10 @@ std::vector<std::size_t> order_along(const std::vector<double>& height) {
 }  // namespace
 
 DistinctDirections distinct_directions(std::span<const Vec3> entries) {
+  for (const Vec3& u : entries) {  // before the sort, which a NaN would lead astray
+    if (!u.allFinite() || u.isZero(0.0))
+      throw std::invalid_argument("a direction is a finite vector that is not zero");
+  }
   const Vec3 axis = Vec3(0.5377, 0.6213, 0.5699).normalized();
   std::vector<double> height;
   height.reserve(entries.size());

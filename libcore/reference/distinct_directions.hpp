@@ -20,6 +20,7 @@ struct DistinctDirections {
 };
 
 // Unit vectors in, in the order of the entries; directions come out in the order of their first entry.
+// std::invalid_argument where one is not finite or is zero.
 DistinctDirections distinct_directions(std::span<const Vec3> entries);
 
 }  // namespace impinge

@@ -102,10 +102,10 @@ class AddScheme(unittest.TestCase):
                     self.assertGreater((self.results / "figures" / f"{figure}.{kind}").stat().st_size, 0)
 
     def test_in_the_table_of_the_paper(self):
-        """tables/schemes.tex is what the paper shows."""
+        """tables/scheme-comparison.tex is what the paper shows."""
         self.script("tab_schemes")
-        self.assertIn(LABEL, (self.results / "tables" / "schemes.tex").read_text())
-        labels = [row["label"] for row in rows(self.results / "tables" / "schemes.csv")]
+        self.assertIn(LABEL, (self.results / "tables" / "scheme-comparison.tex").read_text())
+        labels = [row["label"] for row in rows(self.results / "tables" / "scheme-comparison.csv")]
         self.assertEqual(labels.count(LABEL), 1)
 
 

@@ -31,9 +31,9 @@ sample_points finding_comparison finding_interpolation finding_grids
 """.split()
 THESIS_TABLES = [f"table-{n}" for n in range(2, 11)]
 THESIS_FIGURES = [f"figure-{n}" for n in (*range(45, 51), *range(52, 60))]
-TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "schemes", "band-limit", "findings"]
+TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings"]
 FIGURES = """
-sampling-time detection-time sampling-error sampling-error-surfaces spectrum helix-placement conchoid-surface
+sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
 """.split()
 JUDGED = [*THESIS_TABLES, "section-3.5.2", "section-4.4", "section-5.1"]
