@@ -83,8 +83,8 @@ NearestPoint::Cube NearestPoint::cube_of(const Vec3& x) const {
 }
 
 std::size_t NearestPoint::number(int x, int y, int z) const {
-  const auto wide = static_cast<std::size_t>(last_.x + 1);
-  const auto deep = static_cast<std::size_t>(last_.y + 1);
+  const auto wide = static_cast<std::size_t>(last_.x) + 1;
+  const auto deep = static_cast<std::size_t>(last_.y) + 1;
   return (static_cast<std::size_t>(z) * deep + static_cast<std::size_t>(y)) * wide +
          static_cast<std::size_t>(x);
 }
