@@ -18,6 +18,8 @@ class CellMask {
     return !bits_.empty() && (bits_[cell / 64] >> (cell % 64) & 1U) != 0U;
   }
 
+  std::size_t bytes() const { return bits_.size() * sizeof(std::uint64_t); }
+
   void mark(std::size_t cell) {
     if (bits_.empty()) bits_.resize((cells_ + 63) / 64, 0U);
     bits_[cell / 64] |= std::uint64_t{1} << (cell % 64);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sphere/cell_mask.hpp"
@@ -10,6 +11,26 @@
 #include "sphere/scheme.hpp"
 
 namespace impinge {
+
+// Does a rim cross the triangle of the taps, or part x from them? If it does not cross the cell of the taps
+// it can only cut off what lies beside its curved border, in the cell of x.
+template <PlaneExactScheme S>
+bool is_at_rim(const S& scheme, const CellMask& rim, std::size_t taps_cell, const Vec3& x) {
+  if (rim.empty()) return false;
+  if constexpr (!S::kFlatCells) {
+    if (rim.contains(scheme.stencil(x).cell)) return true;
+  }
+  return rim.contains(taps_cell);
+}
+
+// The look-up in inverse depths, however they are kept: radius along x (any length above zero), mm.
+template <PlaneExactScheme S, class Values>
+double plane_exact_radius_at(const S& scheme, const CellMask& rim, const Values& inverse_depths,
+                             const Vec3& x) {
+  const Stencil stencil = scheme.plane_stencil(x);
+  if (is_at_rim(scheme, rim, stencil.cell, x)) return kNoSurface;
+  return (x / scheme.depth(x)).norm() / interpolate(stencil, inverse_depths);
+}
 
 // P(u) = u / depth(u) is the point of the scheme's solid (cube, icosahedron) along a direction u. The plane
 // n . x = d has radius r = d / (n . u), so that
@@ -33,29 +54,15 @@ class InverseDepthTable {
 
   static std::size_t bytes(const S& scheme) { return RadialTable<S>::bytes(scheme); }
 
+  // 1 / mm, NaN where there is no surface.
+  std::span<const double> inverse_depths() const& { return inverse_depths_; }
+  std::span<const double> inverse_depths() const&& = delete;  // they would dangle: keep the table
+  const CellMask& rim_cells() const { return rim_; }
+
   // Interpolated radius along x (any length above zero), mm; kNoSurface as in RadialTable::radius_at().
-  double radius_at(const Vec3& x) const {
-    const Stencil stencil = scheme_.plane_stencil(x);
-    if (is_at_rim(stencil.cell, x)) return kNoSurface;
-    double inverse_depth = 0.0;
-    for (std::size_t k = 0; k < stencil.taps; ++k) {
-      // A tap of weight zero does not count: on an entry the entry alone decides.
-      if (stencil.weight[k] > 0.0) inverse_depth += stencil.weight[k] * inverse_depths_[stencil.entry[k]];
-    }
-    return (x / scheme_.depth(x)).norm() / inverse_depth;
-  }
+  double radius_at(const Vec3& x) const { return plane_exact_radius_at(scheme_, rim_, inverse_depths_, x); }
 
  private:
-  // Does a rim cross the triangle of the taps, or part x from them? If it does not cross the cell of the taps
-  // it can only cut off what lies beside its curved border, in the cell of x.
-  bool is_at_rim(std::size_t taps_cell, const Vec3& x) const {
-    if (rim_.empty()) return false;
-    if constexpr (!S::kFlatCells) {
-      if (rim_.contains(scheme_.stencil(x).cell)) return true;
-    }
-    return rim_.contains(taps_cell);
-  }
-
   S scheme_;
   CellMask rim_;
   std::vector<double> inverse_depths_;  // 1 / (r_i depth(u_i)), NaN where there is no surface

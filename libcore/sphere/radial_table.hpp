@@ -2,14 +2,13 @@
 // The radial table, the thesis' look-up table: one radius for each entry of a scheme.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "sphere/cell_mask.hpp"
-#include "sphere/scheme.hpp"
+#include "sphere/interpolate.hpp"
 
 namespace impinge {
 
@@ -38,13 +37,7 @@ class RadialTable {
   // thesis.
   double radius_at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
-    if (is_rim_cell(stencil.cell)) return kNoSurface;
-    double radius = 0.0;
-    for (std::size_t k = 0; k < stencil.taps; ++k) {
-      // A tap of weight zero does not count: on an entry the entry alone decides.
-      if (stencil.weight[k] > 0.0) radius += stencil.weight[k] * radii_[stencil.entry[k]];
-    }
-    return radius;
+    return is_rim_cell(stencil.cell) ? kNoSurface : interpolate(stencil, radii_);
   }
 
   bool is_rim_cell(std::size_t cell) const { return rim_.contains(cell); }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers kept in fewer bytes than a double takes: each reads back as a double, and knows how far off the
+// numbers are at most. NaN, which is "no surface", stays NaN.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace impinge {
+
+// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number.
+class FloatValues {
+ public:
+  static constexpr std::string_view name = "float";
+
+  explicit FloatValues(std::span<const double> values) : values_(values.size()) {
+    std::ranges::transform(values, values_.begin(), [](double v) { return static_cast<float>(v); });
+  }
+
+  double operator[](std::size_t i) const { return static_cast<double>(values_[i]); }
+  std::size_t size() const { return values_.size(); }
+  std::size_t bytes() const { return values_.size() * sizeof(float); }
+
+ private:
+  std::vector<float> values_;
+};
+
+// Two bytes a number: steps of equal size from the smallest number to the largest, off by at most half a step
+// (and the rounding of smallest + step * code).
+class Uint16Values {
+ public:
+  static constexpr std::string_view name = "uint16";
+  static constexpr std::uint16_t kNone = 65535;  // code of NaN
+
+  explicit Uint16Values(std::span<const double> values) : codes_(values.size(), kNone) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double v : values) {
+      if (std::isnan(v)) continue;
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+    if (low > high) return;  // none at all
+    smallest_ = low;
+    step_ = (high - low) / (kNone - 1);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isnan(values[i])) continue;
+      codes_[i] = step_ > 0.0 ? static_cast<std::uint16_t>(std::lround((values[i] - low) / step_)) : 0;
+    }
+  }
+
+  double operator[](std::size_t i) const {
+    const std::uint16_t code = codes_[i];
+    return code == kNone ? std::numeric_limits<double>::quiet_NaN() : smallest_ + step_ * code;
+  }
+  std::size_t size() const { return codes_.size(); }
+  std::size_t bytes() const { return codes_.size() * sizeof(std::uint16_t); }
+  double step() const { return step_; }  // in the unit of the numbers
+
+ private:
+  std::vector<std::uint16_t> codes_;
+  double smallest_ = 0.0;
+  double step_ = 0.0;
+};
+
+}  // namespace impinge

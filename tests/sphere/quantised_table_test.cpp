@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract:
+//   |stored - double| <= storage_bound() in every direction that has an answer, and the same directions have
+//   radii, uint16: storage_bound() <= half a step + rounding; a bound half as large is exceeded
+#include "sphere/quantised_table.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/schemes/icosahedral_sine.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "support/directions.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kSmallest = 18.0;  // mm
+constexpr double kLargest = 30.0;   // mm
+
+// A bumpy body without surface round one direction, and a rim cell elsewhere.
+template <SamplingScheme S>
+RadialTable<S> bumpy_table(const S& scheme) {
+  RadialTable<S> table(scheme);
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    const Vec3 u = scheme.direction(i);
+    const double wave = std::sin(9.0 * u.x()) * std::cos(7.0 * u.y() + 1.0) * std::cos(5.0 * u.z());
+    if (u.dot(Vec3(0.6, 0.0, 0.8)) < 0.97)
+      table.radii()[i] = 0.5 * (kSmallest + kLargest) + 0.5 * (kLargest - kSmallest) * wave;
+  }
+  table.mark_rim_cell(scheme.stencil(Vec3(-0.3, 0.5, -0.7)).cell);
+  return table;
+}
+
+template <SamplingScheme S>
+std::vector<Vec3> probes(const S& scheme) {
+  std::vector<Vec3> directions = test::random_directions(20000, 31);
+  for (const Vec3& u : test::special_directions()) directions.push_back(u);
+  for (std::size_t i = 0; i < scheme.size(); ++i) directions.push_back(scheme.direction(i));
+  return directions;
+}
+
+// Largest |stored - exact| over the probes, mm; both have to be without surface in the same directions.
+template <class Stored, class Exact>
+double largest_difference(const Stored& stored, const Exact& exact) {
+  double largest = 0.0;
+  std::size_t answers = 0;
+  std::size_t none = 0;
+  for (const Vec3& u : probes(exact.scheme())) {
+    const double radius = exact.radius_at(u);
+    EXPECT_EQ(std::isnan(stored.radius_at(u)), std::isnan(radius));
+    ++(std::isnan(radius) ? none : answers);
+    if (!std::isnan(radius)) largest = std::max(largest, std::abs(stored.radius_at(u) - radius));
+  }
+  EXPECT_GT(none, 100U);
+  EXPECT_GT(answers, 10000U);
+  return largest;
+}
+
+template <class Stored, class Exact>
+void expect_a_sharp_bound(const Exact& exact) {
+  const Stored stored(exact);
+  const double largest = largest_difference(stored, exact);
+  EXPECT_LE(largest, stored.storage_bound());
+  EXPECT_GT(largest, 0.5 * stored.storage_bound()) << "a bound half as large would hold as well";
+}
+
+template <class S>
+class QuantisedTable : public testing::Test {};
+using Schemes = testing::Types<Rsid, CubeGnomonic, IcosahedralSine>;
+TYPED_TEST_SUITE(QuantisedTable, Schemes);
+
+TYPED_TEST(QuantisedTable, RadiiKeepTheirBound) {
+  const auto table = bumpy_table(TypeParam::with_precision(2.0));
+  expect_a_sharp_bound<FloatTable<TypeParam>>(table);
+  expect_a_sharp_bound<Uint16Table<TypeParam>>(table);
+}
+
+TYPED_TEST(QuantisedTable, InverseDepthsKeepTheirBound) {
+  if constexpr (PlaneExactScheme<TypeParam>) {
+    const InverseDepthTable<TypeParam> table(bumpy_table(TypeParam::with_precision(2.0)));
+    expect_a_sharp_bound<FloatInverseDepthTable<TypeParam>>(table);
+    expect_a_sharp_bound<Uint16InverseDepthTable<TypeParam>>(table);
+  }
+}
+
+TYPED_TEST(QuantisedTable, TheBoundIsThatOfTheStorage) {
+  const auto table = bumpy_table(TypeParam::with_precision(2.0));
+  const double step = (kLargest - kSmallest) / 65534.0;
+  EXPECT_LE(Uint16Table<TypeParam>(table).storage_bound(), 0.5 * step + 1e-13);
+  EXPECT_LE(FloatTable<TypeParam>(table).storage_bound(), kLargest * 0x1p-24 + 1e-13);
+}
+
+TYPED_TEST(QuantisedTable, TakesItsBytesAndThoseOfTheRim) {
+  const auto table = bumpy_table(TypeParam::with_precision(2.0));
+  const std::size_t rim = table.rim_cells().bytes();
+  EXPECT_GT(rim, table.scheme().cells() / 8 - 1);
+  EXPECT_EQ(FloatTable<TypeParam>(table).bytes(), 4 * table.scheme().size() + rim);
+  EXPECT_EQ(Uint16Table<TypeParam>(table).bytes(), 2 * table.scheme().size() + rim);
+}
+
+TEST(QuantisedValues, ASphereTakesOneCode) {
+  RadialTable<Rsid> sphere(Rsid::with_precision(10.0));
+  std::ranges::fill(sphere.radii(), 24.1);
+  const Uint16Table<Rsid> stored(sphere);
+  EXPECT_NEAR(stored.radius_at(Vec3(0.1, 0.2, -0.3)), 24.1, 1e-14);
+  EXPECT_LT(stored.storage_bound(), 1e-13);
+}
+
+TEST(QuantisedValues, NoSurfaceAtAllStaysNone) {
+  const RadialTable<Rsid> empty(Rsid::with_precision(10.0));
+  EXPECT_TRUE(std::isnan(Uint16Table<Rsid>(empty).radius_at(Vec3::UnitX())));
+  EXPECT_TRUE(std::isnan(FloatTable<Rsid>(empty).radius_at(Vec3::UnitX())));
+}
+
+TEST(QuantisedValues, TheWholeRangeOfCodesIsUsed) {
+  const std::vector<double> values{3.0, kNoSurface, 5.0, 4.0};
+  const Uint16Values stored(values);
+  EXPECT_EQ(stored[0], 3.0);
+  EXPECT_NEAR(stored[2], 5.0, 1e-15);
+  EXPECT_NEAR(stored[3], 4.0, 0.5 * stored.step() * (1.0 + 1e-9));
+  EXPECT_TRUE(std::isnan(stored[1]));
+  EXPECT_DOUBLE_EQ(stored.step(), 2.0 / 65534.0);
+}
+
+}  // namespace
+}  // namespace impinge
