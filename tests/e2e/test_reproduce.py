@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
 DATA = """
 lut_memory sampling_time sampling_time_samples detection_time detection_time_precision
-sampling_error sampling_error_surfaces sampling_error_bounds slices slice_band_limit spectrum band_limit
+sampling_error sampling_error_surfaces sampling_error_bounds error_budget slices slice_band_limit spectrum band_limit
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 schemes scheme_covering scheme_errors scheme_savings scheme_points lookup_time stencil_time
@@ -31,7 +31,7 @@ sample_points finding_comparison finding_interpolation finding_grids
 """.split()
 THESIS_TABLES = [f"table-{n}" for n in range(2, 11)]
 THESIS_FIGURES = [f"figure-{n}" for n in (*range(45, 51), *range(52, 60))]
-TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings"]
+TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings", "error-budget"]
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
