@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the exact references refuse, each with a line that names it and says what to do.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// Throws std::invalid_argument for a mesh without faces, a face that names a vertex that is not there, and
+// vertices used by a face that are not finite.
+void require_exact_input(const TriangleMesh& mesh);
+
+// Throws std::invalid_argument for a component that is not finite. `what` is one of them, such as
+// "direction".
+void require_finite(std::span<const Vec3> values, std::string_view what);
+
+}  // namespace impinge
