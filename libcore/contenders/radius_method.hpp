@@ -41,7 +41,13 @@ class RadiusMethod {
   virtual double storage_bound() const { return 0.0; }
 };
 
-// How a method comes to be, and what the results call it.
+// What is proven of a method's error, mm; NaN where nothing is.
+struct MethodBound {
+  double bound_mm = std::numeric_limits<double>::quiet_NaN();
+  double attained_mm = std::numeric_limits<double>::quiet_NaN();  // largest error that the proof met
+};
+
+// How a method comes to be on one scene, and what the results call it.
 struct MethodMaker {
   std::string name;                                                 // of the method, in the results
   std::string setting;                                              // such as "1deg float"
@@ -51,8 +57,10 @@ struct MethodMaker {
   std::string interpolant = "none";                                 // smooth, mesh_exact or none
   std::string storage = "none";                                     // double, float, uint16 or none
   Measure measure = Measure::radial;
-  // Everything that is done once for a surface. The scene outlives the method.
-  std::function<std::unique_ptr<RadiusMethod>(const RaceScene&)> make;
+  // Everything that is done once for a surface. The scene outlives maker and method.
+  std::function<std::unique_ptr<RadiusMethod>()> make;
+  // Empty where nothing is proven but the rounding.
+  std::function<MethodBound(const RadiusMethod&)> bound;
 };
 
 }  // namespace impinge

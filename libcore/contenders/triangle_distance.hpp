@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distance of a point from a triangle.
+// Distances from a triangle, in double.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <Eigen/Geometry>
 
@@ -31,6 +33,38 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
   }
   return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
                    squared_distance_to_segment(p, c, a)});
+}
+
+using Triangle = std::array<Vec3, 3>;
+
+// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines where both
+// feet are inside.
+inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+  const double at_ends =
+      std::min({squared_distance_to_segment(a0, b0, b1), squared_distance_to_segment(a1, b0, b1),
+                squared_distance_to_segment(b0, a0, a1), squared_distance_to_segment(b1, a0, a1)});
+  const Vec3 a = a1 - a0;
+  const Vec3 b = b1 - b0;
+  const Vec3 across = a.cross(b);
+  const double squared = across.squaredNorm();
+  if (!(squared > 0.0)) return at_ends;  // parallel
+  const double s = (b0 - a0).cross(b).dot(across) / squared;
+  const double t = (b0 - a0).cross(a).dot(across) / squared;
+  if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return at_ends;
+  const double between = (b0 - a0).dot(across);
+  return std::min(at_ends, between * between / squared);
+}
+
+// Between two triangles that do not meet, mm^2: at a corner of one of them or between two edges.
+inline double squared_distance_of_triangles(const Triangle& s, const Triangle& t) {
+  double least = squared_distance_to_triangle(s[0], t[0], t[1], t[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = std::min({least, squared_distance_to_triangle(s[i], t[0], t[1], t[2]),
+                      squared_distance_to_triangle(t[i], s[0], s[1], s[2])});
+    for (std::size_t j = 0; j < 3; ++j)
+      least = std::min(least, squared_distance_of_segments(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+  }
+  return least;
 }
 
 }  // namespace impinge

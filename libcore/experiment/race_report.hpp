@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The race on one scene after the other: errors first, with every bound checked, then the costs; and the
+// tables that they fill.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "experiment/csv.hpp"
+#include "experiment/race_errors.hpp"
+#include "experiment/race_timing.hpp"
+
+namespace impinge {
+
+struct RaceOptions {
+  std::vector<double> precisions;       // degrees
+  std::vector<std::size_t> grid_nodes;  // a side
+  ProbeOptions radial;
+  ProbeOptions euclidean;
+  AscentOptions ascent;
+  RaceTimingOptions timing;
+};
+
+// What small machines and short runs can do, and the whole of it.
+RaceOptions quick_race();
+RaceOptions full_race();
+
+struct RaceTables {
+  Table main;     // error_against_time.csv
+  Table spread;   // error_against_time_spread.csv
+  Table samples;  // error_against_time_samples.csv
+};
+RaceTables make_race_tables();
+
+// A bound that does not hold: nothing that was measured can be trusted until that is resolved.
+class BoundViolated : public std::runtime_error {
+ public:
+  explicit BoundViolated(const Violation& violation);
+  const Violation& violation() const { return violation_; }
+
+ private:
+  Violation violation_;
+};
+
+// All methods on the scene: adds their rows. Throws BoundViolated.
+void run_race(const RaceScene& scene, const RaceOptions& options, RaceTables& tables, Progress& progress);
+
+}  // namespace impinge
