@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  How wrong is every method, and what does it cost to build, to ask and to keep?
 // @writes    error_against_time error_against_time_spread error_against_time_samples
+// @bones     yes
 // @timing    yes
 // @seconds   60 1200
 //
