@@ -48,6 +48,15 @@ LABELS = {
     "usid_pairwise": "USID, pairwise",
     "fcl_obb": "OBB tree (FCL)",
     "rapid": "OBB tree (RAPID)",
+    "embree_ray1": "Embree, a ray at a time",
+    "embree_ray8": "Embree, 8 rays at a time",
+    "embree_ray16": "Embree, 16 rays at a time",
+    "embree_closest": "Embree, closest point",
+    "cgal_first_hit": "CGAL, first hit",
+    "cgal_closest": "CGAL, closest point",
+    "fcl_collide": "FCL, collide",
+    "fcl_distance": "FCL, distance",
+    "distance_grid": "Cartesian distance grid",
 }
 
 

@@ -23,7 +23,8 @@ ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
 DATA = """
 lut_memory sampling_time sampling_time_samples detection_time detection_time_precision
-sampling_error sampling_error_surfaces sampling_error_bounds error_budget slices slice_band_limit spectrum band_limit
+sampling_error sampling_error_surfaces sampling_error_bounds error_budget
+slices slice_band_limit spectrum band_limit error_against_time error_against_time_spread error_against_time_samples
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 schemes scheme_covering scheme_errors scheme_savings scheme_points lookup_time stencil_time
@@ -31,10 +32,12 @@ sample_points finding_comparison finding_interpolation finding_grids
 """.split()
 THESIS_TABLES = [f"table-{n}" for n in range(2, 11)]
 THESIS_FIGURES = [f"figure-{n}" for n in (*range(45, 51), *range(52, 60))]
-TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings", "error-budget"]
+TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings", "error-budget", "pareto",
+    "matched-accuracy", "error-order"]
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
+error-against-time error-against-time-scenes
 """.split()
 JUDGED = [*THESIS_TABLES, "section-3.5.2", "section-4.4", "section-5.1"]
 PROMISED = [
@@ -154,6 +157,21 @@ class Reproduce(unittest.TestCase):
             file.unlink()
         self.assertEqual(reproduce().returncode, 0)
         self.assertEqual(before, bytes_of(*patterns))
+
+    def test_d_no_setting_beats_one_on_a_front(self):
+        """Each pair of points of a plot compared, by the definition of a Pareto front alone."""
+        panels = {}
+        for row in csv.DictReader((RESULTS / "tables" / "pareto.csv").open()):
+            point = (float(row["error_um"]), float(row["value"]), row["on_front"] == "yes")
+            panels.setdefault((row["scene"], row["cost"]), []).append(point)
+        self.assertGreaterEqual(len({scene for scene, _ in panels}), 3)
+        for panel, points in panels.items():
+            self.assertGreaterEqual(len(points), 12, panel)
+            for error, value, on_front in points:
+                beaten = any(
+                    e <= error and v <= value and (e < error or v < value) for e, v, _ in points
+                )
+                self.assertEqual(on_front, not beaten, (panel, error, value))
 
     def test_e_list_names_each_artefact_once(self):
         """With experiment, script, command and time."""

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error against cost of every method, on one scene or on the query of every scene: lower left is better. From
+data/error_against_time.csv and error_against_time_spread.csv.
+"""
+
+from __future__ import annotations
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from matplotlib.lines import Line2D
+
+import common
+import pareto
+
+REFERENCES = ["embree_ray1", "rsid_thesis", "usid_thesis"]  # named wherever they are there
+FADED = "#c9c9c9"
+FLOORS = {"float": 2.0**-24, "double": 2.0**-53}  # half an ulp of 1
+MAIN_SCENE = "generated_12000"
+# Below this error, um, where only exact methods are, a decade has this share of the width of one above.
+EXACT = 1e-3
+SHARE = 0.18
+LEAST, MOST = 1e-10, 1e4  # um
+
+
+def main() -> None:
+    """Writes figures/NAME.svg, .png and .pdf: error-against-time is the main scene with its three costs,
+    error-against-time-scenes the query of every scene.
+    """
+    options = common.arguments(__doc__, "--name")
+    table = pareto.load(options.results)
+    points = pareto.fronts(table)
+    table = table.merge(
+        points.pivot(index=pareto.KEYS, columns="cost", values="on_front").reset_index(),
+        on=pareto.KEYS,
+        how="left",
+        suffixes=("", "_front"),
+    )
+    common.style()
+    draw = costs_of_main_scene if options.name == "error-against-time" else queries_of_scenes
+    common.save_figure(draw(table), options.out, options.name)
+
+
+def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
+    """Three panels, one a cost."""
+    names = list(table.scene.unique())
+    scene = MAIN_SCENE if MAIN_SCENE in names else names[0]
+    own = table[table.scene == scene]
+    looks = looks_of(own, list(pareto.COSTS))
+    figure, grid = plt.subplots(1, 3, figsize=(15.5, 6.2), sharex=True)
+    for axes, cost in zip(grid, pareto.COSTS):
+        panel(axes, own, cost, looks, labelled=True)
+        axes.set(title=pareto.COSTS[cost].split(",")[0].capitalize(), ylabel=pareto.COSTS[cost])
+    figure.suptitle(
+        f"Error against cost, {scene.replace('_', ' ')}: lower left is better", x=0.125, ha="left", fontsize=12
+    )
+    legend(figure, looks, y=-0.02)
+    return figure
+
+
+def queries_of_scenes(table: pd.DataFrame) -> plt.Figure:
+    """One panel a scene."""
+    scenes = list(table.scene.unique())
+    columns = min(3, len(scenes))
+    lines = -(-len(scenes) // columns)
+    looks = looks_of(table, ["query_ns"])
+    figure, grid = plt.subplots(
+        lines, columns, figsize=(5.2 * columns, 4.4 * lines), sharex=True, sharey=True, squeeze=False
+    )
+    for axes in grid.flat[len(scenes) :]:
+        axes.set_axis_off()
+    for axes, scene in zip(grid.flat, scenes):
+        panel(axes, table[table.scene == scene], "query_ns", looks, labelled=False)
+        axes.set(title=scene.replace("_", " "))
+        axes.xaxis.set_tick_params(labelbottom=True)
+    for axes in grid[:, 0]:
+        axes.set_ylabel(pareto.COSTS["query_ns"])
+    figure.suptitle("Error against the time of a query: lower left is better", x=0.125, y=0.96, ha="left")
+    figure.subplots_adjust(hspace=0.32, wspace=0.08)
+    legend(figure, looks, y=0.02 if lines > 1 else -0.06)
+    return figure
+
+
+def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
+    """A look for the lines that are coloured: those on a front, by how often, and the references."""
+    on = sum((table[f"{cost}_front"] == True).astype(int) for cost in costs)  # noqa: E712 (NaN: not in the race)
+    often = on.groupby(table.line).sum().sort_values(ascending=False, kind="stable")
+    chosen = [line for line in often.index if often[line] > 0][: len(common.COLOURS) - 1]
+    chosen += [line for line in REFERENCES if line in set(table.line) and line not in chosen]
+    looks = common.look(chosen)
+    for line in chosen[len(common.COLOURS) :]:
+        looks[line]["color"] = "#555555"
+    return looks
+
+
+def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: bool) -> None:
+    """Every line of one scene against one cost; those without a look are faded."""
+    axes.set_xscale("function", functions=(squeezed, spread_out))
+    axes.set(yscale="log", xlabel="largest error measured, µm", xlim=(LEAST, 0.3 * MOST))
+    ticks = [1e-8, *(10.0**k for k in range(-2, 4))]
+    axes.set_xticks(ticks, [f"$10^{{{round(np.log10(tick))}}}$" for tick in ticks])
+    axes.axvspan(LEAST, EXACT, color="#f3f3f3", zorder=0)
+    own = own[np.isfinite(own.error_um) & np.isfinite(own[cost]) & (own[cost] > 0)]
+    shown = own.assign(x=own.error_um.clip(LEAST, MOST))
+    for line, group in shown.groupby("line", sort=False):
+        group = group.sort_values(["precision_deg", "x"], ascending=[False, True])
+        look = looks.get(line)
+        colour = look["color"] if look else FADED
+        axes.plot(
+            group.x,
+            group[cost],
+            color=colour,
+            linestyle=look["linestyle"] if look else "-",
+            linewidth=1.3 if look else 0.7,
+            marker=look["marker"] if look else ".",
+            markersize=5.5 if look else 4,
+            markerfacecolor=colour if group.measure.iloc[0] == "radial" else "white",
+            zorder=3 if look else 1,
+        )
+        if look:
+            whiskers(axes, group, cost, colour)
+            bounds(axes, group, cost, look)
+            if labelled:
+                steps(axes, group, cost, colour)
+    staircase(axes, shown, cost)
+    floors(axes)
+    failures(axes, own)
+
+
+def squeezed(error: np.ndarray) -> np.ndarray:
+    """Logarithm, with the decades below EXACT pushed together."""
+    x = np.log10(np.clip(error, LEAST, None) / EXACT)
+    return np.where(x < 0, SHARE * x, x)
+
+
+def spread_out(place: np.ndarray) -> np.ndarray:
+    """The inverse of squeezed()."""
+    x = np.asarray(place, dtype=float)
+    return EXACT * 10 ** np.where(x < 0, x / SHARE, x)
+
+
+def whiskers(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
+    """The spread of the times, between their quartiles."""
+    spread = {"query_ns": "query_iqr_ns", "build_ms": "build_iqr_ms"}.get(cost)
+    if spread:
+        axes.errorbar(
+            group.x, group[cost], yerr=group[spread] / 2, fmt="none", ecolor=colour, capsize=2, linewidth=0.8
+        )
+
+
+def bounds(axes: plt.Axes, group: pd.DataFrame, cost: str, look: dict) -> None:
+    """A hollow marker at the proven bound, joined to what was measured."""
+    proven = group[np.isfinite(group.bound_um)]
+    axes.hlines(proven[cost], proven.x, proven.bound_um, color=look["color"], linewidth=0.7, zorder=2)
+    axes.plot(
+        proven.bound_um,
+        proven[cost],
+        linestyle="none",
+        marker=look["marker"],
+        markersize=4.5,
+        markerfacecolor="white",
+        markeredgecolor=look["color"],
+        markeredgewidth=0.9,
+        zorder=2,
+    )
+
+
+def steps(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
+    """The setting beside each point of a line of several."""
+    if len(group) < 2:
+        return
+    for row in group.itertuples():
+        axes.annotate(
+            pareto.step_of(row),
+            (row.x, getattr(row, cost)),
+            xytext=(0, 5),
+            textcoords="offset points",
+            ha="center",
+            fontsize=6.5,
+            color=colour,
+        )
+
+
+def staircase(axes: plt.Axes, shown: pd.DataFrame, cost: str) -> None:
+    """Left of it and below it is nothing."""
+    on = shown[shown[f"{cost}_front"] == True].sort_values("x")  # noqa: E712
+    if on.empty:
+        return
+    x = np.append(on.x, MOST)
+    y = np.append(on[cost], on[cost].iloc[-1])
+    axes.step(x, y, where="post", color="black", linewidth=0.9, alpha=0.7, zorder=2)
+
+
+def floors(axes: plt.Axes) -> None:
+    """The rounding of a radius of 25 mm in float and double."""
+    for name, share in FLOORS.items():
+        axes.axvline(25e3 * share, color="#888888", linestyle=":", linewidth=0.8, zorder=0)
+        axes.annotate(
+            name,
+            (25e3 * share, 0.01),
+            xycoords=("data", "axes fraction"),
+            xytext=(2, 0),
+            textcoords="offset points",
+            fontsize=7,
+            color="#666666",
+        )
+
+
+def failures(axes: plt.Axes, own: pd.DataFrame) -> None:
+    """Counts of answers where there is no surface, at the right edge."""
+    failed = own[own.false_hits > 0]
+    if failed.empty:
+        return
+    names = ", ".join(common.label(name) for name in failed.method.unique()[:3])
+    more = f" and {failed.method.nunique() - 3} more" if failed.method.nunique() > 3 else ""
+    axes.annotate(
+        f"× answers where no surface is:\n{names}{more}",
+        (0.995, 0.99),
+        xycoords="axes fraction",
+        ha="right",
+        va="top",
+        fontsize=7,
+        color=common.COLOURS[1],
+    )
+
+
+def legend(figure: plt.Figure, looks: dict, y: float) -> None:
+    """The coloured lines, and what the other signs mean."""
+    handles = [
+        Line2D([], [], label=pareto.label(line), **look | {"markersize": 5.5}) for line, look in looks.items()
+    ]
+    handles += [
+        Line2D([], [], color=FADED, marker=".", label="another method or storage"),
+        Line2D([], [], color="black", linewidth=0.9, label="Pareto front (radial distance)"),
+        Line2D(
+            [],
+            [],
+            color="black",
+            marker="o",
+            markerfacecolor="white",
+            linewidth=0.7,
+            label="hollow, joined: proven bound",
+        ),
+    ]
+    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.12, y), ncol=4)
+
+
+common.run(main)
