@@ -52,7 +52,10 @@ def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
         panel(axes, own, cost, looks, labelled=True)
         axes.set(title=pareto.COSTS[cost].split(",")[0].capitalize(), ylabel=pareto.COSTS[cost])
     figure.suptitle(
-        f"Error against cost, {scene.replace('_', ' ')}: lower left is better", x=0.125, ha="left", fontsize=12
+        f"Error against cost, {scene.replace('_', ' ')}: lower left is better",
+        x=0.125,
+        ha="left",
+        fontsize=12,
     )
     legend(figure, looks, y=-0.02)
     return figure
@@ -83,7 +86,9 @@ def queries_of_scenes(table: pd.DataFrame) -> plt.Figure:
 
 def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
     """A look for the lines that are coloured: those on a front, by how often, and the references."""
-    on = sum((table[f"{cost}_front"] == True).astype(int) for cost in costs)  # noqa: E712 (NaN: not in the race)
+    on = sum(
+        (table[f"{cost}_front"] == True).astype(int) for cost in costs
+    )  # noqa: E712 (NaN: not in the race)
     often = on.groupby(table.line).sum().sort_values(ascending=False, kind="stable")
     chosen = [line for line in often.index if often[line] > 0][: len(common.COLOURS) - 1]
     chosen += [line for line in REFERENCES if line in set(table.line) and line not in chosen]

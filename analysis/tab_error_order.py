@@ -49,9 +49,7 @@ def latex(lines: pd.DataFrame) -> str:
     rows = []
     for method, group in lines.groupby("method", sort=False):
         own = group.set_index("scene")
-        cells = [
-            f"{own.order_max[s]:.1f} / {own.order_rms[s]:.1f}" if s in own.index else "" for s in scenes
-        ]
+        cells = [f"{own.order_max[s]:.1f} / {own.order_rms[s]:.1f}" if s in own.index else "" for s in scenes]
         rows.append(f"{common.tex(common.label(method))} & {' & '.join(cells)} \\\\")
     titles = [common.tex(s.replace("_", " ").replace("generated", "").strip()) for s in scenes]
     return "\n".join(

@@ -37,7 +37,10 @@ def main() -> None:
     )
     for peer, methods in PEERS.items():
         best = (
-            lines[lines.line.isin(methods)].groupby(["scene", "target_um"]).query_ns.min().rename(f"{peer}_ns")
+            lines[lines.line.isin(methods)]
+            .groupby(["scene", "target_um"])
+            .query_ns.min()
+            .rename(f"{peer}_ns")
         )
         lines = lines.merge(best, on=["scene", "target_um"], how="left")
         lines[f"times_faster_than_{peer}"] = lines.pop(f"{peer}_ns") / lines.query_ns

@@ -27,7 +27,9 @@ def latex(points) -> str:
     counts = counts.sort_values(["all", "method"], ascending=[False, True])
     titles = {"query_ns": "query", "build_ms": "fill", "bytes": "memory"}
     rows = [
-        f"{common.tex(common.label(method))} & " + " & ".join(str(row[cost]) for cost in pareto.COSTS) + r" \\"
+        f"{common.tex(common.label(method))} & "
+        + " & ".join(str(row[cost]) for cost in pareto.COSTS)
+        + r" \\"
         for method, row in counts.iterrows()
     ]
     return "\n".join(

@@ -26,7 +26,7 @@ namespace impinge {
 template <SamplingScheme S>
 std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   std::vector<float> slopes(scheme.size(), 0.0F);
-  const auto walker = scheme.walker();
+  const auto& walker = scheme.walker();
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();

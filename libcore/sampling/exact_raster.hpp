@@ -19,7 +19,7 @@ template <SamplingScheme S>
 RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer) {
   RadialTable<S> table(scheme);
   const auto radii = table.radii();
-  const auto walker = scheme.walker();
+  const auto& walker = scheme.walker();
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;

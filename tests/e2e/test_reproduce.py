@@ -32,8 +32,18 @@ sample_points finding_comparison finding_interpolation finding_grids
 """.split()
 THESIS_TABLES = [f"table-{n}" for n in range(2, 11)]
 THESIS_FIGURES = [f"figure-{n}" for n in (*range(45, 51), *range(52, 60))]
-TABLES = [*THESIS_TABLES, "table-9-queries", "figure-50-difference", "scheme-comparison", "band-limit", "findings", "error-budget", "pareto",
-    "matched-accuracy", "error-order"]
+TABLES = [
+    *THESIS_TABLES,
+    "table-9-queries",
+    "figure-50-difference",
+    "scheme-comparison",
+    "band-limit",
+    "findings",
+    "error-budget",
+    "pareto",
+    "matched-accuracy",
+    "error-order",
+]
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
@@ -168,9 +178,7 @@ class Reproduce(unittest.TestCase):
         for panel, points in panels.items():
             self.assertGreaterEqual(len(points), 12, panel)
             for error, value, on_front in points:
-                beaten = any(
-                    e <= error and v <= value and (e < error or v < value) for e, v, _ in points
-                )
+                beaten = any(e <= error and v <= value and (e < error or v < value) for e, v, _ in points)
                 self.assertEqual(on_front, not beaten, (panel, error, value))
 
     def test_e_list_names_each_artefact_once(self):
