@@ -24,6 +24,8 @@ class ConchoidSteps {
   double last() const { return last_; }
   double turns() const { return north_turns_ + south_turns_; }
   double spacing() const { return spacing_; }  // h, in units of a
+  double ratio() const { return b_; }          // b / a
+  double step_area() const { return step_; }   // between entries, in units of a^2
   double turn(double phi) const;
   double polar_of_turn(double turn) const;
   double place(double phi) const;

@@ -66,6 +66,8 @@ class Spiral {
     if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
   }
 
+  const P& placement() const { return placement_; }
+
   const Spiral& walker() const { return *this; }
 
   // Runs of the turns that cross the box round the cone, as far as TurnClip leaves them.
@@ -98,8 +100,6 @@ class Spiral {
   friend bool operator==(const Spiral& a, const Spiral& b) { return a.placement_ == b.placement_; }
 
  protected:
-  const P& placement() const { return placement_; }
-
   // Stencil whose places on the turns place_of(phi) tells.
   template <class PlaceOf>
   Stencil stencil_with(const Vec3& x, PlaceOf&& place_of) const {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patches: how the interpolation of a scheme moves over the sphere, for proven bounds on its error.
+//
+// A patch is a rectangle of two coordinates (s, t) of the scheme's own, inside of one cell, on which the
+// interpolated value is linear in s for each t and linear in t for each s (but for `bend` below), while the
+// direction runs over u(s, t). Patches cover the sphere. A scheme tells them through a function
+//   patches_of(scheme)
+// found by its argument, that returns an object with
+//   for_each(visit)        calls visit(patch) for every patch
+//   at(patch, s, t)        the direction u(s, t), a vector of any length above zero
+//   motion(patch, rect)    bounds on how u and the weights move over a part of the patch
+// It is optional: without it a bound of first order holds for any scheme (table_bound.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+struct Rect {
+  std::array<double, 2> from;  // s, t
+  std::array<double, 2> to;
+  double width(std::size_t k) const { return to[k] - from[k]; }
+  double middle(std::size_t k) const { return 0.5 * (from[k] + to[k]); }
+};
+
+struct Patch {
+  std::size_t part = 0;  // of the sphere, of a meaning that is the scheme's
+  Rect rect{};
+};
+
+// Bounds over a rectangle, in each of its two directions, for a step h as wide as the rectangle.
+struct Motion {
+  std::array<double, 2> way{};   // h |du/ds|, radians
+  std::array<double, 2> turn{};  // h^2 |acceleration of u along the sphere|, radians
+  std::array<double, 2> kink{};  // h times the sum of the jumps of du/ds, radians
+  std::array<double, 2> bend{};  // h^2 sum |d^2 w_i / ds^2| / 2 over the weights of the taps
+  bool smooth = true;            // whether `turn` is finite; else only `way` is of use
+};
+
+template <class S>
+concept HasPatches = requires(const S scheme, Patch patch) {
+  { patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;
+  { patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<Motion>;
+};
+
+}  // namespace impinge

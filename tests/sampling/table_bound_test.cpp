@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// |table.radius_at(u) - radius of the mesh along u| <= table_bound(), along directions of every kind, for
+// every scheme and both interpolants; and no bound half as large would do.
+#include "sampling/table_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sampling/pairwise.hpp"
+#include "sphere/scheme_list.hpp"
+#include "support/bound_probes.hpp"
+#include "support/directions.hpp"
+
+namespace impinge {
+namespace {
+
+struct Scene {
+  std::string name;
+  TriangleMesh mesh;
+  Layer layer;
+};
+
+std::vector<Scene> scenes() {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  return {{"ball", pair.ball, Layer::farthest},
+          {"socket", pair.socket, Layer::nearest},
+          {"offset sphere", sphere(22.0, 100, {12.0, 3.0, -9.0}), Layer::farthest}};
+}
+
+// The check of the whole file: the largest error found, in shares of the bound.
+template <class Table>
+double largest_share(const Scene& scene, const Table& table, const TableBound& bound,
+                     const std::vector<Vec3>& probes) {
+  const RayCaster oracle(scene.mesh);
+  const auto error = [&](const Vec3& u) {
+    const double found = std::abs(table.radius_at(u) - oracle.cast(u, scene.layer));
+    return std::isnan(found) ? 0.0 : found;
+  };
+  return test::largest_error(error, probes, 0.5 * table.scheme().stencil_radius()) / bound.bound_mm;
+}
+
+template <class Table>
+void expect_tight_bound(const Scene& scene, const Table& table, const std::vector<Vec3>& probes) {
+  const std::string what = std::string(table.scheme().name) + " on the " + scene.name;
+  const TableBound bound = table_bound(scene.mesh, table, scene.layer);
+  ASSERT_TRUE(std::isfinite(bound.bound_mm)) << what;
+  const double share = largest_share(scene, table, bound, probes);
+  EXPECT_LE(share, 1.0) << what;
+  // Half of the bound is violated: by what the search attained, and along its witness.
+  EXPECT_GT(bound.attained_mm, 0.9 * bound.bound_mm) << what;
+  EXPECT_GT(share, 0.5) << what;
+  const double at_witness =
+      std::abs(table.radius_at(bound.witness) - RayCaster(scene.mesh).cast(bound.witness, scene.layer));
+  EXPECT_NEAR(at_witness, bound.attained_mm, 1e-6 * bound.bound_mm) << what;
+  EXPECT_GE(bound.a_priori_mm, bound.bound_mm * (1.0 - 1e-12)) << what;
+}
+
+TEST(TableBound, HoldsAndIsTightForEverySchemeAndInterpolant) {
+  for (const Scene& scene : scenes()) {
+    for_each_scheme([&]<class S>() {
+      const S scheme = S::with_precision(6.0);
+      const std::vector<Vec3> probes = test::bound_probes(scene.mesh, scheme, 1500);
+      const auto table = fill_exact(scene.mesh, scheme, scene.layer);
+      expect_tight_bound(scene, table, probes);
+      if constexpr (PlaneExactScheme<S>) expect_tight_bound(scene, InverseDepthTable<S>(table), probes);
+    });
+  }
+}
+
+// Before any patch is halved the bound holds as well, and may be used so.
+TEST(TableBound, HoldsAPriori) {
+  for (const Scene& scene : scenes()) {
+    for (const double precision : {10.0, 3.0}) {
+      const auto check = [&]<class S>(const S& scheme) {
+        const auto table = fill_exact(scene.mesh, scheme, scene.layer);
+        TableBound bound = table_bound(scene.mesh, table, scene.layer, {.budget = 0});
+        EXPECT_EQ(bound.bound_mm, bound.a_priori_mm);
+        EXPECT_LE(largest_share(scene, table, bound, test::bound_probes(scene.mesh, scheme, 500)), 1.0)
+            << S::name << " at " << precision << " on the " << scene.name;
+      };
+      check(Usid::with_precision(precision));
+      check(OctahedralEqualArea::with_precision(precision));
+    }
+  }
+}
+
+// A flat face that covers the sphere's view: inverse depths reproduce it, radii do not.
+TEST(TableBound, IsThatOfRoundingWhereTheInterpolantIsExact) {
+  const TriangleMesh mesh = test::large_flat_face(20.0, 50.0);
+  const CubeGnomonic scheme = CubeGnomonic::with_precision(3.0);
+  const auto table = fill_exact(mesh, scheme, Layer::nearest);
+  EXPECT_GT(table_bound(mesh, table, Layer::nearest).attained_mm, 1e-3);
+  const TableBound exact = table_bound(mesh, InverseDepthTable<CubeGnomonic>(table), Layer::nearest);
+  EXPECT_GT(exact.bound_mm, 0.0);
+  EXPECT_LT(exact.bound_mm, 1e-6);
+}
+
+// Second order on a plane: half of the precision, about a quarter of the bound. (A finer table comes nearer
+// to the rim, where the plane is steeper.)
+TEST(TableBound, FallsAsItShouldOnAPlane) {
+  const TriangleMesh mesh = test::large_flat_face(20.0, 20.0);
+  const auto check = [&]<class S>(const S& coarse, const S& fine) {
+    const auto bound = [&](const S& scheme) {
+      return table_bound(mesh, fill_exact(mesh, scheme, Layer::nearest), Layer::nearest).bound_mm;
+    };
+    const double ratio = bound(fine) / bound(coarse);
+    EXPECT_GT(ratio, 0.22) << S::name;
+    EXPECT_LT(ratio, 0.32) << S::name;
+  };
+  check(Rsid::with_precision(2.0), Rsid::with_precision(1.0));
+  check(IcosahedralSine::with_precision(2.0), IcosahedralSine::with_precision(1.0));
+}
+
+TEST(TableBound, OfASchemeWithoutPatchesIsOfFirstOrder) {
+  using Far = test::FarTap<CubeGnomonic>;
+  static_assert(!HasPatches<Far>);
+  const TriangleMesh mesh = cone();
+  const Far scheme = Far::with_precision(3.0);
+  const auto table = fill_exact(mesh, scheme, Layer::farthest);
+  const TableBound bound = table_bound(mesh, table, Layer::farthest);
+  const Scene scene{"cone", mesh, Layer::farthest};
+  const double share = largest_share(scene, table, bound, test::bound_probes(mesh, scheme, 20000));
+  EXPECT_LE(share, 1.0);
+  EXPECT_GT(share, 0.5);  // so that exp(T s / 2) in place of exp(T s) is found out
+}
+
+}  // namespace
+}  // namespace impinge
