@@ -5,6 +5,8 @@ data/error_against_time.csv and error_against_time_spread.csv.
 
 from __future__ import annotations
 
+import itertools
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -13,14 +15,14 @@ from matplotlib.lines import Line2D
 import common
 import pareto
 
-REFERENCES = ["embree_ray1", "rsid_thesis", "usid_thesis"]  # named wherever they are there
+REFERENCES = ["embree_ray8, robust", "rsid_thesis", "usid_thesis"]  # coloured wherever they are there
 FADED = "#c9c9c9"
 FLOORS = {"float": 2.0**-24, "double": 2.0**-53}  # half an ulp of 1
 MAIN_SCENE = "generated_12000"
 # Below this error, um, where only exact methods are, a decade has this share of the width of one above.
 EXACT = 1e-3
 SHARE = 0.18
-LEAST, MOST = 1e-10, 1e4  # um
+LEAST, MOST = 1e-10, 1e5  # um
 
 
 def main() -> None:
@@ -85,12 +87,16 @@ def queries_of_scenes(table: pd.DataFrame) -> plt.Figure:
 
 
 def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
-    """A look for the lines that are coloured: those on a front, by how often, and the references."""
-    on = sum(
-        (table[f"{cost}_front"] == True).astype(int) for cost in costs
-    )  # noqa: E712 (NaN: not in the race)
-    often = on.groupby(table.line).sum().sort_values(ascending=False, kind="stable")
-    chosen = [line for line in often.index if often[line] > 0][: len(common.COLOURS) - 1]
+    """A look for the lines that are coloured: those most often on the front of each cost, and the references."""
+    ranked = []
+    for cost in costs:
+        often = (
+            (table[f"{cost}_front"] == True).groupby(table.line).sum()
+        )  # noqa: E712 (NaN: not in the race)
+        often = often[often > 0].sort_values(ascending=False, kind="stable")
+        ranked.append(list(often.index))
+    turns = [line for turn in itertools.zip_longest(*ranked) for line in turn if line is not None]
+    chosen = list(dict.fromkeys(turns))[: len(common.COLOURS) - 1]
     chosen += [line for line in REFERENCES if line in set(table.line) and line not in chosen]
     looks = common.look(chosen)
     for line in chosen[len(common.COLOURS) :]:
@@ -102,7 +108,7 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
     """Every line of one scene against one cost; those without a look are faded."""
     axes.set_xscale("function", functions=(squeezed, spread_out))
     axes.set(yscale="log", xlabel="largest error measured, µm", xlim=(LEAST, 0.3 * MOST))
-    ticks = [1e-8, *(10.0**k for k in range(-2, 4))]
+    ticks = [1e-8, *(10.0**k for k in range(-2, 5))]
     axes.set_xticks(ticks, [f"$10^{{{round(np.log10(tick))}}}$" for tick in ticks])
     axes.axvspan(LEAST, EXACT, color="#f3f3f3", zorder=0)
     own = own[np.isfinite(own.error_um) & np.isfinite(own[cost]) & (own[cost] > 0)]
@@ -122,6 +128,7 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
             markerfacecolor=colour if group.measure.iloc[0] == "radial" else "white",
             zorder=3 if look else 1,
         )
+        failures(axes, group, cost)
         if look:
             whiskers(axes, group, cost, colour)
             bounds(axes, group, cost, look)
@@ -129,7 +136,7 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
                 steps(axes, group, cost, colour)
     staircase(axes, shown, cost)
     floors(axes)
-    failures(axes, own)
+    axes.set_ylim(0.6 * own[cost].min(), 1.6 * own[cost].max())
 
 
 def squeezed(error: np.ndarray) -> np.ndarray:
@@ -147,9 +154,11 @@ def spread_out(place: np.ndarray) -> np.ndarray:
 def whiskers(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
     """The spread of the times, between their quartiles."""
     spread = {"query_ns": "query_iqr_ns", "build_ms": "build_iqr_ms"}.get(cost)
-    if spread:
+    if spread and np.isfinite(group[spread]).any():
+        half = group[spread] / 2
+        below = np.minimum(half, 0.9 * group[cost])  # a logarithmic axis has no zero
         axes.errorbar(
-            group.x, group[cost], yerr=group[spread] / 2, fmt="none", ecolor=colour, capsize=2, linewidth=0.8
+            group.x, group[cost], yerr=[below, half], fmt="none", ecolor=colour, capsize=2, linewidth=0.8
         )
 
 
@@ -211,21 +220,18 @@ def floors(axes: plt.Axes) -> None:
         )
 
 
-def failures(axes: plt.Axes, own: pd.DataFrame) -> None:
-    """Counts of answers where there is no surface, at the right edge."""
-    failed = own[own.false_hits > 0]
-    if failed.empty:
-        return
-    names = ", ".join(common.label(name) for name in failed.method.unique()[:3])
-    more = f" and {failed.method.nunique() - 3} more" if failed.method.nunique() > 3 else ""
-    axes.annotate(
-        f"× answers where no surface is:\n{names}{more}",
-        (0.995, 0.99),
-        xycoords="axes fraction",
-        ha="right",
-        va="top",
-        fontsize=7,
+def failures(axes: plt.Axes, group: pd.DataFrame, cost: str) -> None:
+    """A cross over what answered where there is no surface."""
+    failed = group[group.false_hits > 0]
+    axes.plot(
+        failed.x,
+        failed[cost],
+        linestyle="none",
+        marker="x",
         color=common.COLOURS[1],
+        markersize=5,
+        markeredgewidth=0.9,
+        zorder=4,
     )
 
 
@@ -236,6 +242,23 @@ def legend(figure: plt.Figure, looks: dict, y: float) -> None:
     ]
     handles += [
         Line2D([], [], color=FADED, marker=".", label="another method or storage"),
+        Line2D(
+            [],
+            [],
+            color=FADED,
+            marker="o",
+            markersize=4,
+            markerfacecolor="white",
+            label="another question: nearest point or pose",
+        ),
+        Line2D(
+            [],
+            [],
+            color=common.COLOURS[1],
+            marker="x",
+            linestyle="none",
+            label="also answers where no surface is",
+        ),
         Line2D([], [], color="black", linewidth=0.9, label="Pareto front (radial distance)"),
         Line2D(
             [],

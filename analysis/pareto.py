@@ -37,8 +37,12 @@ def load(results: Path) -> pd.DataFrame:
 
 
 def line_of(row) -> str:
-    """What the settings of one line of a plot share: the method, and how its table is stored."""
-    return row.method if row.storage in ("none", "double") else f"{row.method}, {row.storage}"
+    """What the settings of one line of a plot share: the method, and how its table is stored or its library is
+    set.
+    """
+    if row.storage not in ("none", "double"):
+        return f"{row.method}, {row.storage}"
+    return f"{row.method}, {row.setting}" if row.kind == "library" and row.setting else row.method
 
 
 def label(line: str) -> str:
@@ -53,10 +57,8 @@ def step_of(row) -> str:
 
 
 def competes(table: pd.DataFrame) -> pd.Series:
-    """Whether a row may stand on a front: it answers the question of all, the radius along a direction, has
-    answered it, and never where there is no surface.
-    """
-    return (table.measure == "radial") & np.isfinite(table.error_um) & (table.false_hits == 0)
+    """Whether a row may stand on a front: it answers the question of all, the radius along a direction."""
+    return (table.measure == "radial") & np.isfinite(table.error_um)
 
 
 def front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
