@@ -60,8 +60,8 @@ template <class Measure>
 std::vector<double> stored_or_measured(const std::filesystem::path& file, std::size_t count,
                                        Measure&& measure) {
   if (auto values = stored(file, count)) return *std::move(values);
-  const std::vector<double> values = measure();
-  std::string bytes(bytes_of(std::span(values)));
+  std::vector<double> values = measure();
+  std::string bytes(bytes_of(std::span<const double>(values)));
   bytes += sha256_hex(bytes);
   std::filesystem::create_directories(file.parent_path());
   write_bytes(file, bytes);

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "sampling/pairwise.hpp"
 #include "support/directions.hpp"
 #include "support/precise.hpp"
+#include "support/soup.hpp"
 
 namespace impinge {
 namespace {
@@ -44,19 +44,6 @@ std::vector<double> precise_radii(const TriangleMesh& mesh, const std::vector<Ve
   std::vector<double> radii;
   for (const Vec3& u : directions) radii.push_back(test::precise_radius(mesh, u, layer));
   return radii;
-}
-
-// Triangles at random: many layers, some of them across the centre's far side.
-TriangleMesh soup(std::size_t faces, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> place(-30.0, 30.0);
-  TriangleMesh mesh;
-  for (std::size_t f = 0; f < faces; ++f) {
-    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-    for (int k = 0; k < 3; ++k) mesh.vertices.emplace_back(place(random), place(random), place(random));
-    mesh.faces.push_back({first, first + 1, first + 2});
-  }
-  return mesh;
 }
 
 // |u|_2 / |u|_1 R, for vectors of any length and the poles, axes and seams of all schemes.
@@ -90,7 +77,7 @@ TEST(ExactRadius, FeaturesOfAnOpenSocketAreThoseOfBruteForce) {
 }
 
 TEST(ExactRadius, BothLayersOfASoupAreThoseOfBruteForce) {
-  const TriangleMesh mesh = soup(60, 4);
+  const TriangleMesh mesh = test::soup(60, 4);
   std::vector<Vec3> directions = test::random_directions(300, 5);
   for (const Vec3& v : mesh.vertices) directions.push_back(v);
   for (const Layer layer : {Layer::nearest, Layer::farthest}) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What radial gaps say about the Euclidean distance d from a point x to a surface, proven:
+//
+//   m / L <= d <= m,   m = min(|g_1|, |g_2|, ..., e),   L = root(1 + k^2 tan^2 psi)
+//
+// g_1, g_2, ... are the gaps |x| - r along the direction of x, one for each layer of the surface there; e is
+// the distance from x to the nearest jump edge, where a layer ends (mesh/jump_edges.hpp). psi is the largest
+// angle between direction and normal over all faces that are seen within asin(D / |x|) of x, where D <= m is
+// any upper end of d, and k bounds the ratio r / |y| of the radii of the surface and of a point y between x
+// and its nearest point. Next to a smooth surface L is close to 1 / cos psi: inside a socket the gap and the
+// distance differ by a few per cent; at a neck the gap is the larger by far, and beyond a rim e counts.
+//
+// Proof. The ends of g_1, ... and e lie on the surface: d <= m. For the other side let z be the point of the
+// surface nearest to x. Go from z straight to x and follow, on the surface, what is seen in the direction of
+// each point y of the way, from face to face across every edge that is no jump edge. The radius r of this
+// layer is continuous along the way, and G(y) = |y| - r(y / |y|) has
+//   |grad G| = root(1 + (r / |y|)^2 tan^2 psi) <= L.
+// Either the layer reaches the direction of x. Then one of the gaps is its own: |g_i| = |G(x) - G(z)| <= L d.
+// Or it ends in a point p of a jump edge, seen in the direction of some y of the way. Then |x - p| <= |x - y|
+// + |y - p| and |y - p| = |G(y) - G(z)| <= L |y - z|, together <= L d as L >= 1. All of the way lies in the
+// ball about x of radius d <= D, which is seen within asin(D / |x|).
+//   The bound k: in that ball |y| >= |x| - D, so that k = R / (|x| - D) will do, R the largest radius of
+//   those
+// faces. And as G(z) = 0, r / |y| <= 1 + L D / (|x| - D) with the L of the largest ratio met so far; a ratio
+// that is 1 in z cannot pass the root of k = 1 + q root(1 + k^2 tan^2 psi), q = D / (|x| - D), which there is
+// for q tan psi < 1. The smaller of the two counts.
+//
+// A bound with the slope at x alone, with the layer of a table alone, or without e is wrong: where a cliff is
+// near, beneath a fold, and next to a rim.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/schemes/cube_gnomonic.hpp"
+
+namespace impinge {
+
+// Ends of a Euclidean distance, mm.
+struct DistanceBracket {
+  double lower_mm = 0.0;
+  double upper_mm = 0.0;
+};
+
+// Allowance for rounding at both ends, of |x|. The gap of a face so steep that rounding might reach it is
+// replaced by the distances of its corners.
+inline constexpr double kDistanceAllowance = 1e-9;
+
+// A mesh made ready for many points: what is near each entry of a grid of about a degree. A point costs what
+// the entries within asin(D / |x|) of it and all jump edges do.
+class EuclideanBracket {
+ public:
+  // mesh in its centre frame, mm; copied. Throws std::invalid_argument for one without faces.
+  explicit EuclideanBracket(TriangleMesh mesh);
+
+  // Bracket of the distance from x (mm, in the frame of the mesh) to the nearest point of any face. The lower
+  // end is 0 where nothing is claimed: for D of 0.45 |x| or more, and where a face whose plane holds the
+  // centre is within D.
+  DistanceBracket at(const Vec3& x) const;
+
+ private:
+  struct Segment {
+    Vec3 from;
+    Vec3 to;
+  };
+  struct Ball {
+    Vec3 middle;
+    double radius;
+  };
+  // Of the faces within the covering radius of an entry. Lengths in mm.
+  struct Near {
+    std::vector<std::uint32_t> faces;
+    double slope = 0.0;   // largest tan psi
+    double radius = 0.0;  // largest
+    // Of the crossings along the entry itself.
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = 0.0;
+  };
+  struct Reach {
+    double gap;    // m of the equation, but for rounding
+    double upper;  // an upper end of the distance
+  };
+
+  void list_face(std::size_t f);
+  std::size_t entry_next_to(const Vec3& u) const;
+  Reach reach_of(const Vec3& x, const Vec3& u) const;
+  double shortened(const Vec3& x, double upper) const;
+  double stretch(const Vec3& x, double upper) const;
+  bool is_near_edge_on(const Vec3& x, double upper) const;
+
+  template <class Visit>
+  void for_each_within(const Vec3& u, double angle, Visit&& visit) const;
+
+  TriangleMesh mesh_;
+  CubeGnomonic grid_;
+  CubeGnomonic::Walker walker_;
+  std::vector<Near> near_;      // of each entry of the grid
+  std::vector<Segment> jumps_;  // jump edges
+  std::vector<Ball> edge_on_;   // round the faces whose plane holds the centre
+};
+
+}  // namespace impinge

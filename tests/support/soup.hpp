@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles at random, to test what must hold for any mesh: layers over layers, cliffs, and rims everywhere.
+#pragma once
+
+#include <cstddef>
+#include <random>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge::test {
+
+// Corners uniform in the cube of half side 30 mm about the centre.
+inline TriangleMesh soup(std::size_t faces, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> place(-30.0, 30.0);
+  TriangleMesh mesh;
+  for (std::size_t f = 0; f < faces; ++f) {
+    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+    for (int k = 0; k < 3; ++k) mesh.vertices.emplace_back(place(random), place(random), place(random));
+    mesh.faces.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+}  // namespace impinge::test
