@@ -122,7 +122,8 @@ endforeach()
 function(impinge_scene name ball socket)
   impinge_job(
     NAME scene-${name} KIND data
-    OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
+    OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv
+            scenes/${name}/distances.csv scenes/${name}/summary.json
     DEPENDS "${scene_program}" "${ball}" "${socket}"
     COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --cartilage 4 ${ARGN} --out scenes/${name}
     SECONDS 2 2

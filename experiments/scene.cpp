@@ -29,7 +29,7 @@ void run(const SceneOptions& options) {
   const nlohmann::json report = summary(options, joint, measurement);
   write_scene(options, joint, measurement, report);
   std::cout << describe_scene(report) << "wrote               " << options.out.string()
-            << "/{ball.ply,socket.ply,gaps.csv,summary.json}" << std::endl;
+            << "/{ball.ply,socket.ply,gaps.csv,distances.csv,summary.json}" << std::endl;
 }
 
 }  // namespace

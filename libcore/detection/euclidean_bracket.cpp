@@ -16,6 +16,7 @@ constexpr double kGridPrecision = 1.0;  // degrees
 constexpr double kFarthest = 0.45;      // of |x|: no lower end for a distance beyond it
 constexpr double kAngleSlack = 1e-9;    // radians, for rounding
 constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
+constexpr int kHalvings = 8;            // of the range of D
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distance_from_segment(const Vec3& x, const Vec3& from, const Vec3& to) {
@@ -23,6 +24,23 @@ double distance_from_segment(const Vec3& x, const Vec3& from, const Vec3& to) {
   const double length = along.squaredNorm();
   const double share = length > 0.0 ? std::clamp((x - from).dot(along) / length, 0.0, 1.0) : 0.0;
   return (x - from - share * along).norm();
+}
+
+// L for the faces that count at this D, seen from a point of that length.
+double stretch(const auto& slopes, double length, double D) {
+  double slope = 0.0;
+  double radius = 0.0;
+  for (const auto& near : slopes) {
+    if (near.from > D) continue;
+    slope = std::max(slope, near.slope);
+    radius = std::max(radius, near.radius);
+  }
+  if (std::isinf(slope)) return kInfinity;
+  const double q = D / (length - D);
+  const double rest = 1.0 - q * q * slope * slope;
+  double ratio = radius / (length - D);
+  if (rest > 0.0) ratio = std::min(ratio, (1.0 + std::sqrt(1.0 - rest * (1.0 - q * q))) / rest);
+  return std::hypot(1.0, ratio * slope);
 }
 
 }  // namespace
@@ -90,26 +108,29 @@ std::size_t EuclideanBracket::entry_next_to(const Vec3& u) const {
   return nearest;
 }
 
-// x and the unit vector u along it, any u for x in the centre.
-EuclideanBracket::Reach EuclideanBracket::reach_of(const Vec3& x, const Vec3& u) const {
-  Reach reach{kInfinity, kInfinity};
+// All but the lower end. x and the unit vector u along it, any u for x in the centre.
+DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) const {
+  DistanceBracket found;
+  found.upper_mm = kInfinity;
   const Vec3& exact_direction = x.isZero(0.0) ? u : x;
   for (const std::uint32_t f : near_[entry_next_to(u)].faces) {
     const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
     if (place_in_cone(cone.corners(), cone.side(), exact_direction) < 0) continue;
     const double gap = std::abs(x.norm() - cone.radius(u));
-    reach.gap = std::min(reach.gap, gap);
-    if (cone.largest_slope() <= kSteep) reach.upper = std::min(reach.upper, gap);
-    for (const Vec3& v : cone.corners()) reach.upper = std::min(reach.upper, (x - v).norm());
+    const double slope = cone.largest_slope();
+    if (gap < found.gap_mm) {
+      found.gap_mm = gap;
+      found.slope = slope;
+    }
+    if (slope <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
+    for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
   }
-  for (const auto& [from, to] : jumps_) {
-    const double distance = distance_from_segment(x, from, to);
-    reach.gap = std::min(reach.gap, distance);
-    reach.upper = std::min(reach.upper, distance);
-  }
+  for (const auto& [from, to] : jumps_)
+    found.edge_mm = std::min(found.edge_mm, distance_from_segment(x, from, to));
+  found.upper_mm = std::min(found.upper_mm, found.edge_mm);
   for (const auto& [middle, radius] : edge_on_)
-    reach.upper = std::min(reach.upper, (x - middle).norm() + radius);
-  return reach;
+    found.upper_mm = std::min(found.upper_mm, (x - middle).norm() + radius);
+  return found;
 }
 
 // The upper end by points of the surface along the entries near x: where faces are steep they are nearer than
@@ -123,36 +144,49 @@ double EuclideanBracket::shortened(const Vec3& x, double upper) const {
   return least;
 }
 
-// L, where the distance from x is at most `upper`.
-double EuclideanBracket::stretch(const Vec3& x, double upper) const {
-  double slope = 0.0;
-  double radius = 0.0;
-  for_each_within(x.normalized(), std::asin(upper / x.norm()), [&](std::size_t i, const Vec3&) {
-    slope = std::max(slope, near_[i].slope);
-    radius = std::max(radius, near_[i].radius);
+// Slopes that count for some D up to `farthest`.
+std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x, double farthest) const {
+  const double length = x.norm();
+  const Vec3 axis = x / length;
+  const double listed_within = grid_.covering_radius() + kAngleSlack;
+  const double sine = std::sin(listed_within);
+  const double cosine = std::cos(listed_within);
+  std::vector<Slope> slopes;
+  for_each_within(axis, std::asin(farthest / length), [&](std::size_t i, const Vec3& u) {
+    if (near_[i].faces.empty()) return;
+    const double from =
+        axis.cross(u).norm() * cosine - axis.dot(u) * sine;  // of the angle less listed_within
+    slopes.push_back({length * std::max(from, 0.0), near_[i].slope, near_[i].radius});
   });
-  if (std::isinf(slope)) return kInfinity;
-  const double inner = x.norm() - upper;
-  const double q = upper / inner;
-  double ratio = radius / inner;
-  const double rest = 1.0 - q * q * slope * slope;
-  if (rest > 0.0) ratio = std::min(ratio, (1.0 + std::sqrt(1.0 - rest * (1.0 - q * q))) / rest);
-  return std::hypot(1.0, ratio * slope);
+  for (const Ball& ball : edge_on_)
+    slopes.push_back({std::max((x - ball.middle).norm() - ball.radius, 0.0), kInfinity, 0.0});
+  return slopes;
 }
 
-bool EuclideanBracket::is_near_edge_on(const Vec3& x, double upper) const {
-  return std::ranges::any_of(
-      edge_on_, [&](const Ball& ball) { return (x - ball.middle).norm() <= ball.radius + upper; });
+// The largest min(D, m / L(D)), nearly.
+double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) const {
+  const double m = std::min(found.gap_mm, found.edge_mm);
+  double high = std::min(found.upper_mm, kFarthest * x.norm());
+  const std::vector<Slope> slopes = slopes_near(x, high);
+  const auto end = [&](double D) { return m / stretch(slopes, x.norm(), D); };
+  if (end(high) >= high) return high;
+  double low = 0.0;
+  for (int step = 0; step < kHalvings; ++step) {
+    const double middle = 0.5 * (low + high);
+    (end(middle) >= middle ? low : high) = middle;
+  }
+  return std::max(low, end(high));
 }
 
 DistanceBracket EuclideanBracket::at(const Vec3& x) const {
   const double length = x.norm();
   const double allowance = kDistanceAllowance * length;
-  const Reach reach = reach_of(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
-  double upper = reach.upper + allowance;
-  if (upper < kFarthest * length) upper = std::min(upper, shortened(x, upper) + allowance);
-  if (!(upper < kFarthest * length) || is_near_edge_on(x, upper)) return {0.0, upper};
-  return {std::clamp(reach.gap / stretch(x, upper) - allowance, 0.0, upper), upper};
+  DistanceBracket found = gap_and_edge(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
+  found.upper_mm += allowance;
+  if (length == 0.0) return found;
+  if (found.upper_mm < kFarthest * length) found.upper_mm = shortened(x, found.upper_mm) + allowance;
+  found.lower_mm = std::clamp(lower_end(x, found) - allowance, 0.0, found.upper_mm);
+  return found;
 }
 
 }  // namespace impinge

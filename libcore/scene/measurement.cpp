@@ -132,6 +132,18 @@ Measurement measure_within(double max_error_mm, const Joint& joint, const Pose& 
              max_error_mm, kPrecisions.back(), bound));
 }
 
+// They are those of the meshes, whatever the table.
+void bracket_distances(const Joint& joint, Measurement& result) {
+  Stopwatch watch;
+  const EuclideanBracket ball(joint.ball.mesh);
+  const EuclideanBracket socket(joint.socket.mesh);
+  for (const Vec3& v : joint.ball.mesh.vertices)
+    result.ball.distance.push_back(socket.at(to_socket(result.pose, v)));
+  for (const Vec3& v : joint.socket.mesh.vertices)
+    result.socket.distance.push_back(ball.at(to_ball(result.pose, v)));
+  result.distance_ms = watch.lap_ms();
+}
+
 Pose pose_of(const SceneOptions& options) {
   const Eigen::Matrix3d axes = input_to_joint(options.axes);
   return {axes.transpose() * joint_rotation(options.motion, options.side) * axes, Vec3::Zero()};
@@ -154,6 +166,7 @@ Measurement measure(const Joint& joint, const SceneOptions& options) {
     result = options.max_error_mm ? measure_within<S>(*options.max_error_mm, joint, pose)
                                   : measure_at<S>(options.precision_deg, joint, pose);
   });
+  bracket_distances(joint, result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "detection/euclidean_bracket.hpp"
 #include "detection/pose.hpp"
 #include "scene/joint.hpp"
 #include "scene/options.hpp"
@@ -16,6 +17,7 @@ namespace impinge {
 struct SurfaceGaps {
   std::vector<double> gap;    // mm, NaN where the other surface is not met
   std::vector<double> bound;  // mm, proven bound on the error of the gap (error_bound.hpp), NaN with it
+  std::vector<DistanceBracket> distance;  // Euclidean, to any point of the other surface, of every vertex
 };
 
 struct Measurement {
@@ -23,11 +25,12 @@ struct Measurement {
   SurfaceGaps ball;
   SurfaceGaps socket;
   double precision_deg = 0.0;
-  std::size_t entries = 0;  // of each table
-  std::size_t bytes = 0;    // of both tables
-  double fill_ms = 0.0;     // both tables
-  double bound_ms = 0.0;    // the bounds of all gaps
-  double scan_ms = 0.0;     // both scans
+  std::size_t entries = 0;   // of each table
+  std::size_t bytes = 0;     // of both tables
+  double fill_ms = 0.0;      // both tables
+  double bound_ms = 0.0;     // the bounds of all gaps
+  double scan_ms = 0.0;      // both scans
+  double distance_ms = 0.0;  // the brackets of all Euclidean distances
 };
 
 // Fills a table for each surface at the precision asked for, or at the coarsest of 1, 0.5, 0.25, 0.1, 0.05

@@ -98,6 +98,7 @@ json smallest_json(const View& v, const Vec3& centre, const std::optional<ClockF
   const std::size_t i = *found.smallest;
   return {{"gap_mm", found.smallest_gap},
           {"error_bound_mm", number(v.gaps.bound[i])},
+          {"euclidean_distance_mm", json::array({v.gaps.distance[i].lower_mm, v.gaps.distance[i].upper_mm})},
           {"surface", name(v.surface)},
           {"vertex", i},
           {"position", point(v.posed[i] + centre)},
@@ -162,6 +163,29 @@ json bounds_json(const View& ball, const View& socket) {
           {"smallest_gap_between", json::array({number(low), number(high)})}};
 }
 
+// Gaps are radial. Where one is above the upper end of the Euclidean distance it overstates it for certain.
+json distances_json(const View& ball, const View& socket) {
+  constexpr double kOverstated = 1.1;
+  double low = std::numeric_limits<double>::infinity();
+  double high = low;
+  double largest = 1.0;
+  std::size_t overstated = 0;
+  for (const View* v : {&ball, &socket}) {
+    for (std::size_t i = 0; i < v->gaps.gap.size(); ++i) {
+      const DistanceBracket& distance = v->gaps.distance[i];
+      low = std::min(low, distance.lower_mm);
+      high = std::min(high, distance.upper_mm);
+      const double ratio = (std::abs(v->gaps.gap[i]) - v->gaps.bound[i]) / distance.upper_mm;
+      if (std::isnan(ratio)) continue;
+      largest = std::max(largest, ratio);
+      if (ratio > kOverstated) ++overstated;
+    }
+  }
+  return {{"smallest_between", json::array({number(low), number(high)})},
+          {"gaps_above_it_by_a_tenth", overstated},
+          {"largest_gap_over_it", largest}};
+}
+
 std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
   Table table;
   table.columns = {
@@ -172,6 +196,22 @@ std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
     for (std::size_t i = 0; i < v->posed.size(); ++i) {
       const Vec3 x = v->posed[i] + centre;
       table.add_row({name(v->surface), i, x.x(), x.y(), x.z(), v->gaps.gap[i]});
+    }
+  }
+  return to_csv(table);
+}
+
+std::string distances_csv(const View& ball, const View& socket) {
+  Table table;
+  table.columns = {{"surface", "", "ball or socket"},
+                   {"vertex", "1", "index in the input mesh after welding"},
+                   {"gap_mm", "mm", "radial, as in gaps.csv"},
+                   {"distance_lower_mm", "mm", "Euclidean distance from the other surface, lower end"},
+                   {"distance_upper_mm", "mm", "upper end"}};
+  for (const View* v : {&ball, &socket}) {
+    for (std::size_t i = 0; i < v->posed.size(); ++i) {
+      const DistanceBracket& distance = v->gaps.distance[i];
+      table.add_row({name(v->surface), i, v->gaps.gap[i], distance.lower_mm, distance.upper_mm});
     }
   }
   return to_csv(table);
@@ -237,6 +277,7 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
                                    smallest_json(socket, joint.centre, dial, axes))},
           {"impingement", thresholds},
           {"error_bound_mm", bounds_json(ball, socket)},
+          {"euclidean_distance_mm", distances_json(ball, socket)},
           {"colours",
            {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
             {"socket", levels_json(Surface::socket, options.cartilage_mm)},
@@ -246,7 +287,8 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
           {"times_ms",
            {{"fill_tables", measurement.fill_ms},
             {"scan", measurement.scan_ms},
-            {"error_bounds", measurement.bound_ms}}}};
+            {"error_bounds", measurement.bound_ms},
+            {"euclidean_distances", measurement.distance_ms}}}};
 }
 
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
@@ -256,6 +298,7 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
   write_part(ball, options, joint.centre);
   write_part(socket, options, joint.centre);
   write_if_changed(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
+  write_if_changed(options.out / "distances.csv", distances_csv(ball, socket));
   write_if_changed(options.out / "summary.json", summary.dump(2) + "\n");
 }
 
@@ -281,6 +324,9 @@ std::string describe_scene(const json& summary) {
     text +=
         format(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
   }
+  const json& distance = smallest["euclidean_distance_mm"];
+  text += format("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
+                 distance[1].get<double>());
   for (const json& level : summary["impingement"]) {
     text += format("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
     const std::size_t found =

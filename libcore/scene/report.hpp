@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program `scene` writes: ball.ply, socket.ply, gaps.csv, summary.json, and a few lines for the
-// reader.
+// What the program `scene` writes: ball.ply, socket.ply, gaps.csv, distances.csv, summary.json, and a few
+// lines for the reader.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ namespace impinge {
 // there is no value.
 nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement);
 
-// Writes the four files into options.out, each whole or not at all. Positions are those of the pose, in the
+// Writes the five files into options.out, each whole or not at all. Positions are those of the pose, in the
 // input frame.
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
                  const nlohmann::json& summary);

@@ -43,12 +43,12 @@ class Scene(unittest.TestCase):
         return run(SCENE, "--ball", ball or self.ball, "--socket", socket or self.socket, "--out", self.root / out,
                    *more, **keywords)
 
-    def test_writes_the_four_files_and_says_what_it_found(self):
+    def test_writes_the_five_files_and_says_what_it_found(self):
         done = self.scene("good", "--precision", 1)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
         names = sorted(path.name for path in (self.root / "good").iterdir())
-        self.assertEqual(names, ["ball.ply", "gaps.csv", "socket.ply", "summary.json"])
+        self.assertEqual(names, ["ball.ply", "distances.csv", "gaps.csv", "socket.ply", "summary.json"])
         summary = json.loads((self.root / "good" / "summary.json").read_text())
         self.assertAlmostEqual(summary["smallest_gap"]["gap_mm"], 4.0, delta=0.15)
         for word in ("centre of rotation", "smallest gap", "impinged at   0 mm   nowhere", "impinged at   4 mm"):
@@ -57,7 +57,7 @@ class Scene(unittest.TestCase):
     def test_the_same_input_gives_the_same_bytes(self):
         for out in ("one", "two"):
             self.assertEqual(self.scene(out).returncode, 0)
-        for name in ("ball.ply", "socket.ply", "gaps.csv"):
+        for name in ("ball.ply", "socket.ply", "gaps.csv", "distances.csv"):
             self.assertEqual((self.root / "one" / name).read_bytes(), (self.root / "two" / name).read_bytes(), name)
 
     def refused(self, done: subprocess.CompletedProcess, code: int, *words: str):

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
+#include "reference/closest_point.hpp"
 #include "scene/report.hpp"
 
 namespace impinge {
@@ -53,6 +54,26 @@ TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
     EXPECT_NEAR(report["smallest_gap"]["gap_mm"], distance, 0.15) << hip;
     EXPECT_EQ(report["impingement"][0]["ball"]["vertices"], 0) << hip << ": no bone touches another";
     EXPECT_GT(report["impingement"][1]["socket"]["area_mm2"], 100.0) << hip << ": 4 mm of cartilage do touch";
+  }
+}
+
+// Euclidean distances of all vertices, in poses that are free and deep.
+TEST(RealBones, DistancesHoldTheExactOnes) {
+  for (const fs::path& hip : hips()) {
+    SceneOptions options = options_of(hip);
+    options.side = hip.string().ends_with("left") ? Side::left : Side::right;
+    const Joint joint = load_joint(options);
+    for (const char* motion : {"flexion=0", "flexion=90,internal_rotation=20"}) {
+      options.motion = parse_motion(motion);
+      const Measurement found = measure(joint, options);
+      std::vector<Vec3> points = joint.socket.mesh.vertices;
+      for (Vec3& x : points) x = to_ball(found.pose, x);
+      const std::vector<double> distance = closest_distances(joint.ball.mesh, {.points = points});
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        ASSERT_LE(found.socket.distance[i].lower_mm, distance[i]) << hip << " " << motion;
+        ASSERT_GE(found.socket.distance[i].upper_mm, distance[i]) << hip << " " << motion;
+      }
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
+#include "reference/closest_point.hpp"
 #include "sampling/pairwise.hpp"
 #include "scene/report.hpp"
 #include "support/temporary_folder.hpp"
@@ -113,6 +114,34 @@ TEST_F(Scene, GapsKeepTheirBounds) {
   }
 }
 
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+// Of every vertex, whether it has a gap or not, and they are what distances.csv holds.
+TEST_F(Scene, DistancesHoldTheExactOnes) {
+  const BallSocketPair pair = make_ball_socket_pair(600, impinging_cam());
+  SceneOptions options = joint_of(pair.ball, pair.socket);
+  options.axes = "ALS";
+  options.motion = parse_motion("flexion=60");
+  const Joint joint = load_joint(options);
+  const Measurement found = measure(joint, options);
+  std::vector<Vec3> points;
+  for (const Vec3& v : joint.ball.mesh.vertices) points.push_back(to_socket(found.pose, v));
+  const std::vector<double> distance = closest_distances(joint.socket.mesh, {.points = points});
+  double smallest = distance[0];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_LE(found.ball.distance[i].lower_mm, distance[i]);
+    EXPECT_GE(found.ball.distance[i].upper_mm, distance[i]);
+    smallest = std::min(smallest, distance[i]);
+  }
+  const auto report = run(options);
+  EXPECT_LE(report["euclidean_distance_mm"]["smallest_between"][0], smallest);
+  const std::string csv = read_bytes(options.out / "distances.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm");
+  EXPECT_EQ(lines(csv), 1 + points.size() + joint.socket.mesh.vertices.size());
+}
+
 TEST_F(Scene, AnAccuracyChoosesThePrecision) {
   const BallSocketPair pair = make_ball_socket_pair(3000);
   SceneOptions options = joint_of(pair.ball, pair.socket);
@@ -131,10 +160,6 @@ TEST_F(Scene, AnAccuracyChoosesThePrecision) {
   EXPECT_LE(largest(found), *options.max_error_mm);
 }
 
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
-}
-
 TEST_F(Scene, WritesTheFilesOfTheContract) {
   SceneOptions options = joint_of(sphere(22.0, 500), opened_to_the_right(cup(25.0, 80.0, 300)));
   const auto report = run(options);
@@ -148,11 +173,11 @@ TEST_F(Scene, WritesTheFilesOfTheContract) {
   EXPECT_LT((ball.vertices[0] - read_mesh(options.ball).vertices[0]).norm(), 1e-4) << "in the input frame";
   const auto stored = nlohmann::json::parse(read_bytes(options.out / "summary.json"));
   EXPECT_EQ(stored, report);
-  for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "left_out",
-                          "times_ms", "warnings"}) {
+  for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm",
+                          "euclidean_distance_mm", "left_out", "times_ms", "warnings"}) {
     EXPECT_TRUE(stored.contains(key)) << key;
   }
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(options.out), {}), 4)
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(options.out), {}), 5)
       << "nothing else is left behind";
 }
 
