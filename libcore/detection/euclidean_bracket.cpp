@@ -26,6 +26,12 @@ double distance_from_segment(const Vec3& x, const Vec3& from, const Vec3& to) {
   return (x - from - share * along).norm();
 }
 
+// tan psi where the ray along u ends.
+double slope_along(const std::array<Vec3, 3>& corners, const Vec3& u) {
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return normal.cross(u).norm() / std::abs(normal.dot(u));
+}
+
 // L for the faces that count at this D, seen from a point of that length.
 double stretch(const auto& slopes, double length, double D) {
   double slope = 0.0;
@@ -117,12 +123,11 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
     const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
     if (place_in_cone(cone.corners(), cone.side(), exact_direction) < 0) continue;
     const double gap = std::abs(x.norm() - cone.radius(u));
-    const double slope = cone.largest_slope();
     if (gap < found.gap_mm) {
       found.gap_mm = gap;
-      found.slope = slope;
+      found.slope = slope_along(cone.corners(), u);
     }
-    if (slope <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
+    if (cone.largest_slope() <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
     for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
   }
   for (const auto& [from, to] : jumps_)

@@ -45,7 +45,7 @@ struct DistanceBracket {
   double lower_mm = 0.0;
   double upper_mm = 0.0;
   double gap_mm = std::numeric_limits<double>::infinity();   // least of |g_1|, |g_2|, ...
-  double slope = 0.0;                                        // tan psi of the face where that gap ends
+  double slope = 0.0;                                        // tan psi where that gap ends
   double edge_mm = std::numeric_limits<double>::infinity();  // e
 };
 

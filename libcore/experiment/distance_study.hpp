@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far radial gaps are above Euclidean distances, and how near the proven ends of a distance come to it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// Where the ray of a point ends: on a face that it meets at an angle of less than `below_deg` to the normal,
+// or, where a jump edge is nearer than that face, at a rim.
+struct DistanceZone {
+  std::string_view name;
+  double below_deg;
+};
+inline constexpr std::array<DistanceZone, 3> kFacingZones{
+    {{"facing", 20.0}, {"oblique", 45.0}, {"steep", std::numeric_limits<double>::infinity()}}};
+inline constexpr std::string_view kRimZone = "rim";
+
+// The points of one zone.
+struct DistanceShare {
+  std::string_view zone;
+  std::vector<double> gap;    // |gap| over the exact distance
+  std::vector<double> lower;  // lower end over it
+  std::vector<double> upper;  // upper end over it
+  std::size_t outside = 0;    // points whose distance is not between the ends: none, if the proof holds
+};
+
+// Points (mm, in the frame of the mesh) by zones, in the order of kFacingZones and the rim. Points along
+// whose direction there is no surface, or that lie on it, are left out.
+std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points);
+
+}  // namespace impinge
