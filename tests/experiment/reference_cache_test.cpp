@@ -2,6 +2,7 @@
 // A cached answer is the measured one, bit for bit, or it is not used at all.
 #include "experiment/reference_cache.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -22,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::uint64_t> bits(const std::vector<double>& values) {
-  std::vector<std::uint64_t> found;
-  for (const double value : values) found.push_back(std::bit_cast<std::uint64_t>(value));
+  std::vector<std::uint64_t> found(values.size());
+  std::ranges::transform(values, found.begin(), [](double x) { return std::bit_cast<std::uint64_t>(x); });
   return found;
 }
 
