@@ -25,7 +25,7 @@ TEST(DistanceStudy, ASphereIsFacedSquarely) {
 }
 
 TEST(DistanceStudy, AnglesAndRimsSetPointsApart) {
-  const TriangleMesh plane{{{20, -20, 10}, {0, 40, 10}, {-20, -20, 10}}, {{0, 1, 2}}};
+  const TriangleMesh plane{{{40, -20, 10}, {0, 80, 10}, {-40, -20, 10}}, {{0, 1, 2}}};
   const double psi = std::acos(1.0 / std::sqrt(3.0));
   const Vec3 off(9.0, -9.95, 5.0);  // whose ray ends just inside the side y = -20
   const auto found = distance_shares(plane, std::vector<Vec3>{{0, 0, 9.5}, {9, 9, 9}, off});
