@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums of doubles without rounding, for exact signs.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace impinge {
+
+// Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
+// precision floating-point arithmetic"). `Most` is at least the number of values added.
+template <std::size_t Most>
+class Expansion {
+ public:
+  void add(double value) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double sum = component_[i] + value;
+      const double rest = sum - component_[i];
+      const double error = (component_[i] - (sum - rest)) + (value - rest);
+      if (error != 0.0) component_[kept++] = error;
+      value = sum;
+    }
+    if (value != 0.0) component_[kept++] = value;
+    size_ = kept;
+  }
+
+  int sign() const {
+    if (size_ == 0) return 0;
+    return component_[size_ - 1] > 0.0 ? 1 : -1;
+  }
+
+ private:
+  std::array<double, Most> component_{};
+  std::size_t size_ = 0;
+};
+
+// Adds x * y * z: four values.
+template <std::size_t Most>
+void add_product(Expansion<Most>& sum, double x, double y, double z) {
+  const double high = x * y;
+  const double low = std::fma(x, y, -high);
+  for (const double part : {high, low}) {
+    const double p = part * z;
+    sum.add(p);
+    sum.add(std::fma(part, z, -p));
+  }
+}
+
+}  // namespace impinge
