@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest and the largest radius of a face within a cap of directions.
+//
+// Along directions u a face has the radius r = p / (n.u), n its unit normal and p the distance of its plane.
+// {r <= c} is a cap about n, so that over a convex set of directions r is largest at an extreme point of the
+// set, and smallest at n if the set holds it, otherwise on its boundary. The part of a face within a cap is
+// bounded by pieces of its edges, on which r is the distance of a straight line from the centre, and by arcs
+// of the circle of the cap, on which n.u is a sinusoid. Hence its extremes are among
+//   the ends of each piece of an edge and the point of it that is nearest to the centre,
+//   the points of the circle towards n and away from it, where the face covers them,
+//   n, where cap and face hold it.
+// All are computed in the gnomonic plane of the cap, x -> x / (x.axis) - axis, in which edges are straight
+// and the cap is a disc.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "sphere/triangle_cone.hpp"
+
+namespace impinge {
+
+// mm; low > high where there is nothing.
+struct RadiusRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double radius) {
+    low = std::min(low, radius);
+    high = std::max(high, radius);
+  }
+  bool empty() const { return low > high; }
+};
+
+// All directions within `radius` radians of a unit axis.
+struct DirectionCap {
+  Vec3 axis;
+  double radius = 0.0;
+};
+
+// What of a face lies in a cap.
+struct FaceInCap {
+  RadiusRange range;                // holds every radius of that part
+  std::array<bool, 3> side_inside;  // may the side from corner k to k + 1 pass through the cap?
+};
+
+// Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
+// kCapSlack radians more: far more than the rounding of the formulas, whose relative error is below 1e-12
+// (1e-10 for a face steeper than any that is not taken whole), of tables in double and of the lengths that
+// are compared with a range.
+inline constexpr double kRangeSlack = 1e-9;
+inline constexpr double kCapShare = 1e-7;
+inline constexpr double kCapSlack = 1e-10;
+
+// A face that is asked about many caps.
+class FaceRange {
+ public:
+  // The cone must not be edge-on.
+  explicit FaceRange(const TriangleCone& cone);
+
+  // None if the face is certainly outside of the cap. The whole range of the face where the formulas would
+  // be ill-conditioned: a cap of more than kWidestCap, a corner almost a quarter turn away from the axis, a
+  // face that is almost edge-on.
+  std::optional<FaceInCap> in_cap(const DirectionCap& cap) const;
+
+  static constexpr double kWidestCap = 1.2;  // radians
+
+ private:
+  void include_edges(const DirectionCap& cap, double tangent, FaceInCap& part) const;
+  void include_inside(const DirectionCap& cap, double tangent, FaceInCap& part) const;
+
+  TriangleCone cone_;
+  Vec3 normal_;       // unit, away from the centre
+  DirectionCap own_;  // holds the face
+  bool steep_;        // taken whole
+  RadiusRange whole_;
+};
+
+}  // namespace impinge
