@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On which side of a surface a point lies along its ray from the centre, decided without rounding.
+//
+// What is exact. The input is the mesh and the point x as they stand in doubles: a vertex that a pose has
+// moved is first rounded to doubles by to_socket() or to_ball(), and these doubles are the point. Whether
+// the ray of x meets a face, boundary included, is a sign of orientation(), and whether x lies beyond the
+// face is one of plane_side(): no rounding enters the answer, however close x is. Faces whose plane holds the
+// centre cover no direction, as everywhere in this library.
+#pragma once
+
+#include "mesh/triangle_mesh.hpp"
+#include "sampling/face_index.hpp"
+
+namespace impinge {
+
+// Is x on some face of the surface or beyond it? For a vertex of the ball, in the socket frame, this is a gap
+// of zero or less. Never at the centre.
+bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
+
+// Is x on some face of the surface or on the near side of it? For a vertex of the socket, in the ball frame,
+// this is a gap of zero or less. Always at the centre, unless the surface has no faces.
+bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
+
+}  // namespace impinge

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "detection/face_overlay.hpp"
+
+#include <Eigen/Geometry>
+
+#include "sphere/triangle_cone.hpp"
+
+namespace impinge {
+namespace {
+
+TriangleCone cone_of(const OverlayFace& face) { return {face.corner[0], face.corner[1], face.corner[2]}; }
+
+double det(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
+
+// Distance of the point at which a - b is met by the plane through the centre, c and d.
+double distance_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double at_a = std::abs(det(b, c, d));
+  const double at_b = std::abs(det(a, c, d));
+  const double share = at_a + at_b > 0.0 ? at_b / (at_a + at_b) : 0.0;
+  return (a + share * (b - a)).norm();
+}
+
+}  // namespace
+
+double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point) {
+  const Vec3& a = ball.corner[point.ball];
+  const Vec3& c = socket.corner[point.socket];
+  switch (point.kind) {
+    case OverlayKind::ball_corner:
+      return a.norm() - cone_of(socket).radius(a.normalized());
+    case OverlayKind::socket_corner:
+      return cone_of(ball).radius(c.normalized()) - c.norm();
+    case OverlayKind::crossing:
+      break;
+  }
+  const Vec3& b = ball.corner[(point.ball + 1) % 3];
+  const Vec3& d = socket.corner[(point.socket + 1) % 3];
+  return distance_at(a, b, c, d) - distance_at(c, d, a, b);
+}
+
+}  // namespace impinge

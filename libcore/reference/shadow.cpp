@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/shadow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+namespace impinge {
+namespace {
+
+constexpr double kSlack = 1e-9;  // radians, and share of a radius: far more than rounding
+
+template <class Number>
+using Point = std::array<Number, 3>;
+
+template <class Number>
+Point<Number> exactly(const Vec3& x) {
+  return {Number(x.x()), Number(x.y()), Number(x.z())};
+}
+
+template <class Number>
+Number dot(const Point<Number>& a, const Point<Number>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Number>
+Point<Number> cross(const Point<Number>& a, const Point<Number>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class Number>
+Point<Number> minus(const Point<Number>& a, const Point<Number>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// normal . x + offset >= 0.
+template <class Number>
+struct HalfSpace {
+  Point<Number> normal;
+  Number offset;
+
+  Number at(const Point<Number>& x) const { return dot(normal, x) + offset; }
+};
+
+// The four half-spaces of a shadow, or of a pyramid. Empty for a face whose plane holds the centre.
+template <class Number>
+std::vector<HalfSpace<Number>> bounds(const Triangle& face, bool shadow) {
+  const std::array corner{exactly<Number>(face[0]), exactly<Number>(face[1]), exactly<Number>(face[2])};
+  Point<Number> normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
+  const CGAL::Sign side = CGAL::sign(dot(normal, corner[0]));
+  if (side == CGAL::ZERO) return {};
+  const Number turn = Number(side == CGAL::POSITIVE ? 1 : -1);
+  std::vector<HalfSpace<Number>> planes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point<Number> plane = cross(corner[k], corner[(k + 1) % 3]);
+    for (Number& component : plane) component = component * turn;
+    planes.push_back({plane, Number(0)});
+  }
+  for (Number& component : normal) component = component * (shadow ? turn : -turn);
+  planes.push_back({normal, -dot(normal, corner[0])});
+  return planes;
+}
+
+template <class Number>
+bool holds(const std::vector<HalfSpace<Number>>& planes, const Vec3& x) {
+  const auto point = exactly<Number>(x);
+  return !planes.empty() && std::ranges::all_of(planes, [&](const auto& plane) {
+    const CGAL::Sign sign = CGAL::sign(plane.at(point));
+    return sign != CGAL::NEGATIVE;
+  });
+}
+
+// What of a convex polygon lies in the half-space.
+template <class Number>
+std::vector<Point<Number>> clipped(const std::vector<Point<Number>>& polygon,
+                                   const HalfSpace<Number>& half_space) {
+  std::vector<Point<Number>> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point<Number>& from = polygon[k];
+    const Point<Number>& to = polygon[(k + 1) % polygon.size()];
+    const Number at_from = half_space.at(from);
+    const Number at_to = half_space.at(to);
+    const CGAL::Sign sign_from = CGAL::sign(at_from);
+    const CGAL::Sign sign_to = CGAL::sign(at_to);
+    if (sign_from != CGAL::NEGATIVE) kept.push_back(from);
+    if (sign_from * sign_to != CGAL::NEGATIVE) continue;
+    const Number share = at_from / (at_from - at_to);
+    const Point<Number> way = minus(to, from);
+    kept.push_back({from[0] + share * way[0], from[1] + share * way[1], from[2] + share * way[2]});
+  }
+  return kept;
+}
+
+template <class Number>
+bool meets(const Triangle& ball, const Triangle& socket) {
+  if (bounds<Number>(ball, true).empty()) return false;
+  const auto planes = bounds<Number>(socket, true);
+  std::vector<Point<Number>> rest{exactly<Number>(ball[0]), exactly<Number>(ball[1]),
+                                  exactly<Number>(ball[2])};
+  for (const auto& plane : planes) rest = clipped(rest, plane);
+  return !planes.empty() && !rest.empty();
+}
+
+// The answer of ask.template operator()<Number>(), in intervals if they decide.
+template <class Ask>
+bool answer(const Ask& ask) {
+  try {
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    return ask.template operator()<CGAL::Interval_nt<false>>();
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return ask.template operator()<CGAL::Exact_rational>();
+  }
+}
+
+}  // namespace
+
+bool in_shadow(const Vec3& x, const Triangle& face) {
+  return answer([&]<class Number>() { return holds(bounds<Number>(face, true), x); });
+}
+
+bool in_pyramid(const Vec3& x, const Triangle& face) {
+  return answer([&]<class Number>() { return holds(bounds<Number>(face, false), x); });
+}
+
+bool meets_shadow(const Triangle& ball, const Triangle& socket) {
+  return answer([&]<class Number>() { return meets<Number>(ball, socket); });
+}
+
+ShadowReference::Seen ShadowReference::see(const Triangle& corners) {
+  Seen seen{corners, Vec3::Zero(), 0.0, 0.0, HUGE_VAL, 0.0};
+  for (const Vec3& v : corners) seen.axis += v.stableNormalized();
+  seen.axis.stableNormalize();
+  double angle = 0.0;
+  for (const Vec3& v : corners) {
+    angle = std::max(angle, angle_between(seen.axis, v) + kSlack);
+    seen.low = std::min(seen.low, seen.axis.dot(v) * (1.0 - kSlack));
+    seen.high = std::max(seen.high, v.norm() * (1.0 + kSlack));
+  }
+  seen.cosine = std::cos(angle);
+  seen.sine = std::sin(angle);
+  return seen;
+}
+
+// Caps of more than an eighth of a turn may share directions with any other.
+bool ShadowReference::share_directions(const Seen& a, const Seen& b) {
+  if (a.cosine < a.sine || b.cosine < b.sine) return true;
+  return a.axis.dot(b.axis) >= a.cosine * b.cosine - a.sine * b.sine;
+}
+
+ShadowReference::ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket)
+    : ball_vertices_(ball.vertices), socket_vertices_(socket.vertices) {
+  for (const Face& f : ball.faces)
+    ball_.push_back(see({corner(ball, f, 0), corner(ball, f, 1), corner(ball, f, 2)}));
+  for (const Face& f : socket.faces)
+    socket_.push_back(see({corner(socket, f, 0), corner(socket, f, 1), corner(socket, f, 2)}));
+}
+
+std::vector<bool> ShadowReference::ball_vertices_impinged() const {
+  std::vector<bool> impinged(ball_vertices_.size());
+  for (std::size_t i = 0; i < impinged.size(); ++i) {
+    const Vec3& x = ball_vertices_[i];
+    const Seen point = see({x, x, x});
+    impinged[i] = !x.isZero(0.0) && std::ranges::any_of(socket_, [&](const Seen& face) {
+      return point.high >= face.low && share_directions(point, face) && in_shadow(x, face.corners);
+    });
+  }
+  return impinged;
+}
+
+std::vector<bool> ShadowReference::socket_vertices_impinged() const {
+  std::vector<bool> impinged(socket_vertices_.size());
+  for (std::size_t i = 0; i < impinged.size(); ++i) {
+    const Vec3& y = socket_vertices_[i];
+    const Seen point = see({y, y, y});
+    impinged[i] = std::ranges::any_of(ball_, [&](const Seen& face) {
+      return y.isZero(0.0) ||
+             (point.low <= face.high && share_directions(point, face) && in_pyramid(y, face.corners));
+    });
+  }
+  return impinged;
+}
+
+bool ShadowReference::surfaces_impinged() const {
+  return std::ranges::any_of(ball_, [&](const Seen& ball) {
+    return std::ranges::any_of(socket_, [&](const Seen& socket) {
+      return ball.high >= socket.low && share_directions(ball, socket) &&
+             meets_shadow(ball.corners, socket.corners);
+    });
+  });
+}
+
+}  // namespace impinge

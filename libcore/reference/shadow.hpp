@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The oracle of every certified gap: which points of the ball lie behind the socket as the centre sees it, by
+// clipping with CGAL's exact numbers and over all pairs of faces.
+//
+// The shadow of a face Y is {s y : y in Y, s >= 1}, bounded by its plane and by three planes through the
+// centre; its pyramid is {y / s}. Detection decides by signs of determinants at three kinds of places; here
+// the faces of the ball are cut along the four planes, and what is left over is looked at. The two share
+// neither formula nor arithmetic.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+using Triangle = std::array<Vec3, 3>;
+
+// Does x lie in the shadow of the face, its boundary included? False for a face whose plane holds the centre.
+// Intervals first (CGAL::Interval_nt), rationals where they do not decide.
+bool in_shadow(const Vec3& x, const Triangle& face);
+
+// Does x lie between the centre and the face, its boundary included? False for a face whose plane holds the
+// centre.
+bool in_pyramid(const Vec3& x, const Triangle& face);
+
+// Has the first face a point in the shadow of the second? False where the plane of either holds the centre.
+bool meets_shadow(const Triangle& ball, const Triangle& socket);
+
+// A joint about one centre, every vertex where a pose has put it (mm).
+class ShadowReference {
+ public:
+  ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket);
+
+  std::vector<bool> ball_vertices_impinged() const;    // in the shadow of some face of the socket
+  std::vector<bool> socket_vertices_impinged() const;  // in the pyramid of some face of the ball
+  bool surfaces_impinged() const;                      // some face of the ball meets a shadow
+
+ private:
+  // The directions and radii of a face, to leave out pairs that are far apart.
+  struct Seen {
+    Triangle corners;
+    Vec3 axis;
+    double cosine;  // of the angle from the axis to the farthest corner
+    double sine;
+    double low;
+    double high;
+  };
+  static bool share_directions(const Seen& a, const Seen& b);
+  static Seen see(const Triangle& corners);
+
+  std::vector<Vec3> ball_vertices_;
+  std::vector<Vec3> socket_vertices_;
+  std::vector<Seen> ball_;
+  std::vector<Seen> socket_;
+};
+
+}  // namespace impinge
