@@ -85,6 +85,13 @@ struct VerdictCount {
   std::size_t impinged = 0;
   std::size_t undecided = 0;
 
+  VerdictCount& operator+=(const VerdictCount& other) {
+    clear += other.clear;
+    impinged += other.impinged;
+    undecided += other.undecided;
+    return *this;
+  }
+
   // Of all of them together: one impinged vertex is enough, all must be clear.
   Verdict pose() const {
     if (impinged > 0) return Verdict::impinged;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -183,8 +184,13 @@ std::vector<bool> ShadowReference::socket_vertices_impinged() const {
 }
 
 bool ShadowReference::surfaces_impinged() const {
+  double farthest = 0.0;
+  for (const Seen& ball : ball_) farthest = std::max(farthest, ball.high);
+  std::vector<Seen> within;  // faces of the socket that some face of the ball may reach
+  std::ranges::copy_if(socket_, std::back_inserter(within),
+                       [&](const Seen& one) { return one.low <= farthest; });
   return std::ranges::any_of(ball_, [&](const Seen& ball) {
-    return std::ranges::any_of(socket_, [&](const Seen& socket) {
+    return std::ranges::any_of(within, [&](const Seen& socket) {
       return ball.high >= socket.low && share_directions(ball, socket) &&
              meets_shadow(ball.corners, socket.corners);
     });

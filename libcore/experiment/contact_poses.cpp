@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/contact_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+
+#include "detection/exact_side.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr int kBisections = 30;
+
+// Numbers that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  double share() { return std::ldexp(static_cast<double>(engine_() >> 11U), -53); }
+
+  Vec3 direction() {
+    const double z = 1.0 - 2.0 * share();
+    const double theta = 2.0 * kPi * share();
+    const double s = std::sqrt((1.0 - z) * (1.0 + z));
+    return {s * std::cos(theta), s * std::sin(theta), z};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+PosePath random_path(const SurfaceOverlay& joint, const ContactOptions& options, Random& random) {
+  PosePath path;
+  path.axis = random.direction();
+  path.to_turn = options.turn * random.share();
+  if (joint.impinged(path.at(1.0)) && !joint.impinged(path.at(0.0))) return path;  // the turn is the way
+  path.from_turn = path.to_turn;
+  path.shift = options.shift * random.direction();
+  return path;
+}
+
+}  // namespace
+
+Pose PosePath::at(double share) const {
+  const double turn = from_turn + share * (to_turn - from_turn);
+  return {Eigen::AngleAxisd(turn, axis).toRotationMatrix(), share * shift};
+}
+
+double path_length(const PosePath& path) {
+  return path.shift.norm() + kArm * std::abs(path.to_turn - path.from_turn);
+}
+
+std::optional<double> first_contact(const PosePath& path, const std::function<bool(const Pose&)>& impinged) {
+  if (impinged(path.at(0.0)) || !impinged(path.at(1.0))) return std::nullopt;
+  double free = 0.0;
+  double contact = 1.0;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = 0.5 * (free + contact);
+    (impinged(path.at(middle)) ? contact : free) = middle;
+  }
+  return contact;
+}
+
+std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options) {
+  Random random(options.seed);
+  std::vector<ContactPose> poses(options.count);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    ContactPose& pose = poses[k];
+    pose.path = random_path(joint, options, random);
+    pose.contact = first_contact(pose.path, [&joint](const Pose& at) { return joint.impinged(at); });
+    double share = random.share();
+    if (pose.contact && k % 4 != 0) {
+      const double off = std::pow(10.0, -5.0 + 4.5 * random.share()) / path_length(pose.path);
+      share = std::clamp(*pose.contact + (random.share() < 0.5 ? -off : off), 0.0, 1.0);
+    }
+    pose.pose = pose.path.at(share);
+  }
+  return poses;
+}
+
+bool vertices_impinged(const SurfaceOverlay& joint, const Pose& pose) {
+  return std::ranges::any_of(joint.ball().vertices,
+                             [&](const Vec3& x) {
+                               return on_or_beyond(joint.socket(), joint.socket_index(), to_socket(pose, x));
+                             }) ||
+         std::ranges::any_of(joint.socket().vertices, [&](const Vec3& y) {
+           return on_or_within(joint.ball(), joint.ball_index(), to_ball(pose, y));
+         });
+}
+
+}  // namespace impinge
