@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "detection/certified_gap.hpp"
@@ -36,40 +38,42 @@ struct CertifiedJoint {
   double largest_missed = 0.0;       // mm, the deepest of those
 };
 
-// A verdict that the oracle refutes. what() is one line that names the joint and where the pose was written.
-class WrongVerdict : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-// What judging leaves in certified.csv and certified_poses.csv; and where a refuted pose is kept.
+// What judging leaves in certified.csv and certified_poses.csv. A pose that refutes a verdict is kept in
+// folder/certified_witness.json, the first one only.
 struct CertifiedStudy {
-  std::filesystem::path folder;  // of the witness
+  std::filesystem::path folder;
   Table schemes;
   Table poses;
+  std::size_t wrong = 0;  // refuted verdicts, of vertices and surfaces
 };
 CertifiedStudy make_certified_study(const std::filesystem::path& folder);
 
+// Throws std::runtime_error, one line that says how many verdicts were wrong and where the pose is, unless
+// none was.
+void require_none_wrong(const CertifiedStudy& study);
+
 // Makes poses of the joint, asks the oracle and the overlay about each of them, and adds the joint's row to
-// study.poses. Throws WrongVerdict, with the pose in certified_witness.json, where they differ, or where CGAL
-// finds a common point of surfaces that are not impinged.
+// study.poses. A verdict on surfaces is wrong where the two differ, or where CGAL finds a common point of
+// surfaces that are called clear.
 CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSocketPair& meshes,
                            const ContactOptions& options);
 
 // What one scheme decides.
 struct SchemeVerdicts {
   VerdictCount vertices;  // before undecided ones are resolved
+  std::size_t wrong = 0;  // before and after
   double seconds = 0.0;   // both scans, undecided vertices resolved
 };
 
-// Throws WrongVerdict, with the pose in certified_witness.json, where a verdict is not the oracle's.
-void require_verdicts(const CertifiedStudy& study, const CertifiedJoint& joint, const JudgedPose& judged,
-                      const std::vector<CertifiedGap>& ball, const std::vector<CertifiedGap>& socket);
+// Vertices of either surface with a verdict, other than undecided, that is not the oracle's. They are counted
+// in the study as well, and the pose is kept.
+std::size_t count_wrong(CertifiedStudy& study, const CertifiedJoint& joint, const JudgedPose& judged,
+                        std::span<const CertifiedGap> ball, std::span<const CertifiedGap> socket);
 
 // All poses of a joint with the ranges of one scheme: the verdicts as the ranges give them, and again with
 // undecided vertices resolved, are compared with the oracle's.
 template <SamplingScheme S>
-SchemeVerdicts judge_scheme(const CertifiedStudy& study, const CertifiedJoint& joint, const S& scheme) {
+SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, const S& scheme) {
   const TriangleMesh& ball = joint.overlay.ball();
   const TriangleMesh& socket = joint.overlay.socket();
   const RangeTable<S> ball_ranges = fill_ranges(ball, scheme);
@@ -83,13 +87,14 @@ SchemeVerdicts judge_scheme(const CertifiedStudy& study, const CertifiedJoint& j
     certify_ball(socket_ranges, ball.vertices, pose, ball_gaps);
     certify_socket(ball_ranges, socket.vertices, pose, socket_gaps);
     const auto scanned = std::chrono::steady_clock::now();
-    require_verdicts(study, joint, judged, ball_gaps, socket_gaps);
-    for (const auto& gaps : {ball_gaps, socket_gaps}) found.vertices += count_verdicts(gaps);
+    found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
+    found.vertices += count_verdicts(ball_gaps);
+    found.vertices += count_verdicts(socket_gaps);
     const auto resumed = std::chrono::steady_clock::now();
     resolve_ball(socket, joint.overlay.socket_index(), ball.vertices, pose, ball_gaps);
     resolve_socket(ball, joint.overlay.ball_index(), socket.vertices, pose, socket_gaps);
     const auto resolved = std::chrono::steady_clock::now();
-    require_verdicts(study, joint, judged, ball_gaps, socket_gaps);
+    found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
     found.seconds += std::chrono::duration<double>((scanned - start) + (resolved - resumed)).count();
   }
   return found;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/certificate.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+namespace impinge {
+namespace {
+
+std::vector<bool> vertices_of_faces(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) used[v] = true;
+  }
+  return used;
+}
+
+Verdict verdict_by_bound(double gap, double bound) {
+  if (gap - bound > 0.0) return Verdict::clear;
+  return gap + bound <= 0.0 ? Verdict::impinged : Verdict::undecided;
+}
+
+// `exactly(i)` says whether vertex i is impinged.
+template <class Exactly>
+VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, const Exactly& exactly) {
+  const std::vector<bool> used = vertices_of_faces(mesh);
+  VertexVerdicts verdicts;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    const Verdict verdict = verdict_by_bound(evidence.gap[i], evidence.bound[i]);
+    verdicts.by_bound.clear += verdict == Verdict::clear ? 1U : 0U;
+    verdicts.by_bound.impinged += verdict == Verdict::impinged ? 1U : 0U;
+    verdicts.by_bound.undecided += verdict == Verdict::undecided ? 1U : 0U;
+    const bool impinged = verdict == Verdict::undecided ? exactly(i) : verdict == Verdict::impinged;
+    verdicts.impinged += impinged ? 1U : 0U;
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
+                    const GapEvidence& socket) {
+  const auto start = std::chrono::steady_clock::now();
+  Certificate certificate;
+  certificate.ball = decide(joint.ball(), ball, [&](std::size_t i) {
+    return on_or_beyond(joint.socket(), joint.socket_index(), to_socket(pose, joint.ball().vertices[i]));
+  });
+  certificate.socket = decide(joint.socket(), socket, [&](std::size_t i) {
+    return on_or_within(joint.ball(), joint.ball_index(), to_ball(pose, joint.socket().vertices[i]));
+  });
+  certificate.deepest = joint.deepest(pose);
+  certificate.surfaces_impinged = certificate.deepest.has_value();
+  certificate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return certificate;
+}
+
+}  // namespace impinge

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a joint impinged in a pose, beyond doubt?
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "detection/certified_gap.hpp"
+#include "detection/overlay.hpp"
+
+namespace impinge {
+
+// What the tables know of the vertices of one surface, in their order: the gap (mm, NaN where none is known)
+// and the proven bound on its error.
+struct GapEvidence {
+  std::span<const double> gap;
+  std::span<const double> bound;
+};
+
+struct VertexVerdicts {
+  VerdictCount by_bound;     // by the gaps and their bounds alone; undecided ones were resolved exactly
+  std::size_t impinged = 0;  // in the end
+};
+
+struct Certificate {
+  VertexVerdicts ball;
+  VertexVerdicts socket;
+  bool surfaces_impinged = false;  // decided exactly, crossings of edges included (detection/overlay.hpp)
+  std::optional<OverlayContact> deepest;  // where the surfaces are deepest in each other
+  double seconds = 0.0;
+
+  bool vertices_impinged() const { return ball.impinged + socket.impinged > 0; }
+};
+
+// A vertex is clear or impinged where gap - bound > 0 or gap + bound <= 0, and undecided otherwise and where
+// no gap is known; it is then resolved exactly. Vertices of no face belong to no surface and are passed over.
+// Meshes in their centre frames, mm.
+Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
+                    const GapEvidence& socket);
+
+}  // namespace impinge
