@@ -8,7 +8,9 @@ import pandas as pd
 
 import common
 
-SMALLEST_UM = 0.01  # where a contact is drawn that vertices see at once
+SMALLEST_UM = 0.01  # what is less, or nothing, is drawn here
+SHARES = [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50]  # %
+FACES = [100, 300, 1000, 3000, 10000, 30000]
 
 
 def main() -> None:
@@ -17,94 +19,98 @@ def main() -> None:
     verdicts = common.load(options.results, "certified")
     poses = common.load(options.results, "certified_poses")
     common.style()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.8))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.6))
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
-    draw_late(right, poses)
+    draw_missed(right, poses)
     figure.tight_layout()
+    handles, labels = left.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=5, fontsize=8)
     common.save_figure(figure, options.out, "certified")
 
 
-def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) -> None:
-    """Share of vertices that the ranges leave to the exact test, over all joints; a line a scheme."""
-    sums = table.groupby(["scheme", "precision_deg"], sort=False)[["undecided", "vertices"]].sum().reset_index()
-    sums["share"] = 100 * sums.undecided / sums.vertices
-    for i, (scheme, look) in enumerate(common.look(list(sums.scheme)).items()):
+def scheme_looks(schemes: list[str]) -> dict[str, dict]:
+    """common.look(), with hollow markers from the second round of colours on."""
+    looks = common.look(schemes)
+    for i, look in enumerate(looks.values()):
+        look |= {"linewidth": 1.1, "markersize": 5}
         if i >= len(common.COLOURS):
             look |= {"markerfacecolor": "white", "linestyle": common.DASHES[(i + 1) % len(common.DASHES)]}
+    return looks
+
+
+def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) -> None:
+    """Share of vertices that the ranges leave to the exact test, over the joints that were examined at every
+    precision; a line a scheme.
+    """
+    precisions = sorted(table.precision_deg.unique())
+    all_of_them = table.groupby("joint").precision_deg.transform("nunique") == len(precisions)
+    sums = table[all_of_them].groupby(["scheme", "precision_deg"], sort=False)[["undecided", "vertices"]].sum()
+    sums["share"] = (100 * sums.undecided / sums.vertices).clip(lower=SHARES[0])
+    sums = sums.reset_index()
+    for scheme, look in scheme_looks(list(sums.scheme)).items():
         lines = sums[sums.scheme == scheme].sort_values("precision_deg")
-        axes.plot(lines.precision_deg, lines.share, label=labels[scheme], linewidth=1.1, markersize=5, **look_of(look))
-    precisions = sorted(sums.precision_deg.unique())
+        axes.plot(lines.precision_deg, lines.share, label=labels[scheme], **look)
     axes.set(
         xscale="log",
         yscale="log",
-        xlabel="precision, finer to the right",
-        ylabel="vertices left undecided, %",
+        xlabel="precision of the ranges, finer to the right",
+        ylabel="vertices that they leave undecided, %",
         title="Ranges decide all but a few vertices",
     )
     axes.set_xticks(precisions, [f"{p:g}°" for p in precisions])
-    axes.set_xlim(1.1 * precisions[-1], precisions[0] / 1.1)
+    axes.set_xlim(1.15 * precisions[-1], precisions[0] / 1.15)
+    shown = [tick for tick in SHARES if sums.share.min() / 2.5 <= tick <= sums.share.max() * 2.5]
+    axes.set_yticks(shown, [f"{tick:g}" for tick in shown])
     axes.minorticks_off()
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    axes.legend(loc="upper left", bbox_to_anchor=(0, -0.17), ncols=3, fontsize=8)
 
 
-def look_of(look: dict) -> dict:
-    """A look of a line that says its width and size itself."""
-    return {key: value for key, value in look.items() if key not in ("linewidth", "markersize")}
-
-
-def draw_late(axes: plt.Axes, table: pd.DataFrame) -> None:
-    """How far a motion goes on between the contact of the surfaces and the first one of a vertex."""
+def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
+    """How deep surfaces are in each other while all vertices are clear, and how much farther a motion goes
+    before one is not.
+    """
     faces = table.ball_faces + table.socket_faces
-    colour, other = common.COLOURS[0], common.COLOURS[1]
     generated = table.joint.str.startswith("generated")
-    for of_pair, marker in ((True, "o"), (False, "s")):
+    columns = {
+        "largest_later_um": ("way on to the first vertex", common.COLOURS[0]),
+        "largest_missed_um": ("depth with all vertices clear", common.COLOURS[1]),
+    }
+    for of_pair, marker, whose in ((True, "o", "generated"), (False, "s", "real joints")):
         rows = table[generated == of_pair]
         if rows.empty:
             continue
-        whose = "generated pair" if of_pair else "real joints"
-        x = faces[rows.index]
-        late = rows.largest_later_um.clip(lower=SMALLEST_UM)
-        axes.plot(x, late, linestyle="none", marker=marker, color=colour, label=f"latest vertex, {whose}")
-        axes.plot(
-            x,
-            rows.largest_missed_um.clip(lower=SMALLEST_UM),
-            linestyle="none",
-            marker=marker,
-            color=other,
-            markerfacecolor="white",
-            label=f"deepest unseen contact, {whose}",
-        )
-        for at, row in zip(x, rows.itertuples()):
-            share = 100 * row.crossings_matter / row.poses
-            axes.annotate(
-                f"{share:.2g} %",
-                (at, max(row.largest_later_um, SMALLEST_UM)),
-                xytext=(0, 6),
-                textcoords="offset points",
-                ha="center",
-                fontsize=8,
+        for column, (text, colour) in columns.items():
+            axes.plot(
+                faces[rows.index],
+                rows[column].clip(lower=SMALLEST_UM),
+                linestyle="none",
+                marker=marker,
+                color=colour,
+                markerfacecolor=colour if column == "largest_later_um" else "white",
+                label=f"{text}, {whose}",
             )
+    for at, row in zip(faces, table.itertuples()):
+        top = max(row.largest_later_um, row.largest_missed_um, SMALLEST_UM)
+        axes.annotate(
+            f"{100 * row.crossings_matter / row.poses:.2g} %",
+            (at, top),
+            xytext=(0, 6),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8,
+        )
     axes.set(
         xscale="log",
         yscale="log",
-        xlabel="faces of ball and socket together",
-        ylabel="µm",
-        title="What scans of vertices miss where edges cross",
+        xlabel="faces of both models",
+        ylabel="largest, µm",
+        title="What vertices miss where edges cross; % of poses",
     )
-    axes.set_ylim(top=axes.get_ylim()[1] * 2)
+    shown = [tick for tick in FACES if faces.min() / 3 <= tick <= faces.max() * 3]
+    axes.set_xticks(shown, [f"{tick:,}" for tick in shown])
+    axes.minorticks_off()
+    axes.set_ylim(top=axes.get_ylim()[1] * 3)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
-    axes.xaxis.set_major_formatter(lambda value, _: f"{value:,g}")
-    axes.legend(loc="upper left", bbox_to_anchor=(0, -0.17), fontsize=8)
-    axes.text(
-        0.98,
-        0.98,
-        "% of poses in which only edges touch",
-        transform=axes.transAxes,
-        ha="right",
-        va="top",
-        fontsize=8,
-    )
+    axes.legend(loc="lower left", fontsize=8)
 
 
 common.run(main)

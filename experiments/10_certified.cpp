@@ -28,7 +28,7 @@ struct Generated {
 
 constexpr std::array kGenerated{Generated{100, 200, 65000}, Generated{300, 60, 30000},
                                 Generated{1000, 12, 4600}, Generated{3000, 4, 400}};
-constexpr std::array kPrecisions{2.0, 1.0, 0.5};  // degrees
+constexpr std::array kPrecisions{4.0, 2.0, 1.0, 0.5};  // degrees
 constexpr double kFinestInQuick = 2.0;
 constexpr double kFinestOfReal = 1.0;  // joints of many faces
 constexpr std::size_t kRealPoses = 60;

@@ -32,8 +32,9 @@ VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, con
     verdicts.by_bound.clear += verdict == Verdict::clear ? 1U : 0U;
     verdicts.by_bound.impinged += verdict == Verdict::impinged ? 1U : 0U;
     verdicts.by_bound.undecided += verdict == Verdict::undecided ? 1U : 0U;
-    const bool impinged = verdict == Verdict::undecided ? exactly(i) : verdict == Verdict::impinged;
-    verdicts.impinged += impinged ? 1U : 0U;
+    const Verdict truth = exactly(i) ? Verdict::impinged : Verdict::clear;
+    verdicts.impinged += truth == Verdict::impinged ? 1U : 0U;
+    verdicts.refuted += verdict != Verdict::undecided && verdict != truth ? 1U : 0U;
   }
   return verdicts;
 }

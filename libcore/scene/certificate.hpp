@@ -19,8 +19,9 @@ struct GapEvidence {
 };
 
 struct VertexVerdicts {
-  VerdictCount by_bound;     // by the gaps and their bounds alone; undecided ones were resolved exactly
-  std::size_t impinged = 0;  // in the end
+  VerdictCount by_bound;     // what the gaps and their bounds alone would say
+  std::size_t impinged = 0;  // exactly
+  std::size_t refuted = 0;   // verdicts by bound that are wrong: none if the bounds hold
 };
 
 struct Certificate {

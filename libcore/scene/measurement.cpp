@@ -167,6 +167,9 @@ Measurement measure(const Joint& joint, const SceneOptions& options) {
                                   : measure_at<S>(options.precision_deg, joint, pose);
   });
   bracket_distances(joint, result);
+  result.certificate =
+      certify({joint.ball.mesh, joint.socket.mesh}, pose, {result.ball.gap, result.ball.bound},
+              {result.socket.gap, result.socket.bound});
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "detection/euclidean_bracket.hpp"
 #include "detection/pose.hpp"
+#include "scene/certificate.hpp"
 #include "scene/joint.hpp"
 #include "scene/options.hpp"
 
@@ -31,6 +32,7 @@ struct Measurement {
   double bound_ms = 0.0;     // the bounds of all gaps
   double scan_ms = 0.0;      // both scans
   double distance_ms = 0.0;  // the brackets of all Euclidean distances
+  Certificate certificate;   // exact verdicts on vertices and surfaces
 };
 
 // Fills a table for each surface at the precision asked for, or at the coarsest of 1, 0.5, 0.25, 0.1, 0.05

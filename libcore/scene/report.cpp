@@ -186,6 +186,43 @@ json distances_json(const View& ball, const View& socket) {
           {"largest_gap_over_it", largest}};
 }
 
+const char* name(OverlayKind kind) {
+  switch (kind) {
+    case OverlayKind::ball_corner:
+      return "ball vertex";
+    case OverlayKind::socket_corner:
+      return "socket vertex";
+    case OverlayKind::crossing:
+      break;
+  }
+  return "crossing of edges";
+}
+
+json vertex_verdicts_json(const VertexVerdicts& verdicts) {
+  return {{"impinged", verdicts.impinged},
+          {"clear_by_bound", verdicts.by_bound.clear},
+          {"impinged_by_bound", verdicts.by_bound.impinged},
+          {"undecided_by_bound", verdicts.by_bound.undecided},
+          {"bounds_refuted", verdicts.refuted}};
+}
+
+// What is certain about bone on bone.
+json certificate_json(const Certificate& certificate) {
+  const auto verdict = [](bool impinged) { return impinged ? "impinged" : "clear"; };
+  VerdictCount by_bound = certificate.ball.by_bound;
+  by_bound += certificate.socket.by_bound;
+  const Verdict pose = by_bound.pose();
+  const auto& deepest = certificate.deepest;
+  return {
+      {"surfaces", verdict(certificate.surfaces_impinged)},
+      {"vertices", verdict(certificate.vertices_impinged())},
+      {"vertices_by_bound", pose == Verdict::undecided ? "undecided" : verdict(pose == Verdict::impinged)},
+      {"ball", vertex_verdicts_json(certificate.ball)},
+      {"socket", vertex_verdicts_json(certificate.socket)},
+      {"deepest_mm", deepest ? json(deepest->depth) : json(nullptr)},
+      {"deepest_at", deepest ? json(name(deepest->kind)) : json(nullptr)}};
+}
+
 std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
   Table table;
   table.columns = {
@@ -243,6 +280,16 @@ std::string describe_zones(const json& zones) {
   return text.empty() ? "nowhere" : "at " + text + " o'clock";
 }
 
+std::string describe_certificate(const json& certificate) {
+  const std::string surfaces = certificate["surfaces"];
+  std::string text = "bone on bone        surfaces " + surfaces;
+  if (surfaces == "impinged") {
+    text += format(", by up to %.3f mm at a %s", certificate["deepest_mm"].get<double>(),
+                   certificate["deepest_at"].get<std::string>().c_str());
+  }
+  return text + "; vertices " + certificate["vertices"].get<std::string>() + " (both decided exactly)\n";
+}
+
 }  // namespace
 
 json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement) {
@@ -278,6 +325,7 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
           {"impingement", thresholds},
           {"error_bound_mm", bounds_json(ball, socket)},
           {"euclidean_distance_mm", distances_json(ball, socket)},
+          {"certificate", certificate_json(measurement.certificate)},
           {"colours",
            {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
             {"socket", levels_json(Surface::socket, options.cartilage_mm)},
@@ -288,7 +336,8 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
            {{"fill_tables", measurement.fill_ms},
             {"scan", measurement.scan_ms},
             {"error_bounds", measurement.bound_ms},
-            {"euclidean_distances", measurement.distance_ms}}}};
+            {"euclidean_distances", measurement.distance_ms},
+            {"certificate", 1000.0 * measurement.certificate.seconds}}}};
 }
 
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
@@ -315,6 +364,7 @@ std::string describe_scene(const json& summary) {
   text += format("\ntable               %s at %g degrees, %zu entries a surface\n",
                  summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
                  summary["entries_per_table"].get<std::size_t>());
+  text += describe_certificate(summary["certificate"]);
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return text + "smallest gap        none: the surfaces do not face each other\n";
   text += format("smallest gap        %.3f mm at %s vertex %zu", smallest["gap_mm"].get<double>(),

@@ -48,10 +48,24 @@ TEST(Certificate, IsTheSameWithGoodGapsAndWithNone) {
     EXPECT_EQ(known.socket.impinged, unknown.socket.impinged);
     EXPECT_LT(known.ball.by_bound.undecided, unknown.ball.by_bound.undecided);
     EXPECT_EQ(unknown.ball.by_bound.undecided, pair.ball.vertices.size());
+    EXPECT_EQ(known.ball.refuted, 0U);
     if (!impinged) continue;
     EXPECT_GT(known.ball.by_bound.impinged, 0U);
     EXPECT_NEAR(known.deepest->depth, 1.0, 0.2);
   }
+}
+
+// A gap that is wrong by more than its bound is found out.
+TEST(Certificate, RefutesABoundThatDoesNotHold) {
+  const TriangleMesh ball = sphere(20.0, 100);
+  const TriangleMesh socket = sphere(24.0, 100);
+  Evidence wrong = nothing(ball);
+  wrong.gap[5] = -1.0;
+  wrong.bound[5] = 0.5;
+  const Certificate found = certify({ball, socket}, {}, wrong, nothing(socket));
+  EXPECT_EQ(found.ball.refuted, 1U);
+  EXPECT_EQ(found.ball.impinged, 0U);
+  EXPECT_FALSE(found.surfaces_impinged);
 }
 
 // Surfaces may impinge with every vertex clear; a vertex of no face is no part of them.

@@ -173,7 +173,7 @@ TEST_F(Scene, WritesTheFilesOfTheContract) {
   EXPECT_LT((ball.vertices[0] - read_mesh(options.ball).vertices[0]).norm(), 1e-4) << "in the input frame";
   const auto stored = nlohmann::json::parse(read_bytes(options.out / "summary.json"));
   EXPECT_EQ(stored, report);
-  for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm",
+  for (const char* key : {"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "certificate",
                           "euclidean_distance_mm", "left_out", "times_ms", "warnings"}) {
     EXPECT_TRUE(stored.contains(key)) << key;
   }
