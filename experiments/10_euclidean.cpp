@@ -8,6 +8,9 @@
 // The vertices of each surface against the other one, in several poses, beside the exact distance from the
 // nearest point. A distance that is not between its proven ends fails the run.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -16,6 +19,7 @@
 #include "experiment/distance_study.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/statistics.hpp"
+#include "mesh/bodies.hpp"
 #include "scene/real_joints.hpp"
 
 namespace {
@@ -25,20 +29,33 @@ using namespace impinge;
 constexpr std::size_t kTriangles = 12000;  // of each generated model
 constexpr std::size_t kTrianglesInQuick = 3000;
 constexpr double kTurnDeg = 30.0;
+constexpr double kNeckTurnDeg = 60.0;  // brings the neck under the rim
+constexpr double kNeckRadius = 14.0;   // mm
+constexpr double kNeckLength = 50.0;   // mm from the centre
 
 struct NamedPose {
   std::string name;
   Pose pose;
 };
 
+// The ball of the pair without its cam, on a round neck along -z: steep faces next to a rim.
+BallSocketPair pair_with_neck(std::size_t triangles) {
+  PairShape shape;
+  const auto radius = [&](const Vec3& u) {
+    const double neck = u.z() < 0.0 ? kNeckRadius / std::max(std::hypot(u.x(), u.y()), 1e-9) : 0.0;
+    return std::max(shape.head_radius, std::min(neck, kNeckLength));
+  };
+  return {radial_body(triangles, radius), make_ball_socket_pair(triangles, shape).socket};
+}
+
 // As scanned, and turned about each axis of the input frame.
-std::vector<NamedPose> poses(bool quick) {
+std::vector<NamedPose> poses(bool quick, double turn_deg) {
   std::vector<NamedPose> list{{"as scanned", {}}};
   constexpr std::array kAxes{"x", "y", "z"};
   for (Eigen::Index k = 0; k < (quick ? 1 : 3); ++k) {
-    const Eigen::AngleAxisd turn(kTurnDeg * kDegree, Vec3::Unit(k));
-    list.push_back({std::string("30 degrees about ") + kAxes[static_cast<std::size_t>(k)],
-                    {turn.toRotationMatrix(), Vec3::Zero()}});
+    const Eigen::AngleAxisd turn(turn_deg * kDegree, Vec3::Unit(k));
+    const std::string angle = std::to_string(static_cast<int>(turn_deg)) + " degrees about ";
+    list.push_back({angle + kAxes[static_cast<std::size_t>(k)], {turn.toRotationMatrix(), Vec3::Zero()}});
   }
   return list;
 }
@@ -64,8 +81,9 @@ struct Rows {
   }
 };
 
-void add_joint(Result& result, const std::string& joint, const BallSocketPair& meshes, bool quick) {
-  for (const auto& [name, pose] : poses(quick)) {
+void add_joint(Result& result, const std::string& joint, const BallSocketPair& meshes,
+               const std::vector<NamedPose>& poses) {
+  for (const auto& [name, pose] : poses) {
     const Rows rows{result, joint, name};
     std::vector<Vec3> ball = meshes.ball.vertices;
     for (Vec3& x : ball) x = to_socket(pose, x);
@@ -80,7 +98,7 @@ void body(DriverRun& run) {
   Result result;
   result.name = "euclidean";
   result.question = "How far above the Euclidean distance are radial gaps, and where in a joint?";
-  result.table.columns = {{"joint", "", "generated, or the folder of a real joint"},
+  result.table.columns = {{"joint", "", "generated ones, and the folders of real ones"},
                           {"pose", "", "of the ball"},
                           {"vertices_of", "", "surface whose vertices were looked at"},
                           {"zone", "",
@@ -95,12 +113,18 @@ void body(DriverRun& run) {
                           {"upper_median", "1", "proven upper end over exact distance"},
                           {"upper_p90", "1", "the same, exceeded by 1 in 10"}};
   const std::size_t triangles = run.quick() ? kTrianglesInQuick : kTriangles;
-  result.parameters = {{"triangles", triangles}, {"turn_deg", kTurnDeg}};
-  add_joint(result, "generated", make_ball_socket_pair(triangles, impinging_cam()), run.quick());
+  result.parameters = {{"triangles", triangles},
+                       {"turn_deg", kTurnDeg},
+                       {"neck_turn_deg", kNeckTurnDeg},
+                       {"neck_radius_mm", kNeckRadius},
+                       {"neck_length_mm", kNeckLength}};
+  const std::vector<NamedPose> turned = poses(run.quick(), kTurnDeg);
+  add_joint(result, "generated", make_ball_socket_pair(triangles, impinging_cam()), turned);
+  add_joint(result, "generated with a neck", pair_with_neck(triangles), poses(run.quick(), kNeckTurnDeg));
   if (run.bones) {
     for (const RealJoint& joint : read_real_joints(*run.bones, run.progress)) {
       run.progress.say("distances of " + joint.subject);
-      add_joint(result, joint.subject, joint.meshes, run.quick());
+      add_joint(result, joint.subject, joint.meshes, turned);
     }
   }
   run.write(result);

@@ -25,7 +25,7 @@ DATA = """
 lut_memory sampling_time sampling_time_samples detection_time detection_time_precision
 sampling_error sampling_error_surfaces sampling_error_bounds error_budget
 slices slice_band_limit spectrum band_limit error_against_time error_against_time_spread error_against_time_samples
-certified certified_poses
+certified certified_poses euclidean
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 schemes scheme_covering scheme_errors scheme_savings scheme_points lookup_time stencil_time
@@ -48,7 +48,7 @@ TABLES = [
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
-error-against-time error-against-time-scenes certified
+error-against-time error-against-time-scenes certified euclidean
 """.split()
 JUDGED = [*THESIS_TABLES, "section-3.5.2", "section-4.4", "section-5.1"]
 PROMISED = [
