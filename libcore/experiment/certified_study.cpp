@@ -93,13 +93,14 @@ std::vector<Column> scheme_columns() {
   return {{"joint", "", "generated pair with the faces of each model, or a real joint"},
           {"scheme", "", "name of the sampling scheme"},
           {"precision_deg", "deg", "spacing of the entries at the equator"},
-          {"poses", "1", "poses examined"},
+          {"poses", "1", "poses of the joint that were scanned"},
           {"vertices", "1", "vertices of both surfaces over all poses"},
           {"clear", "1", "of these, proven clear by the ranges"},
           {"impinged", "1", "of these, proven impinged by the ranges"},
           {"undecided", "1", "of these, left to the exact test"},
           {"wrong", "1", "verdicts that the oracle refutes, before and after the exact test"},
-          {"crossings_matter", "1", "poses with every vertex clear and the surfaces impinged"},
+          {"crossings_matter", "1",
+           "of all poses of the joint, with every vertex clear and the surfaces impinged"},
           {"largest_missed_um", "um", "how deep the surfaces are in each other in the worst of these"},
           {"ns_per_vertex_certified", "ns", "both scans and the exact test of what is left, a vertex"}};
 }
@@ -158,10 +159,11 @@ CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSo
   CertifiedJoint joint{std::move(name), SurfaceOverlay(meshes.ball, meshes.socket), {}, 0, 0.0};
   const auto tree = make_cgal_tree(meshes.ball, meshes.socket);
   PoseSummary summary;
-  std::size_t followed = 0;
-  for (const ContactPose& pose : contact_poses(joint.overlay, options)) {
-    add_pose(study, joint, *tree, pose.pose, summary);
-    if (followed++ < options.ways) add_delay(joint.overlay, pose, summary);
+  const std::vector<ContactPose> poses = contact_poses(joint.overlay, options);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    add_pose(study, joint, *tree, poses[k].pose, summary);
+    if (k % kPosesPerPath == 0 && k / kPosesPerPath < options.ways)
+      add_delay(joint.overlay, poses[k], summary);
   }
   joint.crossings_matter = summary.missed.size();
   joint.largest_missed = percentile(summary.missed, 1.0);
@@ -190,7 +192,7 @@ void add_scheme_row(CertifiedStudy& study, const CertifiedJoint& joint, std::str
                     double precision_deg, const SchemeVerdicts& found) {
   const VerdictCount& count = found.vertices;
   const std::size_t vertices = count.clear + count.impinged + count.undecided;
-  study.schemes.add_row({joint.name, scheme, precision_deg, joint.poses.size(), vertices, count.clear,
+  study.schemes.add_row({joint.name, scheme, precision_deg, found.poses, vertices, count.clear,
                          count.impinged, count.undecided, found.wrong, joint.crossings_matter,
                          kMicrometres * joint.largest_missed,
                          1e9 * found.seconds / static_cast<double>(vertices)});

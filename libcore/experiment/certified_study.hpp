@@ -60,6 +60,7 @@ CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSo
 
 // What one scheme decides.
 struct SchemeVerdicts {
+  std::size_t poses = 0;
   VerdictCount vertices;  // before undecided ones are resolved
   std::size_t wrong = 0;  // before and after
   double seconds = 0.0;   // both scans, undecided vertices resolved
@@ -70,10 +71,17 @@ struct SchemeVerdicts {
 std::size_t count_wrong(CertifiedStudy& study, const CertifiedJoint& joint, const JudgedPose& judged,
                         std::span<const CertifiedGap> ball, std::span<const CertifiedGap> socket);
 
-// All poses of a joint with the ranges of one scheme: the verdicts as the ranges give them, and again with
+// Which poses of a joint: every `step`-th from `first` on.
+struct PosePart {
+  std::size_t first = 0;
+  std::size_t step = 1;
+};
+
+// Poses of a joint with the ranges of one scheme: the verdicts as the ranges give them, and again with
 // undecided vertices resolved, are compared with the oracle's.
 template <SamplingScheme S>
-SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, const S& scheme) {
+SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, const S& scheme,
+                            PosePart part = {}) {
   const TriangleMesh& ball = joint.overlay.ball();
   const TriangleMesh& socket = joint.overlay.socket();
   const RangeTable<S> ball_ranges = fill_ranges(ball, scheme);
@@ -81,8 +89,10 @@ SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, 
   std::vector<CertifiedGap> ball_gaps(ball.vertices.size());
   std::vector<CertifiedGap> socket_gaps(socket.vertices.size());
   SchemeVerdicts found;
-  for (const JudgedPose& judged : joint.poses) {
+  for (std::size_t k = part.first; k < joint.poses.size(); k += part.step) {
+    const JudgedPose& judged = joint.poses[k];
     const Pose& pose = judged.pose;
+    ++found.poses;
     const auto start = std::chrono::steady_clock::now();
     certify_ball(socket_ranges, ball.vertices, pose, ball_gaps);
     certify_socket(ball_ranges, socket.vertices, pose, socket_gaps);

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-constexpr int kBisections = 30;
+constexpr int kBisections = 24;
 
 // Numbers that are the same with every standard library.
 class Random {
@@ -66,17 +66,21 @@ std::optional<double> first_contact(const PosePath& path, const std::function<bo
 
 std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options) {
   Random random(options.seed);
-  std::vector<ContactPose> poses(options.count);
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    ContactPose& pose = poses[k];
-    pose.path = random_path(joint, options, random);
-    pose.contact = first_contact(pose.path, [&joint](const Pose& at) { return joint.impinged(at); });
+  std::vector<ContactPose> poses;
+  poses.reserve(options.count);
+  ContactPose pose;
+  while (poses.size() < options.count) {
+    if (poses.size() % kPosesPerPath == 0) {
+      pose.path = random_path(joint, options, random);
+      pose.contact = first_contact(pose.path, [&joint](const Pose& at) { return joint.impinged(at); });
+    }
     double share = random.share();
-    if (pose.contact && k % 4 != 0) {
+    if (pose.contact && poses.size() % 4 != 0) {
       const double off = std::pow(10.0, -5.0 + 4.5 * random.share()) / path_length(pose.path);
       share = std::clamp(*pose.contact + (random.share() < 0.5 ? -off : off), 0.0, 1.0);
     }
     pose.pose = pose.path.at(share);
+    poses.push_back(pose);
   }
   return poses;
 }

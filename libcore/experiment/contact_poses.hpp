@@ -27,7 +27,7 @@ struct PosePath {
 inline constexpr double kArm = 25.0;
 double path_length(const PosePath& path);
 
-// The first share of the way at which a pose is impinged, to within 2^-30 of it, found by bisection: none if
+// The first share of the way at which a pose is impinged, to within 2^-24 of it, found by bisection: none if
 // the end is free, or if the beginning is impinged. `impinged` must be false before a share and true after
 // it; otherwise some change between the two is found.
 std::optional<double> first_contact(const PosePath& path, const std::function<bool(const Pose&)>& impinged);
@@ -36,13 +36,14 @@ struct ContactOptions {
   std::size_t count = 1000;
   double turn = 1.0;       // radians: the largest turn, about any axis
   double shift = 12.0;     // mm, the longest way
-  std::size_t ways = 200;  // followed beyond the contact of the surfaces to that of a vertex
+  std::size_t ways = 300;  // at most, followed beyond the contact of the surfaces to that of a vertex
   std::uint64_t seed = 0;
 };
 
-// One random way for each pose: turned by up to `turn` and then moved in any direction; where the turned ball
-// impinges already, the way is the turn. Of four poses one lies anywhere on its way and three are close to
-// its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
+// One random way for every kPosesPerPath poses: turned by up to `turn` and then moved in any direction; where
+// the turned ball impinges already, the way is the turn. Of four poses one lies anywhere on its way and three
+// are close to its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
+inline constexpr std::size_t kPosesPerPath = 8;
 struct ContactPose {
   PosePath path;
   std::optional<double> contact;  // share of the way

@@ -31,7 +31,9 @@ VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, con
     const Verdict verdict = verdict_by_bound(evidence.gap[i], evidence.bound[i]);
     verdicts.by_bound.clear += verdict == Verdict::clear ? 1U : 0U;
     verdicts.by_bound.impinged += verdict == Verdict::impinged ? 1U : 0U;
-    verdicts.by_bound.undecided += verdict == Verdict::undecided ? 1U : 0U;
+    const bool known = !std::isnan(evidence.gap[i]);
+    verdicts.by_bound.undecided += verdict == Verdict::undecided && known ? 1U : 0U;
+    verdicts.without_gap += known ? 0U : 1U;
     const Verdict truth = exactly(i) ? Verdict::impinged : Verdict::clear;
     verdicts.impinged += truth == Verdict::impinged ? 1U : 0U;
     verdicts.refuted += verdict != Verdict::undecided && verdict != truth ? 1U : 0U;

@@ -19,9 +19,10 @@ struct GapEvidence {
 };
 
 struct VertexVerdicts {
-  VerdictCount by_bound;     // what the gaps and their bounds alone would say
-  std::size_t impinged = 0;  // exactly
-  std::size_t refuted = 0;   // verdicts by bound that are wrong: none if the bounds hold
+  VerdictCount by_bound;        // what the gaps and their bounds alone would say
+  std::size_t without_gap = 0;  // of which they say nothing: most have no surface in their direction
+  std::size_t impinged = 0;     // exactly
+  std::size_t refuted = 0;      // verdicts by bound that are wrong: none if the bounds hold
 };
 
 struct Certificate {

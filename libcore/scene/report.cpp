@@ -203,24 +203,20 @@ json vertex_verdicts_json(const VertexVerdicts& verdicts) {
           {"clear_by_bound", verdicts.by_bound.clear},
           {"impinged_by_bound", verdicts.by_bound.impinged},
           {"undecided_by_bound", verdicts.by_bound.undecided},
+          {"without_gap", verdicts.without_gap},
           {"bounds_refuted", verdicts.refuted}};
 }
 
 // What is certain about bone on bone.
 json certificate_json(const Certificate& certificate) {
   const auto verdict = [](bool impinged) { return impinged ? "impinged" : "clear"; };
-  VerdictCount by_bound = certificate.ball.by_bound;
-  by_bound += certificate.socket.by_bound;
-  const Verdict pose = by_bound.pose();
   const auto& deepest = certificate.deepest;
-  return {
-      {"surfaces", verdict(certificate.surfaces_impinged)},
-      {"vertices", verdict(certificate.vertices_impinged())},
-      {"vertices_by_bound", pose == Verdict::undecided ? "undecided" : verdict(pose == Verdict::impinged)},
-      {"ball", vertex_verdicts_json(certificate.ball)},
-      {"socket", vertex_verdicts_json(certificate.socket)},
-      {"deepest_mm", deepest ? json(deepest->depth) : json(nullptr)},
-      {"deepest_at", deepest ? json(name(deepest->kind)) : json(nullptr)}};
+  return {{"surfaces", verdict(certificate.surfaces_impinged)},
+          {"vertices", verdict(certificate.vertices_impinged())},
+          {"ball", vertex_verdicts_json(certificate.ball)},
+          {"socket", vertex_verdicts_json(certificate.socket)},
+          {"deepest_mm", deepest ? json(deepest->depth) : json(nullptr)},
+          {"deepest_at", deepest ? json(name(deepest->kind)) : json(nullptr)}};
 }
 
 std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
