@@ -62,8 +62,8 @@ std::vector<Vec3> grazing_directions(const TriangleMesh& mesh, std::size_t most)
   }
   std::ranges::stable_sort(faces, {}, [](const auto& face) { return face.first; });
   faces.resize(std::min(most, faces.size()));
-  std::vector<Vec3> directions;
-  for (const auto& [slope, u] : faces) directions.push_back(u);
+  std::vector<Vec3> directions(faces.size());
+  std::ranges::transform(faces, directions.begin(), [](const auto& face) { return face.second; });
   return directions;
 }
 

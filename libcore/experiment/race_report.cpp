@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "contenders/surface_distance.hpp"
-#include "experiment/race_methods.hpp"
 #include "experiment/statistics.hpp"
 
 namespace impinge {
@@ -113,7 +112,7 @@ void add_samples(Table& table, const Raced& raced, const RaceScene& scene) {
 
 std::vector<MethodMaker> all_methods(const RaceScene& scene, const RaceOptions& options) {
   std::vector<MethodMaker> all = other_methods(scene, options.grid_nodes);
-  for (auto&& more : {thesis_methods(scene, options.precisions), table_methods(scene, options.precisions)})
+  for (auto&& more : {thesis_methods(scene, options.tables), table_methods(scene, options.tables)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -9,12 +9,13 @@
 
 #include "experiment/csv.hpp"
 #include "experiment/race_errors.hpp"
+#include "experiment/race_methods.hpp"
 #include "experiment/race_timing.hpp"
 
 namespace impinge {
 
 struct RaceOptions {
-  std::vector<double> precisions;       // degrees
+  TableRace tables;
   std::vector<std::size_t> grid_nodes;  // a side
   ProbeOptions radial;
   ProbeOptions euclidean;

@@ -8,7 +8,6 @@
 
 #include "contenders/table_method.hpp"
 #include "experiment/csv.hpp"
-#include "experiment/race_bound.hpp"
 #include "experiment/race_methods.hpp"
 #include "mesh/star_shape.hpp"
 #include "sampling/exact_raster.hpp"
@@ -30,9 +29,23 @@ SharedBound once(std::function<MethodBound()> work) {
   };
 }
 
+// Of a table that was filled exactly from the surface of the scene.
+template <class Table>
+MethodBound bound_of(const RaceScene& scene, const Table& table, const TableRace& race) {
+  if (table.scheme().size() <= race.most_entries && scene.surface().faces.size() <= race.most_faces) {
+    const TableBound found = table_bound(scene.surface(), table, RaceScene::kLayer, race.search);
+    return {found.bound_mm, found.attained_mm};
+  }
+  MethodBound bound;
+  if constexpr (requires { table.radii(); })
+    bound.bound_mm = first_order_bound(scene.surface(), table).bound_mm;
+  return bound;
+}
+
 // What the makers of one table share.
 struct TableCase {
   const RaceScene& scene;
+  TableRace race;
   double precision = 0.0;
   std::string_view scheme;
   bool mesh_exact = false;
@@ -72,8 +85,8 @@ InverseDepthTable<S> inverse_depths(const TriangleMesh& mesh, double precision) 
 
 template <class Table, class Float, class Uint16, class Source>
 void add_storages(std::vector<MethodMaker>& makers, TableCase now, const Source& fill) {
-  now.bound = once([&mesh = now.scene.surface(), precision = now.precision, fill] {
-    return table_method_bound(mesh, Table(fill(mesh, precision)), RaceScene::kLayer);
+  now.bound = once([&scene = now.scene, precision = now.precision, race = now.race, fill] {
+    return bound_of(scene, Table(fill(scene.surface(), precision)), race);
   });
   makers.push_back(now.maker<Table>("double", fill));
   makers.push_back(now.maker<Float>(FloatValues::name, fill));
@@ -81,12 +94,13 @@ void add_storages(std::vector<MethodMaker>& makers, TableCase now, const Source&
 }
 
 template <SamplingScheme S>
-void add_scheme(std::vector<MethodMaker>& makers, const RaceScene& scene, double precision) {
-  add_storages<RadialTable<S>, FloatTable<S>, Uint16Table<S>>(makers, {scene, precision, S::name, false, {}},
-                                                              radii<S>);
+void add_scheme(std::vector<MethodMaker>& makers, TableCase now) {
+  now.scheme = S::name;
+  add_storages<RadialTable<S>, FloatTable<S>, Uint16Table<S>>(makers, now, radii<S>);
   if constexpr (PlaneExactScheme<S>) {
+    now.mesh_exact = true;
     add_storages<InverseDepthTable<S>, FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(
-        makers, {scene, precision, S::name, true, {}}, inverse_depths<S>);
+        makers, now, inverse_depths<S>);
   }
 }
 
@@ -104,10 +118,10 @@ bool has_precision(double precision) {
 // One of the thesis' ways of filling. Its entries are off by at most `entry_bound` inside of a surface that
 // continues across each edge, and a look-up mixes them with weights that sum to 1.
 template <SamplingScheme S>
-MethodMaker thesis_maker(const RaceScene& scene, double precision,
-                         RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer),
+MethodMaker thesis_maker(const TableCase& now, RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer),
                          std::function<double()> entry_bound) {
-  const TriangleMesh& mesh = scene.surface();
+  const TriangleMesh& mesh = now.scene.surface();
+  const double precision = now.precision;
   MethodMaker maker;
   maker.name = std::string(S::name) + "_thesis";
   maker.setting = degrees_text(precision);
@@ -120,9 +134,10 @@ MethodMaker thesis_maker(const RaceScene& scene, double precision,
     return std::make_unique<TableMethod<RadialTable<S>>>(
         fill(mesh, S::with_precision(precision), RaceScene::kLayer));
   };
-  maker.bound = [&mesh, precision, entry_bound = std::move(entry_bound)](const RadiusMethod& /*method*/) {
-    if (!star_shape(mesh).star_shaped) return MethodBound{};
-    MethodBound bound = table_method_bound(mesh, radii<S>(mesh, precision), RaceScene::kLayer);
+  maker.bound = [now, entry_bound = std::move(entry_bound)](const RadiusMethod& /*method*/) {
+    const TriangleMesh& surface = now.scene.surface();
+    if (!star_shape(surface).star_shaped) return MethodBound{};
+    MethodBound bound = bound_of(now.scene, radii<S>(surface, now.precision), now.race);
     bound.bound_mm += entry_bound();
     bound.attained_mm = MethodBound{}.attained_mm;  // by an exact filling, not by this one
     return bound;
@@ -132,23 +147,23 @@ MethodMaker thesis_maker(const RaceScene& scene, double precision,
 
 }  // namespace
 
-std::vector<MethodMaker> table_methods(const RaceScene& scene, const std::vector<double>& precisions) {
+std::vector<MethodMaker> table_methods(const RaceScene& scene, const TableRace& race) {
   std::vector<MethodMaker> makers;
   for_each_scheme([&]<class S>() {
-    for (const double precision : precisions) {
-      if (has_precision<S>(precision)) add_scheme<S>(makers, scene, precision);
+    for (const double precision : race.precisions) {
+      if (has_precision<S>(precision)) add_scheme<S>(makers, {scene, race, precision, {}, false, {}});
     }
   });
   return makers;
 }
 
-std::vector<MethodMaker> thesis_methods(const RaceScene& scene, const std::vector<double>& precisions) {
+std::vector<MethodMaker> thesis_methods(const RaceScene& scene, const TableRace& race) {
   std::vector<MethodMaker> makers;
   const TriangleMesh& mesh = scene.surface();
-  for (const double precision : precisions) {
-    makers.push_back(
-        thesis_maker<Rsid>(scene, precision, fill_thesis, [&mesh] { return thesis_raster_bound(mesh); }));
-    makers.push_back(thesis_maker<Usid>(scene, precision, fill_resampled<Usid>,
+  for (const double precision : race.precisions) {
+    const TableCase now{scene, race, precision, {}, false, {}};
+    makers.push_back(thesis_maker<Rsid>(now, fill_thesis, [&mesh] { return thesis_raster_bound(mesh); }));
+    makers.push_back(thesis_maker<Usid>(now, fill_resampled<Usid>,
                                         [&mesh, precision] { return resampling_bound(mesh, precision); }));
   }
   return makers;

@@ -22,7 +22,7 @@
 namespace impinge {
 
 struct RaceTimingOptions {
-  int rounds = 10;                     // 2 or more
+  int rounds = 7;                      // 2 or more
   double warm_ms = 5.0;                // a warm measurement takes so long at least
   double batch_ms = 50.0;              // one batch of questions takes about so long at most
   double slow_build_ms = 300.0;        // a method slower to build is built once

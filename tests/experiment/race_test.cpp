@@ -70,7 +70,7 @@ TEST(RaceMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
   std::set<std::string> schemes;
   std::set<std::string> mesh_exact;
   std::set<std::string> keys;
-  const auto makers = table_methods(scene, {4.0, 2.0});
+  const auto makers = table_methods(scene, {{4.0, 2.0}, 0, 0, {}});
   for (const MethodMaker& maker : makers) {
     (maker.interpolant == "smooth" ? schemes : mesh_exact).insert(maker.name);
     EXPECT_TRUE(keys.insert(maker.name + '/' + maker.setting).second) << maker.name << maker.setting;
@@ -94,8 +94,8 @@ TEST(RaceMethods, KeepTheirBounds) {
   const RaceProbes euclidean = euclidean_probes(scene, {100, 20, 1});
   std::map<std::string, double> bytes;
   std::size_t bounded = 0;
-  auto makers = table_methods(scene, {4.0});
-  for (auto&& more : {thesis_methods(scene, {4.0}), other_methods(scene, {8})})
+  auto makers = table_methods(scene, {{4.0}, 100000, 1000, {}});
+  for (auto&& more : {thesis_methods(scene, {{4.0}, 100000, 1000, {}}), other_methods(scene, {8})})
     makers.insert(makers.end(), more.begin(), more.end());
   for (const MethodMaker& maker : makers) {
     if (maker.measure == Measure::pose) continue;
@@ -114,6 +114,21 @@ TEST(RaceMethods, KeepTheirBounds) {
   EXPECT_GE(bounded, 6U);
   EXPECT_GT(bytes["rsid/4deg"], 1.8 * bytes["rsid/4deg float"]);
   EXPECT_GT(bytes["rsid/4deg float"], 1.8 * bytes["rsid/4deg uint16"]);
+}
+
+// Half of what is proven of a table does not hold: the bound is nearly attained, and the ascent gets there.
+TEST(RaceMethods, HalfOfATablesBoundIsViolated) {
+  const RaceScene scene = generated_scene(300);
+  const RaceProbes radial = radial_probes(scene, {2000, 200, 1});
+  for (const MethodMaker& maker : table_methods(scene, {{4.0}, 100000, 1000, {}})) {
+    if (maker.name != "cube_gnomonic" && maker.name != "cube_gnomonic_mesh_exact") continue;
+    const auto method = maker.make();
+    const RaceErrors errors = measure_errors(*method, radial, {.starts = 4});
+    MethodBound bound = maker.bound(*method);
+    EXPECT_FALSE(find_violation(errors, bound)) << maker.name << ' ' << maker.setting;
+    bound.bound_mm *= 0.5;
+    EXPECT_TRUE(find_violation(errors, bound)) << maker.name << ' ' << maker.setting;
+  }
 }
 
 // A method that counts what is asked of it.
