@@ -43,7 +43,7 @@ def main() -> None:
 
 
 def by_joint(table: pd.DataFrame) -> pd.DataFrame:
-    """One row a joint and zone: medians weighted by vertices over poses and both surfaces; the largest of all."""
+    """One row a joint and zone: medians weighted by vertices over poses and surfaces, largest of all."""
     rows = []
     for (joint, zone), group in table.groupby(["joint", "zone"], sort=False):
         medians = {
