@@ -52,7 +52,9 @@ TEST(ClosestPoint, OctahedronIsTheClosedForm) {
 }
 
 TEST(ClosestPoint, LastBitIsThatOfTwoHundredBitsInTenThousandCases) {
-  expect_brute_force(octahedron(22.0), points_round(22.0, 10000, 1));
+  TriangleMesh half = octahedron(22.0);
+  half.faces.resize(4);
+  expect_brute_force(half, points_round(22.0, 10000, 1));
 }
 
 TEST(ClosestPoint, PairIsThatOfBruteForce) {
