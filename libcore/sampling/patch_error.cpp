@@ -67,7 +67,7 @@ class Rate {
       most_ = std::max(chord_[0].norm(), chord_[1].norm());
       return;
     }
-    const Motion& m = view.motion;
+    const PatchMotion& m = view.motion;
     most_ = m.way[k];
     aside_ = 0.5 * (m.turn[k] + square(m.way[k])) + 0.25 * (m.turn[1 - k] + square(m.way[1 - k])) +
              m.kink[0] + m.kink[1];
@@ -132,7 +132,7 @@ bool PatchError::has_overlap() const {
 }
 
 std::array<double, 2> PatchError::remainders(const PatchView& view, const LayerRange& layer) const {
-  const Motion& motion = view.motion;
+  const PatchMotion& motion = view.motion;
   std::array<double, 2> sum{};
   for (std::size_t k = 0; k < 2; ++k) {
     const Rate rate(view, k);

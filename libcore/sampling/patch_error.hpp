@@ -12,7 +12,8 @@
 // the rectangle,
 //   |Y - y| <= max over corners |Y - y| + sum over s, t of (h^2 / 8 max |y''| + h / 4 sum |jumps|
 //              + h^2 / 8 max |Y''|),
-// the last term where weights are not linear (Motion::bend): |Y''| <= sum |w''| / 2 (largest - least tap).
+// the last term where weights are not linear (PatchMotion::bend): |Y''| <= sum |w''| / 2 (largest - least
+// tap).
 //
 // On a plane q . x = 1 and for u = u(s) on the sphere, r = 1 / (q . u):
 //   r''   = 2 r^3 (q . u')^2 + r |u'|^2 - r^2 q . a,    a the acceleration along the sphere, |q_tangent| r =
@@ -54,7 +55,7 @@ struct CornerSample {
 
 // A rectangle of a patch. Corners in the order (from, from), (to, from), (from, to), (to, to).
 struct PatchView {
-  Motion motion;
+  PatchMotion motion;
   Cap cap;                    // holds all of its directions
   std::array<Vec3, 4> point;  // x(s, t) at the corners; unit vectors unless flat
   std::array<CornerSample, 4> corner;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -57,23 +59,17 @@ void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visi
   }
 }
 
-// Can a point of a jump edge at this radius belong to the layer that the taps sample? A layer changes by at
-// most exp(slope * angle) within the stencil; an edge farther off is hidden behind it (or lies before it).
-// The slope is that of the faces at the edge: where the layer gets much steeper within one cell (a coarse
-// table over a fine, oblique mesh) an edge that is seen may be taken for hidden.
+// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
+// to belong to the layer; 0 or less if not at all.
 template <SamplingScheme S>
-bool edge_is_seen(const RadialTable<S>& table, const Stencil& stencil, double radius, double slope,
-                  Layer layer) {
-  const double reach = std::exp(slope * table.scheme().stencil_radius());
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
+double change_to_be_seen(const RadialTable<S>& table, const Stencil& stencil, double radius, Layer layer) {
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < stencil.taps; ++k) {
     const double tap = table.radii()[stencil.entry[k]];
-    if (std::isnan(tap)) continue;
-    low = std::min(low, tap);
-    high = std::max(high, tap);
+    if (!std::isnan(tap))
+      least = std::min(least, layer == Layer::nearest ? std::log(radius / tap) : std::log(tap / radius));
   }
-  return layer == Layer::nearest ? radius <= high * reach : radius * reach >= low;
+  return least;
 }
 
 // Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
@@ -84,19 +80,59 @@ void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
 }
 
-// Marks the cell if at least two of its entries have a radius that may belong to the layer of the edge. (One
-// alone is not mixed with anything; an empty entry speaks for its cell, but not on the line between two
-// others.)
+// Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
+// entry speaks for its cell, but not on the line between two others.)
 template <SamplingScheme S>
-void mask_cell(const Stencil& stencil, double radius, double slope, Layer layer, RadialTable<S>& table) {
-  const auto filled = std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
-                                    [&](std::size_t i) { return !std::isnan(table.radii()[i]); });
-  if (filled > 1 && edge_is_seen(table, stencil, radius, slope, layer)) table.mark_rim_cell(stencil.cell);
+bool may_be_parted(const RadialTable<S>& table, const Stencil& stencil) {
+  return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
+                       [&](std::size_t i) { return !std::isnan(table.radii()[i]); }) > 1;
+}
+
+// An edge in a cell that the faces at the edge alone would call hidden.
+struct DoubtfulRim {
+  Stencil reader;
+  double slope;  // tan psi that a face within the reach of a tap needs for the edge to be seen
+};
+
+// Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T s)
+// between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
+template <SamplingScheme S>
+void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful,
+                   RadialTable<S>& table) {
+  std::unordered_map<std::size_t, double> slopes;  // of the taps
+  double least = std::numeric_limits<double>::infinity();
+  for (const DoubtfulRim& rim : doubtful) {
+    least = std::min(least, rim.slope);
+    for (std::size_t k = 0; k < rim.reader.taps; ++k) slopes[rim.reader.entry[k]] = 0.0;
+  }
+  if (doubtful.empty()) return;
+  const S& scheme = table.scheme();
+  const auto walker = scheme.walker();
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
+    if (slope < least) continue;
+    walker.visit_near(cone, scheme.stencil_radius(), [&](const DirectionRun& run) {
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const auto tap = slopes.find(run.first + k);
+        if (tap != slopes.end()) tap->second = std::max(tap->second, slope);
+      }
+    });
+  }
+  for (const DoubtfulRim& rim : doubtful) {
+    for (std::size_t k = 0; k < rim.reader.taps; ++k) {
+      const std::size_t entry = rim.reader.entry[k];
+      if (!std::isnan(table.radii()[entry]) && slopes[entry] >= rim.slope)
+        table.mark_rim_cell(rim.reader.cell);
+    }
+  }
 }
 
 // Marks every cell in which the surface ends or jumps between the entries that it reads.
 template <SamplingScheme S>
 void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
+  const double reach = table.scheme().stencil_radius();
+  std::vector<DoubtfulRim> doubtful;
   for (const JumpEdge& edge : jump_edges(mesh)) {
     const Vec3& from = mesh.vertices[edge.from];
     const Vec3& to = mesh.vertices[edge.to];
@@ -107,11 +143,19 @@ void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
       for_each_cell_along(table.scheme(), from + from.norm() * aside, to + to.norm() * aside,
                           [&](const Stencil& stencil, const Vec3& x) {
                             for_each_cell_reading(table.scheme(), stencil, [&](const Stencil& reader) {
-                              mask_cell(reader, x.norm(), edge.slope, layer, table);
+                              if (!may_be_parted(table, reader)) return;
+                              const double change = change_to_be_seen(table, reader, x.norm(), layer);
+                              if (change <= edge.slope * reach) {
+                                table.mark_rim_cell(reader.cell);
+                              } else {
+                                doubtful.push_back({reader, change / reach});
+                              }
                             });
                           });
     }
   }
+  std::erase_if(doubtful, [&table](const DoubtfulRim& rim) { return table.is_rim_cell(rim.reader.cell); });
+  mask_doubtful(mesh, doubtful, table);
 }
 
 }  // namespace impinge

@@ -19,8 +19,9 @@ SurfacePlane plane_of(const TriangleCone& cone) {
   const auto& [a, b, c] = cone.corners();
   const Vec3 normal = cone.side() * (b - a).cross(c - a);
   const double offset = normal.dot(a);
-  SurfacePlane plane{cone, Vec3::Zero(), 0.0,       cone.edge_on() ? kInfinity : cone.largest_slope(),
-                     0.0,  0.0,          kInfinity, {}};
+  SurfacePlane plane{.cone = cone};
+  plane.slope = cone.edge_on() ? kInfinity : cone.largest_slope();
+  plane.condition = kInfinity;
   for (const Vec3& x : cone.corners()) plane.largest_radius = std::max(plane.largest_radius, x.norm());
   if (offset > 0.0 && std::isfinite(plane.slope)) {
     plane.inverse = normal / offset;
@@ -28,6 +29,12 @@ SurfacePlane plane_of(const TriangleCone& cone) {
     plane.least_radius = plane.distance;
     plane.condition = (b - a).norm() * (c - a).norm() * plane.largest_radius / offset;
   }
+  for (const Vec3& x : cone.corners()) plane.middle += x.normalized();
+  plane.middle.normalize();
+  // A cap of less than a quarter turn that holds the corners holds the face.
+  for (const Vec3& x : cone.corners())
+    plane.chord = std::max(plane.chord, (x.normalized() - plane.middle).norm());
+  if (plane.chord > 1.0) plane.chord = 2.0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 across = cone.side() * cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
     const double length = across.norm();
@@ -39,6 +46,7 @@ SurfacePlane plane_of(const TriangleCone& cone) {
 // Is one face beyond an edge of the other, by more than rounding? Faces that are seen edge-on overlap none.
 bool clearly_apart(const SurfacePlane& a, const SurfacePlane& b) {
   if (a.cone.edge_on() || b.cone.edge_on()) return true;
+  if ((a.middle - b.middle).norm() > a.chord + b.chord + kSlack) return true;
   const auto beyond_an_edge = [](const SurfacePlane& here, const SurfacePlane& there) {
     return std::ranges::any_of(here.inward, [&there](const Vec3& inward) {
       const double slack = kSlack * there.largest_radius;
@@ -48,38 +56,30 @@ bool clearly_apart(const SurfacePlane& a, const SurfacePlane& b) {
   return beyond_an_edge(a, b) || beyond_an_edge(b, a);
 }
 
-// Cells about as wide as a face or the caps asked for, whichever is larger.
-double bin_precision(std::size_t faces, double reach) {
-  const double across = std::sqrt(static_cast<double>(faces) / 6.0) / 2.0;
-  const double wanted = std::min(across, 1.0 / std::max(reach, 1e-3));
-  return 90.0 / std::clamp(std::round(wanted), 2.0, 256.0);
-}
+// Each level is for caps that much smaller than those of the level before.
+constexpr double kFiner = 0.25;
+constexpr double kMostBins = 512.0;
 
 }  // namespace
 
 SurfaceIndex::SurfaceIndex(const TriangleMesh& mesh, Layer layer, double reach)
-    : layer_(layer),
-      reach_(reach),
-      bins_(CubeGnomonic::with_precision(bin_precision(mesh.faces.size(), reach))) {
+    : layer_(layer), reach_(reach) {
   find_planes(mesh);
-  find_bins();
+  find_levels();
   find_kinks(mesh);
   find_overlaps();
 }
 
+// Values of each key in the order in which they come.
 SurfaceIndex::Lists SurfaceIndex::gather(std::size_t count,
-                                         std::vector<std::array<std::uint32_t, 2>>& pairs) {
-  std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+                                         const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   Lists lists;
   lists.first.assign(count + 1, 0);
-  lists.value.reserve(pairs.size());
-  for (const auto& [key, value] : pairs) {
-    ++lists.first[key + 1];
-    lists.value.push_back(value);
-  }
+  lists.value.resize(pairs.size());
+  for (const auto& pair : pairs) ++lists.first[pair[0] + 1];
   for (std::size_t k = 0; k < count; ++k) lists.first[k + 1] += lists.first[k];
+  std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
+  for (const auto& [key, value] : pairs) lists.value[next[key]++] = value;
   return lists;
 }
 
@@ -88,18 +88,37 @@ void SurfaceIndex::find_planes(const TriangleMesh& mesh) {
   for (const Face& face : mesh.faces) planes_.push_back(plane_of(cone_of(mesh, face)));
 }
 
-void SurfaceIndex::find_bins() {
+// Bins as wide as the caps.
+SurfaceIndex::Level SurfaceIndex::make_level(double reach) const {
+  const double divisions = std::clamp(std::round(2.0 / reach), 2.0, kMostBins);
+  Level level{CubeGnomonic::with_precision(90.0 / divisions), reach, {}};
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  const auto walker = bins_.walker();
+  const auto walker = level.bins.walker();
   // A direction's bin is its nearest tap, within the stencil radius of it.
-  const double margin = (bins_.stencil_radius() + reach_) * (1.0 + 1e-9);
+  const double margin = (level.bins.stencil_radius() + reach) * (1.0 + 1e-9);
   for (std::size_t f = 0; f < planes_.size(); ++f) {
     walker.visit_near(planes_[f].cone, margin, [&](const DirectionRun& run) {
       for (std::size_t k = 0; k < run.count; ++k)
         pairs.push_back({static_cast<std::uint32_t>(run.first + k), static_cast<std::uint32_t>(f)});
     });
   }
-  faces_of_bin_ = gather(bins_.size(), pairs);
+  level.faces = gather(level.bins.size(), pairs);
+  return level;
+}
+
+// Down to the size of the faces.
+void SurfaceIndex::find_levels() {
+  const double face = std::sqrt(4.0 * kPi / static_cast<double>(planes_.size() + 1));
+  double reach = reach_;
+  for (; reach * kFiner > 0.5 * face; reach *= kFiner) levels_.push_back(make_level(reach));
+  levels_.push_back(make_level(reach));
+  if (reach > 0.5 * face) levels_.push_back(make_level(0.5 * face));
+}
+
+const SurfaceIndex::Level& SurfaceIndex::level_for(double angle) const {
+  std::size_t k = levels_.size() - 1;
+  while (k > 0 && levels_[k].reach < angle) --k;
+  return levels_[k];
 }
 
 void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
@@ -131,33 +150,32 @@ void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
 
 // Two faces with a common direction are both in the bin of it.
 void SurfaceIndex::find_overlaps() {
-  std::vector<std::array<std::uint32_t, 2>> near;
-  for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
-    const auto faces = faces_of_bin_[bin];
-    for (std::size_t a = 0; a < faces.size(); ++a) {
-      for (std::size_t b = a + 1; b < faces.size(); ++b) {
-        if (!clearly_apart(planes_[faces[a]], planes_[faces[b]])) near.push_back({faces[a], faces[b]});
-      }
-    }
-  }
-  std::ranges::sort(near);
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  const Level& level = levels_.back();
+  const auto walker = level.bins.walker();
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const auto& [a, b] : near) {
-    if (!cones_overlap(planes_[a].cone.corners(), planes_[b].cone.corners())) continue;
+  std::vector<std::uint32_t> tried(planes_.size(), 0);  // the last face that this one was tried with
+  const auto try_pair = [&](std::uint32_t a, std::uint32_t b) {
+    if (b >= a || tried[b] == a) return;
+    tried[b] = a;
+    if (clearly_apart(planes_[a], planes_[b])) return;
+    if (!cones_overlap(planes_[a].cone.corners(), planes_[b].cone.corners())) return;
     pairs.push_back({a, b});
     pairs.push_back({b, a});
+  };
+  for (std::uint32_t a = 1; a < planes_.size(); ++a) {
+    walker.visit_near(planes_[a].cone, level.bins.stencil_radius(), [&](const DirectionRun& run) {
+      for (std::size_t k = 0; k < run.count; ++k) {
+        for (const std::uint32_t b : level.faces[run.first + k]) try_pair(a, b);
+      }
+    });
   }
   overlaps_of_face_ = gather(planes_.size(), pairs);
 }
 
-std::span<const std::uint32_t> SurfaceIndex::near(const Vec3& u) const {
-  const Stencil stencil = bins_.stencil(u);
-  std::size_t nearest = 0;
-  for (std::size_t k = 1; k < stencil.taps; ++k) {
-    if (stencil.weight[k] > stencil.weight[nearest]) nearest = k;
-  }
-  return faces_of_bin_[stencil.entry[nearest]];
+std::span<const std::uint32_t> SurfaceIndex::Level::near(const Vec3& u) const {
+  const Stencil stencil = bins.stencil(u);
+  const auto heaviest = std::ranges::max_element(stencil.weight);
+  return faces[stencil.entry[static_cast<std::size_t>(heaviest - stencil.weight.begin())]];
 }
 
 std::span<const std::uint32_t> SurfaceIndex::kinks_of(std::uint32_t face) const {
@@ -169,7 +187,7 @@ std::span<const std::uint32_t> SurfaceIndex::overlaps_of(std::uint32_t face) con
 
 double SurfaceIndex::radius(const Vec3& u) const {
   double radius = kNoSurface;
-  for (const std::uint32_t f : near(u)) {
+  for (const std::uint32_t f : levels_.back().near(u)) {
     const TriangleCone& cone = planes_[f].cone;
     if (cone.edge_on() || cone.least_edge_distance(u.x(), u.y(), u.z()) < -cone.doubt()) continue;
     if (cone.contains(u)) keep(radius, cone.radius(u), layer_);
@@ -180,7 +198,7 @@ double SurfaceIndex::radius(const Vec3& u) const {
 void SurfaceIndex::faces_near(const Cap& cap, std::vector<std::uint32_t>& found) const {
   found.clear();
   const double outside = -std::sin(std::min(cap.angle, 0.5 * kPi)) - kSlack;
-  for (const std::uint32_t f : near(cap.axis)) {
+  for (const std::uint32_t f : level_for(cap.angle).near(cap.axis)) {
     const auto& inward = planes_[f].inward;
     if (inward[0].dot(cap.axis) < outside || inward[1].dot(cap.axis) < outside ||
         inward[2].dot(cap.axis) < outside) {

@@ -17,13 +17,15 @@ namespace impinge {
 // The plane q . x = 1 of a face as the centre sees it: r(u) = 1 / (q . u) along unit u.
 struct SurfacePlane {
   TriangleCone cone;
-  Vec3 inverse;                // q, 1/mm
-  double distance;             // of the plane from the centre, 1 / |q|, mm
-  double slope;                // largest tan psi over the face; infinite for a face that is seen edge-on
-  double least_radius;         // over the face, mm
-  double largest_radius;       // over the face, mm
-  double condition;            // relative error of r that one rounding of the corners makes
-  std::array<Vec3, 3> inward;  // unit normals of the planes through the centre and an edge
+  Vec3 inverse = Vec3::Zero();  // q, 1/mm
+  double distance = 0.0;        // of the plane from the centre, 1 / |q|, mm
+  double slope = 0.0;           // largest tan psi over the face; infinite for a face that is seen edge-on
+  double least_radius = 0.0;    // over the face, mm
+  double largest_radius = 0.0;
+  double condition = 0.0;        // relative error of r that one rounding of the corners makes
+  std::array<Vec3, 3> inward{};  // unit normals of the planes through the centre and an edge
+  Vec3 middle = Vec3::Zero();    // a direction inside
+  double chord = 0.0;            // longest from there to a direction of the face
 };
 
 // An edge of two or more faces: the inverse radius q . u is continuous across it, its slope jumps by that of
@@ -70,21 +72,28 @@ class SurfaceIndex {
       return std::span(value).subspan(first[k], first[k + 1] - first[k]);
     }
   };
-  static Lists gather(std::size_t count, std::vector<std::array<std::uint32_t, 2>>& pairs);
+  static Lists gather(std::size_t count, const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
-  std::span<const std::uint32_t> near(const Vec3& u) const;
+  // Faces by the entry of a cube map that is nearest to a direction: all within `reach` of the direction.
+  struct Level {
+    CubeGnomonic bins;
+    double reach;
+    Lists faces;
+    std::span<const std::uint32_t> near(const Vec3& u) const;
+  };
+  const Level& level_for(double angle) const;
+  Level make_level(double reach) const;
   void find_planes(const TriangleMesh& mesh);
-  void find_bins();
+  void find_levels();
   void find_kinks(const TriangleMesh& mesh);
   void find_overlaps();
 
   Layer layer_;
   double reach_;
-  CubeGnomonic bins_;
   std::vector<SurfacePlane> planes_;
   std::vector<SurfaceKink> kinks_;
-  Lists faces_of_bin_;
-  Lists kinks_of_face_;  // each kink at one of its faces
+  std::vector<Level> levels_;  // ever finer
+  Lists kinks_of_face_;        // each kink at one of its faces
   Lists overlaps_of_face_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -139,6 +140,33 @@ TEST(Rim, AFoldIsAJump) {
   }
 }
 
+// A steep spike on a sphere, narrower than a cell, that rises beyond the rim of a flat cup: there the rim is
+// seen, though the entries round it and the slope of the cup alone speak of a rim far behind the sphere.
+TEST(Rim, ARimThatIsSeenBetweenEntriesOnAnObliqueMeshIsMasked) {
+  const auto check = []<class S>(const S& scheme, const Vec3& spike) {
+    TriangleMesh mesh = radial_body(200000, [&spike](const Vec3& u) {
+      const double off = angle_between(u, spike) / kDegree;
+      return 20.0 + 14.0 * std::exp(-off * off);
+    });
+    TriangleMesh rim = cup(30.0, 40.0, 2000);
+    const Vec3 on_rim = to_direction({40.0 * kDegree, 0.0});
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(on_rim, spike);
+    const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+    for (const Vec3& v : rim.vertices) mesh.vertices.push_back(turn * v);
+    for (const Face& f : rim.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+    const RayCaster oracle(mesh);
+    const double inside = oracle.cast(turn * to_direction({39.7 * kDegree, 0.0}), Layer::nearest);
+    const double outside = oracle.cast(turn * to_direction({40.1 * kDegree, 0.0}), Layer::nearest);
+    ASSERT_NEAR(inside, 30.0, 0.1);
+    ASSERT_GT(outside, 32.0) << "the surface jumps at the rim";
+    const auto table = fill_exact(mesh, scheme, Layer::nearest);
+    EXPECT_TRUE(std::isnan(table.radius_at(spike))) << S::name << " answers " << table.radius_at(spike);
+    EXPECT_FALSE(std::isnan(table.radius_at(-spike))) << S::name;
+  };
+  check(Rsid::with_precision(5.0), to_direction({72.5 * kDegree, 32.5 * kDegree}));
+  check(IcosahedralGnomonic::with_precision(5.0), to_direction({70.0 * kDegree, 31.0 * kDegree}));
+}
+
 // A rim that is hidden behind the layer asked for takes nothing away from it.
 TEST(Rim, AHiddenRimIsNotMasked) {
   TriangleMesh mesh = cup(26.0, 40.0, 400);  // its rim lies behind the sphere of 20 mm
@@ -148,6 +176,73 @@ TEST(Rim, AHiddenRimIsNotMasked) {
   mesh.vertices.insert(mesh.vertices.end(), near.vertices.begin(), near.vertices.end());
   const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::nearest);
   for (const Vec3& u : test::random_directions(5000, 31)) EXPECT_NEAR(table.radius_at(u), 20.0, 0.1);
+}
+
+// The same of the outer layer, whose rims may lie nearer to the centre; and one farther out is a jump.
+TEST(Rim, OfTheFarthestLayerOnesNearerToTheCentreAreHidden) {
+  for (const bool hidden : {true, false}) {
+    TriangleMesh mesh = cup(hidden ? 16.0 : 26.0, 40.0, 400);
+    const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+    const TriangleMesh ball = sphere(20.0, 2000);
+    for (const Face& f : ball.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+    mesh.vertices.insert(mesh.vertices.end(), ball.vertices.begin(), ball.vertices.end());
+    const RayCaster oracle(mesh);
+    const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::farthest);
+    std::size_t masked = 0;
+    for (const Vec3& u : test::random_directions(5000, 33)) {
+      const double radius = table.radius_at(u);
+      masked += std::isnan(radius) ? 1U : 0U;
+      if (!std::isnan(radius)) {
+        EXPECT_NEAR(radius, oracle.cast(u, Layer::farthest), 0.3);
+      }
+    }
+    EXPECT_EQ(masked > 0, !hidden);
+  }
+}
+
+// A rim along grid lines parts the cells on both of its sides.
+TEST(Rim, AnEdgeOnAGridLineMasksBothSides) {
+  TriangleMesh mesh = sphere(26.0, 2000);
+  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), {{20, 0, 0}, {0, 20, 0}, {0, 0, 20}});
+  mesh.faces.push_back({shift, shift + 1, shift + 2});
+  const RayCaster oracle(mesh);
+  const auto table = fill_exact(mesh, Rsid::with_precision(5.0), Layer::nearest);
+  for (const double phi : {22.5, 47.5, 72.5}) {
+    for (const double theta : {2.5, 87.5, 92.5, 357.5}) {
+      const Vec3 u = to_direction({phi * kDegree, theta * kDegree});
+      EXPECT_TRUE(std::isnan(table.radius_at(u))) << phi << ' ' << theta;
+    }
+    const Vec3 aside = to_direction({phi * kDegree, 350.0 * kDegree});
+    EXPECT_NEAR(table.radius_at(aside), oracle.cast(aside, Layer::nearest), 0.1);
+  }
+}
+
+// All cells in which a line spends more than a step, as found by very short steps.
+TEST(Rim, ALineIsFollowedThroughEveryCell) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(5.0);
+    const auto ends = test::random_directions(60, 34);
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      // Half of them pass close to a pole, where cells are bent most.
+      const Vec3 pole = Vec3(0.0, 0.0, k % 4 == 0 ? 1.0 : -1.0);
+      const Vec3 from = (k % 3 == 0 ? Vec3(ends[k]) : Vec3(pole + 0.3 * ends[k])).normalized();
+      const Vec3 to = (k % 3 == 0 ? Vec3(ends[k + 1]) : Vec3(pole + 0.3 * ends[k + 1])).normalized();
+      std::set<std::size_t> visited;
+      for_each_cell_along(scheme, from, to, [&](const Stencil& s, const Vec3&) { visited.insert(s.cell); });
+      const double step = 0.01 * scheme.covering_radius();
+      const auto pieces = static_cast<int>(angle_between(from, to) / step) + 1;
+      std::size_t last = scheme.cells();
+      int stretch = 0;
+      for (int i = 0; i <= pieces; ++i) {
+        const std::size_t cell = scheme.stencil(from + static_cast<double>(i) / pieces * (to - from)).cell;
+        stretch = cell == last ? stretch + 1 : 0;
+        last = cell;
+        if (stretch < 30) continue;
+        ASSERT_TRUE(visited.contains(cell)) << S::name << " line " << k;
+      }
+    }
+  });
 }
 
 }  // namespace

@@ -51,9 +51,9 @@ class AnglePatches {
 
   Vec3 at(const Patch&, double theta, double phi) const { return to_direction({phi, theta}); }
 
-  Motion motion(const Patch&, const Rect& rect) const {
+  PatchMotion motion(const Patch&, const Rect& rect) const {
     const double dtheta = rect.width(0);
-    Motion motion;
+    PatchMotion motion;
     motion.way = {dtheta * largest_sine(rect.from[1], rect.to[1]), rect.width(1)};
     motion.turn = {dtheta * dtheta * largest_sine_cosine(rect.from[1], rect.to[1]), 0.0};
     return motion;

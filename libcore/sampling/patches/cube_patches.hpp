@@ -79,10 +79,10 @@ class CubePatches {
     return x;
   }
 
-  Motion motion(const Patch&, const Rect& rect) const {
+  PatchMotion motion(const Patch&, const Rect& rect) const {
     const std::array<Magnitude, 2> size{Magnitude(rect.from[0], rect.to[0]),
                                         Magnitude(rect.from[1], rect.to[1])};
-    Motion motion;
+    PatchMotion motion;
     for (std::size_t k = 0; k < 2; ++k) {
       const LineMotion line = line_motion(Warp{}, size[k], size[1 - k]);
       motion.way[k] = rect.width(k) * line.way;

@@ -39,7 +39,7 @@ class LatticePatches {
     return from + s * ((1.0 - t) * (scheme_.direction(q) - from) + t * (scheme_.direction(r) - from));
   }
 
-  Motion motion(const Patch& patch, const Rect& rect) const {
+  PatchMotion motion(const Patch& patch, const Rect& rect) const {
     return projected_motion({{at(patch, rect.from[0], rect.from[1]), at(patch, rect.to[0], rect.from[1]),
                               at(patch, rect.from[0], rect.to[1]), at(patch, rect.to[0], rect.to[1])},
                              {}});

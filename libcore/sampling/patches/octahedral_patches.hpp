@@ -51,7 +51,7 @@ class OctahedralPatches {
     return to_direction({north ? from_pole : kPi - from_pole, theta});
   }
 
-  Motion motion(const Patch&, const Rect& rect) const {
+  PatchMotion motion(const Patch&, const Rect& rect) const {
     const auto n = static_cast<double>(n_);
     const double low = rect.from[0] + rect.from[1];
     const double high = rect.to[0] + rect.to[1];
@@ -59,7 +59,7 @@ class OctahedralPatches {
     const double least = std::min(low, 2.0 * n - high);  // m
     const double r = folded ? 1.0 : std::min(1.0, (high <= n ? high : 2.0 * n - low) / n);
     const double g = std::sqrt(2.0 / (1.0 - 0.5 * r * r));
-    Motion motion;
+    PatchMotion motion;
     motion.smooth = least > 0.0;
     const double east = kPi * std::sqrt(2.0) / (n * least) + kPi * g / (n * least);
     const double south = g * r / ((2.0 - r * r) * n * n) + kPi * kPi / (2.0 * std::sqrt(2.0) * n * least);

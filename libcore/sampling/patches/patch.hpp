@@ -36,7 +36,7 @@ struct Patch {
 };
 
 // Bounds over a rectangle, in each of its two directions, for a step h as wide as the rectangle.
-struct Motion {
+struct PatchMotion {
   std::array<double, 2> way{};   // h |du/ds|, radians
   std::array<double, 2> turn{};  // h^2 |acceleration of u along the sphere|, radians
   std::array<double, 2> kink{};  // h times the sum of the jumps of du/ds, radians
@@ -47,7 +47,7 @@ struct Motion {
 template <class S>
 concept HasPatches = requires(const S scheme, Patch patch) {
   { patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;
-  { patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<Motion>;
+  { patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<PatchMotion>;
 };
 
 }  // namespace impinge

@@ -20,7 +20,7 @@ namespace impinge {
 template <class S>
 concept HasFlatPatches = requires(const S scheme, Patch patch) {
   { flat_patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;
-  { flat_patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<Motion>;
+  { flat_patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<PatchMotion>;
 };
 
 // The rectangles of a warped cube map are rectangles on the cube.

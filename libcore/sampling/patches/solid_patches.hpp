@@ -28,7 +28,7 @@ struct ProjectedPatch {
 // Of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord and b its bending,
 //   |x'| <= c + b_s / 2 + b_t / 4        (a chord is the mean of x', and changes by its own bending)
 //   |u'| <= |x'| / |x|,   |acceleration of u along the sphere| <= b / |x| + 2 |u . x'| |u'| / |x|.
-inline Motion projected_motion(const ProjectedPatch& patch) {
+inline PatchMotion projected_motion(const ProjectedPatch& patch) {
   const auto& x = patch.corner;
   const Vec3 middle = 0.25 * (x[0] + x[1] + x[2] + x[3]);
   const std::array<std::array<Vec3, 2>, 2> chord{{{x[1] - x[0], x[3] - x[2]}, {x[2] - x[0], x[3] - x[1]}}};
@@ -40,7 +40,7 @@ inline Motion projected_motion(const ProjectedPatch& patch) {
   // From the mean of the corners, which is off x by a quarter of the bending at the most.
   const double spread = 0.5 * (rate[0] + rate[1]) + 0.25 * (patch.bending[0] + patch.bending[1]);
   const double least = middle.norm() - spread;
-  Motion motion;
+  PatchMotion motion;
   if (!(least > 0.0)) {
     motion.way = {kPi, kPi};
     motion.smooth = false;
@@ -83,7 +83,7 @@ class IcosahedralPatches {
     return weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
   }
 
-  Motion motion(const Patch& patch, const Rect& rect) const {
+  PatchMotion motion(const Patch& patch, const Rect& rect) const {
     ProjectedPatch projected{{at(patch, rect.from[0], rect.from[1]), at(patch, rect.to[0], rect.from[1]),
                               at(patch, rect.from[0], rect.to[1]), at(patch, rect.to[0], rect.to[1])}};
     if (!flat_) projected.bending = bendings(patch, rect);

@@ -90,7 +90,7 @@ class SpiralPatches {
     return to_direction({polar(turn_at(patch, s, t)), 2.0 * kPi * s});
   }
 
-  Motion motion(const Patch& patch, const Rect& rect) const {
+  PatchMotion motion(const Patch& patch, const Rect& rect) const {
     const double from = polar(turn_at(patch, rect.from[0], rect.from[1]));
     const double to = polar(turn_at(patch, rect.to[0], rect.to[1]));
     const double top = polar(turn_at(patch, rect.from[0], 0.0));
@@ -100,7 +100,7 @@ class SpiralPatches {
     const double cosine = largest_cosine(from, to);
     const double ds = rect.width(0);
     const double dt = rect.width(1);
-    Motion motion;
+    PatchMotion motion;
     motion.way = {ds * std::hypot(rates.polar, 2.0 * kPi * sine), dt * rates.polar};
     motion.turn = {
         ds * ds *
