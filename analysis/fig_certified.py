@@ -44,7 +44,8 @@ def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) 
     """
     precisions = sorted(table.precision_deg.unique())
     all_of_them = table.groupby("joint").precision_deg.transform("nunique") == len(precisions)
-    sums = table[all_of_them].groupby(["scheme", "precision_deg"], sort=False)[["undecided", "vertices"]].sum()
+    groups = table[all_of_them].groupby(["scheme", "precision_deg"], sort=False)
+    sums = groups[["undecided", "vertices"]].sum()
     sums["share"] = (100 * sums.undecided / sums.vertices).clip(lower=SHARES[0])
     sums = sums.reset_index()
     for scheme, look in scheme_looks(list(sums.scheme)).items():

@@ -33,7 +33,7 @@ constexpr double kFinestInQuick = 2.0;
 constexpr double kFinestOfReal = 2.0;  // joints of many faces
 constexpr std::size_t kStep = 3;       // in the full run each scheme and precision scans every third pose
 constexpr std::size_t kRealPoses = 64;
-constexpr std::size_t kRealPosesInQuick = 8;
+constexpr std::size_t kRealPosesInQuick = 4;
 
 struct JudgeScheme {
   DriverRun& run;
@@ -61,7 +61,7 @@ struct JudgeScheme {
 void judge_all(DriverRun& run, CertifiedStudy& study, const std::string& name, const BallSocketPair& meshes,
                const ContactOptions& options, double finest) {
   const CertifiedJoint joint = judge_joint(study, name, meshes, options);
-  for_each_scheme(JudgeScheme{run, study, joint, run.quick() ? kFinestInQuick : finest});
+  for_each_scheme(JudgeScheme{run, study, joint, finest});
   run.progress.say("judged " + std::to_string(options.count) + " poses of " + name);
 }
 
@@ -71,7 +71,8 @@ void judge_generated(DriverRun& run, CertifiedStudy& study) {
     options.seed = run.record.seed;
     options.count = run.quick() ? pair.quick : pair.full;
     judge_all(run, study, "generated_" + std::to_string(pair.faces),
-              make_ball_socket_pair(pair.faces, impinging_cam()), options, kPrecisions.back());
+              make_ball_socket_pair(pair.faces, impinging_cam()), options,
+              run.quick() ? kFinestInQuick : kPrecisions.back());
   }
 }
 
@@ -80,7 +81,7 @@ void judge_real(DriverRun& run, CertifiedStudy& study) {
   options.seed = run.record.seed;
   options.count = run.quick() ? kRealPosesInQuick : kRealPoses;
   for (const auto& [subject, meshes, centre] : read_real_joints(*run.bones, run.progress))
-    judge_all(run, study, subject, meshes, options, kFinestOfReal);
+    judge_all(run, study, subject, meshes, options, run.quick() ? kPrecisions.front() : kFinestOfReal);
 }
 
 void body(DriverRun& run) {

@@ -189,11 +189,13 @@ bool ShadowReference::surfaces_impinged() const {
   std::vector<Seen> within;  // faces of the socket that some face of the ball may reach
   std::ranges::copy_if(socket_, std::back_inserter(within),
                        [&](const Seen& one) { return one.low <= farthest; });
+  double nearest = HUGE_VAL;
+  for (const Seen& socket : within) nearest = std::min(nearest, socket.low);
   return std::ranges::any_of(ball_, [&](const Seen& ball) {
-    return std::ranges::any_of(within, [&](const Seen& socket) {
-      return ball.high >= socket.low && share_directions(ball, socket) &&
-             meets_shadow(ball.corners, socket.corners);
-    });
+    return ball.high >= nearest && std::ranges::any_of(within, [&](const Seen& socket) {
+             return ball.high >= socket.low && share_directions(ball, socket) &&
+                    meets_shadow(ball.corners, socket.corners);
+           });
   });
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCoarsest = 15.0;  // degrees
 constexpr double kFinest = 0.5;
-constexpr double kReach = 1.5;       // of the covering radius of the grid: most faces are looked up in one piece
+constexpr double kReach = 1.5;  // of the covering radius of the grid: most faces are looked up in one piece
 constexpr double kRounding = 1e-12;  // of lengths, as a share
 
 // The grid whose cells are as large as the mean face, as seen from the centre.
