@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Table 5, the sampling error of the RSID table: the thesis' formula (Eq. 7-8), the distance along the
-surface that it stands for, and the error of the radius, where they were measured. From data/sampling_error.csv
-and sampling_error_surfaces.csv.
+surface that it stands for, and the error of the radius, where they were measured, with its proven bound. From
+data/sampling_error.csv, sampling_error_proven.csv and sampling_error_surfaces.csv.
 """
 
 import math
@@ -19,6 +19,8 @@ def main() -> None:
     options = common.arguments(__doc__)
     ours = common.load(options.results, "sampling_error")
     ours = ours[ours.scheme == SCHEME].set_index("precision_deg")
+    proven = common.load(options.results, "sampling_error_proven")
+    proven = proven[proven.scheme == SCHEME].set_index("precision_deg")
     surfaces = common.load(options.results, "sampling_error_surfaces")
     chosen = (surfaces.scheme == SCHEME) & (surfaces.surface == ROUND) & (surfaces.interpolant == "smooth")
     sphere = surfaces[chosen].set_index("precision_deg")
@@ -34,6 +36,7 @@ def main() -> None:
                 "tangential_max_mm": sphere.tangential_max_mm.get(precision, math.nan),
                 "radial_max_mm": row.measured_max_mm,
                 "radial_rms_mm": row.measured_rms_mm,
+                "radial_bound_mm": proven.bound_mm.get(precision, math.nan),
             }
             for precision, row in ours.iterrows()
             if f"{precision:g}deg" in thesis.index
@@ -48,17 +51,18 @@ def latex(lines: pd.DataFrame) -> str:
         f"{line.precision_deg:g}\\textdegree & {line.thesis_error_mm} & {line.formula_error_mm:.4f} & "
         f"{line.thesis_relative_percent} & {line.formula_relative_percent:.4f} & "
         f"{common.digits(line.tangential_max_mm, 4)} & "
-        f"{common.digits(1000 * line.radial_max_mm)} & {common.digits(1000 * line.radial_rms_mm)} \\\\"
+        f"{common.digits(1000 * line.radial_rms_mm)} & {common.digits(1000 * line.radial_max_mm)} & "
+        f"{common.digits(1000 * line.radial_bound_mm)} \\\\"
         for line in lines.itertuples()
     ]
     return "\n".join(
         [
-            "\\begin{tabular}{@{}lrrrrrrr@{}}",
+            "\\begin{tabular}{@{}lrrrrrrrr@{}}",
             "\\toprule",
             " & \\multicolumn{2}{c}{Eq.~7, mm} & \\multicolumn{2}{c}{Eq.~8, \\%} & along the & "
-            "\\multicolumn{2}{c}{radius, \\textmu m} \\\\",
-            "\\cmidrule(lr){2-3}\\cmidrule(lr){4-5}\\cmidrule(l){7-8}",
-            "Precision & thesis & here & thesis & here & surface, mm & largest & rms \\\\",
+            "\\multicolumn{3}{c}{radius, \\textmu m} \\\\",
+            "\\cmidrule(lr){2-3}\\cmidrule(lr){4-5}\\cmidrule(l){7-9}",
+            "Precision & thesis & here & thesis & here & surface, mm & rms & largest & proven \\\\",
             "\\midrule",
             *rows,
             "\\bottomrule",

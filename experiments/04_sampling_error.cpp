@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  How wrong is the radius that a table gives, beside the thesis' formula? (Table 5, Eq. 7-8)
-// @writes    sampling_error sampling_error_surfaces sampling_error_bounds
+// @writes    sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds
 // @timing    no
 // @seconds   15 200
 //
@@ -63,6 +63,7 @@ void body(DriverRun& run) {
   };
   write("sampling_error", "How wrong is the radius that a table of the head gives, beside Eq. 7 and 8?",
         study.errors);
+  write("sampling_error_proven", "How near does the measured error come to its proven bound?", study.proven);
   write("sampling_error_surfaces",
         "How does the error of a look-up depend on the surface and the interpolant?", study.surfaces);
   write("sampling_error_bounds", "Do the bounds on the error of a look-up hold?", study.bounds);

@@ -49,6 +49,13 @@ void name_columns(SamplingStudy& study) {
       {"measured_max_mm", "mm",
        "largest |radius of the table - radius of the mesh|; empty where it was not measured"},
       {"measured_rms_mm", "mm", "root mean square of it over uniform directions"}};
+  study.proven.columns = {kScheme,
+                          kPrecision,
+                          {"bound_mm", "mm", "proven: no direction with an answer has a larger error"},
+                          {"a_priori_mm", "mm", "the bound before any patch of the table was halved"},
+                          {"attained_mm", "mm", "largest error that the search for the bound came across"},
+                          {"measured_max_mm", "mm", "that of sampling_error.csv"},
+                          {"tightness", "1", "the larger of the two errors divided by the bound"}};
   study.surfaces.columns = {
       {"surface", "", "what was sampled"},
       kScheme,
@@ -129,6 +136,18 @@ void add_surface_row(SamplingStudy& study, const StudyCase& now, const ExaminedS
   const ErrorSummary summary = summarise_errors(errors, uniform);
   study.surfaces.add_row({surface.name, now.scheme, now.precision, tangential, summary.max, summary.rms,
                           summary.p9999, interpolant});
+}
+
+void add_proven_row(SamplingStudy& study, const StudyCase& now, double measured_max,
+                    const TableBound& bound) {
+  const double rounding = 1e-12 * study.radius;  // of the truth
+  if (!(measured_max <= bound.bound_mm + rounding)) {
+    throw std::runtime_error(std::string(now.scheme) + " at " + std::to_string(now.precision) +
+                             " degrees errs by " + std::to_string(measured_max) +
+                             " mm, above its proven bound of " + std::to_string(bound.bound_mm) + " mm");
+  }
+  study.proven.add_row({now.scheme, now.precision, bound.bound_mm, bound.a_priori_mm, bound.attained_mm,
+                        measured_max, std::max(measured_max, bound.attained_mm) / bound.bound_mm});
 }
 
 void add_bound_row(SamplingStudy& study, const StudyCase& now, const BoundCheck& check,

@@ -15,6 +15,7 @@
 #include "sampling/nearest_entry.hpp"
 #include "sampling/probe_directions.hpp"
 #include "sampling/sampling_error.hpp"
+#include "sampling/table_bound.hpp"
 
 namespace impinge {
 
@@ -39,6 +40,7 @@ struct SamplingStudy {
   std::vector<Vec3> away_from_poles;  // uniform directions more than 10 degrees from them
   std::vector<EdgeShape> edges;
   Table errors;    // sampling_error.csv
+  Table proven;    // sampling_error_proven.csv
   Table surfaces;  // sampling_error_surfaces.csv
   Table bounds;    // sampling_error_bounds.csv
 };
@@ -105,6 +107,9 @@ void add_formulas(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   }
 }
 
+// Adds a row to `proven`. Throws std::runtime_error where the largest error measured is above the bound.
+void add_proven_row(SamplingStudy& study, const StudyCase& now, double measured_max, const TableBound& bound);
+
 // Row of `errors` for a scheme that is not measured: the formula alone.
 template <SamplingScheme S>
 void add_formula(SamplingStudy& study, const S& scheme, double precision) {
@@ -122,6 +127,8 @@ void add_head(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   study.errors.add_row({now.scheme, now.precision,
                         thesis_sampling_error(study.radius, scheme.equator_points()),
                         100.0 * thesis_relative_error(scheme.equator_points()), summary.max, summary.rms});
+  const TableBound bound = table_bound(study.head, table, Layer::farthest);
+  add_proven_row(study, now, summary.max, bound);
   const auto entry_radius = [radii = table.radii()](std::size_t i) { return radii[i]; };
   ExaminedSurface head;
   head.surface.name = "head_mesh";

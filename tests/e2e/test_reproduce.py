@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
 DATA = """
 lut_memory sampling_time sampling_time_samples detection_time detection_time_precision
-sampling_error sampling_error_surfaces sampling_error_bounds error_budget
+sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds error_budget
 slices slice_band_limit spectrum band_limit error_against_time error_against_time_spread error_against_time_samples
 certified certified_poses euclidean
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error

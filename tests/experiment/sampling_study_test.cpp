@@ -60,6 +60,24 @@ TEST_F(Study, FormulaAndErrorStandSideBySide) {
   EXPECT_LT(number(study_.errors, 1, "measured_rms_mm"), number(study_.errors, 1, "measured_max_mm"));
 }
 
+TEST_F(Study, NoErrorIsAboveItsProvenBound) {
+  ASSERT_EQ(study_.proven.rows.size(), 2U);
+  const double bound = number(study_.proven, 1, "bound_mm");
+  EXPECT_LE(number(study_.proven, 1, "measured_max_mm"), bound);
+  EXPECT_LE(bound, number(study_.proven, 1, "a_priori_mm"));
+  EXPECT_GT(number(study_.proven, 1, "tightness"), 1.0 / 3.0);
+}
+
+TEST_F(Study, AnErrorAboveItsBoundIsRefused) {
+  SamplingStudy study;
+  TableBound bound;
+  bound.bound_mm = 0.5 * number(study_.proven, 1, "measured_max_mm");
+  StudyCase now;
+  now.scheme = "rsid";
+  EXPECT_THROW(add_proven_row(study, now, number(study_.proven, 1, "measured_max_mm"), bound),
+               std::runtime_error);
+}
+
 TEST_F(Study, TheFormulaAloneLeavesTheMeasuredCellsEmpty) {
   SamplingStudy formula;
   formula.errors.columns = study_.errors.columns;
