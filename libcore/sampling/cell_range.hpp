@@ -99,7 +99,7 @@ void include_face(RangeTable<S>& table, std::size_t entry, const FaceInCap& part
 template <SamplingScheme S>
 RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
   RangeTable<S> table(scheme);
-  const auto walker = scheme.walker();
+  const auto& walker = scheme.walker();
   const auto jumps = jump_sides(mesh);
   const double reach = scheme.stencil_radius();
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
