@@ -13,12 +13,17 @@
 #include "joint/motion.hpp"
 #include "sampling/error_bound.hpp"
 #include "sampling/exact_raster.hpp"
+#include "sampling/table_bound.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.25, 0.1, 0.05, 0.025};  // degrees, for --max-error
+
+// Tables of more cells are bounded direction by direction alone: the tight bound takes some microseconds a
+// cell.
+constexpr std::size_t kMostBoundedCells = 1'500'000;
 
 class Stopwatch {
  public:
@@ -68,13 +73,19 @@ struct Scans {
   const Joint& joint;
   const Pose& pose;
 
-  // Bound of the error at each vertex, whose direction in the frame of the table is given by `place`.
+  // Bound of the error at each vertex, whose direction in the frame of the table is given by `place`: that of
+  // first order at the place, or that of the whole table where it is smaller. mesh filled the table.
   template <class Place>
-  static std::vector<double> bounds(const RadialTable<S>& table, const std::vector<float>& slopes,
+  static std::vector<double> bounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                                     const std::vector<Vec3>& vertices, Place&& place) {
+    const bool small = table.scheme().cells() <= kMostBoundedCells;
+    const double everywhere = small ? table_bound(mesh, table, layer).bound_mm : HUGE_VAL;
+    const std::vector<float> slopes = largest_slopes(mesh, table.scheme());
     std::vector<double> bound(vertices.size());
-    std::ranges::transform(vertices, bound.begin(),
-                           [&](const Vec3& v) { return error_bound_at(table, slopes, place(v)); });
+    std::ranges::transform(vertices, bound.begin(), [&](const Vec3& v) {
+      const double here = error_bound_at(table, slopes, place(v));
+      return std::isnan(here) ? here : std::min(here, everywhere);
+    });
     return bound;
   }
 
@@ -97,9 +108,9 @@ struct Scans {
     result.scan_ms = watch.lap_ms();
     forget_stray_vertices(ball, result.ball.gap);
     forget_stray_vertices(socket, result.socket.gap);
-    result.ball.bound = bounds(socket_table, largest_slopes(socket, scheme), ball.vertices,
+    result.ball.bound = bounds(socket, socket_table, Layer::nearest, ball.vertices,
                                [&](const Vec3& v) { return to_socket(pose, v); });
-    result.socket.bound = bounds(ball_table, largest_slopes(ball, scheme), socket.vertices,
+    result.socket.bound = bounds(ball, ball_table, Layer::farthest, socket.vertices,
                                  [&](const Vec3& v) { return to_ball(pose, v); });
     result.bound_ms = watch.lap_ms();
     return result;

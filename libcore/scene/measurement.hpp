@@ -17,7 +17,7 @@ namespace impinge {
 // One scan: the vertices of one surface against the table of the other.
 struct SurfaceGaps {
   std::vector<double> gap;    // mm, NaN where the other surface is not met
-  std::vector<double> bound;  // mm, proven bound on the error of the gap (error_bound.hpp), NaN with it
+  std::vector<double> bound;  // mm, proven bound on the error of the gap (table_bound.hpp), NaN with it
   std::vector<DistanceBracket> distance;  // Euclidean, to any point of the other surface, of every vertex
 };
 
