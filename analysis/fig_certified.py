@@ -14,7 +14,7 @@ FACES = [100, 300, 1000, 3000, 10000, 30000]
 
 
 def main() -> None:
-    """Writes figures/certified.svg, .png and .pdf."""
+    """Writes figures/certified-verdicts.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     verdicts = common.load(options.results, "certified")
     poses = common.load(options.results, "certified_poses")
@@ -25,7 +25,7 @@ def main() -> None:
     figure.tight_layout()
     handles, labels = left.get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=5, fontsize=8)
-    common.save_figure(figure, options.out, "certified")
+    common.save_figure(figure, options.out, "certified-verdicts")
 
 
 def scheme_looks(schemes: list[str]) -> dict[str, dict]:

@@ -20,7 +20,7 @@ TICKS = [1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0]
 
 
 def main() -> None:
-    """Writes figures/euclidean.svg, .png and .pdf."""
+    """Writes figures/euclidean-distances.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     joints = by_joint(common.load(options.results, "euclidean"))
     names = list(dict.fromkeys(joints.joint))
@@ -39,7 +39,7 @@ def main() -> None:
         below.plot(x, rows.upper_median, linestyle="none", marker="_", color=colour, markersize=9)
     finish(above, below, joints)
     figure.tight_layout()
-    common.save_figure(figure, options.out, "euclidean")
+    common.save_figure(figure, options.out, "euclidean-distances")
 
 
 def by_joint(table: pd.DataFrame) -> pd.DataFrame:

@@ -11,7 +11,7 @@
 
 #include "experiment/driver.hpp"
 #include "reference/scheme_savings.hpp"
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 

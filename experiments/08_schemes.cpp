@@ -11,7 +11,7 @@
 #include "reference/interpolation_error.hpp"
 #include "reference/scheme_metrics.hpp"
 #include "reference/scheme_search.hpp"
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 

@@ -17,7 +17,7 @@
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
 #include "reference/scheme_search.hpp"
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
 

@@ -2,25 +2,10 @@
 #include "sampling/probe_directions.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "mesh/edges.hpp"
 
 namespace impinge {
-
-std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  // The distributions of the standard library differ from one implementation to the next.
-  const auto share = [&random] { return std::ldexp(static_cast<double>(random() >> 11U), -53); };
-  std::vector<Vec3> directions(count);
-  for (Vec3& u : directions) {
-    const double z = 1.0 - 2.0 * share();
-    const double theta = 2.0 * kPi * share();
-    const double s = std::sqrt((1.0 - z) * (1.0 + z));
-    u = Vec3(s * std::cos(theta), s * std::sin(theta), z).normalized();
-  }
-  return directions;
-}
 
 std::vector<Vec3> polar_directions(double within, std::size_t count) {
   const double golden = kPi * (3.0 - std::sqrt(5.0));

@@ -3,15 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
-
-// Directions uniform on the sphere; the same for a seed with every standard library.
-std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t seed);
 
 // Directions spread evenly over the two caps within `within` radians of the poles: `count` in all.
 std::vector<Vec3> polar_directions(double within, std::size_t count);

@@ -48,7 +48,7 @@ TABLES = [
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
-error-against-time error-against-time-scenes certified euclidean
+error-against-time error-against-time-scenes certified-verdicts euclidean-distances
 """.split()
 JUDGED = [*THESIS_TABLES, "section-3.5.2", "section-4.4", "section-5.1"]
 PROMISED = [

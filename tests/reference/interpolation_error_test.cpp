@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/scheme_list.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"

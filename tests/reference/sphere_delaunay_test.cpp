@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/uniform_directions.hpp"
+#include "sphere/uniform_directions.hpp"
 #include "sphere/circumradius.hpp"
 #include "sphere/largest_gap.hpp"
 

@@ -29,7 +29,7 @@ TEST(ProbeDirections, TheSeedDecides) {
   EXPECT_EQ(uniform_directions(100, 1), uniform_directions(100, 1));
   EXPECT_NE(uniform_directions(100, 1), uniform_directions(100, 2));
   // The generator's own numbers, not those of a distribution: the same with every standard library.
-  EXPECT_NEAR(uniform_directions(1, 5489)[0].z(), 1.0 - 2.0 * 0.786820954867802, 1e-12);
+  EXPECT_NEAR(uniform_directions(1, 5489)[0].z(), 2.0 * 0.786820954867802 - 1.0, 1e-12);
 }
 
 TEST(ProbeDirections, FeaturesAreAllVerticesAndEdges) {
