@@ -55,7 +55,7 @@ FaceIndex::FaceIndex(const TriangleMesh& mesh)
 }
 
 void FaceIndex::list_faces(const TriangleMesh& mesh) {
-  const auto walker = grid_.walker();
+  const auto& walker = grid_.walker();
   const double radius = grid_.stencil_radius() + reach_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // entry, face
   for (std::size_t f = 0; f < faces_.size(); ++f) {

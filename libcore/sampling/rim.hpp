@@ -107,7 +107,7 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
   }
   if (doubtful.empty()) return;
   const S& scheme = table.scheme();
-  const auto walker = scheme.walker();
+  const auto& walker = scheme.walker();
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();

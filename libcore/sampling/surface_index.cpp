@@ -93,7 +93,7 @@ SurfaceIndex::Level SurfaceIndex::make_level(double reach) const {
   const double divisions = std::clamp(std::round(2.0 / reach), 2.0, kMostBins);
   Level level{CubeGnomonic::with_precision(90.0 / divisions), reach, {}};
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  const auto walker = level.bins.walker();
+  const auto& walker = level.bins.walker();
   // A direction's bin is its nearest tap, within the stencil radius of it.
   const double margin = (level.bins.stencil_radius() + reach) * (1.0 + 1e-9);
   for (std::size_t f = 0; f < planes_.size(); ++f) {
@@ -151,7 +151,7 @@ void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
 // Two faces with a common direction are both in the bin of it.
 void SurfaceIndex::find_overlaps() {
   const Level& level = levels_.back();
-  const auto walker = level.bins.walker();
+  const auto& walker = level.bins.walker();
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<std::uint32_t> tried(planes_.size(), 0);  // the last face that this one was tried with
   const auto try_pair = [&](std::uint32_t a, std::uint32_t b) {
