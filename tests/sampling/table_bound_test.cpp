@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/ball_socket_pair.hpp"
@@ -89,6 +90,35 @@ TEST(TableBound, HoldsAPriori) {
       check(OctahedralEqualArea::with_precision(precision));
     }
   }
+}
+
+// Where theory is sharp the bound a priori is, too, so that no constant of it could be half as large: a kink
+// along the middle of cells costs its jump times h / 4, a face seen at a right angle r h^2 / 8 either way.
+TEST(TableBound, ItsConstantsAreTheLeastThereAre) {
+  const Rsid scheme = Rsid::with_precision(2.0);
+  const Eigen::AngleAxisd half_a_cell(0.5 * scheme.spacing(), Vec3::UnitZ());
+  const auto share = [&](const TriangleMesh& mesh) {
+    const auto table = fill_exact(mesh, scheme, Layer::nearest);
+    const TableBound bound = table_bound(mesh, table, Layer::nearest, {.budget = 0});
+    const auto error = [&, oracle = RayCaster(mesh)](const Vec3& u) {
+      const double found = std::abs(table.radius_at(u) - oracle.cast(u, Layer::nearest));
+      return std::isnan(found) ? 0.0 : found;
+    };
+    return test::largest_error(error, test::bound_probes(mesh, scheme, 3000), 0.02) / bound.bound_mm;
+  };
+  TriangleMesh wedge;
+  wedge.vertices = {{20, 0, -6}, {20, 0, 6}, {17, 8, 0}, {17, -8, 0}};
+  wedge.faces = {{0, 2, 1}, {0, 1, 3}};
+  TriangleMesh flat;
+  flat.vertices = {{20, -3, -2}, {20, 3, -2}, {20, 0, 3}};
+  flat.faces = {{0, 1, 2}};
+  for (TriangleMesh* mesh : {&wedge, &flat}) {
+    for (Vec3& v : mesh->vertices) v = half_a_cell * v;
+  }
+  EXPECT_LE(share(wedge), 1.0);
+  EXPECT_GT(share(wedge), 0.6);
+  EXPECT_LE(share(flat), 1.0);
+  EXPECT_GT(share(flat), 0.6);
 }
 
 // A flat face that covers the sphere's view: inverse depths reproduce it, radii do not.
