@@ -11,9 +11,9 @@
 
 #include "experiment/driver.hpp"
 #include "reference/scheme_savings.hpp"
-#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace {
 

@@ -11,9 +11,9 @@
 #include "reference/interpolation_error.hpp"
 #include "reference/scheme_metrics.hpp"
 #include "reference/scheme_search.hpp"
-#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace {
 

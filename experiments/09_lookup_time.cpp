@@ -18,10 +18,10 @@
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
 #include "reference/scheme_search.hpp"
-#include "sphere/uniform_directions.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace {
 

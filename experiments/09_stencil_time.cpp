@@ -17,8 +17,8 @@
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
 #include "reference/scheme_search.hpp"
-#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace {
 

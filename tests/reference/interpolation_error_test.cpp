@@ -12,11 +12,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/uniform_directions.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/uniform_directions.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
 namespace {

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/uniform_directions.hpp"
 #include "sphere/circumradius.hpp"
 #include "sphere/largest_gap.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
 namespace {
