@@ -61,7 +61,7 @@ RaceTables make_race_tables() {
 
 RaceOptions quick_race() {
   RaceOptions options;
-  options.tables = {{2.0, 1.0}, 30000, 3000, {1.05, 2000}};
+  options.tables = {{2.0, 1.0}, 30000, 12000, {1.05, 2000}};
   options.grid_nodes = {16, 32};
   options.radial = {5000, 200, 1};
   options.euclidean = {300, 50, 1};
