@@ -111,7 +111,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
     axes.minorticks_off()
     axes.set_ylim(top=axes.get_ylim()[1] * 3)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
-    axes.legend(loc="lower left", fontsize=8)
+    axes.legend(loc="upper right", fontsize=8)
 
 
 common.run(main)
