@@ -156,7 +156,8 @@ TEST(DistanceGrid, KeepsItsBoundAndNotHalfOfIt) {
   // The error is largest over the surface, where the distance has its kink: points of the faces.
   std::vector<Vec3> points = points_of(scene);
   for (const Face& face : scene.surface().faces) {
-    const auto& [a, b, c] = cone_of(scene.surface(), face).corners();
+    const TriangleCone cone = cone_of(scene.surface(), face);
+    const auto& [a, b, c] = cone.corners();
     for (int i = 0; i <= 12; ++i) {
       for (int j = 0; i + j <= 12; ++j) points.emplace_back(a + (i * (b - a) + j * (c - a)) / 12.0);
     }
