@@ -57,21 +57,25 @@ TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
   }
 }
 
-// Euclidean distances of all vertices, in poses that are free and deep.
+// Euclidean distances of vertices all over the socket, in poses that are free and deep. Few of them, as the
+// exact ones take their time; the precision of the tables plays no part.
 TEST(RealBones, DistancesHoldTheExactOnes) {
+  constexpr std::size_t kStride = 16;
   for (const fs::path& hip : hips()) {
     SceneOptions options = options_of(hip);
     options.side = hip.string().ends_with("left") ? Side::left : Side::right;
+    options.precision_deg = 5.0;
     const Joint joint = load_joint(options);
     for (const char* motion : {"flexion=0", "flexion=90,internal_rotation=20"}) {
       options.motion = parse_motion(motion);
       const Measurement found = measure(joint, options);
-      std::vector<Vec3> points = joint.socket.mesh.vertices;
-      for (Vec3& x : points) x = to_ball(found.pose, x);
+      std::vector<Vec3> points;
+      for (std::size_t i = 0; i < joint.socket.mesh.vertices.size(); i += kStride)
+        points.push_back(to_ball(found.pose, joint.socket.mesh.vertices[i]));
       const std::vector<double> distance = closest_distances(joint.ball.mesh, {.points = points});
       for (std::size_t i = 0; i < points.size(); ++i) {
-        ASSERT_LE(found.socket.distance[i].lower_mm, distance[i]) << hip << " " << motion;
-        ASSERT_GE(found.socket.distance[i].upper_mm, distance[i]) << hip << " " << motion;
+        ASSERT_LE(found.socket.distance[kStride * i].lower_mm, distance[i]) << hip << " " << motion;
+        ASSERT_GE(found.socket.distance[kStride * i].upper_mm, distance[i]) << hip << " " << motion;
       }
     }
   }
