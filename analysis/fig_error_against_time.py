@@ -18,7 +18,6 @@ import pareto
 REFERENCES = ["embree_ray8, robust", "rsid_thesis", "usid_thesis"]  # coloured wherever they are there
 FADED = "#c9c9c9"
 FLOORS = {"float": 2.0**-24, "double": 2.0**-53}  # half an ulp of 1
-MAIN_SCENE = "generated_12000"
 # Below this error, um, where only exact methods are, a decade has this share of the width of one above.
 EXACT = 1e-3
 SHARE = 0.18
@@ -46,7 +45,7 @@ def main() -> None:
 def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
     """Three panels, one a cost."""
     names = list(table.scene.unique())
-    scene = MAIN_SCENE if MAIN_SCENE in names else names[0]
+    scene = pareto.main_scene(names)
     own = table[table.scene == scene]
     looks = looks_of(own, list(pareto.COSTS))
     figure, grid = plt.subplots(1, 3, figsize=(15.5, 6.2), sharex=True)
@@ -90,9 +89,7 @@ def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
     """A look for the lines that are coloured: those most often on the front of each cost, and the references."""
     ranked = []
     for cost in costs:
-        often = (
-            (table[f"{cost}_front"] == True).groupby(table.line).sum()
-        )  # noqa: E712 (NaN: not in the race)
+        often = table[f"{cost}_front"].eq(True).groupby(table.line).sum()  # NaN: not in the race
         often = often[often > 0].sort_values(ascending=False, kind="stable")
         ranked.append(list(often.index))
     turns = [line for turn in itertools.zip_longest(*ranked) for line in turn if line is not None]
@@ -197,7 +194,7 @@ def steps(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
 
 def staircase(axes: plt.Axes, shown: pd.DataFrame, cost: str) -> None:
     """Left of it and below it is nothing."""
-    on = shown[shown[f"{cost}_front"] == True].sort_values("x")  # noqa: E712
+    on = shown[shown[f"{cost}_front"].eq(True)].sort_values("x")
     if on.empty:
         return
     x = np.append(on.x, MOST)

@@ -2,8 +2,9 @@
 """Numbers of the paper about error against run time, proven bounds, certified gaps and Euclidean distances.
 
 race:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);
-tightness:least, :median and :most of the latter; matched:TARGET:line, :query_ns, :bytes, :embree and :thesis of the fastest line of the main scene at that
-error (um); proven:SCHEME:PRECISION:COLUMN of the head; budget:STAGE:COLUMN of the generated pair at 1 degree;
+tightness:least, :median and :most of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
+the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
+budget:STAGE:COLUMN of the generated pair at 1 degree;
 certified:poses, :wrong, :crossings, :missed_um, :undecided:least and :most (per cent); euclidean:ZONE:gap_p90 and
 :gap_max, the largest over all joints and poses.
 """
@@ -17,8 +18,6 @@ import pandas as pd
 
 import common
 import pareto
-
-MAIN_SCENE = "generated_12000"
 
 
 def facts(results: Path) -> dict[str, str]:
@@ -45,7 +44,7 @@ def race(results: Path) -> dict[str, str]:
 def matched(results: Path) -> dict[str, str]:
     """The fastest line at each error."""
     lines = pd.read_csv(results / "tables" / "matched-accuracy.csv")
-    scene = MAIN_SCENE if MAIN_SCENE in set(lines.scene) else lines.scene.iloc[0]
+    scene = pareto.main_scene(lines.scene)
     found = {"matched:scene": scene.replace("_", " ")}
     own = lines[(lines.scene == scene) & np.isfinite(lines.query_ns)]
     for target, group in own.groupby("target_um"):

@@ -19,7 +19,6 @@ import pareto
 
 TARGETS = [10.0, 1.0, 0.1, 0.01]  # um
 PEERS = {"embree": "embree_ray", "thesis": ("rsid_thesis", "usid_thesis")}  # what their lines begin with
-SHOWN_SCENE = "generated_12000"
 SHOWN_LINES = 4  # fastest at each target, in the paper
 
 
@@ -67,7 +66,7 @@ def at(group: pd.DataFrame, target: float) -> dict[str, float]:
 def latex(lines: pd.DataFrame) -> str:
     """The fastest lines at each target on one scene."""
     names = list(lines.scene.unique())
-    scene = SHOWN_SCENE if SHOWN_SCENE in names else names[0]
+    scene = pareto.main_scene(names)
     rows = []
     for target, group in lines[lines.scene == scene].groupby("target_um", sort=False):
         best = group[np.isfinite(group.query_ns)].sort_values("query_ns").head(SHOWN_LINES)

@@ -16,6 +16,7 @@
 #include "joint/sphere_fit.hpp"
 #include "scene/real_joints.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/scheme_precision.hpp"
 
 namespace {
 
@@ -35,7 +36,9 @@ struct AddScheme {
   void operator()() const {
     for (const double precision : kPrecisions) {
       if (run.quick() && precision < kFinestInQuick) continue;
-      for (const StoredStages& stored : table_stages(joint, S::with_precision(precision))) {
+      const auto scheme = scheme_of_precision<S>(precision);
+      if (!scheme) continue;
+      for (const StoredStages& stored : table_stages(joint, *scheme)) {
         std::vector<Stage> stages = exact;
         stages.insert(stages.end(), stored.stages.begin(), stored.stages.end());
         add_budget(table, {joint.name, S::name, precision, stored.storage}, stages);

@@ -9,11 +9,11 @@
 
 #include <array>
 #include <concepts>
-#include <stdexcept>
 
 #include "experiment/driver.hpp"
 #include "experiment/sampling_study.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/scheme_precision.hpp"
 
 namespace {
 
@@ -30,16 +30,13 @@ struct MeasureScheme {
   template <SamplingScheme S>
   void operator()() const {
     for (const double precision : kPrecisions) {
-      try {
-        const S scheme = S::with_precision(precision);
-        if (run.quick() && precision < kFinestInQuick) {
-          add_formula(study, scheme, precision);
-        } else {
-          study.prove = std::same_as<S, Rsid> && (!run.quick() || precision >= kFinestProvenInQuick);
-          add_scheme(study, scheme, precision);
-        }
-      } catch (const std::invalid_argument& none) {
-        run.progress.say(std::string("left out: ") + none.what());
+      const auto scheme = scheme_of_precision<S>(precision);
+      if (!scheme) continue;
+      if (run.quick() && precision < kFinestInQuick) {
+        add_formula(study, *scheme, precision);
+      } else {
+        study.prove = std::same_as<S, Rsid> && (!run.quick() || precision >= kFinestProvenInQuick);
+        add_scheme(study, *scheme, precision);
       }
     }
     run.progress.say("measured " + std::string(S::name));

@@ -15,6 +15,7 @@
 #include "experiment/driver.hpp"
 #include "scene/real_joints.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/scheme_precision.hpp"
 
 namespace {
 
@@ -47,13 +48,9 @@ struct JudgeScheme {
     for (std::size_t k = 0; k < kPrecisions.size(); ++k) {
       const double precision = kPrecisions[k];
       if (precision < finest) continue;
-      try {
-        const S scheme = S::with_precision(precision);
-        add_scheme_row(study, joint, S::name, precision,
-                       judge_scheme(study, joint, scheme, {k % step, step}));
-      } catch (const std::invalid_argument& none) {
-        run.progress.say(std::string("left out: ") + none.what());
-      }
+      const auto scheme = scheme_of_precision<S>(precision);
+      if (!scheme) continue;
+      add_scheme_row(study, joint, S::name, precision, judge_scheme(study, joint, *scheme, {k % step, step}));
     }
   }
 };

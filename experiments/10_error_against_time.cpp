@@ -2,6 +2,7 @@
 // @question  How wrong is every method, and what does it cost to build, to ask and to keep?
 // @writes    error_against_time error_against_time_spread error_against_time_samples
 // @bones     yes
+// @cache     yes
 // @timing    yes
 // @seconds   60 900
 //
@@ -45,7 +46,7 @@ nlohmann::json parameters_of(const RaceOptions& options) {
           {"most_entries_of_a_searched_bound", options.tables.most_entries},
           {"most_faces_of_a_searched_bound", options.tables.most_faces},
           {"halvings_of_a_bound", options.tables.search.budget},
-          {"bound_of_other_tables", "of first order; none for inverse depths"},
+          {"bound_of_other_tables", "of first order"},
           {"uniform_directions", options.radial.uniform},
           {"directions_of_each_feature", options.radial.each_feature},
           {"euclidean_uniform_points", options.euclidean.uniform},
@@ -67,6 +68,7 @@ nlohmann::json parameters_of(const RaceOptions& options) {
 
 void body(DriverRun& run) {
   RaceOptions options = run.quick() ? quick_race() : full_race();
+  options.radial.cache = options.euclidean.cache = run.cache;
   options.radial.seed = options.euclidean.seed = options.timing.seed = run.record.seed;
   RaceTables tables = make_race_tables();
   try {
@@ -92,6 +94,8 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
-      argc, argv, {"10_error_against_time", "Error against time, every method.", /*takes_bones=*/true}, body);
+  return impinge::run_driver(argc, argv,
+                             {"10_error_against_time", "Error against time, every method.",
+                              /*takes_bones=*/true, /*takes_cache=*/true},
+                             body);
 }

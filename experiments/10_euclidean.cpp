@@ -2,6 +2,7 @@
 // @question  How far above the Euclidean distance are radial gaps, and where in a joint?
 // @writes    euclidean
 // @bones     yes
+// @cache     yes
 // @timing    no
 // @seconds   4 90
 //
@@ -62,11 +63,12 @@ std::vector<NamedPose> poses(bool quick, double turn_deg) {
 
 struct Rows {
   Result& result;
+  std::filesystem::path cache;
   std::string joint;
   std::string pose;
 
   void add(std::string_view vertices_of, const TriangleMesh& other, const std::vector<Vec3>& points) const {
-    for (const DistanceShare& share : distance_shares(other, points)) {
+    for (const DistanceShare& share : distance_shares(other, points, cache)) {
       if (share.outside > 0) {
         throw std::runtime_error(
             "joint " + joint + ", " + pose + ": " + std::to_string(share.outside) +
@@ -81,10 +83,16 @@ struct Rows {
   }
 };
 
-void add_joint(Result& result, const std::string& joint, const BallSocketPair& meshes,
-               const std::vector<NamedPose>& poses) {
+struct JointPoses {
+  std::string joint;
+  const BallSocketPair& meshes;
+  const std::vector<NamedPose>& poses;
+};
+
+void add_joint(Result& result, const std::filesystem::path& cache, const JointPoses& now) {
+  const auto& [joint, meshes, poses] = now;
   for (const auto& [name, pose] : poses) {
-    const Rows rows{result, joint, name};
+    const Rows rows{result, cache, joint, name};
     std::vector<Vec3> ball = meshes.ball.vertices;
     for (Vec3& x : ball) x = to_socket(pose, x);
     rows.add("ball", meshes.socket, ball);
@@ -119,12 +127,13 @@ void body(DriverRun& run) {
                        {"neck_radius_mm", kNeckRadius},
                        {"neck_length_mm", kNeckLength}};
   const std::vector<NamedPose> turned = poses(run.quick(), kTurnDeg);
-  add_joint(result, "generated", make_ball_socket_pair(triangles, impinging_cam()), turned);
-  add_joint(result, "generated with a neck", pair_with_neck(triangles), poses(run.quick(), kNeckTurnDeg));
+  add_joint(result, run.cache, {"generated", make_ball_socket_pair(triangles, impinging_cam()), turned});
+  add_joint(result, run.cache,
+            {"generated with a neck", pair_with_neck(triangles), poses(run.quick(), kNeckTurnDeg)});
   if (run.bones) {
     for (const RealJoint& joint : read_real_joints(*run.bones, run.progress)) {
       run.progress.say("distances of " + joint.subject);
-      add_joint(result, joint.subject, joint.meshes, turned);
+      add_joint(result, run.cache, {joint.subject, joint.meshes, turned});
     }
   }
   run.write(result);
@@ -133,7 +142,8 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
-      argc, argv, {"10_euclidean", "Radial gaps beside exact Euclidean distances.", /*takes_bones=*/true},
-      body);
+  return impinge::run_driver(argc, argv,
+                             {"10_euclidean", "Radial gaps beside exact Euclidean distances.",
+                              /*takes_bones=*/true, /*takes_cache=*/true},
+                             body);
 }

@@ -80,7 +80,7 @@ foreach(driver IN LISTS drivers)
   cmake_path(GET driver STEM name)
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-  foreach(key question writes writes-with-bones bones timing seconds)
+  foreach(key question writes writes-with-bones bones cache timing seconds)
     tag(${key} "${source}" ${key})
   endforeach()
   if(NOT writes)
@@ -107,12 +107,16 @@ foreach(driver IN LISTS drivers)
   if(timing STREQUAL "yes")
     set(timing_option TIMING)
   endif()
+  set(cache_arguments "")
+  if(cache STREQUAL "yes")
+    set(cache_arguments --cache "${IMPINGE_GRAPH_DIR}/reference")
+  endif()
   impinge_program(${name} program)
   impinge_job(
     NAME ${name} KIND data TALKS ${timing_option}
     OUTPUTS ${outputs}
     DEPENDS "${program}" ${bones_files}
-    COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments}
+    COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments} ${cache_arguments}
     SECONDS ${seconds}
     ARTEFACTS ${tables}
     QUESTION "${question}")

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contenders/embree_scene.hpp"
-#include "contenders/triangle_distance.hpp"
+#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {

@@ -2,11 +2,10 @@
 #include "contenders/fcl_pose.hpp"
 
 #include <algorithm>
-#include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/distance.h>
 
+#include "contenders/fcl_model.hpp"
 #include "contenders/fcl_obb.hpp"
 #include "contenders/heap_use.hpp"
 #include "sphere/radial_table.hpp"
@@ -37,24 +36,13 @@ class FclCollide final : public RadiusMethod {
 // Boxes with a rectangle swept by a sphere inside: FCL measures distances with the latter.
 using SweptTree = fcl::BVHModel<fcl::OBBRSS<double>>;
 
-void build(SweptTree& tree, const TriangleMesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) triangles.emplace_back(face[0], face[1], face[2]);
-  tree.beginModel(static_cast<int>(mesh.faces.size()), static_cast<int>(mesh.vertices.size()));
-  tree.addSubModel(mesh.vertices, triangles);
-  tree.endModel();
-}
-
 class FclDistance final : public RadiusMethod {
  public:
-  explicit FclDistance(const RaceScene& scene) {
+  explicit FclDistance(const RaceScene& scene) : placed_(fcl_transform(scene.pose)) {
     const double before = heap_bytes();
-    build(ball_, scene.pair.ball);
-    build(socket_, scene.pair.socket);
+    fill_fcl_model(ball_, scene.pair.ball);
+    fill_fcl_model(socket_, scene.pair.socket);
     bytes_ = heap_bytes() - before;
-    placed_.linear() = scene.pose.rotation;
-    placed_.translation() = scene.pose.translation;
   }
 
   void answer(std::span<const Vec3> /*points*/, std::span<double> out) override {
@@ -69,7 +57,7 @@ class FclDistance final : public RadiusMethod {
  private:
   SweptTree ball_;
   SweptTree socket_;
-  fcl::Transform3<double> placed_ = fcl::Transform3<double>::Identity();
+  fcl::Transform3<double> placed_;
   double bytes_ = 0.0;
 };
 

@@ -8,7 +8,7 @@
 
 #include "contenders/cgal_distances.hpp"
 #include "contenders/cgal_tree.hpp"
-#include "contenders/triangle_distance.hpp"
+#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {

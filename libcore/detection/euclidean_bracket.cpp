@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/jump_edges.hpp"
+#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {
@@ -18,13 +19,6 @@ constexpr double kAngleSlack = 1e-9;    // radians, for rounding
 constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
 constexpr int kHalvings = 8;            // of the range of D
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double distance_from_segment(const Vec3& x, const Vec3& from, const Vec3& to) {
-  const Vec3 along = to - from;
-  const double length = along.squaredNorm();
-  const double share = length > 0.0 ? std::clamp((x - from).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (x - from - share * along).norm();
-}
 
 // tan psi where the ray along u ends.
 double slope_along(const std::array<Vec3, 3>& corners, const Vec3& u) {
@@ -131,7 +125,7 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
     for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
   }
   for (const auto& [from, to] : jumps_)
-    found.edge_mm = std::min(found.edge_mm, distance_from_segment(x, from, to));
+    found.edge_mm = std::min(found.edge_mm, std::sqrt(squared_distance_to_segment(x, from, to)));
   found.upper_mm = std::min(found.upper_mm, found.edge_mm);
   for (const auto& [middle, radius] : edge_on_)
     found.upper_mm = std::min(found.upper_mm, (x - middle).norm() + radius);

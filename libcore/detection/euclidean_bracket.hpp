@@ -20,8 +20,7 @@
 // layer reaches the direction of x. Then one of the gaps is its own: |g_i| = |G(x) - G(z)| <= L d. Or it ends
 // in a point p of a jump edge, seen in the direction of some y of the way. Then |x - p| <= |x - y| + |y - p|
 // and |y - p| = |G(y) - G(z)| <= L |y - z|, together <= L d as L >= 1.
-//   The bound k: in that ball |y| >= |x| - D, so that k = R / (|x| - D) will do, R the largest radius of
-//   those
+// The bound k: in that ball |y| >= |x| - D, so that k = R / (|x| - D) will do, R the largest radius of those
 // faces. And as G(z) = 0, r / |y| <= 1 + L D / (|x| - D) with the L of the largest ratio met so far; a ratio
 // that is 1 in z cannot pass the root of k = 1 + q root(1 + k^2 tan^2 psi), q = D / (|x| - D), which there is
 // for q tan psi < 1. The smaller of the two counts.

@@ -10,13 +10,11 @@
 // those of the ball and (2) at those of the socket, and
 //   * it is complete: surfaces with a common point satisfy both, s = 1;
 //   * without a translation (1) and (2) are one statement, B(u) >= S(u) in some direction u of both;
-//   * with one they differ where rays do. For a closed, star-shaped ball (2) implies (1), as a ray from the
-//   socket's centre
-//     that enters it leaves it again, farther out. Neither asks for a common point: a ball that has slipped
-//     behind the rim of the socket is beyond it, and impinged;
+//   * with one they differ where rays do. For a closed, star-shaped ball (2) implies (1): a ray from the
+//     centre of the socket that enters it leaves it again, farther out. Neither asks for a common point: a
+//     ball that has slipped behind the rim of the socket is beyond it, and impinged;
 //   * directions in which one surface is missing never count: an open rim ends the statement with the
-//   surface,
-//     its edges and corners included.
+//     surface, its edges and corners included.
 // (1) is decided in the socket frame, with the vertices of the ball as to_socket() rounds them, (2) in the
 // ball frame, with those of the socket as to_ball() rounds them; from there on all signs are exact. By
 // detection/face_overlay.hpp it is enough to look, for each pair of faces with a common direction, at the

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "contenders/cgal_tree.hpp"
+#include "experiment/statistics.hpp"
 #include "files/file_bytes.hpp"
 #include "reference/shadow.hpp"
 
@@ -42,12 +43,6 @@ JudgedPose judge(const SurfaceOverlay& joint, const Pose& pose) {
   const ShadowReference at_ball(joint.ball(), socket);
   return {pose, at_socket.ball_vertices_impinged(), at_ball.socket_vertices_impinged(),
           at_socket.surfaces_impinged() || at_ball.surfaces_impinged()};
-}
-
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 // What all poses of a joint say about its surfaces.
@@ -128,9 +123,9 @@ void add_pose_row(CertifiedStudy& study, const CertifiedJoint& joint, const Pose
   study.poses.add_row({joint.name, joint.overlay.ball().faces.size(), joint.overlay.socket().faces.size(),
                        joint.poses.size(), joint.poses.size() - summary.impinged, summary.impinged,
                        summary.common_point, summary.wrong, joint.crossings_matter,
-                       kMicrometres * percentile(summary.missed, 0.5), kMicrometres * joint.largest_missed,
-                       summary.later.size(), kMicrometres * percentile(summary.later, 0.5),
-                       kMicrometres * percentile(summary.later, 1.0), 1e6 * summary.overlay_s / poses});
+                       kMicrometres * quantile(summary.missed, 0.5), kMicrometres * joint.largest_missed,
+                       summary.later.size(), kMicrometres * quantile(summary.later, 0.5),
+                       kMicrometres * quantile(summary.later, 1.0), 1e6 * summary.overlay_s / poses});
 }
 
 }  // namespace
@@ -166,7 +161,7 @@ CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSo
       add_delay(joint.overlay, poses[k], summary);
   }
   joint.crossings_matter = summary.missed.size();
-  joint.largest_missed = percentile(summary.missed, 1.0);
+  joint.largest_missed = summary.missed.empty() ? 0.0 : std::ranges::max(summary.missed);
   add_pose_row(study, joint, summary);
   return joint;
 }

@@ -8,37 +8,20 @@
 #include <Eigen/Geometry>
 
 #include "detection/exact_side.hpp"
+#include "sphere/uniform_directions.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr int kBisections = 24;
 
-// Numbers that are the same with every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-
-  double share() { return std::ldexp(static_cast<double>(engine_() >> 11U), -53); }
-
-  Vec3 direction() {
-    const double z = 1.0 - 2.0 * share();
-    const double theta = 2.0 * kPi * share();
-    const double s = std::sqrt((1.0 - z) * (1.0 + z));
-    return {s * std::cos(theta), s * std::sin(theta), z};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-PosePath random_path(const SurfaceOverlay& joint, const ContactOptions& options, Random& random) {
+PosePath random_path(const SurfaceOverlay& joint, const ContactOptions& options, std::mt19937_64& random) {
   PosePath path;
-  path.axis = random.direction();
-  path.to_turn = options.turn * random.share();
+  path.axis = uniform_direction(random);
+  path.to_turn = options.turn * uniform(random);
   if (joint.impinged(path.at(1.0)) && !joint.impinged(path.at(0.0))) return path;  // the turn is the way
   path.from_turn = path.to_turn;
-  path.shift = options.shift * random.direction();
+  path.shift = options.shift * uniform_direction(random);
   return path;
 }
 
@@ -65,7 +48,7 @@ std::optional<double> first_contact(const PosePath& path, const std::function<bo
 }
 
 std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options) {
-  Random random(options.seed);
+  std::mt19937_64 random(options.seed);
   std::vector<ContactPose> poses;
   poses.reserve(options.count);
   ContactPose pose;
@@ -74,10 +57,10 @@ std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const Contac
       pose.path = random_path(joint, options, random);
       pose.contact = first_contact(pose.path, [&joint](const Pose& at) { return joint.impinged(at); });
     }
-    double share = random.share();
+    double share = uniform(random);
     if (pose.contact && poses.size() % 4 != 0) {
-      const double off = std::pow(10.0, -5.0 + 4.5 * random.share()) / path_length(pose.path);
-      share = std::clamp(*pose.contact + (random.share() < 0.5 ? -off : off), 0.0, 1.0);
+      const double off = std::pow(10.0, -5.0 + 4.5 * uniform(random)) / path_length(pose.path);
+      share = std::clamp(*pose.contact + (uniform(random) < 0.5 ? -off : off), 0.0, 1.0);
     }
     pose.pose = pose.path.at(share);
     poses.push_back(pose);

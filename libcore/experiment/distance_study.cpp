@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "detection/euclidean_bracket.hpp"
-#include "reference/closest_point.hpp"
+#include "experiment/reference_cache.hpp"
 
 namespace impinge {
 namespace {
@@ -18,12 +18,13 @@ std::size_t zone_of(const DistanceBracket& found) {
 
 }  // namespace
 
-std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points) {
+std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points,
+                                           const std::filesystem::path& cache) {
   std::vector<DistanceShare> shares(kFacingZones.size() + 1);
   for (std::size_t k = 0; k < kFacingZones.size(); ++k) shares[k].zone = kFacingZones[k].name;
   shares.back().zone = kRimZone;
   const EuclideanBracket bracket(mesh);
-  const std::vector<double> distances = closest_distances(mesh, {.points = points});
+  const std::vector<double> distances = cached_closest_distances(cache, mesh, {.points = points});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const DistanceBracket found = bracket.at(points[i]);
     const double distance = distances[i];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -33,7 +34,9 @@ struct DistanceShare {
 };
 
 // Points (mm, in the frame of the mesh) by zones, in the order of kFacingZones and the rim. Points along
-// whose direction there is no surface, or that lie on it, are left out.
-std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points);
+// whose direction there is no surface, or that lie on it, are left out. cache: folder of exact distances, see
+// reference_cache.hpp.
+std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points,
+                                           const std::filesystem::path& cache = {});
 
 }  // namespace impinge

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,7 @@ struct Options {
   std::string out = "results/data";
   std::string profile = "full";
   std::string bones;
+  std::string cache;
   std::uint64_t seed = 1;
 };
 
@@ -26,15 +28,24 @@ void declare(CLI::App& app, Options& options, const DriverInfo& info) {
   app.add_option("--seed", options.seed, "seed of every random number")
       ->check(CLI::NonNegativeNumber)  // CLI11 lets -1 wrap round otherwise
       ->capture_default_str();
-  if (!info.takes_bones) return;
-  app.add_option("--bones", options.bones, "folder with real meshes, one folder a subject")
-      ->check(CLI::ExistingDirectory);
+  if (info.takes_bones) {
+    app.add_option("--bones", options.bones, "folder with real meshes, one folder a subject")
+        ->check(CLI::ExistingDirectory);
+  }
+  if (info.takes_cache)
+    app.add_option("--cache", options.cache, "folder that keeps exact distances for the next run");
 }
 
-// The call without the folder of the program.
+// The call without the folder of the program, and without --cache, which no result depends on.
 std::string command_text(int argc, const char* const* argv, const std::string& name) {
   std::string text = name;
-  for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) {
+    if (std::string_view(argv[i]) == "--cache") {
+      ++i;
+      continue;
+    }
+    text += std::string(" ") + argv[i];
+  }
   return text;
 }
 
@@ -71,6 +82,7 @@ int run_driver(int argc, const char* const* argv, const DriverInfo& info,
     DriverRun run{
         {info.name, command_text(argc, argv, info.name), options.profile, options.seed, options.out},
         std::nullopt,
+        options.cache,
         Progress(info.name, &std::cerr)};
     if (!options.bones.empty()) run.bones = options.bones;
     body(run);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame of every numbered driver: options, checks before the work, one clear line on failure.
 //
-//   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR]
+//   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR] [--cache DIR]
 //
 // Exit code 0 on success, 1 when the work fails, 2 for a wrong option. An error is one line on stderr,
 // "NAME: error: what is wrong: what to do".
@@ -21,12 +21,14 @@ struct DriverInfo {
   std::string name;     // of the program
   std::string purpose;  // one sentence for --help
   bool takes_bones = false;
+  bool takes_cache = false;
 };
 
 // What the body of a driver gets.
 struct DriverRun {
   RunRecord record;
   std::optional<std::filesystem::path> bones;  // folder with one folder a subject
+  std::filesystem::path cache;                 // of exact distances; empty for none
   Progress progress;
 
   bool quick() const { return record.profile == "quick"; }

@@ -98,6 +98,11 @@ Table budget_table() {
 
 void add_budget(Table& table, const BudgetCase& now, const std::vector<Stage>& stages) {
   const std::vector<std::size_t> places = with_every_gap(stages);
+  if (places.empty()) {
+    throw std::invalid_argument(
+        std::string(now.joint) + ": no vertex of the ball has a gap in every stage of a table of " +
+        std::string(now.scheme) + ": the socket covers none of them; leave the joint out");
+  }
   const std::size_t missed = stages.front().gap.size() - places.size();
   require_sums(stages, places);
   const auto add = [&](std::string_view stage, double max, double rms) {

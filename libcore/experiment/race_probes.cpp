@@ -9,10 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include "contenders/triangle_distance.hpp"
+#include "experiment/reference_cache.hpp"
 #include "mesh/jump_edges.hpp"
-#include "reference/closest_point.hpp"
-#include "reference/exact_radius.hpp"
+#include "mesh/triangle_distance.hpp"
 #include "sampling/pairwise.hpp"
 #include "sampling/probe_directions.hpp"
 
@@ -110,7 +109,7 @@ RaceProbes radial_probes(const RaceScene& scene, const ProbeOptions& options) {
   RaceProbes probes = directions_of(scene, options);
   const auto caster = std::make_shared<const RayCaster>(scene.surface());
   probes.truth_at = [caster](const Vec3& x) { return caster->cast(x.normalized(), RaceScene::kLayer); };
-  probes.truth = exact_radii(scene.surface(), {probes.points, RaceScene::kLayer, {}});
+  probes.truth = cached_exact_radii(options.cache, scene.surface(), {probes.points, RaceScene::kLayer, {}});
   return probes;
 }
 
@@ -119,7 +118,7 @@ RaceProbes euclidean_probes(const RaceScene& scene, const ProbeOptions& options)
   const double radius = mean_radius(scene.pair.ball);
   for (Vec3& x : probes.points) x *= radius;
   probes.truth_at = [&mesh = scene.surface()](const Vec3& x) { return least_distance(mesh, x); };
-  probes.truth = closest_distances(scene.surface(), {probes.points, {}});
+  probes.truth = cached_closest_distances(options.cache, scene.surface(), {probes.points, {}});
   return probes;
 }
 

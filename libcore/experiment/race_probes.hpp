@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ProbeOptions {
   std::size_t uniform = 0;       // directions
   std::size_t each_feature = 0;  // directions of each kind of feature, at most
   std::uint64_t seed = 0;
+  std::filesystem::path cache = {};  // folder of exact distances, see reference_cache.hpp
 };
 
 // Directions where a table or a ray may fail: through vertices, points of edges, close to the poles, on and

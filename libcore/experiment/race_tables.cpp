@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "sampling/resampled.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/scheme_precision.hpp"
 
 namespace impinge {
 namespace {
@@ -37,8 +37,7 @@ MethodBound bound_of(const RaceScene& scene, const Table& table, const TableRace
     return {found.bound_mm, found.attained_mm};
   }
   MethodBound bound;
-  if constexpr (requires { table.radii(); })
-    bound.bound_mm = first_order_bound(scene.surface(), table).bound_mm;
+  bound.bound_mm = first_order_bound(scene.surface(), table).bound_mm;
   return bound;
 }
 
@@ -104,17 +103,6 @@ void add_scheme(std::vector<MethodMaker>& makers, TableCase now) {
   }
 }
 
-// Has the scheme entries so far apart?
-template <SamplingScheme S>
-bool has_precision(double precision) {
-  try {
-    static_cast<void>(S::with_precision(precision));
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 // One of the thesis' ways of filling. Its entries are off by at most `entry_bound` inside of a surface that
 // continues across each edge, and a look-up mixes them with weights that sum to 1.
 template <SamplingScheme S>
@@ -151,7 +139,7 @@ std::vector<MethodMaker> table_methods(const RaceScene& scene, const TableRace& 
   std::vector<MethodMaker> makers;
   for_each_scheme([&]<class S>() {
     for (const double precision : race.precisions) {
-      if (has_precision<S>(precision)) add_scheme<S>(makers, {scene, race, precision, {}, false, {}});
+      if (scheme_of_precision<S>(precision)) add_scheme<S>(makers, {scene, race, precision, {}, false, {}});
     }
   });
   return makers;

@@ -72,6 +72,7 @@ std::vector<double> stored_or_measured(const std::filesystem::path& file, std::s
 
 std::vector<double> cached_exact_radii(const std::filesystem::path& folder, const TriangleMesh& mesh,
                                        const RadiusQuery& query) {
+  if (folder.empty()) return exact_radii(mesh, query);
   const std::string_view kind = query.layer == Layer::nearest ? "radius nearest" : "radius farthest";
   return stored_or_measured(folder / key_of(kind, mesh, query.directions), query.directions.size(),
                             [&] { return exact_radii(mesh, query); });
@@ -79,6 +80,7 @@ std::vector<double> cached_exact_radii(const std::filesystem::path& folder, cons
 
 std::vector<double> cached_closest_distances(const std::filesystem::path& folder, const TriangleMesh& mesh,
                                              const DistanceQuery& query) {
+  if (folder.empty()) return closest_distances(mesh, query);
   return stored_or_measured(folder / key_of("distance", mesh, query.points), query.points.size(),
                             [&] { return closest_distances(mesh, query); });
 }

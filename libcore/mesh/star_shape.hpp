@@ -17,8 +17,8 @@ struct StarShapeReport {
   std::size_t front_facing = 0;  // faces with n.v0 > 0, normals away from the centre
   std::size_t back_facing = 0;   // n.v0 < 0
   std::size_t edge_on = 0;       // n.v0 = 0: the plane of the face holds the centre
-  std::size_t overlapping_pairs =
-      0;  // pairs of faces with a common direction inside both; 0 if not counted; 0 if not counted
+  // Pairs of faces with a common direction inside both; 0 if not counted.
+  std::size_t overlapping_pairs = 0;
   // Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for one beside
   // it.
   double solid_angle = 0.0;

@@ -12,19 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "sphere/scheme.hpp"
+#include "sphere/scheme_precision.hpp"
 
 namespace impinge {
-
-// The scheme of that precision, degrees, or nothing where there is none.
-template <SamplingScheme S>
-std::optional<S> scheme_of_precision(double degrees) {
-  try {
-    return S::with_precision(degrees);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
 
 // Precisions within 4 % of one, in steps of 0.25 %, and those among them that divide 180 degrees, which every
 // grid of angles takes. Coarse ones first, each once.

@@ -8,14 +8,12 @@
 // neither formula nor arithmetic.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "mesh/triangle_distance.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
-
-using Triangle = std::array<Vec3, 3>;
 
 // Does x lie in the shadow of the face, its boundary included? False for a face whose plane holds the centre.
 // Intervals first (CGAL::Interval_nt), rationals where they do not decide.

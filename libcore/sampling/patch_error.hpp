@@ -12,12 +12,12 @@
 // the rectangle,
 //   |Y - y| <= max over corners |Y - y| + sum over s, t of (h^2 / 8 max |y''| + h / 4 sum |jumps|
 //              + h^2 / 8 max |Y''|),
-// the last term where weights are not linear (PatchMotion::bend): |Y''| <= sum |w''| / 2 (largest - least
-// tap).
+// the last term where weights are not linear (PatchMotion::bend):
+//   |Y''| <= sum |w''| / 2 (largest - least tap).
 //
 // On a plane q . x = 1 and for u = u(s) on the sphere, r = 1 / (q . u):
-//   r''   = 2 r^3 (q . u')^2 + r |u'|^2 - r^2 q . a,    a the acceleration along the sphere, |q_tangent| r =
-//   tan psi
+//   r'' = 2 r^3 (q . u')^2 + r |u'|^2 - r^2 q . a
+// with the acceleration a along the sphere and |q_tangent| r = tan psi,
 //   jump of r' = r^2 |(q_1 - q_2) . u'| at an edge, where q_1 . u = q_2 . u; and r tan psi times that of u',
 // and y = q . x for mesh_exact, of which only the jumps |(q_1 - q_2) . x'| remain. No q . u' is farther from
 // that of a chord of the rectangle than |q| times (|u''| / 2 along the line, / 4 across).

@@ -8,8 +8,7 @@
 // the budget ends. Patches of one face converge at second order, those across an edge at first order, but
 // along the edge only.
 //
-// A scheme that declares no patches has the bound of first order of error_bound.hpp: r_i (exp(T_i s) - 1),
-// the largest over the entries.
+// A scheme that declares no patches has a bound of first order.
 #pragma once
 
 #include <algorithm>
@@ -206,7 +205,8 @@ class BoundSearch {
   double closed_ = 0.0;  // largest bound of the rectangles that are done with
 };
 
-// The bound of first order of any scheme.
+// The bound of first order of any scheme, by error_bound.hpp: r_i (exp(T_i s) - 1), the largest over the
+// entries.
 template <SamplingScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& table) {
   const std::vector<float> slopes = largest_slopes(mesh, table.scheme());
@@ -215,6 +215,28 @@ TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& tab
     if (std::isnan(table.radii()[i])) continue;
     const double bound =
         table.radii()[i] * std::expm1(static_cast<double>(slopes[i]) * table.scheme().stencil_radius());
+    result.bound_mm = std::max(result.bound_mm, bound);
+  }
+  result.a_priori_mm = result.bound_mm;
+  return result;
+}
+
+// The same of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
+//   1 / R = sum w_i |P_i| / (r_i |P|),   |P| <= sum w_i |P_i| <= |P| / cos s,
+// so that it is at most the largest tap and at least cos s times the least, and is off by at most
+// r_i (exp(T_i s) - cos s) for one of them.
+template <PlaneExactScheme S>
+TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table) {
+  const S& scheme = table.scheme();
+  const std::vector<float> slopes = largest_slopes(mesh, scheme);
+  const double beside = 1.0 - std::cos(scheme.stencil_radius());
+  TableBound result;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const double inverse = table.inverse_depths()[i];
+    if (std::isnan(inverse)) continue;
+    const double radius = 1.0 / (inverse * scheme.depth(scheme.direction(i)));
+    const double bound =
+        radius * (std::expm1(static_cast<double>(slopes[i]) * scheme.stencil_radius()) + beside);
     result.bound_mm = std::max(result.bound_mm, bound);
   }
   result.a_priori_mm = result.bound_mm;
@@ -238,10 +260,14 @@ TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, La
 template <PlaneExactScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {
-  const SurfaceIndex surface(mesh, layer, table.scheme().stencil_radius());
-  const auto patches = flat_patches_of(table.scheme());
-  const PlaneExactInterpolant interpolant(table, patches);
-  return BoundSearch(interpolant, surface, options).run();
+  if constexpr (HasFlatPatches<S>) {
+    const SurfaceIndex surface(mesh, layer, table.scheme().stencil_radius());
+    const auto patches = flat_patches_of(table.scheme());
+    const PlaneExactInterpolant interpolant(table, patches);
+    return BoundSearch(interpolant, surface, options).run();
+  } else {
+    return first_order_bound(mesh, table);
+  }
 }
 
 }  // namespace impinge

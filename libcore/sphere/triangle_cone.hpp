@@ -40,7 +40,8 @@ class TriangleCone {
   // +1 front-facing, -1 back-facing, 0 edge-on.
   int side() const { return side_; }
 
-  const std::array<Vec3, 3>& corners() const { return corner_; }
+  const std::array<Vec3, 3>& corners() const& { return corner_; }
+  const std::array<Vec3, 3>& corners() const&& = delete;  // they would be gone before they are read
 
   // Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
   // vertex at least one answers yes.

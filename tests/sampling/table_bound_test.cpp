@@ -132,6 +132,20 @@ TEST(TableBound, IsThatOfRoundingWhereTheInterpolantIsExact) {
   EXPECT_LT(exact.bound_mm, 1e-6);
 }
 
+// What no search looks at: also of a sphere, where chords and not slopes are what inverse depths cost.
+TEST(TableBound, OfFirstOrderHoldsForBothInterpolants) {
+  const auto check = [](const Scene& scene, const CubeGnomonic& scheme) {
+    const auto table = fill_exact(scene.mesh, scheme, scene.layer);
+    const InverseDepthTable<CubeGnomonic> inverse(table);
+    const std::vector<Vec3> probes = test::bound_probes(scene.mesh, scheme, 500);
+    EXPECT_LE(largest_share(scene, table, first_order_bound(scene.mesh, table), probes), 1.0) << scene.name;
+    EXPECT_LE(largest_share(scene, inverse, first_order_bound(scene.mesh, inverse), probes), 1.0)
+        << scene.name;
+  };
+  for (const Scene& scene : scenes()) check(scene, CubeGnomonic::with_precision(3.0));
+  check({"sphere", sphere(22.0, 20000), Layer::nearest}, CubeGnomonic::with_precision(10.0));
+}
+
 // Second order on a plane: half of the precision, about a quarter of the bound. (A finer table comes nearer
 // to the rim, where the plane is steeper.)
 TEST(TableBound, FallsAsItShouldOnAPlane) {

@@ -7,8 +7,8 @@
 //   sin(phi) = r sqrt(2 - r^2) <= sqrt(2) m / n
 // and so, with q = v / m <= 1 for steps of u and u / m for those of v,
 //   way^2  = (g / n)^2 + (pi q / (sqrt(2) n))^2
-//   turn   = hypot(g r / ((2 - r^2) n^2) + pi^2 q^2 / (2 sqrt(2) n m), pi sqrt(2) q / (n m) + pi g q / (n
-//   m)):
+//   turn   = hypot(g r / ((2 - r^2) n^2) + pi^2 q^2 / (2 sqrt(2) n m),
+//                  pi sqrt(2) q / (n m) + pi g q / (n m)):
 // no bound at the pole, m = 0. The south mirrors it. At the fold dtheta/du jumps by pi |n - 2 v| / (2 n^2) <=
 // pi / (2 n).
 #pragma once

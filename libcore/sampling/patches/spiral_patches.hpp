@@ -47,8 +47,8 @@ inline TurnRates turn_rates(const HeightSteps& steps, double from, double to) {
   return {h, 0.0, 0.5 * steps.last() * h * h * largest_cosine(from, to)};
 }
 
-// q' = h sqrt(1 + 4 k^2 sin^2(phi)) (w - 1) / L with k turns, so that q'' = h^2 4 k^2 sin cos / sqrt(..) (w -
-// 1) / L <= 2 k h^2 |cos| (w - 1) / L.
+// q' = h sqrt(1 + 4 k^2 sin^2(phi)) (w - 1) / L with k turns, so that
+//   q'' = h^2 4 k^2 sin cos / sqrt(..) (w - 1) / L <= 2 k h^2 |cos| (w - 1) / L.
 inline TurnRates turn_rates(const ArcSteps& steps, double from, double to) {
   const double h = kPi / steps.turns();
   return {h, 0.0, 2.0 * steps.turns() * h * h * largest_cosine(from, to) * steps.last() / steps.length()};
