@@ -3,6 +3,7 @@
 // @writes    lut_memory
 // @timing    no
 // @seconds   2 2
+// @links     experiment sphere
 //
 // Every table is really made. Its bytes are those of its radii, and the allocator is asked whether it handed
 // out more.

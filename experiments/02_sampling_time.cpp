@@ -3,6 +3,7 @@
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
 // @seconds   105 550
+// @links     experiment contenders
 //
 // The generated pair of 3,000 triangles a model. One run makes and fills the table of the ball and that of
 // the socket.

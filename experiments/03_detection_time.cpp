@@ -4,6 +4,7 @@
 // @writes-with-bones  detection_time_bones detection_time_bones_samples
 // @timing    yes
 // @seconds   60 260
+// @links     experiment_detection scene
 //
 // The generated pair, and real joints when they are given. A time is the mean over the six poses of
 // pose_set.hpp.

@@ -4,6 +4,7 @@
 // @writes-with-bones  error_budget_bones
 // @timing    no
 // @seconds   10 40
+// @links     experiment_sampling scene
 //
 // The generated pair has a formula, so that the error of its mesh is measured; that of a real joint is
 // estimated from the angles between its faces. The centre that is wrong is the one that a sphere fitted to

@@ -4,6 +4,7 @@
 // @writes-with-bones  spectrum_bones band_limit_bones
 // @timing    no
 // @seconds   1 4
+// @links     experiment_spectrum scene
 //
 // The thesis' slices of a sphere; then its question put to the surfaces themselves: the power of their
 // spherical harmonics by degree, and the entries that the sampling theorems ask for.

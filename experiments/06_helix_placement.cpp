@@ -4,6 +4,7 @@
 // @writes    helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 // @timing    no
 // @seconds   4 60
+// @links     experiment_curves
 //
 // "Equally distributed along the curve with a distance dx" has two readings: equal steps of the travelled
 // distance of Eq. 10, and of true arc length.

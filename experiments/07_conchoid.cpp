@@ -3,6 +3,7 @@
 // @writes    conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 // @timing    no
 // @seconds   3 3
+// @links     experiment_curves
 //
 // Menschik's conchoid of the acetabulum, from its apex to its rim at 90 degrees.
 

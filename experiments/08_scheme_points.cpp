@@ -3,6 +3,7 @@
 // @writes    scheme_points
 // @timing    no
 // @seconds   1 1
+// @links     experiment reference
 //
 // Tables small enough for their entries to be seen in a picture.
 

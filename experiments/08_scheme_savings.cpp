@@ -3,6 +3,7 @@
 // @writes    scheme_savings
 // @timing    no
 // @seconds   12 120
+// @links     experiment reference
 //
 // In four meanings of "as good": see reference/scheme_savings.hpp. Each time a table of the scheme is made
 // and measured.

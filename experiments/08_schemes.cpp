@@ -3,6 +3,7 @@
 // @writes    schemes scheme_covering scheme_errors
 // @timing    no
 // @seconds   6 20
+// @links     experiment reference
 //
 // Every scheme of the list, with about as many entries as RSID has at 1 degree. Everything is measured on the
 // directions and the stencils of the scheme; declared_radius_deg alone is what it says of itself.

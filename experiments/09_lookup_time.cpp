@@ -3,6 +3,7 @@
 // @writes    lookup_time lookup_time_samples
 // @timing    yes
 // @seconds   12 40
+// @links     experiment reference
 //
 // Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random
 // directions: no look-up profits from the one before it, as neighbouring vertices of a mesh would. The points

@@ -3,6 +3,7 @@
 // @writes    stencil_time stencil_time_samples
 // @timing    yes
 // @seconds   8 25
+// @links     experiment reference
 //
 // The thesis says that polyhedra need a search, O(n log n) for n look-ups. Only the stencil is computed here,
 // no radius is read: the memory of a larger table is slower, whatever the scheme.

@@ -4,6 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   15 400
+// @links     experiment_certified scene
 //
 // Poses of the generated pair and of real joints, most of them within 0.3 mm of the first contact. The oracle
 // clips every face against every shadow in exact arithmetic (reference/shadow.hpp), CGAL's tree looks for

@@ -5,6 +5,7 @@
 // @cache     yes
 // @timing    yes
 // @seconds   60 900
+// @links     experiment_race scene
 //
 // The posed ball's vertices are asked against the surface of the socket. Errors are measured before anything
 // is timed, on the very tables that are timed, and the largest is held against the proven bound: if it is

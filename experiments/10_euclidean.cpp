@@ -5,6 +5,7 @@
 // @cache     yes
 // @timing    no
 // @seconds   4 90
+// @links     experiment_reference scene
 //
 // The vertices of each surface against the other one, in several poses, beside the exact distance from the
 // nearest point. A distance that is not between its proven ends fails the run.

@@ -4,6 +4,7 @@
 // @writes-with-bones  sample_points_bones
 // @timing    no
 // @seconds   1 1
+// @links     experiment sampling scene
 //
 // The generated socket, and real ones when they are given. The tables are filled as in the thesis: the raster
 // on the grid, and the helix resampled from it.

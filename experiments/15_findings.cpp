@@ -3,6 +3,7 @@
 // @writes    finding_comparison finding_interpolation finding_grids
 // @timing    no
 // @seconds   3 3
+// @links     experiment detection
 //
 // The comparison of Algorithms 2 and 3 for both scans; how far a radius that is linear in the angles is from
 // the mesh and from the sphere behind it; the steps of a table of n by n entries (Section 3.6.3).

@@ -2,20 +2,6 @@
 # The jobs that make data: one for each experiment, from the lines in the head of its source, and one scene for
 # the generated pair and for each real joint.
 
-# tag(VARIABLE SOURCE NAME): the words after "// @NAME " in SOURCE.
-function(tag variable source name)
-  file(STRINGS "${source}" lines REGEX "^// @${name} ")
-  list(TRANSFORM lines REPLACE "^// @${name} +" "")
-  string(STRIP "${lines}" lines)
-  set(${variable} "${lines}" PARENT_SCOPE)
-endfunction()
-
-# words(VARIABLE TEXT): a list of the words.
-function(words variable text)
-  separate_arguments(list UNIX_COMMAND "${text}")
-  set(${variable} "${list}" PARENT_SCOPE)
-endfunction()
-
 # joints(FOLDER): IMPINGE_JOINTS, and for each JOINT_ball and JOINT_socket. A real joint is a sub-folder with a ball and a
 # socket mesh under one of these names, the first that is there.
 set(ball_names ball femoral_head humeral_head)
