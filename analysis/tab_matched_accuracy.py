@@ -60,6 +60,7 @@ def at(group: pd.DataFrame, target: float) -> dict[str, float]:
             found[cost] = math.nan
         else:
             found[cost] = math.exp(np.interp(goal, error, value))
+    found["bytes"] = round(found["bytes"], 0)
     return found
 
 

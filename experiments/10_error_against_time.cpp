@@ -4,7 +4,7 @@
 // @bones     yes
 // @cache     yes
 // @timing    yes
-// @seconds   60 900
+// @seconds   60 1200
 // @links     experiment_race scene
 //
 // The posed ball's vertices are asked against the surface of the socket. Errors are measured before anything
