@@ -53,21 +53,25 @@ void append_vertex(std::string& bytes, const Vec3& v, const VertexData& data, st
   }
 }
 
-void write(const std::filesystem::path& file, const TriangleMesh& mesh, const VertexData& data) {
+std::string bytes_of(const TriangleMesh& mesh, const VertexData& data) {
   std::string bytes = header(mesh, data);
   bytes.reserve(bytes.size() + 47 * mesh.vertices.size() + 13 * mesh.faces.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) append_vertex(bytes, mesh.vertices[i], data, i);
   for (const Face& face : mesh.faces) {
     bytes.push_back(3);
-    for (const VertexIndex v : face) {
-      if (v >= mesh.vertices.size()) {
-        throw FileError(file, "is not written, a face names a vertex that is not there",
-                        "repair the mesh first");
-      }
-      append_bits(bytes, v);
-    }
+    for (const VertexIndex v : face) append_bits(bytes, v);
   }
-  write_bytes(file, bytes);
+  return bytes;
+}
+
+bool names_all_vertices(const TriangleMesh& mesh) {
+  return std::ranges::all_of(
+      mesh.faces, [&mesh](const Face& face) { return std::ranges::max(face) < mesh.vertices.size(); });
+}
+
+void require_vertices(const std::filesystem::path& file, const TriangleMesh& mesh) {
+  if (names_all_vertices(mesh)) return;
+  throw FileError(file, "is not written, a face names a vertex that is not there", "repair the mesh first");
 }
 
 bool usable_name(std::string_view name) {
@@ -80,10 +84,19 @@ bool usable_name(std::string_view name) {
 
 }  // namespace
 
-void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh) { write(file, mesh, {}); }
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh) {
+  require_vertices(file, mesh);
+  write_bytes(file, bytes_of(mesh, {}));
+}
 
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std::string_view property,
                std::span<const double> values, std::span<const Rgb> colours) {
+  require_vertices(file, mesh);
+  write_bytes(file, ply_bytes(mesh, property, values, colours));
+}
+
+std::string ply_bytes(const TriangleMesh& mesh, std::string_view property, std::span<const double> values,
+                      std::span<const Rgb> colours) {
   const std::size_t n = mesh.vertices.size();
   if (values.size() != n || (!colours.empty() && colours.size() != n)) {
     throw std::invalid_argument("a PLY file takes one value and one colour a vertex: " + std::to_string(n) +
@@ -93,7 +106,10 @@ void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std:
   if (!usable_name(property)) {
     throw std::invalid_argument("'" + std::string(property) + "' cannot name a value in a PLY file");
   }
-  write(file, mesh, {property, values, colours});
+  if (!names_all_vertices(mesh)) {
+    throw std::invalid_argument("a face of the mesh names a vertex that is not there: repair the mesh first");
+  }
+  return bytes_of(mesh, {property, values, colours});
 }
 
 }  // namespace impinge

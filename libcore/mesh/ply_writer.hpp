@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mesh/triangle_mesh.hpp"
@@ -29,5 +30,9 @@ void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh);
 // * red, green, blue (uchar), the colours: what all three show at once, in VTK as the point array RGB.
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std::string_view property,
                std::span<const double> values, std::span<const Rgb> colours = {});
+
+// The bytes of that file. A face that names no vertex is std::invalid_argument here.
+std::string ply_bytes(const TriangleMesh& mesh, std::string_view property, std::span<const double> values,
+                      std::span<const Rgb> colours = {});
 
 }  // namespace impinge

@@ -8,7 +8,7 @@
 
 #include "detection/gap_summary.hpp"
 #include "experiment/csv.hpp"
-#include "files/file_bytes.hpp"
+#include "files/file_set.hpp"
 #include "joint/clock.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"
@@ -250,13 +250,18 @@ std::string distances_csv(const View& ball, const View& socket) {
   return to_csv(table);
 }
 
-void write_part(const View& v, const SceneOptions& options, const Vec3& centre) {
+std::string part_ply(const View& v, const SceneOptions& options, const Vec3& centre) {
   TriangleMesh mesh{v.posed, v.part.mesh.faces};
   for (Vec3& x : mesh.vertices) x += centre;
   const auto levels = gap_levels(v.surface, options.cartilage_mm);
   std::vector<Rgb> colours;
   for (const double gap : v.gaps.gap) colours.push_back(gap_colour(gap, levels));
-  write_ply(options.out / (std::string(name(v.surface)) + ".ply"), mesh, "gap", v.gaps.gap, colours);
+  return ply_bytes(mesh, "gap", v.gaps.gap, colours);
+}
+
+// Names of files may hold any bytes; what is no UTF-8 becomes U+FFFD.
+std::string json_text(const json& value) {
+  return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::string format(const char* pattern, auto... values) {
@@ -340,11 +345,13 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
                  const json& summary) {
   const View ball = view(Surface::ball, options, joint, measurement);
   const View socket = view(Surface::socket, options, joint, measurement);
-  write_part(ball, options, joint.centre);
-  write_part(socket, options, joint.centre);
-  write_if_changed(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
-  write_if_changed(options.out / "distances.csv", distances_csv(ball, socket));
-  write_if_changed(options.out / "summary.json", summary.dump(2) + "\n");
+  FileSet files;
+  files.add(options.out / "ball.ply", part_ply(ball, options, joint.centre));
+  files.add(options.out / "socket.ply", part_ply(socket, options, joint.centre));
+  files.add(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
+  files.add(options.out / "distances.csv", distances_csv(ball, socket));
+  files.add(options.out / "summary.json", json_text(summary));
+  files.commit();
 }
 
 std::string describe_scene(const json& summary) {

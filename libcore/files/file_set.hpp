@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several files that belong together: all of them are replaced, or none.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace impinge {
+
+// add() writes each file under a temporary name, so a disk that is too small is noticed before any old file
+// is touched; commit() puts them into their places. Where one of them cannot be put there, those before it
+// are taken back: whoever looks later finds all the old files or all the new ones. Not so in one case: a
+// process that is killed within commit(), between two renames, leaves the first files new and the others old.
+//
+// All members throw FileError. Nothing is left behind by a set that was not committed.
+class FileSet {
+ public:
+  FileSet();
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+  ~FileSet();
+
+  // The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
+  void add(const std::filesystem::path& file, std::string_view bytes);
+
+  // In the order of add(). The set is then empty.
+  void commit();
+
+ private:
+  class Change;
+  std::vector<std::unique_ptr<Change>> changes_;
+};
+
+}  // namespace impinge
