@@ -9,8 +9,10 @@
 
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "files/file_bytes.hpp"
+#include "files/one_line.hpp"
 #include "scene/report.hpp"
 
 namespace {
@@ -18,13 +20,17 @@ namespace {
 using namespace impinge;
 
 int fail(const std::exception& error, int code) {
-  std::cerr << "scene: error: " << error.what() << std::endl;
+  const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  const char* what =
+      memory ? "there is not enough memory; choose a coarser --precision or smaller meshes" : error.what();
+  std::cerr << "scene: error: " << one_line(what) << std::endl;
   return code;
 }
 
 void run(const SceneOptions& options) {
   const Joint joint = load_joint(options);
-  for (const std::string& warning : joint.warnings) std::cerr << "scene: warning: " << warning << std::endl;
+  for (const std::string& warning : joint.warnings)
+    std::cerr << "scene: warning: " << one_line(warning) << std::endl;
   const Measurement measurement = measure(joint, options);
   const nlohmann::json report = summary(options, joint, measurement);
   write_scene(options, joint, measurement, report);

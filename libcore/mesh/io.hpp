@@ -2,7 +2,9 @@
 // Reading and writing triangle meshes: PLY, STL, OBJ and OFF. Needs assimp (target impinge::mesh_io).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "files/file_error.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -17,10 +19,16 @@ namespace impinge {
 // assimp holds coordinates as float32: they are within 6e-8 of the file's, relatively (2e-7 for text), that
 // is within 3e-5 mm (1e-4 mm) for a scan 500 mm from its origin.
 //
-// Throws FileError when the file is missing, not a regular file, empty, not of its format, cut short or
-// damaged (see file_checks.hpp for what that finds), has no faces, has coordinates that are NaN, infinite or
-// beyond the range of a float, or only faces without area.
+// Throws FileError when the file is missing, not a regular file, empty, beyond kMostMeshBytes, not of its
+// format, cut short or damaged (see file_checks.hpp for what that finds), has no faces, has coordinates that
+// are NaN, infinite or beyond the range of a float, or only faces without area.
 TriangleMesh read_mesh(const std::filesystem::path& file);
+
+// The same of bytes in memory. `file` is the name that chooses the format and that messages give.
+TriangleMesh parse_mesh(const std::filesystem::path& file, std::string bytes);
+
+// Larger files, of some 80 million triangles, are refused before they are read.
+inline constexpr std::uintmax_t kMostMeshBytes = std::uintmax_t{4} << 30U;
 
 // Writes a mesh in the format that the extension names, under a temporary name, then renamed. PLY (binary)
 // and OFF keep doubles, STL (binary) and OBJ hold float32. OBJ comes without a material library beside it.

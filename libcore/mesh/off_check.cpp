@@ -63,13 +63,21 @@ std::array<std::int64_t, 3> counts(const fs::path& file, LineScanner& lines) {
   return n;
 }
 
-bool is_face(const Words& words, std::int64_t vertices) {
+// Are all corners there, and are they integers?
+bool is_face(const Words& words) {
   const std::optional<std::int64_t> n = words.empty() ? std::nullopt : to_integer(words[0]);
   if (!n || *n < 0 || static_cast<std::size_t>(*n) >= words.size()) return false;
-  return std::all_of(words.begin() + 1, words.begin() + 1 + *n, [vertices](std::string_view word) {
-    const std::optional<std::int64_t> v = to_integer(word);
-    return v && *v >= 0 && *v < vertices;
-  });
+  return std::all_of(words.begin() + 1, words.begin() + 1 + *n,
+                     [](std::string_view word) { return to_integer(word).has_value(); });
+}
+
+void check_corners(const fs::path& file, const Words& words, std::int64_t face, std::int64_t vertices) {
+  for (std::int64_t k = 1; k <= *to_integer(words[0]); ++k) {
+    const std::int64_t v = *to_integer(words[static_cast<std::size_t>(k)]);
+    if (v >= 0 && v < vertices) continue;
+    throw FileError(file, "face " + std::to_string(face) + " names a vertex that is not there, it is damaged",
+                    "export it again");
+  }
 }
 
 }  // namespace
@@ -88,7 +96,8 @@ MeshFileContent check_off(const fs::path& file, std::string& bytes) {
   }
   for (std::int64_t i = 0; i < faces; ++i) {
     const Words& words = lines.next_words();
-    if (!is_face(words, vertices)) throw_damaged(file, "face", i, faces);
+    if (!is_face(words)) throw_damaged(file, "face", i, faces);
+    check_corners(file, words, i, vertices);
     const auto corners = static_cast<std::size_t>(*to_integer(words[0]));
     append_line(bytes, words, 1 + corners);
     if (corners < 3) continue;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
@@ -86,7 +88,6 @@ void check_scene(const fs::path& file, const aiScene& scene, const MeshFileConte
   }
   if (!content.sums) return;
   const double off = std::abs(found.sums->coordinates - content.sums->coordinates);
-  // Coordinates that are not finite are for check_coordinates: they are within no tolerance.
   if (off > 1e-6 * content.sums->coordinates || found.sums->corners != content.sums->corners) {
     throw FileError(file, "could not be read right, it has unusual elements", advice);
   }
@@ -115,7 +116,8 @@ void check_coordinates(const fs::path& file, const aiScene& scene) {
   }
   if (lost == 0) return;
   throw FileError(file,
-                  std::to_string(lost) + " vertices have coordinates that are NaN, infinite or beyond 3e38",
+                  std::to_string(lost) + (lost == 1 ? " vertex has" : " vertices have") +
+                      " coordinates that are NaN, infinite or beyond 3e38",
                   "remove them or export the mesh again");
 }
 
@@ -140,18 +142,35 @@ void check_area(const fs::path& file, const TriangleMesh& mesh) {
   }
 }
 
+// A sparse file may declare more than any memory holds.
+void require_size(const fs::path& file) {
+  std::error_code elsewhere;  // read_bytes() says what is wrong with a file that cannot be looked up
+  const std::uintmax_t size = fs::file_size(file, elsewhere);
+  if (elsewhere || size <= kMostMeshBytes) return;
+  throw FileError(file,
+                  "has " + std::to_string(size) + " bytes, more than the " + std::to_string(kMostMeshBytes) +
+                      " that are read",
+                  "check that it is a mesh, or reduce its triangles");
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const fs::path& file) {
+  mesh_format(file);  // a wrong name is told before a wrong content
+  require_size(file);
+  return parse_mesh(file, read_bytes(file));
+}
+
+TriangleMesh parse_mesh(const fs::path& file, std::string bytes) {
   const MeshFormat format = mesh_format(file);
-  std::string bytes = read_bytes(file);
+  if (bytes.empty()) throw FileError(file, "is empty", "export or copy it again");
   const MeshFileContent content = check(file, format, bytes);
   Assimp::Importer importer;
   if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format)) == nullptr) {
     throw FileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
   }
-  check_scene(file, *importer.GetScene(), content);
   check_coordinates(file, *importer.GetScene());
+  check_scene(file, *importer.GetScene(), content);
   triangulate(file, importer);
   TriangleMesh mesh = weld(gather(*importer.GetScene())).mesh;
   check_area(file, mesh);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "mesh/io.hpp"
+#include "scene/length_unit.hpp"
 
 namespace impinge {
 namespace {
@@ -44,6 +45,14 @@ void require_other_folder(const SceneOptions& options) {
   }
 }
 
+// A joint has two surfaces: given twice, one of the names is a slip.
+void require_two_files(const SceneOptions& options) {
+  std::error_code ignored;  // the reader says what is wrong with a file
+  if (!std::filesystem::equivalent(options.ball, options.socket, ignored)) return;
+  throw FileError(options.socket, "is the mesh of the ball and of the socket",
+                  "give two files with --ball and --socket");
+}
+
 void require_centre_inside(const Joint& joint, const SceneOptions& options) {
   const StarShapeReport& ball = joint.ball.star_shape;
   if (std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView) {
@@ -60,6 +69,14 @@ void require_centre_inside(const Joint& joint, const SceneOptions& options) {
                              text_of(joint.centre) +
                              " meets the socket; check that both meshes are in one frame and in mm");
   }
+}
+
+void check_units(const SceneOptions& options, Joint& joint) {
+  const Reach ball = reach_of(joint.ball.mesh);
+  const std::string apart = different_units(ball, reach_of(joint.socket.mesh));
+  if (!apart.empty()) throw std::runtime_error(options.socket.string() + ": " + apart);
+  const std::string doubt = doubtful_unit(ball);
+  if (!doubt.empty()) joint.warnings.push_back(options.ball.string() + ": " + doubt);
 }
 
 void warn(const JointPart& part, const std::string& file, const std::string& policy, Joint& joint) {
@@ -80,6 +97,7 @@ void warn(const JointPart& part, const std::string& file, const std::string& pol
 
 Joint load_joint(const SceneOptions& options) {
   require_other_folder(options);
+  require_two_files(options);
   TriangleMesh ball = read_mesh(options.ball);
   TriangleMesh socket = read_mesh(options.socket);
   Joint joint;
@@ -97,6 +115,7 @@ Joint load_joint(const SceneOptions& options) {
   joint.ball = examine(std::move(ball), joint.centre);
   joint.socket = examine(std::move(socket), joint.centre);
   require_centre_inside(joint, options);
+  check_units(options, joint);
   warn(joint.ball, options.ball.string(), "the outermost layer stands for the ball", joint);
   warn(joint.socket, options.socket.string(), "the layer nearest to the centre stands for the socket", joint);
   return joint;

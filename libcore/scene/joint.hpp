@@ -29,7 +29,9 @@ struct Joint {
 };
 
 // Reads and examines both meshes. FileError for a file that cannot be used; std::runtime_error, one line
-// with the file and what to do, where the centre is not inside the ball or the socket is not round it.
+// with the file and what to do, where the centre is not inside the ball, the socket is not round it, or one
+// of them is in another unit of length (length_unit.hpp). A joint of a size that none has in mm gets a
+// warning.
 Joint load_joint(const SceneOptions& options);
 
 }  // namespace impinge

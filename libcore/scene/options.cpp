@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "files/one_line.hpp"
 #include "joint/anatomy.hpp"
 #include "sphere/scheme_choice.hpp"
 
@@ -62,6 +63,15 @@ auto for_option(std::string_view option, Parse&& parse) {
   }
 }
 
+// An empty text is what a script gives whose variable is not set.
+void require_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) refuse(option->get_name(), value, "is empty; give it a value or leave it out");
+    }
+  }
+}
+
 void set_accuracy(const Typed& typed, SceneOptions& options) {
   if (!typed.max_error.empty()) {
     constexpr std::string_view advice = "is no accuracy; give a number of mm above 0";
@@ -105,6 +115,8 @@ void interpret(const Typed& typed, SceneOptions& options) {
 
 }  // namespace
 
+OptionError::OptionError(const std::string& message) : std::invalid_argument(one_line(message)) {}
+
 std::optional<SceneOptions> parse_scene_options(int argc, const char* const* argv, std::string& help) {
   CLI::App app{"Gaps and impingement of a ball-and-socket joint given as two triangle meshes in mm.",
                "scene"};
@@ -135,6 +147,7 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   } catch (const CLI::ParseError& error) {
     throw OptionError(std::string(error.what()) + "; see scene --help");
   }
+  require_values(app);
   interpret(typed, options);
   return options;
 }

@@ -30,7 +30,7 @@ struct SceneOptions {
 // A wrong option: what() is one line that names it and says what to do.
 class OptionError : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  explicit OptionError(const std::string& message);
 };
 
 // Reads a command line. std::nullopt after --help, whose text is then in `help`; OptionError if it cannot be

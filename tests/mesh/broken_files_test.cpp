@@ -131,17 +131,28 @@ TEST(BrokenFile, EveryPrefixOfAnObjFileIsRefusedOrASmallerOpenMesh) {
   EXPECT_GT(refused, bytes.size() - 80);
 }
 
-TEST(BrokenFile, LargerFilesAreRefusedAtEveryTwentiethAndAByteMoreOrLess) {
-  const TemporaryFolder folder;
-  for (const auto& [name, bytes] : samples(sphere(25.0, 1000))) {
+// OBJ aside: see the test before.
+TEST(BrokenFile, LargerFilesAreRefusedAtEveryHundredthAndAByteMoreOrLess) {
+  for (const auto& [name, bytes] : samples(sphere(25.0, 300))) {
     if (name == std::string("mesh.obj")) continue;
-    for (std::size_t k = 1; k < 20; ++k) {
-      for (std::size_t size = bytes.size() * k / 20 - 1, end = size + 3; size < end; ++size) {
-        EXPECT_TRUE(refusal(folder.write(name, std::string_view(bytes).substr(0, size))))
-            << name << ' ' << size;
+    for (std::size_t k = 1; k < 100; ++k) {
+      for (std::size_t size = bytes.size() * k / 100 - 1, end = size + 3; size < end; ++size) {
+        EXPECT_THROW(parse_mesh(name, bytes.substr(0, size)), FileError) << name << ' ' << size;
       }
     }
   }
+}
+
+TEST(BrokenFile, AFileBeyondTheLimitIsRefusedBeforeItIsRead) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("sparse.stl", "solid");
+  fs::resize_file(file, kMostMeshBytes + 1);
+  expect_refused(file, "has 4294967297 bytes, more than the 4294967296 that are read");
+}
+
+TEST(BrokenFile, NoBytesAreNoMesh) {
+  for (const char* name : {"e.ply", "e.stl", "e.obj", "e.off"})
+    EXPECT_THROW(parse_mesh(name, ""), FileError) << name;
 }
 
 // A cut leaves the header's promise: the message names what is missing.

@@ -72,6 +72,7 @@ TEST(SceneOptions, RefusalsNameTheOptionAndTheCureInOneLine) {
                                  {{"--side", "up"}, "--side", "left"},
                                  {{"--axes", "LAS"}, "--axes", "RAS"},
                                  {{"--cartilage", "-1"}, "--cartilage", "0 or more"},
+                                 {{"--side", "up\nand\x1b[2J away"}, "--side", "left"},
                                  {{"--colour", "red"}, "--colour", "--help"}};
   for (const Wrong& wrong : cases) {
     try {
@@ -82,6 +83,22 @@ TEST(SceneOptions, RefusalsNameTheOptionAndTheCureInOneLine) {
       EXPECT_NE(message.find(wrong.named), std::string::npos) << message;
       EXPECT_NE(message.find(wrong.advice), std::string::npos) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+  }
+}
+
+// What a script types whose variable is not set.
+TEST(SceneOptions, EmptyValuesAreRefused) {
+  for (const std::size_t k : {2U, 4U, 6U}) {
+    std::vector<const char*> argv{"scene", "--ball", "b.ply", "--socket", "s.ply", "--out", "o"};
+    argv[k] = "";
+    std::string help;
+    try {
+      parse_scene_options(static_cast<int>(argv.size()), argv.data(), help);
+      FAIL() << argv[k - 1];
+    } catch (const OptionError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                std::string("option ") + argv[k - 1] + ": '' is empty; give it a value or leave it out");
     }
   }
 }
