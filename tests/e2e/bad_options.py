@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options that cannot be used: what is typed behind --ball, --socket and --out, and what is said behind
+"scene: error: ". {schemes} stands for the names of all schemes.
+"""
+
+AXES = "name where +x, +y and +z point with one letter each of R/L, A/P and S/I, as RAS or LPS"
+MOTIONS = "there are flexion, extension, abduction, adduction, internal_rotation, external_rotation"
+
+OPTIONS = [
+    (["--precision", "0"], "option --precision: an RSID precision is above 0 and at most 90 degrees"),
+    (["--precision", "-0.5"], "option --precision: an RSID precision is above 0 and at most 90 degrees"),
+    (
+        ["--precision", "0.7"],
+        "option --precision: an RSID precision divides 180 degrees, as 1, 0.5, 0.25, 0.1 or 0.05 do",
+    ),
+    (["--precision", "91"], "option --precision: an RSID precision is above 0 and at most 90 degrees"),
+    (["--precision", "1e-12"], "option --precision: an RSID precision is at least 1.8e-7 degrees"),
+    (["--precision", "1e400"], "option --precision: '1e400' is no precision; give a number of degrees"),
+    (["--precision", "fine"], "option --precision: 'fine' is no precision; give a number of degrees"),
+    (["--precision", "nan"], "option --precision: 'nan' is no precision; give a number of degrees"),
+    (["--precision", "1,5"], "option --precision: '1,5' is no precision; give a number of degrees"),
+    (["--precision"], "--precision: 1 required TEXT missing; see scene --help"),
+    (
+        ["--precision", "1", "--precision", "2"],
+        "--precision: At Most 1 required but received 2; see scene --help",
+    ),
+    (["--precision", "1", "--max-error", "1"], "--precision excludes --max-error; see scene --help"),
+    (["--max-error", "0"], "option --max-error: '0' is no accuracy; give a number of mm above 0"),
+    (["--max-error", "-1"], "option --max-error: '-1' is no accuracy; give a number of mm above 0"),
+    (["--max-error", "inf"], "option --max-error: 'inf' is no accuracy; give a number of mm above 0"),
+    (["--max-error", "small"], "option --max-error: 'small' is no accuracy; give a number of mm above 0"),
+    (
+        ["--scheme", "rside"],
+        "option --scheme: unknown scheme 'rside'; there are {schemes}",
+    ),
+    (
+        ["--scheme", "RSID"],
+        "option --scheme: unknown scheme 'RSID'; there are {schemes}",
+    ),
+    (["--centre", "1,2"], "option --centre: '1,2' is no centre; give 'fit' or three numbers in mm as X,Y,Z"),
+    (
+        ["--centre", "1,2,3,4"],
+        "option --centre: '1,2,3,4' is no centre; give 'fit' or three numbers in mm as X,Y,Z",
+    ),
+    (
+        ["--centre", "1,2,nan"],
+        "option --centre: 'nan' is no centre; give 'fit' or three numbers in mm as X,Y,Z",
+    ),
+    (
+        ["--centre", "1;2;3"],
+        "option --centre: '1;2;3' is no centre; give 'fit' or three numbers in mm as X,Y,Z",
+    ),
+    (
+        ["--centre", "middle"],
+        "option --centre: 'middle' is no centre; give 'fit' or three numbers in mm as X,Y,Z",
+    ),
+    (
+        ["--pose", "bend=3"],
+        f"option --pose: unknown motion 'bend'; {MOTIONS}",
+    ),
+    (["--pose", "flexion"], "option --pose: 'flexion' is no motion; write NAME=DEGREES, as flexion=90"),
+    (["--pose", "flexion=181"], "option --pose: '181' is no angle of flexion; give degrees from -180 to 180"),
+    (
+        ["--pose", "flexion=much"],
+        "option --pose: 'much' is no angle of flexion; give degrees from -180 to 180",
+    ),
+    (
+        ["--pose", "flexion=90,extension=10"],
+        "option --pose: the axis of 'extension' is given twice; give it once",
+    ),
+    (
+        ["--pose", "abduction=10"],
+        "option --pose: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (
+        ["--pose", "internal_rotation=10"],
+        "option --pose: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (["--side", "up"], "option --side: side 'up' is neither left nor right"),
+    (
+        ["--axes", "LAS"],
+        f"option --axes: axis code 'LAS' is left-handed and would mirror the patient; {AXES}",
+    ),
+    (
+        ["--axes", "RA"],
+        f"option --axes: axis code 'RA' does not have three letters; {AXES}",
+    ),
+    (
+        ["--axes", "RRS"],
+        f"option --axes: axis code 'RRS' names one direction twice; {AXES}",
+    ),
+    (
+        ["--axes", "XYZ"],
+        f"option --axes: axis code 'XYZ' has an unknown letter; {AXES}",
+    ),
+    (["--cartilage", "-1"], "option --cartilage: '-1' is no thickness; give a number of mm, 0 or more"),
+    (["--cartilage", "thick"], "option --cartilage: 'thick' is no thickness; give a number of mm, 0 or more"),
+    (["--colour", "red"], "The following arguments were not expected: red --colour; see scene --help"),
+    (["--colour\nred"], "The following argument was not expected: --colour red; see scene --help"),
+    (["stray"], "The following argument was not expected: stray; see scene --help"),
+    (
+        ["--pose", "bend\n=3"],
+        f"option --pose: unknown motion 'bend '; {MOTIONS}",
+    ),
+    (
+        ["--precision", "1", "--precision", ""],
+        "--precision: At Most 1 required but received 2; see scene --help",
+    ),
+    (["--precision", ""], "option --precision: '' is empty; give it a value or leave it out"),
+    (["--max-error", ""], "option --max-error: '' is empty; give it a value or leave it out"),
+    (["--pose", ""], "option --pose: '' is empty; give it a value or leave it out"),
+    (["--side", ""], "option --side: '' is empty; give it a value or leave it out"),
+    (["--cartilage", ""], "option --cartilage: '' is empty; give it a value or leave it out"),
+    (["--centre", ""], "option --centre: '' is empty; give it a value or leave it out"),
+    (["--axes", ""], "option --axes: '' is empty; give it a value or leave it out"),
+    (["--scheme", ""], "option --scheme: '' is empty; give it a value or leave it out"),
+]

@@ -1,0 +1,391 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every bad input that we could think of, given to `scene`, each with the whole message that must come.
+
+A refusal is exit code 1 (a file) or 2 (an option), one line on stderr, nothing on stdout, and no output file,
+or an older set of five that stays as it was. SCENE and MAKE_PAIR name the two programs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from bad_meshes import MESHES  # noqa: E402
+from bad_options import OPTIONS  # noqa: E402
+
+FIVE = ["ball.ply", "socket.ply", "gaps.csv", "distances.csv", "summary.json"]  # in the order of writing
+NOBODY = 65534
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMES = ", ".join(sorted(file.stem for file in (ROOT / "libcore" / "sphere" / "schemes").glob("*.hpp")))
+PAGE = 4096
+
+
+def run(*arguments, **keywords) -> subprocess.CompletedProcess:
+    """A program to its end."""
+    words = [a if isinstance(a, bytes) else str(a) for a in arguments]
+    return subprocess.run(
+        words, capture_output=True, text=True, errors="surrogateescape", check=False, **keywords
+    )
+
+
+def scaled(mesh: bytes, factor: float) -> bytes:
+    """Our binary PLY with every coordinate times the factor."""
+    header, body = mesh.split(b"end_header\n", 1)
+    count = int(header.split(b"element vertex ")[1].split()[0])
+    numbers = struct.unpack_from(f"<{3 * count}d", body)
+    return (
+        header
+        + b"end_header\n"
+        + struct.pack(f"<{3 * count}d", *(factor * x for x in numbers))
+        + body[24 * count :]
+    )
+
+
+def bytes_of(folder: Path) -> dict[str, str]:
+    """Names and hashes of all files there, hidden and temporary ones too."""
+    return {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in folder.iterdir()}
+
+
+class BadInput(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-bad-")
+        cls.root = Path(cls.folder.name)
+        cls.root.chmod(0o755)  # for a child that is nobody
+        cls.program = cls.root / "scene"
+        shutil.copy(os.environ["SCENE"], cls.program)
+        made = run(os.environ["MAKE_PAIR"], "--faces", 1000, "--out", cls.root / "pair")
+        assert made.returncode == 0, made.stderr
+        cls.ball = cls.root / "pair" / "ball.ply"
+        cls.socket = cls.root / "pair" / "socket.ply"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def scene(self, *more, ball=None, socket=None, out=None, **keywords) -> subprocess.CompletedProcess:
+        files = (
+            "--ball",
+            ball or self.ball,
+            "--socket",
+            socket or self.socket,
+            "--out",
+            out or self.root / "out",
+        )
+        return run(self.program, *files, "--precision", 5, *more, **keywords)
+
+    def refused(self, done: subprocess.CompletedProcess, code: int, message: str):
+        self.assertEqual(done.stderr, f"scene: error: {message}\n")
+        self.assertEqual((done.returncode, done.stdout), (code, ""))
+        out = self.root / "out"
+        self.assertFalse(out.is_dir() and any(out.iterdir()), "there is output")
+
+    def test_meshes(self):
+        """As the ball and as the socket."""
+        self.assertGreaterEqual(len(MESHES), 60)
+        for name, content, message in MESHES:
+            path = self.root / name
+            path.write_bytes(content)
+            for part in ("ball", "socket"):
+                with self.subTest(name, part=part):
+                    self.refused(self.scene(**{part: path}), 1, f"{path}: {message}")
+            path.unlink()
+
+    def test_options(self):
+        """Behind the files, without a precision before them."""
+        files = ("--ball", self.ball, "--socket", self.socket, "--out", self.root / "out")
+        for words, message in OPTIONS:
+            with self.subTest(words):
+                self.refused(run(self.program, *files, *words), 2, message.replace("{schemes}", SCHEMES))
+
+    def test_options_that_are_missing(self):
+        """Named one after the other."""
+        for words, message in [
+            ([], "--ball is required; see scene --help"),
+            (["--ball", self.ball], "--socket is required; see scene --help"),
+            (["--ball", self.ball, "--socket", self.socket], "--out is required; see scene --help"),
+            (
+                ["--ball", self.ball, "--socket", self.socket, "--out", ""],
+                "option --out: '' is empty; give it a value or leave it out",
+            ),
+        ]:
+            with self.subTest(words):
+                self.refused(run(self.program, *words), 2, message)
+
+    def test_places_without_a_mesh(self):
+        """What the name of a mesh may lead to."""
+        root = self.root / "places"
+        root.mkdir()
+        (root / "folder.ply").mkdir()
+        (root / "nowhere.ply").symlink_to("none.ply")
+        (root / "loop.ply").symlink_to("pool.ply")
+        (root / "pool.ply").symlink_to("loop.ply")
+        (root / "device.stl").symlink_to("/dev/zero")
+        os.mkfifo(root / "pipe.off")
+        with (root / "sparse.stl").open("wb") as file:
+            file.truncate(10**12)
+        for name, message in [
+            ("none.ply", "there is no such file; check the path"),
+            ("none/none.ply", "there is no such file; check the path"),
+            ("nowhere.ply", "there is no such file; check the path"),
+            ("folder.ply", "is a folder; name a file in it"),
+            ("device.stl", "is not a regular file; name a file on the disk"),
+            ("pipe.off", "is not a regular file; name a file on the disk"),
+            ("loop.ply", "cannot be looked up, Too many levels of symbolic links; check the path"),
+            ("n" * 300 + ".ply", "cannot be looked up, File name too long; check the path"),
+            (
+                "sparse.stl",
+                "has 1000000000000 bytes, more than the 4294967296 that are read; "
+                "check that it is a mesh, or reduce its triangles",
+            ),
+        ]:
+            for part in ("ball", "socket"):
+                with self.subTest(name[:20], part=part):
+                    self.refused(self.scene(**{part: root / name}), 1, f"{root / name}: {message}")
+
+    def as_nobody(self) -> dict:
+        """Root may do everything: its child becomes somebody else."""
+        return {"preexec_fn": lambda: os.setuid(NOBODY)} if os.getuid() == 0 else {}
+
+    def test_permissions(self):
+        """Of a mesh, of its folder, of the folder of the results."""
+        root = self.root / "closed"
+        created = "the folder cannot be created"
+        for folder in ("files", "shut", "kept"):
+            (root / folder).mkdir(parents=True)
+        for copy in (root / "files" / "a.ply", root / "shut" / "a.ply"):
+            shutil.copy(self.ball, copy)
+        (root / "files" / "a.ply").chmod(0)
+        (root / "shut").chmod(0)
+        (root / "kept").chmod(0o555)
+        try:
+            for keywords, code, message in [
+                (
+                    {"ball": root / "files" / "a.ply"},
+                    1,
+                    f"{root}/files/a.ply: cannot be opened, Permission denied; check its permissions",
+                ),
+                (
+                    {"socket": root / "shut" / "a.ply"},
+                    1,
+                    f"{root}/shut/a.ply: cannot be looked up, Permission denied; check the path",
+                ),
+                (
+                    {"out": root / "kept"},
+                    2,
+                    f"{root}/kept/probe: cannot be written, Permission denied; "
+                    "check that its folder exists, may be written to and has room",
+                ),
+                (
+                    {"out": root / "kept" / "new"},
+                    2,
+                    f"{root}/kept/new: {created}, Permission denied; choose another folder",
+                ),
+            ]:
+                with self.subTest(message):
+                    (self.root / "out").mkdir(exist_ok=True)
+                    (self.root / "out").chmod(0o777)
+                    self.refused(self.scene(**keywords, **self.as_nobody()), code, message)
+        finally:
+            (root / "shut").chmod(0o700)
+
+    def test_places_for_the_results(self):
+        """A file, below a file, a loop, and a folder in the place of a file."""
+        loop = self.root / "loop"
+        created = "the folder cannot be created"
+        loop.symlink_to(loop)
+        taken = self.root / "taken"
+        (taken / "summary.json").mkdir(parents=True)
+        for out, code, message in [
+            (
+                self.ball,
+                2,
+                f"{self.ball}: {created}, Not a directory; choose another folder",
+            ),
+            (
+                self.ball / "o",
+                2,
+                f"{self.ball}/o: {created}, Not a directory; choose another folder",
+            ),
+            (
+                loop,
+                2,
+                f"{loop}: {created}, Too many levels of symbolic links; choose another folder",
+            ),
+            (taken, 1, f"{taken}/summary.json: is a folder; choose another name"),
+            (
+                self.ball.parent,
+                1,
+                f"{self.ball}: would be replaced by the output; choose another folder with --out",
+            ),
+        ]:
+            with self.subTest(out):
+                self.refused(self.scene(out=out), code, message)
+        self.assertEqual([path.name for path in taken.iterdir()], ["summary.json"])
+
+    def test_joints_that_are_none(self):
+        """Two good meshes that do not belong together, or are in another unit of length."""
+        root = self.root / "units"
+        root.mkdir()
+        ball, socket = self.ball.read_bytes(), self.socket.read_bytes()
+        for name, mesh, factor in [
+            ("ball_m.ply", ball, 1e-3),
+            ("socket_m.ply", socket, 1e-3),
+            ("ball_cm.ply", ball, 0.1),
+            ("ball_um.ply", ball, 1e3),
+        ]:
+            (root / name).write_bytes(scaled(mesh, factor))
+        os.link(self.ball, root / "again.ply")
+        (root / "triangle.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        advice = "check that both meshes are in mm and in one frame"
+        apart = "mm from the centre of rotation, and the ball {}; " + advice
+        same = "is the mesh of the ball and of the socket; give two files with --ball and --socket"
+        points = "a sphere is fitted to at least four points; give the centre with --centre X,Y,Z"
+        for keywords, message in [
+            (
+                {"ball": root / "ball_m.ply"},
+                f"{self.socket}: lies 26 to 26 {apart.format('0.0219 to 0.0249 mm')}",
+            ),
+            (
+                {"ball": root / "ball_cm.ply"},
+                f"{self.socket}: lies 26 to 26 {apart.format('2.19 to 2.49 mm')}",
+            ),
+            (
+                {"ball": root / "ball_um.ply"},
+                f"{self.socket}: lies 65.7 to 108 {apart.format('2.19e+04 to 2.49e+04 mm')}",
+            ),
+            (
+                {"socket": root / "socket_m.ply"},
+                f"{root}/socket_m.ply: lies 0.0657 to 0.108 {apart.format('21.9 to 24.9 mm')}",
+            ),
+            ({"ball": root / "triangle.off"}, f"{root}/triangle.off: {points}"),
+            (
+                {"socket": root / "triangle.off"},
+                f"{root}/triangle.off: lies 0.0825 to 1 {apart.format('21.9 to 24.9 mm')}",
+            ),
+            ({"socket": self.ball}, f"{self.ball}: {same}"),
+            ({"socket": root / "again.ply"}, f"{root}/again.ply: {same}"),
+        ]:
+            with self.subTest(message):
+                self.refused(self.scene(**keywords), 1, message)
+
+    def test_two_meshes_in_metres_get_a_warning(self):
+        """Nothing is wrong with them but their size."""
+        for name in ("ball", "socket"):
+            (self.root / f"{name}_in_m.ply").write_bytes(
+                scaled((self.root / "pair" / f"{name}.ply").read_bytes(), 1e-3)
+            )
+        out = self.root / "metres"
+        done = self.scene(ball=self.root / "ball_in_m.ply", socket=self.root / "socket_in_m.ply", out=out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        warning = (
+            f"{self.root}/ball_in_m.ply: reaches 0.0249 mm from the centre of rotation, which no joint does; "
+            "lengths are read as mm, scale both meshes if theirs are in another unit"
+        )
+        self.assertEqual(done.stderr, f"scene: warning: {warning}\n")
+        self.assertEqual(json.loads((out / "summary.json").read_text())["warnings"], [warning])
+
+    def test_names_of_any_bytes(self):
+        """A name that is no UTF-8, or has a line end, is a name; the summary is UTF-8 all the same."""
+        for name in (b"b\xff\xfe.ply", b"line\nend.ply"):
+            with self.subTest(name):
+                path = os.fsencode(self.root) + b"/" + name
+                shutil.copy(self.ball, path)
+                out = self.root / "names"
+                done = self.scene(ball=path, out=out)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertTrue(
+                    json.loads((out / "summary.json").read_text())["ball"]["file"].endswith(".ply")
+                )
+                os.truncate(path, 100)
+                refusal = self.scene(ball=path)
+                self.assertEqual((refusal.returncode, refusal.stderr.count("\n")), (1, 1))
+
+    def older_set(self, out: Path, *options) -> dict[str, str]:
+        """A complete run before the one that fails."""
+        done = self.scene(*options, out=out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        files = bytes_of(out)
+        self.assertEqual(sorted(files), sorted(FIVE))
+        return files
+
+    def test_a_limit_on_files_leaves_the_older_five(self):
+        """Whichever is the first that is too large for RLIMIT_FSIZE: nothing of the new run stays."""
+        sizes = {file.name: file.stat().st_size for file in self.sized().iterdir()}
+        out = self.root / "limited"
+        older = self.older_set(out, "--pose", "flexion=5")
+        met = set()
+        for size in sorted(sizes.values()):
+
+            def limited(
+                limit=size - 1,
+            ):  # with the signal ignored the limit is an error of write(), as on a full disk
+                resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+            done = self.scene(out=out, preexec_fn=limited)
+            name = next(name for name in FIVE if sizes[name] >= size)
+            met.add(name)
+            with self.subTest(name, size=size):
+                advice = "check that its folder exists, may be written to and has room"
+                self.refused(done, 1, f"{out}/{name}: cannot be written, File too large; {advice}")
+                self.assertEqual(bytes_of(out), older)
+        self.assertGreaterEqual(len(met), 2)
+        self.assertEqual(self.scene(out=out).returncode, 0)
+        self.assertNotEqual(bytes_of(out), older)
+
+    def sized(self) -> Path:
+        """A folder with the five files."""
+        out = self.root / "sized"
+        if not out.exists():
+            self.older_set(out)
+        return out
+
+    @contextlib.contextmanager
+    def disk(self, size: int):
+        """A small one of its own; needs root."""
+        place = self.root / "disk"
+        place.mkdir(exist_ok=True)
+        mounted = run("mount", "-t", "tmpfs", "-o", f"size={size},mode=755", "impinge-test", place)
+        if mounted.returncode != 0:
+            self.skipTest(f"no small disk: {mounted.stderr.strip()}")
+        try:
+            yield place
+        finally:
+            run("umount", place)
+
+    def test_a_full_disk_leaves_the_older_five_or_the_newer(self):
+        """Disks with room for the older files alone, for all, and between."""
+        whole = sum(-(-file.stat().st_size // PAGE) * PAGE for file in self.sized().iterdir())
+        ends = set()
+        for size in range(whole + 8 * PAGE, 2 * whole + 16 * PAGE, max(PAGE, whole // 12 // PAGE * PAGE)):
+            with self.subTest(size=size), self.disk(size) as place:
+                out = place / "out"
+                older = self.older_set(out, "--pose", "flexion=5")
+                done = self.scene(out=out)
+                if done.returncode == 0:
+                    self.assertEqual(sorted(bytes_of(out)), sorted(FIVE))
+                    self.assertNotEqual(bytes_of(out), older)
+                else:
+                    self.assertRegex(
+                        done.stderr, r"\Ascene: error: .*cannot be written, No space left on device; .*\n\Z"
+                    )
+                    self.assertEqual(bytes_of(out), older)
+                ends.add(done.returncode)
+        self.assertEqual(ends, {0, 1})
+
+
+if __name__ == "__main__":
+    unittest.main()
