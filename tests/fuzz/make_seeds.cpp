@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fuzz_seeds DIR: writes DIR/mesh (small meshes in every format) and DIR/options (command lines), in place of
+// what is there, and DIR/mesh.list and DIR/options.list, their names with commas between.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "files/file_bytes.hpp"
+#include "fuzz/mesh_input.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/io.hpp"
+#include "sphere/scheme_choice.hpp"
+#include "support/mesh_files.hpp"
+
+namespace {
+
+using namespace impinge;
+namespace fs = std::filesystem;
+
+// Seeds of one kind, numbered.
+class Seeds {
+ public:
+  explicit Seeds(fs::path folder) : folder_(std::move(folder)) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  const fs::path& folder() const { return folder_; }
+  void add(const std::string& bytes) {
+    const fs::path file = folder_ / std::to_string(count_++);
+    write_bytes(file, bytes);
+    list_ += (list_.empty() ? "" : ",") + file.string();
+  }
+  void write_list() const { write_bytes(folder_.string() + ".list", list_); }
+
+ private:
+  fs::path folder_;
+  std::string list_;
+  int count_ = 0;
+};
+
+void add_mesh(Seeds& seeds, const TriangleMesh& mesh) {
+  for (std::size_t k = 0; k < test::kFormats.size(); ++k) {
+    const fs::path file = seeds.folder() / test::kFormats[k];
+    write_mesh(file, mesh);
+    seeds.add(std::to_string(k) + read_bytes(file));
+    fs::remove(file);
+  }
+  seeds.add('0' + test::ascii_ply(mesh));
+  seeds.add('0' + test::binary_ply(mesh));
+  seeds.add('0' + test::binary_ply(mesh, /*big_endian=*/true));
+  seeds.add('1' + test::ascii_stl(mesh));
+  seeds.add('2' + test::obj(mesh));
+  seeds.add('3' + test::off(mesh));
+}
+
+void add_unusual_meshes(Seeds& seeds) {
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  seeds.add("3COFF # a square\n4 1 4\n" + points + "4 0 1 2 3 255 0 0\n");
+  seeds.add(
+      "2o square\nv 0 0 0 1 .5 .5\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nf 1/1/1 2//1 \\\n 3/1 -1\n");
+  seeds.add(
+      "0ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty double x\nproperty double y\n"
+      "property double z\nproperty uchar red\nelement face 1\nproperty list uchar uint vertex_index\n"
+      "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n4 0 1 2 3\n0 1\n");
+  seeds.add(
+      "1solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\n"
+      "endsolid a\nsolid b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 -1e-3 0\n"
+      "endloop\nendfacet\nendsolid b\n");
+}
+
+std::string joined(const std::string& words) {
+  std::string text = words;
+  for (char& c : text) c = c == ' ' ? '\0' : c;
+  return text;
+}
+
+void add_options(Seeds& seeds) {
+  const std::string files = "--ball b.ply --socket s.stl --out o";
+  seeds.add(joined(files));
+  seeds.add(joined(
+      files + " --centre 1,-2.5,3e2 --precision 0.25 --pose flexion=90,internal_rotation=10 --side left"));
+  seeds.add(joined(files + " --max-error 0.05 --axes LPS --cartilage 2.5"));
+  seeds.add(joined(files + " --precision=1 --pose=adduction=-20 --side=right --centre=fit"));
+  for_each_scheme(
+      [&]<class S>() { seeds.add(joined(files + " --scheme " + std::string(S::name) + " --precision 2")); });
+  seeds.add("--help");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const fs::path folder = argv[1];
+  Seeds meshes(folder / "mesh");
+  add_mesh(meshes, octahedron(2.5));
+  add_mesh(meshes, sphere(10.0, 20));
+  add_unusual_meshes(meshes);
+  meshes.write_list();
+  Seeds options(folder / "options");
+  add_options(options);
+  options.write_list();
+}
