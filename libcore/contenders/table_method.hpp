@@ -2,7 +2,9 @@
 // Any table as a method: radii or inverse depths, in double or stored in fewer bytes.
 #pragma once
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "contenders/radius_method.hpp"
 
@@ -18,8 +20,38 @@ std::size_t table_bytes(const Table& table) {
   }
 }
 
+// What a table keeps, entry by entry, in the order of its scheme.
+struct StoredRadii {
+  std::vector<Vec3> directions;  // unit
+  std::vector<double> radii;     // mm, NaN where there is no surface
+  double reach = 0.0;            // largest angle from a direction to an entry that its look-up reads, radians
+};
+
+// A method that keeps a table, to be looked at for itself.
+class KeepsRadii {
+ public:
+  KeepsRadii() = default;
+  KeepsRadii(const KeepsRadii&) = delete;
+  KeepsRadii& operator=(const KeepsRadii&) = delete;
+  virtual ~KeepsRadii() = default;
+
+  virtual StoredRadii stored() const = 0;
+};
+
+// Radius along direction(i), mm.
 template <class Table>
-class TableMethod final : public RadiusMethod {
+double entry_radius(const Table& table, std::size_t i) {
+  if constexpr (requires { table.radii(); }) {
+    return table.radii()[i];
+  } else if constexpr (requires { table.inverse_depths(); }) {
+    return 1.0 / (table.inverse_depths()[i] * table.scheme().depth(table.scheme().direction(i)));
+  } else {
+    return table.entry_radius(i);
+  }
+}
+
+template <class Table>
+class TableMethod final : public RadiusMethod, public KeepsRadii {
  public:
   explicit TableMethod(Table table) : table_(std::move(table)) {}
 
@@ -32,6 +64,16 @@ class TableMethod final : public RadiusMethod {
   double storage_bound() const override {
     if constexpr (requires { table_.storage_bound(); }) return table_.storage_bound();
     return 0.0;
+  }
+
+  StoredRadii stored() const override {
+    StoredRadii stored;
+    stored.reach = table_.scheme().stencil_radius();
+    for (std::size_t i = 0; i < table_.scheme().size(); ++i) {
+      stored.directions.push_back(table_.scheme().direction(i));
+      stored.radii.push_back(entry_radius(table_, i));
+    }
+    return stored;
   }
 
  private:

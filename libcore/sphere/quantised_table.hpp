@@ -52,6 +52,9 @@ class StoredRadialTable {
   // Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
 
+  // Radius along direction(i), mm.
+  double entry_radius(std::size_t i) const { return values_[i]; }
+
   // As RadialTable::radius_at(), mm.
   double radius_at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
@@ -88,6 +91,11 @@ class StoredInverseDepthTable {
 
   // Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
+
+  // Radius along direction(i), mm.
+  double entry_radius(std::size_t i) const {
+    return 1.0 / (values_[i] * scheme_.depth(scheme_.direction(i)));
+  }
 
   // As InverseDepthTable::radius_at(), mm.
   double radius_at(const Vec3& x) const { return plane_exact_radius_at(scheme_, rim_, values_, x); }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  Do stiff and extreme cases break a method?
+// @writes    stability stability_detail stability_families
+// @timing    no
+// @seconds   60 400
+// @links     stability
+//
+// Every family of libcore/stability/families/: its knob is turned from harmless to extreme, and each answer
+// is held against the exact one. The run fails, with the results written, if ours fails in a case that it
+// does not refuse.
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "experiment/driver.hpp"
+#include "stability/measure.hpp"
+#include "stability/report.hpp"
+
+namespace {
+
+using namespace impinge;
+
+constexpr std::size_t kMostLines = 20;
+
+void body(DriverRun& run) {
+  const StabilityRun settings{run.quick(), run.record.seed};
+  StabilityTables tables = run_stability(settings, run.progress);
+  Result result;
+  result.parameters = {{"unit_roundoff_float", unit_roundoff(Scalar::float32)},
+                       {"unit_roundoff_double", unit_roundoff(Scalar::float64)},
+                       {"threshold_of_tables_stored_in_float", kStoredThreshold},
+                       {"precision_deg_of_tables", StabilityScene{}.precision_deg},
+                       {"halvings_of_a_bound", measure_options(settings).search.budget},
+                       {"truth", "exact reference along the very double direction"},
+                       {"stiff_above", 1000}};
+  const auto write = [&](const char* name, const char* question, Table& table) {
+    result.name = name;
+    result.question = question;
+    result.table = std::move(table);
+    run.write(result);
+  };
+  write("stability", "How far off is every method in stiff and extreme cases?", tables.main);
+  write("stability_detail", "In which way does a method fail, and what does it refuse?", tables.detail);
+  write("stability_families", "What is varied in a family, and what is expected?", tables.families);
+  if (tables.broken.empty()) return;
+  for (std::size_t k = 0; k < tables.broken.size() && k < kMostLines; ++k) run.progress.say(tables.broken[k]);
+  throw std::runtime_error(std::to_string(tables.broken.size()) +
+                           " cases of ours failed outside of what they refuse: see stability_detail.csv");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::run_driver(argc, argv, {"11_stability", "Stiff and extreme cases."}, body);
+}

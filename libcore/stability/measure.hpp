@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All methods on one scene, held against the exact reference.
+//
+// Two things are kept apart. Rounding: a ray method is asked along every direction, a table at every entry,
+// and the answer is compared with the exact radius along that very double direction; its relative error over
+// condition * u stays below the threshold. Interpolation: a table is looked up along every direction, and
+// the error is never above its proven bound, rounding included.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stability/conditions.hpp"
+#include "stability/family.hpp"
+#include "stability/methods.hpp"
+#include "stability/scene.hpp"
+
+namespace impinge {
+
+// Of ours in double, from the operations of TriangleCone::radius() = (n . v0) / (n . u). With u = 2^-53 and t
+// the tilt of conditions.hpp, the 4 roundings of n = (b - a) x (c - a) and the 3 of a scalar product, each of
+// them 2 |b - a| |c - a| times R or 1 at most, move n . v0 and n . u by 14 u t of themselves. The division, a
+// direction whose length is 1 to within 3 u and the 4 roundings that normalise a direction, or that read a
+// mesh_exact table, add 8: (28 + 8) u times the condition. Where the plane holds the centre but for rounding,
+// t >= 1 / (20 u), the answer is that of a corner, which is off by less than the radius itself if no corner
+// is twice as far as another one: 20 u t at most.
+inline constexpr double kRadiusThreshold = 36.0;
+inline constexpr const char* kRadiusDerivation =
+    "14 roundings each of n.v0 and n.u, of 2 |b - a| |c - a|; 8 of quotient, length and normalised direction "
+    "or inverse depth";
+
+// Of tables stored in float: one rounding to float, and the others, which are in double.
+inline constexpr double kStoredThreshold = 1.0 + 2.0 * kRadiusThreshold * 0x1p-29;
+
+// What is the same for all magnitudes of a family.
+struct MeasureOptions {
+  double threshold = kRadiusThreshold;  // of everything that is not stored in float by us
+  BoundOptions search;                  // of the bounds of tables
+};
+MeasureOptions measure_options(const StabilityRun& run);
+
+// The truth along some directions.
+struct RadiusQuestions {
+  std::span<const Vec3> directions;
+  std::vector<double> truth;  // mm, NaN where there is no surface
+  std::vector<RayCondition> condition;
+};
+RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions);
+
+// Adds to the case what the answers came to: hits, errors, conditions, wrong ones.
+void judge(StabilityCase& result, const RadiusQuestions& questions, std::span<const double> answers);
+
+// Every method of the scene.
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options);
+
+// The same of some methods.
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options, std::span<const StabilityMethod> methods);
+
+// The scenes of one magnitude.
+using ScenesAt = std::function<std::vector<StabilityScene>(double magnitude)>;
+
+// Every method at every magnitude, the worse of its scenes.
+std::vector<StabilityCase> sweep(std::span<const double> magnitudes, const ScenesAt& scenes_at,
+                                 const StabilityRun& run);
+
+}  // namespace impinge

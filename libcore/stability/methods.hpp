@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The methods that a case of radii goes through: ours, and the others beside them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contenders/radius_method.hpp"
+#include "sampling/table_bound.hpp"
+#include "stability/family.hpp"
+#include "stability/scene.hpp"
+
+namespace impinge {
+
+// Does the ray along x meet the face? Exact; u is x normalised.
+bool is_met(const TriangleCone& cone, const Vec3& x, const Vec3& u);
+
+// The rays of the rasteriser without a table: of all faces whose cone contains the direction, exactly, the
+// nearest radius(). What fills every table, asked along any direction.
+std::unique_ptr<RadiusMethod> make_cone_rays(const TriangleMesh& mesh);
+
+// A method that is asked, or why it cannot be.
+struct StabilityMethod {
+  MethodMaker maker;
+  Scalar scalar = Scalar::float64;
+  std::string refused = {};  // the one line of a refusal; else empty
+};
+
+// cone_rays and the tables of every scheme, interpolant and storage in double and float (kind ours), pairwise
+// rays (brute), Embree's fast and robust rays and CGAL's first hit (library). A scheme that has no table at
+// the precision of the scene is there with its refusal. The scene outlives the methods.
+std::vector<StabilityMethod> stability_methods(const StabilityScene& scene, const BoundOptions& search);
+
+// The entries of every scheme at a precision.
+struct SchemeEntries {
+  std::string scheme;
+  std::vector<Vec3> directions;
+};
+std::vector<SchemeEntries> scheme_entries(double precision_deg);
+
+}  // namespace impinge
