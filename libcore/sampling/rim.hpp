@@ -31,7 +31,7 @@ inline constexpr double kRimPlace = 1e-12;
 
 // Calls visit(stencil, x) once for each stretch of the line from `from` to `to` within one cell, in order; x
 // is a point of it.
-template <SamplingScheme S, class Visit>
+template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visit&& visit) {
   const auto point = [&](double t) -> Vec3 { return from + t * (to - from); };
   const double step = kRimStep * scheme.covering_radius();
@@ -61,11 +61,11 @@ void for_each_cell_along(const S& scheme, const Vec3& from, const Vec3& to, Visi
 
 // By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
 // to belong to the layer; 0 or less if not at all.
-template <SamplingScheme S>
-double change_to_be_seen(const RadialTable<S>& table, const Stencil& stencil, double radius, Layer layer) {
+template <class Table>
+double change_to_be_seen(const Table& table, const Stencil& stencil, double radius, Layer layer) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < stencil.taps; ++k) {
-    const double tap = table.radii()[stencil.entry[k]];
+    const double tap = table.radius_of(stencil.entry[k]);
     if (!std::isnan(tap))
       least = std::min(least, layer == Layer::nearest ? std::log(radius / tap) : std::log(tap / radius));
   }
@@ -74,7 +74,7 @@ double change_to_be_seen(const RadialTable<S>& table, const Stencil& stencil, do
 
 // Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
 // scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
-template <SamplingScheme S, class Visit>
+template <class S, class Visit>
 void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   visit(at);
   if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
@@ -82,10 +82,10 @@ void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
 
 // Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
 // entry speaks for its cell, but not on the line between two others.)
-template <SamplingScheme S>
-bool may_be_parted(const RadialTable<S>& table, const Stencil& stencil) {
+template <class Table>
+bool may_be_parted(const Table& table, const Stencil& stencil) {
   return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
-                       [&](std::size_t i) { return !std::isnan(table.radii()[i]); }) > 1;
+                       [&](std::size_t i) { return !std::isnan(table.radius_of(i)); }) > 1;
 }
 
 // An edge in a cell that the faces at the edge alone would call hidden.
@@ -96,9 +96,8 @@ struct DoubtfulRim {
 
 // Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T s)
 // between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
-template <SamplingScheme S>
-void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful,
-                   RadialTable<S>& table) {
+template <class Table>
+void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful, Table& table) {
   std::unordered_map<std::size_t, double> slopes;  // of the taps
   double least = std::numeric_limits<double>::infinity();
   for (const DoubtfulRim& rim : doubtful) {
@@ -106,7 +105,7 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
     for (std::size_t k = 0; k < rim.reader.taps; ++k) slopes[rim.reader.entry[k]] = 0.0;
   }
   if (doubtful.empty()) return;
-  const S& scheme = table.scheme();
+  const auto& scheme = table.scheme();
   const auto& walker = scheme.walker();
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
@@ -122,18 +121,20 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
   for (const DoubtfulRim& rim : doubtful) {
     for (std::size_t k = 0; k < rim.reader.taps; ++k) {
       const std::size_t entry = rim.reader.entry[k];
-      if (!std::isnan(table.radii()[entry]) && slopes[entry] >= rim.slope)
+      if (!std::isnan(table.radius_of(entry)) && slopes[entry] >= rim.slope)
         table.mark_rim_cell(rim.reader.cell);
     }
   }
 }
 
-// Marks every cell in which the surface ends or jumps between the entries that it reads.
-template <SamplingScheme S>
-void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
+// Marks every cell in which the surface ends or jumps between the entries that it reads, for these of the
+// jump edges of the mesh. A table is one that has radius_of(), keeps(), scheme() and a rim mask; cells that
+// read an entry that it does not keep are never asked, and are left out.
+template <class Table>
+void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
   const double reach = table.scheme().stencil_radius();
   std::vector<DoubtfulRim> doubtful;
-  for (const JumpEdge& edge : jump_edges(mesh)) {
+  for (const JumpEdge& edge : edges) {
     const Vec3& from = mesh.vertices[edge.from];
     const Vec3& to = mesh.vertices[edge.to];
     const Vec3 across = from.cross(to);
@@ -143,7 +144,7 @@ void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
       for_each_cell_along(table.scheme(), from + from.norm() * aside, to + to.norm() * aside,
                           [&](const Stencil& stencil, const Vec3& x) {
                             for_each_cell_reading(table.scheme(), stencil, [&](const Stencil& reader) {
-                              if (!may_be_parted(table, reader)) return;
+                              if (!table.keeps(reader) || !may_be_parted(table, reader)) return;
                               const double change = change_to_be_seen(table, reader, x.norm(), layer);
                               if (change <= edge.slope * reach) {
                                 table.mark_rim_cell(reader.cell);
@@ -156,6 +157,12 @@ void mask_rim(const TriangleMesh& mesh, Layer layer, RadialTable<S>& table) {
   }
   std::erase_if(doubtful, [&table](const DoubtfulRim& rim) { return table.is_rim_cell(rim.reader.cell); });
   mask_doubtful(mesh, doubtful, table);
+}
+
+// For all of them.
+template <class Table>
+void mask_rim(const TriangleMesh& mesh, Layer layer, Table& table) {
+  mask_rim_along(jump_edges(mesh), mesh, layer, table);
 }
 
 }  // namespace impinge

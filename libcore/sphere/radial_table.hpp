@@ -28,6 +28,8 @@ class RadialTable {
   std::span<const double> radii() const& { return radii_; }
   std::span<double> radii() & { return radii_; }
   std::span<const double> radii() const&& = delete;  // they would dangle: keep the table
+  double radius_of(std::size_t entry) const { return radii_[entry]; }
+  static bool keeps(const Stencil& /*stencil*/) { return true; }  // the entries that it reads: all are kept
 
   // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
   // one bit a cell where a surface has a rim inside the reach of four entries.
@@ -42,6 +44,7 @@ class RadialTable {
 
   bool is_rim_cell(std::size_t cell) const { return rim_.contains(cell); }
   void mark_rim_cell(std::size_t cell) { rim_.mark(cell); }
+  void forget_rim() { rim_ = CellMask(scheme_.cells()); }
   const CellMask& rim_cells() const { return rim_; }
 
  private:

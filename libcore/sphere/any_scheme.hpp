@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sampling scheme chosen while the program runs, behind one type: code that uses it is compiled once, not
+// once a scheme. It answers with the very numbers of the scheme that it holds.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sphere/scheme.hpp"
+
+namespace impinge {
+
+class AnyScheme {
+ public:
+  using VisitStencil = std::function<void(const Stencil&)>;
+  using VisitRun = std::function<void(const DirectionRun&)>;
+
+  // What a scheme is asked for; see sphere/scheme.hpp.
+  class Model {
+   public:
+    Model() = default;
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+    virtual ~Model() = default;
+    virtual std::string_view name() const = 0;
+    virtual double precision_deg() const = 0;
+    virtual std::size_t size() const = 0;
+    virtual std::size_t cells() const = 0;
+    virtual bool flat_cells() const = 0;
+    virtual double covering_radius() const = 0;
+    virtual double stencil_radius() const = 0;
+    virtual Vec3 direction(std::size_t entry) const = 0;
+    virtual Stencil stencil(const Vec3& x) const = 0;
+    virtual void for_each_cell_across(const Stencil& at, const VisitStencil& visit) const = 0;
+    virtual void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const = 0;
+  };
+
+  class Walker {
+   public:
+    explicit Walker(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+    void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const {
+      model_->visit_near(cone, margin, visit);
+    }
+
+   private:
+    std::shared_ptr<const Model> model_;
+  };
+
+  // The scheme of that name whose entries are so many degrees apart. std::invalid_argument for a name or a
+  // precision that there is not.
+  AnyScheme(std::string_view name, double precision_deg);
+
+  std::string_view name() const { return model_->name(); }
+  double precision_deg() const { return model_->precision_deg(); }
+  std::size_t size() const { return model_->size(); }
+  std::size_t cells() const { return model_->cells(); }
+  // Is it a PlaneExactScheme whose cells are bounded by great circles?
+  bool flat_cells() const { return model_->flat_cells(); }
+  double covering_radius() const { return covering_radius_; }
+  double stencil_radius() const { return stencil_radius_; }
+  Vec3 direction(std::size_t entry) const { return model_->direction(entry); }
+  Stencil stencil(const Vec3& x) const { return model_->stencil(x); }
+  void for_each_cell_across(const Stencil& at, const VisitStencil& visit) const {
+    model_->for_each_cell_across(at, visit);
+  }
+  Walker walker() const { return Walker(model_); }
+
+ private:
+  std::shared_ptr<const Model> model_;
+  double covering_radius_;  // asked for often, and not cheap in every scheme
+  double stencil_radius_;
+};
+
+// Names of all schemes, in their order.
+std::vector<std::string> all_scheme_names();
+
+}  // namespace impinge
