@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Answering what a scene asks, by a plan.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "detection/scene_plan.hpp"
+
+namespace impinge {
+
+// Gaps of all vertices in one pose, mm; NaN where the other surface is not met.
+struct PoseGaps {
+  std::vector<double> ball;
+  std::vector<double> socket;
+};
+
+// The first of the smallest gaps, in the order of scans, poses and vertices.
+struct SmallestGap {
+  double gap_mm = 0.0;
+  ScannedSurface scanned = ScannedSurface::ball;
+  std::size_t pose = 0;  // of the needs
+  std::size_t vertex = 0;
+  bool operator==(const SmallestGap&) const = default;
+};
+
+// What it took.
+struct SceneCost {
+  std::size_t bytes = 0;     // of tables and whatever stood in for them, not of the answer
+  std::size_t entries = 0;   // worked out
+  std::size_t look_ups = 0;  // at most: a touch is certain after one gap of 0 or less
+};
+
+struct SceneAnswer {
+  std::vector<bool> touches;            // of each pose, for `touch`
+  std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
+  std::vector<PoseGaps> gaps;           // for `all_gaps`, of the poses that were looked at
+  std::vector<std::size_t> gaps_of;     // place of the gaps of each pose
+  SceneCost cost;
+};
+
+// Fills the whole table of a surface, for a plan that does not leave any of it out.
+using FillFull = std::function<std::unique_ptr<RadiusSource>(const TriangleMesh&, Layer)>;
+
+// Vertices of no face belong to no surface and have no gap. `joint` and `needs` are those of the plan.
+SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const ScenePlan& plan,
+                         const FillFull& fill_full);
+
+// Plans and answers. `left_out`, if given, gets what the plan has left out.
+SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
+                         Omissions omissions, const FillFull& fill_full,
+                         std::vector<LeftOut>* left_out = nullptr);
+
+// Are the answers the same, bit for bit?
+bool same_answer(const SceneAnswer& a, const SceneAnswer& b);
+
+// Largest difference of the gaps of one pose, mm; infinite where one has a gap that the other has not.
+double gap_difference(const PoseGaps& a, const PoseGaps& b);
+
+// Largest difference of two answers' gaps, mm; infinite where one has a gap or a touch that the other has
+// not.
+double answer_difference(const SceneAnswer& a, const SceneAnswer& b);
+
+}  // namespace impinge

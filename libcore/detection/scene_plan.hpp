@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What will be done for a scene and what not, worked out from its needs and its meshes before any table is
+// filled.
+//
+// Why the answers stay the same, bit for bit, where no accuracy is stated. All entries that a look-up along x
+// reads are within the stencil radius s of x, and the answer is a mean of them. NearFaces with a margin of s
+// or more gives a range that holds all of their radii, hence the answer:
+//   no face within the margin     every entry is empty, and so is the answer
+//   lower end of the gap > limit  the gap is above the limit, or there is none
+// For `touch` the limit is 0. For `first_contact` it is the least upper end of the gaps of all vertices that
+// are not near a rim, so that there is a gap at or below it (answer_scene() makes sure). A scan without any
+// vertex left is dropped. Entries that no look-up reads cannot change an answer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "detection/algorithm_2.hpp"
+#include "detection/needs.hpp"
+#include "sampling/partial_table.hpp"
+
+namespace impinge {
+
+// One thing that is not done.
+struct LeftOut {
+  Omission what;
+  std::string reason;        // one clause, with the numbers that it rests on
+  double bytes_saved = 0.0;  // of memory, against doing it; less than 0 where the way round it takes more
+};
+
+// One scan: vertices of `scanned` against the other surface.
+struct ScanPlan {
+  ScannedSurface scanned = ScannedSurface::ball;
+  bool wanted = true;  // asked for, and not dropped
+  // Those to look up in each of the plan's poses; none given: all.
+  std::optional<std::vector<std::vector<std::uint32_t>>> vertices;
+  std::unique_ptr<NearFaces> faces;  // of the other surface, where something is left out because of it
+  std::optional<EntrySet> entries;   // those to keep; none given: all
+};
+
+// What is looked up: a table, and with an accuracy the faces themselves where that is cheaper or the table is
+// not proven to keep it.
+struct TableChoice {
+  AnyScheme scheme;
+  Storage storage = Storage::double_precision;
+  std::optional<double> accuracy_mm = std::nullopt;  // given where the table was chosen for it
+  bool rays_only = false;                            // there are too few look-ups for any table to pay
+};
+
+struct ScenePlan {
+  explicit ScenePlan(const AnyScheme& given) : table{given} {}
+
+  std::vector<std::size_t> poses;    // of the needs, those that are looked at
+  std::vector<std::size_t> same_as;  // for each pose of the needs its place in `poses`
+  TableChoice table;
+  std::array<ScanPlan, 2> scans;  // ball, socket
+  double limit_mm = 0.0;          // gaps above it do not matter; infinite for all_gaps
+  std::vector<LeftOut> left_out;
+
+  // Memory of the plan itself, which the answer needs.
+  std::size_t bytes() const;
+};
+
+// Meshes in their centre frames; they must outlive the plan. `given` is the table that everything would be
+// done with. std::invalid_argument for an accuracy that is not above 0 or a scene without poses or scans.
+ScenePlan plan_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
+                     Omissions omissions);
+
+// Where the pose has a vertex of the scanned surface, in the frame of the other one.
+inline Vec3 placed(ScannedSurface scanned, const Pose& pose, const Vec3& vertex) {
+  return scanned == ScannedSurface::ball ? to_socket(pose, vertex) : to_ball(pose, vertex);
+}
+
+inline const TriangleMesh& scanned_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
+  return scanned == ScannedSurface::ball ? joint.ball : joint.socket;
+}
+inline const TriangleMesh& asked_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
+  return scanned == ScannedSurface::ball ? joint.socket : joint.ball;
+}
+inline Layer asked_layer(ScannedSurface scanned) {
+  return scanned == ScannedSurface::ball ? Layer::nearest : Layer::farthest;
+}
+
+// Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
+bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near);
+
+}  // namespace impinge
