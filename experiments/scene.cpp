@@ -2,17 +2,20 @@
 // A user's own joint: two meshes in, gaps out.
 //
 //   scene --ball FILE --socket FILE [--centre fit|X,Y,Z] [--scheme NAME] [--precision DEG | --max-error MM]
-//         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM] --out
-//         DIR
+//         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM]
+//         [--question touch|first-contact|all-gaps] [--surfaces both|ball|socket]
+//         [--outputs gaps,bounds,distances,verdicts] [--explain] [--everything] --out DIR
 //
 // Exit code 0 on success, 1 when a mesh cannot be used, 2 for a wrong option. An error is one line on stderr.
 
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
+#include "scene/question.hpp"
 #include "scene/report.hpp"
 
 namespace {
@@ -27,15 +30,39 @@ int fail(const std::exception& error, int code) {
   return code;
 }
 
+// The files that a scene of all gaps writes, as a person reads them.
+std::string files_of(const SceneOptions& options) {
+  if (options.outputs.gaps) {
+    return std::string("{") + (options.scan_ball ? "ball.ply," : "") +
+           (options.scan_socket ? "socket.ply," : "") + "gaps.csv" +
+           (options.outputs.distances ? ",distances.csv" : "") + ",summary.json}";
+  }
+  return options.outputs.distances ? "{distances.csv,summary.json}" : "summary.json";
+}
+
+// Writes all that was asked for and says what it found.
+void run_all_gaps(const Joint& joint, const SceneOptions& options) {
+  const Measurement measurement = measure(joint, options);
+  const nlohmann::json report = summary(options, joint, measurement);
+  write_scene(options, joint, measurement, report);
+  std::cout << describe_scene(report);
+  if (options.explain) std::cout << describe_left_out(report["left_out"]);
+  std::cout << "wrote               " << options.out.string() << "/" << files_of(options) << std::endl;
+}
+
+void run_question(const Joint& joint, const SceneOptions& options) {
+  const nlohmann::json report = question_summary(options, joint, answer_question(joint, options));
+  write_if_changed(options.out / "summary.json", json_text(report));
+  std::cout << describe_question(report);
+  if (options.explain) std::cout << describe_left_out(report["left_out"]);
+  std::cout << "wrote               " << options.out.string() << "/summary.json" << std::endl;
+}
+
 void run(const SceneOptions& options) {
   const Joint joint = load_joint(options);
   for (const std::string& warning : joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
-  const Measurement measurement = measure(joint, options);
-  const nlohmann::json report = summary(options, joint, measurement);
-  write_scene(options, joint, measurement, report);
-  std::cout << describe_scene(report) << "wrote               " << options.out.string()
-            << "/{ball.ply,socket.ply,gaps.csv,distances.csv,summary.json}" << std::endl;
+  options.question == Question::all_gaps ? run_all_gaps(joint, options) : run_question(joint, options);
 }
 
 }  // namespace

@@ -160,6 +160,53 @@ Pose pose_of(const SceneOptions& options) {
   return {axes.transpose() * joint_rotation(options.motion, options.side) * axes, Vec3::Zero()};
 }
 
+SceneNeeds needs_of(const SceneOptions& options, const Pose& pose) {
+  return {options.question, options.scan_ball, options.scan_socket, {pose}, options.max_error_mm};
+}
+
+// Never called: all omissions are on, so that no whole table is wanted.
+std::unique_ptr<RadiusSource> no_full_table(const TriangleMesh& /*mesh*/, Layer /*layer*/) {
+  throw std::logic_error("a plan that leaves out entries asks for a whole table");
+}
+
+// A table that keeps few entries still has a directory of all of them.
+AnyScheme partly_kept(const SceneOptions& options) {
+  constexpr double kDirectory = 2.0 * 4.0 / 4096.0;  // bytes an entry, both tables
+  const AnyScheme scheme(options.scheme, options.precision_deg);
+  const double needed = kDirectory * static_cast<double>(scheme.size());
+  const auto free = static_cast<double>(available_memory());
+  if (needed <= free) return scheme;
+  throw std::runtime_error(
+      format("tables of %zu entries at %g degrees would take more than %.0f bytes (%.1f GiB) and %.1f GiB of "
+             "memory are free; choose a coarser --precision",
+             scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
+}
+
+// The gaps alone.
+Measurement measure_gaps(const Joint& joint, const SceneOptions& options, const Pose& pose) {
+  Measurement result;
+  result.pose = pose;
+  Stopwatch watch;
+  const AnyScheme scheme = partly_kept(options);
+  SceneAnswer answer = answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, pose), scheme,
+                                    Omissions::all(), no_full_table, &result.left_out);
+  result.precision_deg = scheme.precision_deg();
+  result.entries = scheme.size();
+  result.bytes = answer.cost.bytes;
+  result.ball.gap = std::move(answer.gaps.front().ball);
+  result.socket.gap = std::move(answer.gaps.front().socket);
+  result.scan_ms = watch.lap_ms();
+  return result;
+}
+
+// What was not asked for, in words.
+void say_left_out(const SceneOutputs& outputs, Measurement& result) {
+  if (!outputs.bounds && !outputs.verdicts)
+    result.left_out.push_back({Omission::error_bounds, "not asked for", 0.0});
+  if (!outputs.distances) result.left_out.push_back({Omission::distances, "not asked for", 0.0});
+  if (!outputs.verdicts) result.left_out.push_back({Omission::exact_verdicts, "not asked for", 0.0});
+}
+
 }  // namespace
 
 double largest_bound(const SurfaceGaps& gaps) {
@@ -172,16 +219,34 @@ double largest_bound(const SurfaceGaps& gaps) {
 
 Measurement measure(const Joint& joint, const SceneOptions& options) {
   const Pose pose = pose_of(options);
+  const SceneOutputs& outputs = options.outputs;
   Measurement result;
-  with_scheme(options.scheme, [&]<class S>() {
-    result = options.max_error_mm ? measure_within<S>(*options.max_error_mm, joint, pose)
-                                  : measure_at<S>(options.precision_deg, joint, pose);
-  });
-  bracket_distances(joint, result);
-  result.certificate =
-      certify({joint.ball.mesh, joint.socket.mesh}, pose, {result.ball.gap, result.ball.bound},
-              {result.socket.gap, result.socket.bound});
+  if (!outputs.bounds && !outputs.verdicts) {
+    result = measure_gaps(joint, options, pose);
+  } else {
+    with_scheme(options.scheme, [&]<class S>() {
+      result = options.max_error_mm ? measure_within<S>(*options.max_error_mm, joint, pose)
+                                    : measure_at<S>(options.precision_deg, joint, pose);
+    });
+  }
+  if (outputs.distances) bracket_distances(joint, result);
+  if (outputs.verdicts) {
+    result.certificate =
+        certify({joint.ball.mesh, joint.socket.mesh}, pose, {result.ball.gap, result.ball.bound},
+                {result.socket.gap, result.socket.bound});
+  }
+  say_left_out(outputs, result);
   return result;
+}
+
+QuestionAnswer answer_question(const Joint& joint, const SceneOptions& options) {
+  QuestionAnswer found;
+  found.pose = pose_of(options);
+  Stopwatch watch;
+  found.answer = answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, found.pose),
+                              partly_kept(options), Omissions::all(), no_full_table, &found.left_out);
+  found.milliseconds = watch.lap_ms();
+  return found;
 }
 
 }  // namespace impinge

@@ -3,18 +3,20 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "detection/euclidean_bracket.hpp"
 #include "detection/pose.hpp"
+#include "detection/scene_answer.hpp"
 #include "scene/certificate.hpp"
 #include "scene/joint.hpp"
 #include "scene/options.hpp"
 
 namespace impinge {
 
-// One scan: the vertices of one surface against the table of the other.
+// One scan: the vertices of one surface against the table of the other. What was not asked for is empty.
 struct SurfaceGaps {
   std::vector<double> gap;    // mm, NaN where the other surface is not met
   std::vector<double> bound;  // mm, proven bound on the error of the gap (table_bound.hpp), NaN with it
@@ -26,20 +28,31 @@ struct Measurement {
   SurfaceGaps ball;
   SurfaceGaps socket;
   double precision_deg = 0.0;
-  std::size_t entries = 0;   // of each table
-  std::size_t bytes = 0;     // of both tables
-  double fill_ms = 0.0;      // both tables
-  double bound_ms = 0.0;     // the bounds of all gaps
-  double scan_ms = 0.0;      // both scans
-  double distance_ms = 0.0;  // the brackets of all Euclidean distances
-  Certificate certificate;   // exact verdicts on vertices and surfaces
+  std::size_t entries = 0;                 // of each table
+  std::size_t bytes = 0;                   // of both tables
+  double fill_ms = 0.0;                    // both tables
+  double bound_ms = 0.0;                   // the bounds of all gaps
+  double scan_ms = 0.0;                    // both scans
+  double distance_ms = 0.0;                // the brackets of all Euclidean distances
+  std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
+  std::vector<LeftOut> left_out;           // work and memory that the scene did not need
 };
 
 // Fills a table for each surface at the precision asked for, or at the coarsest of 1, 0.5, 0.25, 0.1, 0.05
-// and 0.025 degrees whose bound keeps --max-error at every vertex, and scans both. std::runtime_error, one
-// line, if the tables do not fit in memory (with the bytes that they would take) or no precision is fine
-// enough.
+// and 0.025 degrees whose bound keeps --max-error at every vertex, and scans both. Where neither bounds nor
+// verdicts are asked for, only what the gaps need is done (detection/scene_plan.hpp), and with --max-error
+// gaps that no table is proven to keep that accurate are measured on the faces. std::runtime_error, one line,
+// if the tables do not fit in memory (with the bytes that they would take) or no precision is fine enough.
 Measurement measure(const Joint& joint, const SceneOptions& options);
+
+// The answer to another question than all_gaps, and the plan that it was found by.
+struct QuestionAnswer {
+  Pose pose;
+  SceneAnswer answer;
+  std::vector<LeftOut> left_out;
+  double milliseconds = 0.0;
+};
+QuestionAnswer answer_question(const Joint& joint, const SceneOptions& options);
 
 // Largest bound over the vertices that have a gap; 0 if none has.
 double largest_bound(const SurfaceGaps& gaps);

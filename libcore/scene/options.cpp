@@ -23,6 +23,9 @@ struct Typed {
   std::string pose;
   std::string side;
   std::string cartilage;
+  std::string question = "all-gaps";
+  std::string surfaces = "both";
+  std::string outputs;
 };
 
 [[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view advice) {
@@ -90,6 +93,54 @@ void set_accuracy(const Typed& typed, SceneOptions& options) {
   });
 }
 
+void set_question(const Typed& typed, SceneOptions& options) {
+  if (typed.question == "touch") {
+    options.question = Question::touch;
+  } else if (typed.question == "first-contact") {
+    options.question = Question::first_contact;
+  } else if (typed.question != "all-gaps") {
+    refuse("--question", typed.question, "is no question; ask touch, first-contact or all-gaps");
+  }
+  if (typed.surfaces != "both" && typed.surfaces != "ball" && typed.surfaces != "socket")
+    refuse("--surfaces", typed.surfaces, "is no choice of surfaces; give ball, socket or both");
+  options.scan_ball = typed.surfaces != "socket";
+  options.scan_socket = typed.surfaces != "ball";
+}
+
+void set_outputs(const Typed& typed, SceneOptions& options) {
+  if (options.question != Question::all_gaps) options.outputs = {false, false, false, false};
+  if (typed.outputs.empty()) return;
+  if (options.question != Question::all_gaps)
+    refuse("--outputs", typed.outputs,
+           "come with the question all-gaps alone; leave one of the two options out");
+  options.outputs = {false, false, false, false};
+  std::string_view rest = typed.outputs;
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    bool* const output = word == "gaps"        ? &options.outputs.gaps
+                         : word == "bounds"    ? &options.outputs.bounds
+                         : word == "distances" ? &options.outputs.distances
+                         : word == "verdicts"  ? &options.outputs.verdicts
+                                               : nullptr;
+    if (output == nullptr)
+      refuse("--outputs", word,
+             "is no output; give some of gaps, bounds, distances and verdicts, with commas between");
+    *output = true;
+    more = comma != rest.npos;
+    rest.remove_prefix(more ? comma + 1 : 0);
+  }
+}
+
+// Both surfaces are in the outputs that compare them.
+void require_both_surfaces(const Typed& typed, const SceneOptions& options) {
+  if (typed.surfaces == "both" || options.question != Question::all_gaps) return;
+  const SceneOutputs& outputs = options.outputs;
+  if (!typed.outputs.empty() && !outputs.bounds && !outputs.distances && !outputs.verdicts) return;
+  refuse("--surfaces", typed.surfaces,
+         "leaves out what bounds, distances and verdicts need; add --outputs gaps");
+}
+
 void interpret(const Typed& typed, SceneOptions& options) {
   if (typed.centre != "fit") options.centre = parse_centre(typed.centre);
   set_accuracy(typed, options);
@@ -111,6 +162,13 @@ void interpret(const Typed& typed, SceneOptions& options) {
     options.cartilage_mm = parse_number("--cartilage", typed.cartilage, advice);
     if (options.cartilage_mm < 0.0) refuse("--cartilage", typed.cartilage, advice);
   }
+  set_question(typed, options);
+  set_outputs(typed, options);
+  require_both_surfaces(typed, options);
+  if (!options.everything) return;
+  options.question = Question::all_gaps;
+  options.scan_ball = options.scan_socket = true;
+  options.outputs = {};
 }
 
 }  // namespace
@@ -139,6 +197,18 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   app.add_option("--axes", options.axes, "where +x, +y and +z of the meshes point: R/L, A/P, S/I")
       ->capture_default_str();
   app.add_option("--cartilage", typed.cartilage, "thickness of both cartilage layers together in mm [4]");
+  app.add_option(
+         "--question", typed.question,
+         "touch, first-contact (the smallest gap) or all-gaps; the first two write summary.json alone")
+      ->capture_default_str();
+  app.add_option("--surfaces", typed.surfaces, "whose vertices are looked up: ball, socket or both")
+      ->capture_default_str();
+  app.add_option(
+      "--outputs", typed.outputs,
+      "with all-gaps, some of gaps,bounds,distances,verdicts [all of them]; what is not asked for is not "
+      "worked out");
+  app.add_flag("--explain", options.explain, "say what is left out, why, and what that saves");
+  app.add_flag("--everything", options.everything, "leave nothing out, to compare");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success&) {

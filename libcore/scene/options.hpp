@@ -7,10 +7,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "detection/needs.hpp"
 #include "joint/motion.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
+
+// What is written besides the answer to the question.
+struct SceneOutputs {
+  bool gaps = true;       // ball.ply, socket.ply and gaps.csv
+  bool bounds = true;     // proven, of the error of every gap
+  bool distances = true;  // brackets of Euclidean distances: distances.csv
+  bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
+};
 
 struct SceneOptions {
   std::filesystem::path ball;
@@ -25,6 +34,12 @@ struct SceneOptions {
   std::optional<Side> side;
   std::string axes = "RAS";
   double cartilage_mm = 4.0;  // both layers together; the thesis' value
+  Question question = Question::all_gaps;
+  bool scan_ball = true;  // the first scan: vertices of the ball against the socket
+  bool scan_socket = true;
+  SceneOutputs outputs;     // none of them with another question than all_gaps
+  bool everything = false;  // all gaps and all outputs, and nothing is left out on the way
+  bool explain = false;     // what is left out is printed
 };
 
 // A wrong option: what() is one line that names it and says what to do.

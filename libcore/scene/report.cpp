@@ -12,6 +12,7 @@
 #include "joint/clock.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"
+#include "scene/question.hpp"
 
 namespace impinge {
 namespace {
@@ -40,11 +41,13 @@ View view(Surface surface, const SceneOptions& options, const Joint& joint, cons
   if (is_ball) {
     for (Vec3& x : v.posed) x = to_socket(measurement.pose, x);
   }
-  v.area = vertex_areas(v.part.mesh);
+  if (!v.gaps.gap.empty()) v.area = vertex_areas(v.part.mesh);  // else it was not scanned
   return v;
 }
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json interval(double low, double high) { return json::array({number(low), number(high)}); }
 
 json point(const Vec3& x) { return {{"x", x.x()}, {"y", x.y()}, {"z", x.z()}}; }
 
@@ -71,7 +74,7 @@ json zones_json(const View& v, double threshold, const std::optional<ClockFace>&
   if (!dial) return nullptr;
   std::vector<double> hours;
   std::vector<double> area;
-  for (std::size_t i = 0; i < v.posed.size(); ++i) {
+  for (std::size_t i = 0; i < v.gaps.gap.size(); ++i) {
     if (!(v.gaps.gap[i] <= threshold)) continue;
     hours.push_back(dial->hours(axes * v.posed[i]));
     area.push_back(v.area[i]);
@@ -97,8 +100,10 @@ json smallest_json(const View& v, const Vec3& centre, const std::optional<ClockF
   if (!found.smallest) return nullptr;
   const std::size_t i = *found.smallest;
   return {{"gap_mm", found.smallest_gap},
-          {"error_bound_mm", number(v.gaps.bound[i])},
-          {"euclidean_distance_mm", json::array({v.gaps.distance[i].lower_mm, v.gaps.distance[i].upper_mm})},
+          {"error_bound_mm", v.gaps.bound.empty() ? json(nullptr) : number(v.gaps.bound[i])},
+          {"euclidean_distance_mm", v.gaps.distance.empty()
+                                        ? json(nullptr)
+                                        : interval(v.gaps.distance[i].lower_mm, v.gaps.distance[i].upper_mm)},
           {"surface", name(v.surface)},
           {"vertex", i},
           {"position", point(v.posed[i] + centre)},
@@ -129,8 +134,8 @@ json levels_json(Surface surface, double cartilage) {
 }
 
 // Work that this scene did not need, and why.
-json left_out(const Joint& joint) {
-  json items = json::array();
+json left_out(const Joint& joint, const std::vector<LeftOut>& planned) {
+  json items = left_out_json(planned);
   if (joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0) {
     items.push_back("faces whose plane holds the centre: they cover no direction");
   }
@@ -140,6 +145,7 @@ json left_out(const Joint& joint) {
 // What the bounds of all vertices together prove: the smallest gap of any of them lies in the interval.
 // Vertices without a finite bound (steep faces) are counted and left out of it.
 json bounds_json(const View& ball, const View& socket) {
+  if (ball.gaps.bound.empty()) return nullptr;
   double low = std::numeric_limits<double>::infinity();
   double high = low;
   double largest = 0.0;
@@ -165,6 +171,7 @@ json bounds_json(const View& ball, const View& socket) {
 
 // Gaps are radial. Where one is above the upper end of the Euclidean distance it overstates it for certain.
 json distances_json(const View& ball, const View& socket) {
+  if (ball.gaps.distance.empty()) return nullptr;
   constexpr double kOverstated = 1.1;
   double low = std::numeric_limits<double>::infinity();
   double high = low;
@@ -175,7 +182,8 @@ json distances_json(const View& ball, const View& socket) {
       const DistanceBracket& distance = v->gaps.distance[i];
       low = std::min(low, distance.lower_mm);
       high = std::min(high, distance.upper_mm);
-      const double ratio = (std::abs(v->gaps.gap[i]) - v->gaps.bound[i]) / distance.upper_mm;
+      const double bound = v->gaps.bound.empty() ? 0.0 : v->gaps.bound[i];
+      const double ratio = (std::abs(v->gaps.gap[i]) - bound) / distance.upper_mm;
       if (std::isnan(ratio)) continue;
       largest = std::max(largest, ratio);
       if (ratio > kOverstated) ++overstated;
@@ -208,7 +216,9 @@ json vertex_verdicts_json(const VertexVerdicts& verdicts) {
 }
 
 // What is certain about bone on bone.
-json certificate_json(const Certificate& certificate) {
+json certificate_json(const std::optional<Certificate>& found) {
+  if (!found) return nullptr;
+  const Certificate& certificate = *found;
   const auto verdict = [](bool impinged) { return impinged ? "impinged" : "clear"; };
   const auto& deepest = certificate.deepest;
   return {{"surfaces", verdict(certificate.surfaces_impinged)},
@@ -226,7 +236,7 @@ std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
       {"x", "mm", "position as posed"},  {"y", "mm", "position as posed"},
       {"z", "mm", "position as posed"},  {"gap_mm", "mm", "socket radius minus ball radius"}};
   for (const View* v : {&ball, &socket}) {
-    for (std::size_t i = 0; i < v->posed.size(); ++i) {
+    for (std::size_t i = 0; i < v->gaps.gap.size(); ++i) {
       const Vec3 x = v->posed[i] + centre;
       table.add_row({name(v->surface), i, x.x(), x.y(), x.z(), v->gaps.gap[i]});
     }
@@ -259,11 +269,6 @@ std::string part_ply(const View& v, const SceneOptions& options, const Vec3& cen
   return ply_bytes(mesh, "gap", v.gaps.gap, colours);
 }
 
-// Names of files may hold any bytes; what is no UTF-8 becomes U+FFFD.
-std::string json_text(const json& value) {
-  return value.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
 std::string format(const char* pattern, auto... values) {
   char text[320];
   std::snprintf(text, sizeof text, pattern, values...);
@@ -282,6 +287,7 @@ std::string describe_zones(const json& zones) {
 }
 
 std::string describe_certificate(const json& certificate) {
+  if (certificate.is_null()) return "";
   const std::string surfaces = certificate["surfaces"];
   std::string text = "bone on bone        surfaces " + surfaces;
   if (surfaces == "impinged") {
@@ -331,14 +337,15 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
            {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
             {"socket", levels_json(Surface::socket, options.cartilage_mm)},
             {"no_gap_rgb", kNoGapColour}}},
-          {"left_out", left_out(joint)},
+          {"left_out", left_out(joint, measurement.left_out)},
           {"warnings", joint.warnings},
           {"times_ms",
            {{"fill_tables", measurement.fill_ms},
             {"scan", measurement.scan_ms},
             {"error_bounds", measurement.bound_ms},
             {"euclidean_distances", measurement.distance_ms},
-            {"certificate", 1000.0 * measurement.certificate.seconds}}}};
+            {"certificate",
+             measurement.certificate ? json(1000.0 * measurement.certificate->seconds) : json(nullptr)}}}};
 }
 
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
@@ -346,10 +353,14 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
   const View ball = view(Surface::ball, options, joint, measurement);
   const View socket = view(Surface::socket, options, joint, measurement);
   FileSet files;
-  files.add(options.out / "ball.ply", part_ply(ball, options, joint.centre));
-  files.add(options.out / "socket.ply", part_ply(socket, options, joint.centre));
-  files.add(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
-  files.add(options.out / "distances.csv", distances_csv(ball, socket));
+  if (options.outputs.gaps) {
+    for (const View* v : {&ball, &socket}) {
+      if (v->gaps.gap.empty()) continue;
+      files.add(options.out / (std::string(name(v->surface)) + ".ply"), part_ply(*v, options, joint.centre));
+    }
+    files.add(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
+  }
+  if (options.outputs.distances) files.add(options.out / "distances.csv", distances_csv(ball, socket));
   files.add(options.out / "summary.json", json_text(summary));
   files.commit();
 }
@@ -378,8 +389,10 @@ std::string describe_scene(const json& summary) {
         format(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
   }
   const json& distance = smallest["euclidean_distance_mm"];
-  text += format("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
-                 distance[1].get<double>());
+  if (!distance.is_null()) {
+    text += format("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
+                   distance[1].get<double>());
+  }
   for (const json& level : summary["impingement"]) {
     text += format("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
     const std::size_t found =

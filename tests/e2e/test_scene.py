@@ -60,6 +60,47 @@ class Scene(unittest.TestCase):
         for name in ("ball.ply", "socket.ply", "gaps.csv", "distances.csv"):
             self.assertEqual((self.root / "one" / name).read_bytes(), (self.root / "two" / name).read_bytes(), name)
 
+    def summary(self, out: str) -> dict:
+        return json.loads((self.root / out / "summary.json").read_text())
+
+    def test_leaving_out_what_is_not_asked_for_keeps_the_answers(self):
+        self.assertEqual(self.scene("whole", "--everything").returncode, 0)
+        done = self.scene("gaps_alone", "--outputs", "gaps", "--explain")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = sorted(path.name for path in (self.root / "gaps_alone").iterdir())
+        self.assertEqual(names, ["ball.ply", "gaps.csv", "socket.ply", "summary.json"])
+        for name in ("ball.ply", "socket.ply", "gaps.csv"):
+            whole, alone = (self.root / out / name for out in ("whole", "gaps_alone"))
+            self.assertEqual(whole.read_bytes(), alone.read_bytes(), name)
+        whole, alone = self.summary("whole"), self.summary("gaps_alone")
+        self.assertEqual(whole["smallest_gap"]["gap_mm"], alone["smallest_gap"]["gap_mm"])
+        self.assertEqual(whole["left_out"], [])
+        self.assertLess(alone["table_bytes"], whole["table_bytes"])
+        left_out = {item["what"] for item in alone["left_out"]}
+        self.assertEqual(left_out, {"vertices", "entries", "error_bounds", "distances", "exact_verdicts"})
+        self.assertIn("left out", done.stdout)
+        self.assertIn("saves", done.stdout)
+
+    def test_a_question_is_answered_alone(self):
+        whole = self.scene("whole_at_1", "--precision", 1, "--everything")
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        smallest = self.summary("whole_at_1")["smallest_gap"]
+        self.assertEqual(self.scene("close", "--precision", 1, "--question", "first-contact").returncode, 0)
+        self.assertEqual([path.name for path in (self.root / "close").iterdir()], ["summary.json"])
+        found = self.summary("close")["smallest_gap"]
+        for key in ("gap_mm", "surface", "vertex", "position"):
+            self.assertEqual(found[key], smallest[key], key)
+        done = self.scene("touch", "--question", "touch", "--surfaces", "ball")
+        self.assertIn("touch               no", done.stdout)
+        self.assertFalse(self.summary("touch")["touch"])
+
+    def test_gaps_of_one_surface_alone(self):
+        done = self.scene("one_surface", "--surfaces", "ball", "--outputs", "gaps")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = sorted(path.name for path in (self.root / "one_surface").iterdir())
+        self.assertEqual(names, ["ball.ply", "gaps.csv", "summary.json"])
+        self.assertNotIn("\nsocket,", (self.root / "one_surface" / "gaps.csv").read_text())
+
     def refused(self, done: subprocess.CompletedProcess, code: int, *words: str):
         self.assertEqual(done.returncode, code, done.stderr + done.stdout)
         self.assertEqual(done.stdout, "")
@@ -114,6 +155,11 @@ class Scene(unittest.TestCase):
             (("--pose", "abduction=10"), "--side"),
             (("--cartilage", "-1"), "--cartilage"),
             (("--max-error", "0"), "--max-error"),
+            (("--question", "why"), "first-contact"),
+            (("--surfaces", "neither"), "--surfaces"),
+            (("--surfaces", "ball"), "--outputs gaps"),
+            (("--outputs", "gaps,plots"), "plots"),
+            (("--question", "touch", "--outputs", "gaps"), "all-gaps"),
         ]
         for options, word in cases:
             with self.subTest(options):

@@ -47,6 +47,21 @@ TEST(SceneOptions, ReadsAllOfTheContract) {
   EXPECT_FALSE(parse({"--centre", "fit"})->centre);
 }
 
+TEST(SceneOptions, ReadsWhatTheSceneNeeds) {
+  EXPECT_EQ(parse({})->question, Question::all_gaps);
+  EXPECT_TRUE(parse({})->outputs.distances);
+  const auto touch = parse({"--question", "touch", "--surfaces", "ball"});
+  EXPECT_EQ(touch->question, Question::touch);
+  EXPECT_TRUE(touch->scan_ball && !touch->scan_socket);
+  EXPECT_FALSE(touch->outputs.gaps);
+  const auto some = parse({"--outputs", "gaps,distances", "--explain"});
+  EXPECT_TRUE(some->outputs.gaps && some->outputs.distances && some->explain);
+  EXPECT_FALSE(some->outputs.bounds || some->outputs.verdicts);
+  const auto everything = parse({"--everything", "--question", "touch", "--surfaces", "ball"});
+  EXPECT_TRUE(everything->outputs.verdicts && everything->scan_socket);
+  EXPECT_EQ(everything->question, Question::all_gaps);
+}
+
 struct Wrong {
   std::vector<const char*> options;
   std::string named;   // what the message must name

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene is not asked for is not worked out, and what it is asked for stays the same, bit for bit.
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "sampling/pairwise.hpp"
+#include "scene/measurement.hpp"
+#include "scene/question.hpp"
+
+namespace impinge {
+namespace {
+
+Joint joint() {
+  const BallSocketPair pair = make_ball_socket_pair(800, impinging_cam());
+  Joint joint;
+  joint.ball.mesh = pair.ball;
+  joint.socket.mesh = pair.socket;
+  return joint;
+}
+
+SceneOptions flexed(const char* angle) {
+  SceneOptions options;
+  options.axes = "ALS";
+  options.precision_deg = 2.0;  // bounds of finer tables take a while
+  options.motion = parse_motion(std::string("flexion=") + angle);
+  return options;
+}
+
+void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]))) << "vertex " << i;
+}
+
+TEST(SceneNeeds, GapsAloneAreTheGaps) {
+  const Joint hip = joint();
+  SceneOptions options = flexed("60");
+  const Measurement everything = measure(hip, options);
+  EXPECT_TRUE(everything.left_out.empty());
+  ASSERT_TRUE(everything.certificate);
+  options.outputs = {true, false, false, false};
+  const Measurement gaps = measure(hip, options);
+  expect_same(gaps.ball.gap, everything.ball.gap);
+  expect_same(gaps.socket.gap, everything.socket.gap);
+  EXPECT_TRUE(gaps.ball.bound.empty() && gaps.ball.distance.empty() && !gaps.certificate);
+  EXPECT_EQ(gaps.entries, everything.entries) << "of the scheme";
+}
+
+TEST(SceneNeeds, AQuestionIsAnsweredAsAllGapsAnswerIt) {
+  const Joint hip = joint();
+  for (const char* angle : {"0", "30", "60"}) {
+    SceneOptions options = flexed(angle);
+    options.outputs = {true, false, false, false};
+    const Measurement gaps = measure(hip, options);
+    double smallest = HUGE_VAL;
+    for (const double g : gaps.ball.gap) smallest = std::fmin(smallest, g);
+    for (const double g : gaps.socket.gap) smallest = std::fmin(smallest, g);
+    options.question = Question::first_contact;
+    const QuestionAnswer contact = answer_question(hip, options);
+    EXPECT_EQ(contact.answer.smallest->gap_mm, smallest);
+    EXPECT_EQ(question_summary(options, hip, contact)["smallest_gap"]["gap_mm"], smallest);
+    options.question = Question::touch;
+    EXPECT_EQ(answer_question(hip, options).answer.touches, std::vector<bool>{smallest <= 0.0});
+  }
+}
+
+// On the faces where no table is proven to be that accurate: any accuracy can be promised.
+TEST(SceneNeeds, AnAccuracyThatNoTablePromisesIsKept) {
+  const Joint hip = joint();
+  SceneOptions options = flexed("60");
+  options.max_error_mm = 1e-9;
+  options.outputs = {true, false, false, false};
+  const Measurement gaps = measure(hip, options);
+  const RayCaster socket(hip.socket.mesh);
+  for (std::size_t i = 0; i < gaps.ball.gap.size(); i += 7) {
+    const Vec3 x = to_socket(gaps.pose, hip.ball.mesh.vertices[i]);
+    const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
+    ASSERT_EQ(std::isnan(gap), std::isnan(gaps.ball.gap[i]));
+    if (!std::isnan(gap)) {
+      EXPECT_NEAR(gaps.ball.gap[i], gap, 1e-9);
+    }
+  }
+}
+
+TEST(SceneNeeds, WhatIsLeftOutIsSaidWithWhatItSaves) {
+  const Joint hip = joint();
+  SceneOptions options = flexed("0");
+  options.question = Question::touch;
+  options.precision_deg = 0.1;
+  const auto summary = question_summary(options, hip, answer_question(hip, options));
+  const std::string text = describe_left_out(summary["left_out"]);
+  EXPECT_NE(text.find("left out"), std::string::npos);
+  EXPECT_NE(text.find("saves"), std::string::npos) << text;
+  EXPECT_EQ(describe_left_out(nlohmann::json::array()), "left out            nothing\n");
+}
+
+}  // namespace
+}  // namespace impinge
