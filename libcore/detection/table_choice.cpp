@@ -76,7 +76,7 @@ double first_order_error(const LookUpNeed& need, double stencil_radius) {
 TableChoice choose_table(std::span<const LookUpNeed> look_ups, std::size_t each, const RadiusRange& range,
                          double accuracy_mm, const AnyScheme& given) {
   const auto [storage, storage_bound] = smallest_storage(range, accuracy_mm);
-  const TableChoice rays_only{given, storage, accuracy_mm, /*rays_only=*/true};
+  TableChoice rays_only{given, storage, accuracy_mm, /*rays_only=*/true};
   if (each * look_ups.size() < kFewestLookUps) return rays_only;
   const std::vector<double> widest = widest_stencils(look_ups, accuracy_mm - storage_bound);
   const auto share = static_cast<double>(each);

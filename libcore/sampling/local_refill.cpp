@@ -26,7 +26,7 @@ std::vector<std::size_t> changed_faces(const TriangleMesh& before, const Triangl
 
 DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
                           const std::vector<std::size_t>& faces) {
-  const DirectionCap everywhere{Vec3::UnitZ(), kPi};
+  DirectionCap everywhere{Vec3::UnitZ(), kPi};
   std::vector<DirectionCap> caps;
   Vec3 sum = Vec3::Zero();
   for (const TriangleMesh* mesh : {&before, &after}) {

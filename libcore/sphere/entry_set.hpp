@@ -16,11 +16,11 @@ namespace impinge {
 class EntrySet {
  public:
   // An empty set of entries below `size`.
-  explicit EntrySet(std::size_t size) : size_(size), chunk_of_((size + kChunk - 1) / kChunk, kNone) {}
+  explicit EntrySet(std::size_t size) : chunk_of_((size + kChunk - 1) / kChunk, kNone) {}
 
   // The set must not have been numbered.
   void insert(std::size_t entry) {
-    assert(entry < size_);
+    assert(entry / kChunk < chunk_of_.size());
     std::uint32_t& chunk = chunk_of_[entry / kChunk];
     if (chunk == kNone) {
       chunk = static_cast<std::uint32_t>(chunks_.size());
@@ -85,7 +85,6 @@ class EntrySet {
     std::array<std::uint32_t, kChunk / 64> before{};  // entries of the set below this word
   };
 
-  std::size_t size_;
   std::vector<std::uint32_t> chunk_of_;
   std::vector<Chunk> chunks_;
   std::size_t count_ = 0;

@@ -64,8 +64,8 @@ class Scene(unittest.TestCase):
         return json.loads((self.root / out / "summary.json").read_text())
 
     def test_leaving_out_what_is_not_asked_for_keeps_the_answers(self):
-        self.assertEqual(self.scene("whole", "--everything").returncode, 0)
-        done = self.scene("gaps_alone", "--outputs", "gaps", "--explain")
+        self.assertEqual(self.scene("whole", "--everything", "--precision", 0.2).returncode, 0)
+        done = self.scene("gaps_alone", "--outputs", "gaps", "--explain", "--precision", 0.2)
         self.assertEqual(done.returncode, 0, done.stderr)
         names = sorted(path.name for path in (self.root / "gaps_alone").iterdir())
         self.assertEqual(names, ["ball.ply", "gaps.csv", "socket.ply", "summary.json"])
@@ -82,10 +82,10 @@ class Scene(unittest.TestCase):
         self.assertIn("saves", done.stdout)
 
     def test_a_question_is_answered_alone(self):
-        whole = self.scene("whole_at_1", "--precision", 1, "--everything")
+        whole = self.scene("whole_at_2", "--precision", 0.2, "--everything")
         self.assertEqual(whole.returncode, 0, whole.stderr)
-        smallest = self.summary("whole_at_1")["smallest_gap"]
-        self.assertEqual(self.scene("close", "--precision", 1, "--question", "first-contact").returncode, 0)
+        smallest = self.summary("whole_at_2")["smallest_gap"]
+        self.assertEqual(self.scene("close", "--precision", 0.2, "--question", "first-contact").returncode, 0)
         self.assertEqual([path.name for path in (self.root / "close").iterdir()], ["summary.json"])
         found = self.summary("close")["smallest_gap"]
         for key in ("gap_mm", "surface", "vertex", "position"):
