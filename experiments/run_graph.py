@@ -101,6 +101,24 @@ def experiments_behind(job: Job, jobs: dict[str, Job]) -> list[str]:
     return list(names)
 
 
+def programs_behind(job: Job, jobs: dict[str, Job], build: Path, results: Path) -> list[str]:
+    """The targets of the programs that a job rests on; all programs where one of them is timed, since no
+    compiler may run beside a stopwatch.
+    """
+    makers = {output: other for other in jobs.values() for output in other.outputs}
+    behind, left = {job.name: job}, [job]
+    while left:
+        for file in left.pop().depends:
+            maker = makers.get(shorten(file, build, results).removeprefix("results/"))
+            if maker and maker.name not in behind:
+                behind[maker.name] = maker
+                left.append(maker)
+    if any(other.timing for other in behind.values()):
+        return ["programs"]
+    files = {Path(file) for other in behind.values() for file in other.depends}
+    return sorted(f"program-{file.stem}" for file in files if file.suffix == ".kept")
+
+
 def script_of(job: Job) -> str:
     """The file that one edits to change what the job makes."""
     for word in job.command.split():
@@ -229,9 +247,9 @@ def refresh(build: Path) -> None:
         sys.exit(f"reproduce: the configuration failed\n{done.stdout}{done.stderr}")
 
 
-def build_programs(build: Path, jobs: int) -> None:
+def build_programs(build: Path, jobs: int, targets: list[str]) -> None:
     """Compiles what changed; Ninja's own progress is shown, and nothing when there is nothing to do."""
-    process = start(build, ["-j", str(jobs), "programs"], subprocess.PIPE, NINJA_STATUS="[%f/%t] ")
+    process = start(build, ["-j", str(jobs), *targets], subprocess.PIPE, NINJA_STATUS="[%f/%t] ")
     assert process.stdout
     lines = collections.deque(maxlen=60)
     shown = 0.0
@@ -305,14 +323,17 @@ def closing(results: Path) -> None:
 
 def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, parallel: int) -> int:
     """Builds, then runs what is not up to date."""
-    target = f"result-{find(jobs, name).name}" if name else "results"
+    job = find(jobs, name) if name else None
+    target = f"result-{job.name}" if job else "results"
     try:
         results.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         print(f"reproduce: --results {results}: {error.strerror}", file=sys.stderr)
         return 2
     begin = time.monotonic()
-    build_programs(build, parallel)
+    programs = programs_behind(job, jobs, build, results) if job else ["programs"]
+    if programs:
+        build_programs(build, parallel, programs)
     planned = planned_jobs(build, target, jobs)
     if not planned:
         print(f"nothing to do: {name or 'every result'} is up to date in {results}")
