@@ -114,4 +114,28 @@ OPTIONS = [
     (["--centre", ""], "option --centre: '' is empty; give it a value or leave it out"),
     (["--axes", ""], "option --axes: '' is empty; give it a value or leave it out"),
     (["--scheme", ""], "option --scheme: '' is empty; give it a value or leave it out"),
+    (
+        ["--question", "why"],
+        "option --question: 'why' is no question; ask touch, first-contact or all-gaps",
+    ),
+    (
+        ["--surfaces", "none"],
+        "option --surfaces: 'none' is no choice of surfaces; give ball, socket or both",
+    ),
+    (
+        ["--surfaces", "ball"],
+        "option --surfaces: 'ball' leaves out what bounds, distances and verdicts need; add --outputs gaps",
+    ),
+    (
+        ["--outputs", "gaps,pictures"],
+        "option --outputs: 'pictures' is no output; give some of gaps, bounds, distances and verdicts, "
+        "with commas between",
+    ),
+    (
+        ["--question", "touch", "--outputs", "gaps"],
+        "option --outputs: 'gaps' come with the question all-gaps alone; leave one of the two options out",
+    ),
+    (["--question", ""], "option --question: '' is empty; give it a value or leave it out"),
+    (["--surfaces", ""], "option --surfaces: '' is empty; give it a value or leave it out"),
+    (["--outputs", ""], "option --outputs: '' is empty; give it a value or leave it out"),
 ]
