@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/lengths.hpp"
 #include "sphere/entries_inside.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/triangle_cone.hpp"
@@ -146,6 +147,7 @@ bool cones_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
 }
 
 StarShapeReport star_shape(const TriangleMesh& mesh) {
+  require_lengths(mesh);
   StarShapeReport report;
   std::vector<TriangleCone> cones;
   for (const Face& face : mesh.faces) {

@@ -28,7 +28,8 @@ struct StarShapeReport {
   std::size_t directions = 0;
 };
 
-// mesh in the centre frame. O(faces + directions) for faces of similar size.
+// mesh in the centre frame, with lengths as in mesh/lengths.hpp. O(faces + directions) for faces of similar
+// size.
 StarShapeReport star_shape(const TriangleMesh& mesh);
 
 // Signed solid angle of a triangle seen from the origin, steradians in (-2 pi, 2 pi) (Van Oosterom and

@@ -21,9 +21,11 @@
 #include <vector>
 
 #include "mesh/jump_sides.hpp"
+#include "mesh/lengths.hpp"
 #include "sampling/cap_range.hpp"
 #include "sphere/cell_mask.hpp"
 #include "sphere/scheme.hpp"
+#include "sphere/table_size.hpp"
 
 namespace impinge {
 
@@ -42,7 +44,10 @@ template <SamplingScheme S>
 class RangeTable {
  public:
   explicit RangeTable(const S& scheme)
-      : scheme_(scheme), ranges_(scheme.size()), met_(scheme.size()), cut_(scheme.size()) {}
+      : scheme_(scheme),
+        ranges_(require_table_size(S::name, scheme.size())),
+        met_(scheme.size()),
+        cut_(scheme.size()) {}
 
   const S& scheme() const { return scheme_; }
   std::size_t bytes() const { return ranges_.size() * sizeof(FloatRange) + 2 * (ranges_.size() / 8); }
@@ -98,6 +103,7 @@ void include_face(RangeTable<S>& table, std::size_t entry, const FaceInCap& part
 // radial table.
 template <SamplingScheme S>
 RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
+  require_lengths(mesh);
   RangeTable<S> table(scheme);
   const auto& walker = scheme.walker();
   const auto jumps = jump_sides(mesh);

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/lengths.hpp"
 #include "sampling/layer.hpp"
 #include "sampling/rim.hpp"
 #include "sphere/entries_inside.hpp"
@@ -14,9 +14,11 @@
 namespace impinge {
 
 // mesh in the centre frame. Equal to fill_pairwise() but for the rounding of r; faces whose plane holds the
-// centre cover no direction and are left out.
+// centre cover no direction and are left out. std::invalid_argument for lengths beyond those of
+// mesh/lengths.hpp.
 template <SamplingScheme S>
 RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer) {
+  require_lengths(mesh);
   RadialTable<S> table(scheme);
   const auto radii = table.radii();
   const auto& walker = scheme.walker();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/lengths.hpp"
 #include "mesh/star_shape.hpp"
 
 namespace impinge {
@@ -17,6 +18,7 @@ constexpr double kRounding = 1e-12;  // of lengths, as a share
 
 // The grid whose cells are as large as the mean face, as seen from the centre.
 CubeGnomonic grid_for(const TriangleMesh& mesh) {
+  require_lengths(mesh);
   double total = 0.0;
   for (const Face& face : mesh.faces)
     total += std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));

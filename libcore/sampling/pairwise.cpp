@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/lengths.hpp"
+
 namespace impinge {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr std::size_t kBlock = 256;  // faces tested at a time, so that the comp
 }  // namespace
 
 RayCaster::RayCaster(const TriangleMesh& mesh) {
+  require_lengths(mesh);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/edges.hpp"
+#include "mesh/lengths.hpp"
 #include "mesh/star_shape.hpp"
 #include "sphere/radial_table.hpp"
 
@@ -64,6 +65,7 @@ constexpr double kMostBins = 512.0;
 
 SurfaceIndex::SurfaceIndex(const TriangleMesh& mesh, Layer layer, double reach)
     : layer_(layer), reach_(reach) {
+  require_lengths(mesh);
   find_planes(mesh);
   find_levels();
   find_kinks(mesh);

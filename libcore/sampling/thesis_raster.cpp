@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "mesh/lengths.hpp"
 #include "sampling/chart.hpp"
 #include "sampling/rim.hpp"
 
@@ -112,6 +113,7 @@ double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, d
 }  // namespace
 
 RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {
+  require_lengths(mesh);
   RadialTable<Rsid> table(scheme);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);

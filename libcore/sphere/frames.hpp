@@ -16,4 +16,7 @@
 //   radius         r(u), distance from the centre to the surface along u, millimetres
 //   gap            g(u) = S(u) - B(u), socket radius minus ball radius, millimetres; negative is penetration
 //
+// Lengths are from 2^-100 to 2^100 mm (mesh/lengths.hpp); inside that range none is compared with a fixed
+// number, so that other units change nothing but the units.
+//
 // Angles are degrees where a person reads or types them, and in names that end in _deg; radians elsewhere.

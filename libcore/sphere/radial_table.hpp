@@ -9,6 +9,7 @@
 
 #include "sphere/cell_mask.hpp"
 #include "sphere/interpolate.hpp"
+#include "sphere/table_size.hpp"
 
 namespace impinge {
 
@@ -20,9 +21,12 @@ inline constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
 template <SamplingScheme S>
 class RadialTable {
  public:
-  // A table without any surface. std::bad_alloc where it does not fit in memory; see bytes().
+  // A table without any surface. std::invalid_argument above kMostTableEntries, std::bad_alloc where it does
+  // not fit in memory; see bytes().
   explicit RadialTable(const S& scheme)
-      : scheme_(scheme), radii_(scheme.size(), kNoSurface), rim_(scheme.cells()) {}
+      : scheme_(scheme),
+        radii_(require_table_size(S::name, scheme.size()), kNoSurface),
+        rim_(scheme.cells()) {}
 
   const S& scheme() const { return scheme_; }
   std::span<const double> radii() const& { return radii_; }

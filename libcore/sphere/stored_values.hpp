@@ -7,20 +7,24 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
 namespace impinge {
 
-// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number.
+// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. std::invalid_argument for a
+// number that is too large for a float, or so small (below 2^-126, but for 0) that fewer digits are left of
+// it.
 class FloatValues {
  public:
   static constexpr std::string_view name = "float";
 
   explicit FloatValues(std::span<const double> values) : values_(values.size()) {
-    std::ranges::transform(values, values_.begin(), [](double v) { return static_cast<float>(v); });
+    std::ranges::transform(values, values_.begin(), [](double v) { return to_float(v); });
   }
 
   double operator[](std::size_t i) const { return static_cast<double>(values_[i]); }
@@ -28,6 +32,18 @@ class FloatValues {
   std::size_t bytes() const { return values_.size() * sizeof(float); }
 
  private:
+  static float to_float(double value) {
+    const auto rounded = static_cast<float>(value);
+    if (std::isnan(value) || std::isnormal(rounded) || value == 0.0) return rounded;
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "a table in float keeps numbers from 1.2e-38 to 3.4e+38, not %.3g: keep it in double, or give "
+        "lengths in millimetres",
+        value);
+    throw std::invalid_argument(text);
+  }
+
   std::vector<float> values_;
 };
 

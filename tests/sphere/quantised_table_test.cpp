@@ -115,6 +115,15 @@ TEST(QuantisedValues, NoSurfaceAtAllStaysNone) {
   EXPECT_TRUE(std::isnan(FloatTable<Rsid>(empty).radius_at(Vec3::UnitX())));
 }
 
+// Else a radius would become infinite or lose its digits without a word.
+TEST(QuantisedValues, WhatAFloatCannotHoldIsRefused) {
+  for (const double bad : {1e39, 1e300, -1e60, 1e-39, 1e-300})
+    EXPECT_THROW(FloatValues(std::vector<double>{20.0, bad}), std::invalid_argument) << bad;
+  const FloatValues held(std::vector<double>{3e38, 1.2e-38, 0.0, kNoSurface});
+  EXPECT_EQ(held.size(), 4U);
+  EXPECT_TRUE(std::isnan(held[3]));
+}
+
 TEST(QuantisedValues, TheWholeRangeOfCodesIsUsed) {
   const std::vector<double> values{3.0, kNoSurface, 5.0, 4.0};
   const Uint16Values stored(values);

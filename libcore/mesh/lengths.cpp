@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/lengths.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+
+namespace impinge {
+namespace {
+
+[[noreturn]] void refuse(std::size_t face, double length) {
+  char text[240];
+  if (std::isfinite(length)) {
+    std::snprintf(
+        text, sizeof text,
+        "face %zu reaches to coordinates of %.3g mm, and lengths are from %.2g to %.2g mm: scale the "
+        "mesh to millimetres",
+        face, length, kLeastLength, kMostLength);
+  } else {
+    std::snprintf(
+        text, sizeof text,
+        "face %zu has a corner with a coordinate that is not a finite number: repair the mesh or leave "
+        "the face out",
+        face);
+  }
+  throw std::invalid_argument(text);
+}
+
+// Largest absolute coordinate of a face; a NaN if there is one.
+double extent(const TriangleMesh& mesh, const Face& face) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const double x : corner(mesh, face, k)) {
+      if (!(std::abs(x) <= largest)) largest = std::abs(x);
+      if (std::isnan(largest)) return largest;
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+void require_lengths(const TriangleMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const double length = extent(mesh, mesh.faces[f]);
+    if (length != 0.0 && !(length >= kLeastLength && length <= kMostLength)) refuse(f, length);
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 2^-100 mm <= largest coordinate of a face <= 2^100 mm, or 0; else one line that says which face.
+#include "mesh/lengths.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mesh/bodies.hpp"
+
+namespace impinge {
+namespace {
+
+std::string refusal(const TriangleMesh& mesh) {
+  try {
+    require_lengths(mesh);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Lengths, FromTheLeastToTheMostAreTaken) {
+  for (const double radius : {kLeastLength, 1e-20, 1.0, 26.0, 1e20, kMostLength})
+    EXPECT_EQ(refusal(octahedron(radius)), "") << radius;
+}
+
+TEST(Lengths, BeyondAreRefusedInOneLine) {
+  for (const double radius : {0.5 * kLeastLength, 1e-300, 2.0 * kMostLength, 1e300}) {
+    const std::string text = refusal(octahedron(radius));
+    EXPECT_NE(text.find("face 0 reaches"), std::string::npos) << radius << ": " << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Lengths, NumbersThatAreNoneAreRefused) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    TriangleMesh mesh = octahedron(26.0);
+    mesh.vertices[3].y() = bad;
+    EXPECT_NE(refusal(mesh).find("face 2 has a corner"), std::string::npos) << refusal(mesh);
+  }
+}
+
+TEST(Lengths, OfVerticesWithoutFacesAndOfTheCentreAreLeftAlone) {
+  TriangleMesh mesh = octahedron(26.0);
+  mesh.vertices.emplace_back(std::nan(""), 0.0, 0.0);
+  EXPECT_EQ(refusal(mesh), "");
+  mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+  mesh.faces.push_back({7, 7, 7});
+  EXPECT_EQ(refusal(mesh), "");
+}
+
+}  // namespace
+}  // namespace impinge
