@@ -15,12 +15,18 @@ struct Pose {
   Vec3 translation = Vec3::Zero();
 };
 
+// Written out: Eigen's own product of matrix and vector takes fused multiply-add where a processor has it,
+// and a gap would depend on the machine that the library was compiled for.
 inline Vec3 to_socket(const Pose& pose, const Vec3& ball_point) {
-  return pose.rotation * ball_point + pose.translation;
+  const auto& r = pose.rotation;
+  return ((r.col(0) * ball_point.x() + r.col(1) * ball_point.y()) + r.col(2) * ball_point.z()) +
+         pose.translation;
 }
 
 inline Vec3 to_ball(const Pose& pose, const Vec3& socket_point) {
-  return pose.rotation.transpose() * (socket_point - pose.translation);
+  const Vec3 x = socket_point - pose.translation;
+  const auto& r = pose.rotation;
+  return {r.col(0).dot(x), r.col(1).dot(x), r.col(2).dot(x)};
 }
 
 }  // namespace impinge
