@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "sphere/orientation.hpp"
+#include "sphere/plane_radius.hpp"
 
 namespace impinge {
 
@@ -21,7 +22,7 @@ class TriangleCone {
   TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c)
       : corner_{a, b, c},
         side_(orientation(a, b, c)),
-        normal_(side_ * (b - a).cross(c - a)),
+        normal_(face_normal<double>(a, b, c, side_)),
         offset_(normal_.dot(a)),
         largest_radius_(std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
         smallest_radius_(std::sqrt(std::min({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
@@ -73,7 +74,7 @@ class TriangleCone {
   // Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
   double radius(const Vec3& u) const {
     if (grazing_) return smallest_radius_;
-    return offset_ / std::max(normal_.dot(u), offset_ / largest_radius_);
+    return plane_radius<double>(normal_, offset_, largest_radius_, u);
   }
 
   // Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below

@@ -12,6 +12,7 @@
 #include "contenders/table_method.hpp"
 #include "experiment/race_methods.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/lengths.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
 
@@ -25,6 +26,7 @@ constexpr std::size_t kMostFaces = 700;
 class ConeRays final : public RadiusMethod {
  public:
   explicit ConeRays(const TriangleMesh& mesh) {
+    require_lengths(mesh);
     for (const Face& face : mesh.faces) {
       const TriangleCone cone = cone_of(mesh, face);
       if (!cone.edge_on()) cones_.push_back(cone);
