@@ -14,7 +14,7 @@ QUESTIONS = {
     "all gaps": "all gaps, one pose",
     "smallest gap": "smallest gap, one pose",
     "touch in a motion": "touch, 19 poses",
-    "gaps in a motion": "all gaps to 0.05 mm, 19 poses",
+    "gaps in a motion": "all gaps to 0.05 mm, 181 poses",
     "local change": "table after a local change",
 }
 OMISSIONS = {
@@ -120,12 +120,12 @@ def draw_alone(axes: plt.Axes, needs: pd.DataFrame, totals: pd.DataFrame, unit: 
     axes.axvline(100, color="black", linewidth=1, linestyle="--")
     axes.set_yticks(range(len(shown)), [OMISSIONS[o] for o in shown])
     axes.set_ylim(len(shown) - 0.5, -0.5)
-    axes.set_xlim(0, 135)
+    axes.set_xlim(0, 125)
     what = "memory" if unit == "bytes" else "time"
     axes.set_xlabel(f"{what} that is left, % of whole tables and all look-ups")
-    axes.set_title(f"What each omission leaves of the {what}, median of the joints", fontsize=10)
+    axes.set_title(f"Left of the {what} by each omission alone", fontsize=10)
     if unit == "bytes":
-        axes.legend(fontsize=7, loc="lower right")
+        axes.legend(fontsize=7, loc="lower right", bbox_to_anchor=(0.79, 0.03))
 
 
 common.run(main)
