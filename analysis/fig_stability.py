@@ -19,7 +19,9 @@ import stability
 ALL = "stability-overview"
 FLOOR = 1e-3  # smaller errors, and none at all, are drawn here
 BAND = "#dceefb"  # errors of order one
-COLUMNS = 3
+COLUMNS = 4
+TOP = 1e8  # of the overview: larger errors stand at its edge
+MOST_TICKS = 8  # of a panel of it
 LIMIT = (0, (5, 3))  # the dashes of a threshold
 FAILURES = "failures: hits missed or false, wrong values"
 
@@ -64,6 +66,13 @@ def ticks(axes: plt.Axes, cases: pd.DataFrame) -> None:
     axes.set_xlim(-0.4, len(texts) - 0.6)
 
 
+def fewer_ticks(axes: plt.Axes) -> None:
+    """Text at every second or third place, where a panel is narrow."""
+    texts = [label.get_text() for label in axes.get_xticklabels()]
+    step = -(-len(texts) // MOST_TICKS)
+    axes.set_xticklabels([text if k % step == 0 else "" for k, text in enumerate(texts)])
+
+
 def draw_errors(axes: plt.Axes, cases: pd.DataFrame, column: str, of_all: dict[str, dict]) -> None:
     """A line a method, between the floor and the ceiling of the axes; what is beyond stands at its edge."""
     worst = lines_of(cases, column)
@@ -73,8 +82,8 @@ def draw_errors(axes: plt.Axes, cases: pd.DataFrame, column: str, of_all: dict[s
         axes.plot(np.arange(len(values)), values, **of_all[name], clip_on=False)
 
 
-def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) -> None:
-    """A cross above the axes where a line has failures, in its colour."""
+def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) -> int:
+    """A cross above the axes where a line has failures, in its colour. Returns how many such lines."""
     failures = lines_of(cases, "failures")
     row = 0
     for name in failures.columns:
@@ -93,6 +102,7 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
             clip_on=False,
         )
         row += 1
+    return row
 
 
 def band(axes: plt.Axes, threshold: float, high: float) -> None:
@@ -124,17 +134,18 @@ def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
     """A panel a family, the same scale in all."""
     of_all = looks(cases)
     rows = -(-len(families) // COLUMNS)
-    figure, grid = plt.subplots(rows, COLUMNS, figsize=(4.2 * COLUMNS, 2.9 * rows), squeeze=False)
-    high = ceiling(cases)
+    figure, grid = plt.subplots(rows, COLUMNS, figsize=(3.6 * COLUMNS, 2.9 * rows), squeeze=False)
+    high = min(ceiling(cases), TOP)
     for axes, (name, family) in zip(grid.flat, families.iterrows()):
         of_family = cases[cases.family == name]
         band(axes, family.threshold, high)
         draw_errors(axes, of_family, "error_over_condition_u", of_all)
-        draw_failures(axes, of_family, of_all)
+        failing = draw_failures(axes, of_family, of_all)
         ticks(axes, of_family)
-        axes.tick_params(axis="x", labelsize=7)
-        axes.set_title(name.replace("_", " "), pad=22, fontsize=10.5)
-        axes.set_xlabel(textwrap.fill(f"{family.knob}{unit_text(family)}", 58), fontsize=7.5)
+        fewer_ticks(axes)
+        axes.tick_params(axis="x", labelsize=7.5)
+        axes.set_title(name.replace("_", " "), pad=8 + 9 * failing, fontsize=10.5)
+        axes.set_xlabel(textwrap.fill(f"{family.knob}{unit_text(family)}", 50), fontsize=7.5)
     for axes in list(grid.flat)[len(families) :]:
         axes.set_visible(False)
     for axes in grid[:, 0]:
@@ -147,7 +158,7 @@ def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
         y=1.015,
         fontsize=12,
     )
-    figure.legend(handles=legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3)
+    figure.legend(handles=legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=4)
     return figure
 
 
