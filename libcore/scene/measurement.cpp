@@ -172,7 +172,7 @@ std::unique_ptr<RadiusSource> no_full_table(const TriangleMesh& /*mesh*/, Layer 
 // A table that keeps few entries still has a directory of all of them.
 AnyScheme partly_kept(const SceneOptions& options) {
   constexpr double kDirectory = 2.0 * 4.0 / 4096.0;  // bytes an entry, both tables
-  const AnyScheme scheme(options.scheme, options.precision_deg);
+  AnyScheme scheme(options.scheme, options.precision_deg);
   const double needed = kDirectory * static_cast<double>(scheme.size());
   const auto free = static_cast<double>(available_memory());
   if (needed <= free) return scheme;
