@@ -149,6 +149,7 @@ StabilityCase refused(double away) {
 
 std::vector<StabilityCase> run(const StabilityRun& options) {
   std::vector<StabilityCase> rows;
+  rows.reserve(kAway.size());
   for (const double away : kAway) rows.push_back(refused(away));
   add_all(rows, {kB, kB}, 0.0, options.quick);
   for (const double away : kAway) add_all(rows, {kB * (1.0 + away), kB}, away, options.quick);
