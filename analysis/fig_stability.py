@@ -185,11 +185,12 @@ def draw_one(cases: pd.DataFrame, family: pd.Series, of_all: dict[str, dict]) ->
     draw_bounds(grid[1, 0], cases, of_all)
     draw_counts(grid[1, 1], cases)
     for axes in grid.flat:
+        fewer_ticks(axes)
         axes.set_xlabel(textwrap.fill(f"{family.knob}{unit_text(family)}", 70), fontsize=8.5)
     figure.tight_layout(h_pad=2)
     title = cases.family.iloc[0].replace("_", " ").capitalize()
-    heading = f"{title}. Expected: {family.expected}"
-    figure.suptitle(textwrap.fill(heading, 130), x=0.01, ha="left", y=1.05, fontsize=11)
+    heading = textwrap.wrap(f"{title}. Expected: {family.expected}", 130)
+    figure.suptitle("\n".join(heading), x=0.01, ha="left", y=1.0 + 0.026 * len(heading), fontsize=11)
     figure.legend(handles=legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3)
     return figure
 
@@ -223,7 +224,7 @@ def draw_counts(axes: plt.Axes, cases: pd.DataFrame) -> None:
     """Failures of each line at each magnitude, as numbers; dots for none."""
     values = stability.magnitudes(cases)
     names = [name for name in cases.who.cat.categories if (cases.who == name).any()]
-    axes.set_title("Failures, and cases refused")
+    axes.set_title("Failures (in brackets: cases refused)")
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.5, -0.5)
     axes.grid(False)
@@ -235,7 +236,7 @@ def draw_counts(axes: plt.Axes, cases: pd.DataFrame) -> None:
             failures, refused = int(cell.failures.sum()), int(cell.refused.sum())
             text = f"{failures:,}" if failures else "·"
             if refused:
-                text += f"\n{refused} refused"
+                text = f"({refused})" if not failures else f"{text} ({refused})"
             colour = common.COLOURS[1] if failures else "black"
             weight = "bold" if failures else "normal"
             axes.text(k, i, text, ha="center", va="center", fontsize=7.5, color=colour, fontweight=weight)
