@@ -6,8 +6,8 @@ Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured a
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see paper_cells.py, paper_race.py and paper_stability.py), as
-scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
-machine: cpu, cores, compiler, flags, commit, profile ...
+scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by
+the thesis' two tables; and the machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
 from __future__ import annotations

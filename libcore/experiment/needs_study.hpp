@@ -33,7 +33,7 @@ struct NeedsCase {
   std::string left_out;       // the omission that is on, "nothing" or "all"
   std::function<void()> run;  // what is timed
   double bytes = 0.0;         // of memory, of one run
-  bool identical = true;      // its answer to that of the case that leaves nothing out; see tolerance_mm
+  bool identical = true;      // its answer to that of the case that leaves nothing out, see cases_of()
   double difference_mm = 0.0;
 };
 
@@ -51,8 +51,7 @@ std::vector<NeedsCase> cases_of(const NeedsScene& scene, const NeedsOptions& opt
 std::vector<NeedsCase> outputs_of(const NeedsScene& scene, const NeedsOptions& options);
 
 // A part of the ball, a cap of 10 degrees about its first vertex, moves in and out again by up to 0.5 mm: the
-// table is filled anew
-// ("nothing"), or only where the part is ("unchanged_cells").
+// table is filled anew ("nothing"), or only where the part is ("all").
 std::vector<NeedsCase> local_change_of(const std::string& name, const BallSocketPair& joint,
                                        const NeedsOptions& options);
 

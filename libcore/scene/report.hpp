@@ -17,9 +17,8 @@ namespace impinge {
 // there is no value.
 nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement);
 
-// Writes the five files into options.out, all of them or none (file_set.hpp): an older five is kept where one
-// cannot be written. Positions are those of the pose, in the
-// input frame.
+// Writes the files that options.outputs asks for into options.out, all of them or none (file_set.hpp): an
+// older set is kept where one cannot be written. Positions are those of the pose, in the input frame.
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
                  const nlohmann::json& summary);
 

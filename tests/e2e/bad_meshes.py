@@ -310,13 +310,13 @@ MESHES = [
     ),
     (
         "index.off",
-        off("3 1 0", POINTS + f"face 0 {NO_VERTEX}"),
-        f"{ENDS} face 0 of the 1 declared, {DAMAGED}",
+        off("3 1 0", POINTS + "3 0 1 3\n"),
+        f"face 0 {NO_VERTEX}",
     ),
     (
         "index_negative.off",
-        off("3 1 0", POINTS + f"face 0 {NO_VERTEX}"),
-        f"{ENDS} face 0 of the 1 declared, {DAMAGED}",
+        off("3 1 0", POINTS + "3 0 1 -1\n"),
+        f"face 0 {NO_VERTEX}",
     ),
     (
         "index_0.obj",

@@ -13,7 +13,19 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["SOURCE"])
-HIDDEN = ["assimp", "benchmark", "CGAL", "CLI11", "embree", "fcl", "GSL", "GTest", "nlohmann_json", "OpenSSL", "Python3"]
+HIDDEN = [
+    "assimp",
+    "benchmark",
+    "CGAL",
+    "CLI11",
+    "embree",
+    "fcl",
+    "GSL",
+    "GTest",
+    "nlohmann_json",
+    "OpenSSL",
+    "Python3",
+]
 OTHERS = ["assimp", "CGAL", "gmp", "mpfr", "gsl", "fcl", "embree", "benchmark", "crypto"]  # libraries
 
 
@@ -37,8 +49,18 @@ class CoreOnly(unittest.TestCase):
             if shutil.which("ccache"):
                 options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
             build = folder / "build"
-            run("cmake", "-S", SOURCE / "tests/data/core_only", "-B", build, "-G", "Ninja", f"-DIMPINGE={SOURCE}",
-                "-DCMAKE_CXX_FLAGS=-O0 -g0", *options)
+            run(
+                "cmake",
+                "-S",
+                SOURCE / "tests/data/core_only",
+                "-B",
+                build,
+                "-G",
+                "Ninja",
+                f"-DIMPINGE={SOURCE}",
+                "-DCMAKE_CXX_FLAGS=-O0 -g0",
+                *options,
+            )
             run("cmake", "--build", build, "--target", "core_only")
             program = build / "core_only"
             gap, first, second, radius = run(program).split()
@@ -48,8 +70,10 @@ class CoreOnly(unittest.TestCase):
             needed = run("ldd", program)
             for library in OTHERS:
                 self.assertNotIn(f"lib{library}", needed.lower())
-            print(f"stripped: core only {stripped_bytes(program, folder)} bytes (not optimised), "
-                  f"scene {stripped_bytes(Path(os.environ['SCENE']), folder)} bytes")
+            print(
+                f"stripped: core only {stripped_bytes(program, folder)} bytes (not optimised), "
+                f"scene {stripped_bytes(Path(os.environ['SCENE']), folder)} bytes"
+            )
 
 
 if __name__ == "__main__":

@@ -18,12 +18,16 @@ namespace {
 
 // Of the answers' relative errors in units of u; a, b and phi count as exact, so that each condition is 1 and
 // a formula that loses digits where a and b are alike has no excuse.
-//   radius   (a - b) + 2 b c^2, c = cos(phi / 2): two positive terms; c within 2 u, so 4 + 1 + 1, and 1 for
-//   the sum speed    hypot(a - b, 2 sqrt(a b) c): 1.5 + 2 + 1, and 2 for hypot length   R_F and R_D take
-//   about 40 steps of 10 roundings, each counted a quarter of the one before, hence
-//            14 each; 6 for the modulus, of which half counts, and 10 for the sums and products of positive
-//            terms
-//   area     v = speed to the 5th power: 35; 12 more for the polynomials, all of positive terms
+//
+// radius: (a - b) + 2 b c^2 with c = cos(phi / 2), two positive terms; c is within 2 u, so 4 + 1 + 1, and 1
+// for the sum.
+//
+// speed: hypot(a - b, 2 sqrt(a b) c), 1.5 + 2 + 1, and 2 for hypot.
+//
+// length: R_F and R_D take about 40 steps of 10 roundings, each counted a quarter of the one before, hence 14
+// each; 6 for the modulus, of which half counts, and 10 for the sums and products of positive terms.
+//
+// area: the speed to the 5th power, 35; 12 more for the polynomials, all of positive terms.
 constexpr double kRadius = 7.0;
 constexpr double kSpeed = 6.5;
 constexpr double kLength = 41.0;
