@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the generated ball-and-socket pair as meshes, for trying `scene` without a joint of one's own.
+// Writes a generated joint as meshes, for trying `scene` without a joint of one's own: the ball-and-socket
+// pair with a known gap, or a hip.
 //
-//   make_pair --faces N --out DIR
+//   make_pair [--hip NAME [--set parameter=value ...]] [--faces N] --out DIR
 
 #include <exception>
 #include <iostream>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "files/file_bytes.hpp"
+#include "joint/hip.hpp"
+#include "joint/hip_presets.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/io.hpp"
 
@@ -16,19 +23,42 @@ namespace {
 
 using namespace impinge;
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+BallSocketPair make_joint(const std::string& hip, const std::vector<std::string>& changes,
+                          std::size_t faces) {
+  if (hip.empty()) return make_ball_socket_pair(faces);
+  HipParameters parameters = hip_preset(hip);
+  for (const std::string& change : changes) set_hip_parameter(parameters, change);
+  Hip made = make_hip(parameters, faces);
+  return {std::move(made.ball), std::move(made.socket)};
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Writes ball.ply and socket.ply of the generated joint.", "make_pair"};
   std::size_t faces = 12000;
   std::filesystem::path out;
-  app.add_option("--faces", faces, "triangles of each surface, an even number")->capture_default_str();
+  std::string hip;
+  std::vector<std::string> changes;
+  CLI::Option* name = app.add_option("--hip", hip, "a hip instead: " + listed(hip_preset_names()));
+  app.add_option("--set", changes,
+                 "parameter=value of the hip, once or more; libcore/joint/hip_parameters.hpp has all")
+      ->needs(name);
+  app.add_option("--faces", faces,
+                 "triangles of each surface; of the pair an even number, of a hip about so many")
+      ->capture_default_str();
   app.add_option("--out", out, "folder for the two meshes")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   }
+  const BallSocketPair pair = make_joint(hip, changes, faces);
   require_writable_folder(out);
-  const BallSocketPair pair = make_ball_socket_pair(faces);
   write_mesh(out / "ball.ply", pair.ball);
   write_mesh(out / "socket.ply", pair.socket);
   return 0;

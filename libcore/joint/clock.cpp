@@ -25,6 +25,15 @@ double ClockFace::hours(const Vec3& direction) const {
   return hours < 0.0 ? std::min(hours + 12.0, std::nextafter(12.0, 0.0)) : hours;
 }
 
+std::optional<ClockFace> clock_about(const Vec3& axis) {
+  const Vec3 up = Vec3::UnitZ() - axis.z() * axis;
+  if (up.norm() < kVertical) return std::nullopt;
+  ClockFace face{up.normalized(), axis.cross(up).normalized()};
+  if (std::abs(face.three.y()) < kVertical) return std::nullopt;  // neither side is anterior
+  if (face.three.y() < 0.0) face.three = -face.three;
+  return face;
+}
+
 std::optional<ClockFace> clock_face(const TriangleMesh& socket) {
   Vec3 axis = Vec3::Zero();
   const std::vector<double> area = vertex_areas(socket);
@@ -33,13 +42,7 @@ std::optional<ClockFace> clock_face(const TriangleMesh& socket) {
     if (length > 0.0) axis += area[i] / length * socket.vertices[i];
   }
   if (axis.norm() == 0.0) return std::nullopt;
-  axis.normalize();
-  const Vec3 up = Vec3::UnitZ() - axis.z() * axis;
-  if (up.norm() < kVertical) return std::nullopt;
-  ClockFace face{up.normalized(), axis.cross(up).normalized()};
-  if (std::abs(face.three.y()) < kVertical) return std::nullopt;  // neither side is anterior
-  if (face.three.y() < 0.0) face.three = -face.three;
-  return face;
+  return clock_about(axis.normalized());
 }
 
 std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<const double> area) {

@@ -20,9 +20,12 @@ struct ClockFace {
   double hours(const Vec3& direction) const;
 };
 
-// The dial of a socket (joint frame, centre as origin). Its axis is the area-weighted mean direction of the
-// surface; none if the axis is vertical (no side of the dial is superior), points straight forward or back
-// (none is anterior) or the mean vanishes.
+// The dial about an axis (a unit vector, joint frame); none if it is vertical (no side of the dial is
+// superior) or points straight forward or back (none is anterior).
+std::optional<ClockFace> clock_about(const Vec3& axis);
+
+// The dial of a socket (joint frame, centre as origin), about the area-weighted mean direction of the
+// surface; none also if the mean vanishes.
 std::optional<ClockFace> clock_face(const TriangleMesh& socket);
 
 // A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
