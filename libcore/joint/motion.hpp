@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -18,6 +20,19 @@ struct Motion {
   double internal_rotation = 0.0;  // of the femur's front towards the midline; external rotation is negative
 };
 
+// One of the six motions: an angle of Motion, and which way it counts.
+struct MotionName {
+  std::string_view name;
+  double Motion::*angle;
+  double sign;  // +1 or -1
+};
+
+// flexion, extension, abduction, adduction, internal_rotation, external_rotation.
+std::span<const MotionName> motion_names();
+
+// std::invalid_argument, one line with all names, for any other.
+const MotionName& motion_name(std::string_view name);
+
 // Reads "flexion=90,internal_rotation=10". Names: flexion, extension, abduction, adduction,
 // internal_rotation, external_rotation; an angle is given once for each of the three axes.
 // std::invalid_argument, one line, otherwise.
@@ -28,5 +43,18 @@ Motion parse_motion(std::string_view text);
 // of the femur, abduction about the axis between, so R = R_flexion R_abduction R_rotation. Abduction and
 // rotation turn opposite ways on the two sides; without a side they must be 0, else std::invalid_argument.
 Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
+
+// The joint's turn while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in radians.
+// R(0) is joint_rotation(start). std::invalid_argument as for joint_rotation().
+struct JointTurn {
+  Eigen::Matrix3d outer = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // unit vector
+  Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
+};
+JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
+
+// From one motion to another, every angle in equal steps, both ends included: the fewest steps of which none
+// changes an angle by more than step_deg, above 0.
+std::vector<Motion> motion_path(const Motion& from, const Motion& to, double step_deg);
 
 }  // namespace impinge

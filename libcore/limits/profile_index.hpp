@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which parts of two surfaces can meet at all while one of them turns about an axis through the centre.
+//
+// A turn about +z keeps of every point its height z and its distance r from the centre. So two parts can only
+// meet if their boxes of (z, r) overlap, whatever the angle: a few pairs in a thousand.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// Heights and distances from the centre of a part, mm.
+struct ProfileBox {
+  double z_low = 0.0;
+  double z_high = 0.0;
+  double r_low = 0.0;
+  double r_high = 0.0;
+
+  bool overlaps(const ProfileBox& other) const {
+    return z_low <= other.z_high && other.z_low <= z_high && r_low <= other.r_high && other.r_low <= r_high;
+  }
+};
+
+// The box of a point, an edge, a face, rounded outwards by `margin` mm.
+ProfileBox profile_of(const Vec3& x, double margin);
+ProfileBox profile_of(const Vec3& a, const Vec3& b, double margin);
+ProfileBox profile_of(const Vec3& a, const Vec3& b, const Vec3& c, double margin);
+
+// The smallest box that holds all of them; one that overlaps nothing if there are none.
+ProfileBox bounds_of(const std::vector<ProfileBox>& boxes);
+
+// The parts of one surface by their boxes.
+class ProfileIndex {
+ public:
+  // Only boxes that overlap `within` are kept; no other part can be asked for.
+  ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& within);
+
+  // Calls visit(i) once for every box i that overlaps this one and `within`.
+  template <class Visit>
+  void visit(const ProfileBox& box, const Visit& visit) const {
+    if (!bounds_.overlaps(box)) return;
+    const Cells cells = cells_of(box);
+    for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
+      for (std::size_t r = cells.r_low; r <= cells.r_high; ++r) {
+        for (std::size_t k = first_[z * kCells + r]; k < first_[z * kCells + r + 1]; ++k) {
+          const std::uint32_t i = listed_[k];
+          const Cells own = cells_of(boxes_[i]);
+          // In the first cell that both are in, so that no pair comes twice.
+          if (z != std::max(own.z_low, cells.z_low) || r != std::max(own.r_low, cells.r_low)) continue;
+          if (boxes_[i].overlaps(box)) visit(i);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kCells = 48;  // each way
+  struct Cells {
+    std::size_t z_low, z_high, r_low, r_high;
+  };
+  Cells cells_of(const ProfileBox& box) const;
+
+  std::vector<ProfileBox> boxes_;
+  ProfileBox bounds_;
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> listed_;
+};
+
+}  // namespace impinge

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a turn does to a scalar product, and when that is near zero: the closed form behind every contact.
+//
+// A vector a that has turned by an angle t about +z has a(t) . b = c cos t + s sin t + k for any fixed b. So
+// has every condition of contact between a turning surface and one at rest:
+//   a corner p on the plane n.x = d of a face                  p . n - d
+//   two edges a + l.. and c + m.. in one plane (Pluecker)      l . (c x m) + (a x l) . m
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// f(t) = cosine cos t + sine sin t + constant, t in radians.
+struct Sinusoid {
+  double cosine = 0.0;
+  double sine = 0.0;
+  double constant = 0.0;
+};
+
+// a(t) . b, a turning about +z.
+inline Sinusoid turned_dot(const Vec3& a, const Vec3& b) {
+  return {a.x() * b.x() + a.y() * b.y(), a.x() * b.y() - a.y() * b.x(), a.z() * b.z()};
+}
+
+inline Sinusoid operator+(const Sinusoid& f, const Sinusoid& g) {
+  return {f.cosine + g.cosine, f.sine + g.sine, f.constant + g.constant};
+}
+
+// The vector turned by that angle about +z.
+Vec3 turned(const Vec3& x, double angle);
+
+// Angles from `from` to `to`, radians in [0, 2 pi].
+struct AngleSpan {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+struct AngleSpans {
+  std::array<AngleSpan, 4> span;
+  std::size_t count = 0;
+  const AngleSpan* begin() const { return span.data(); }
+  const AngleSpan* end() const { return span.data() + count; }
+};
+
+// The parts of a turn in which |f| <= bound, bound > 0; they may overlap. Rounding is the caller's: bound
+// must exceed that of the coefficients by a factor of ten.
+AngleSpans near_zero(const Sinusoid& f, double bound);
+
+}  // namespace impinge

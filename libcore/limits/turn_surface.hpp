@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A surface as the search for contacts in a turn takes it: its parts in a frame whose +z is the axis.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "limits/profile_index.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/jump_edges.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// A triangle, or one half of a wall.
+struct TurnFace {
+  std::array<Vec3, 3> corner;
+  Vec3 normal;        // as long as twice the area
+  double size = 0.0;  // mm^2, the product of the two longest sides; |normal| is no larger
+  bool wall = false;
+  bool sliver = false;  // the direction of its normal is not certain; no point of it is far from an edge
+};
+
+struct TurnEdge {
+  Vec3 from;
+  Vec3 to;
+};
+
+struct TurnSurface {
+  std::vector<Vec3> vertices;  // mm; those that belong to a face
+  std::vector<TurnFace> faces;
+  std::vector<TurnEdge> edges;     // each once
+  std::vector<Vec3> rim_vertices;  // ends of jump edges (mesh/jump_edges.hpp)
+  std::vector<TurnFace> walls;     // of the jump edges, see turn_contact.hpp
+  double largest_radius = 0.0;     // mm, of a vertex
+};
+
+// Which side of a jump edge its wall is on: the ball reaches a socket that it gets beyond, and the socket a
+// ball that it gets within.
+enum class WallSide { beyond, within };
+
+struct WallReach {
+  WallSide side = WallSide::beyond;
+  double reach = 0.0;  // mm, beyond: to this distance from the centre at least; within: to the centre
+};
+
+// What of a mesh stays the same whatever the axis.
+struct TurnParts {
+  explicit TurnParts(const TriangleMesh& mesh);  // in its centre frame, mm
+
+  std::vector<VertexIndex> vertices;      // of faces
+  std::vector<Edge> edges;                // each once
+  std::vector<JumpEdge> jumps;            // mesh/jump_edges.hpp
+  std::vector<VertexIndex> rim_vertices;  // ends of the jump edges
+};
+
+// mesh in the centre frame, mm, and its parts; the rotation takes its axis to +z.
+TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
+                         const WallReach& walls);
+
+}  // namespace impinge
