@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "joint/clock.hpp"
@@ -70,6 +71,33 @@ TEST(Motion, RefusesWhatItCannotRead) {
   }
   EXPECT_THROW(joint_rotation(parse_motion("abduction=5"), std::nullopt), std::invalid_argument);
   EXPECT_EQ(joint_rotation(parse_motion(""), std::nullopt), Eigen::Matrix3d::Identity());
+}
+
+// R(a) = outer R(axis, a) inner is the rotation of the motion with one angle grown by a.
+TEST(Motion, OneAngleGrowsAboutOneAxis) {
+  const Motion start = parse_motion("flexion=50,adduction=20,internal_rotation=15");
+  for (const Side side : {Side::left, Side::right}) {
+    for (const MotionName& growing : motion_names()) {
+      const JointTurn turn = joint_turn(start, growing, side);
+      Motion end = start;
+      end.*growing.angle += growing.sign * 25.0;
+      const Eigen::Matrix3d r = turn.outer * Eigen::AngleAxisd(25.0 * kDegree, turn.axis) * turn.inner;
+      EXPECT_LT((r - joint_rotation(end, side)).norm(), 1e-14) << growing.name;
+    }
+  }
+  EXPECT_THROW(joint_turn({}, motion_name("abduction"), std::nullopt), std::invalid_argument);
+  EXPECT_NO_THROW(joint_turn({}, motion_name("extension"), std::nullopt));
+  EXPECT_THROW(motion_name("bend"), std::invalid_argument);
+}
+
+TEST(Motion, APathHasBothEndsAndNoLongerStep) {
+  const auto path = motion_path(parse_motion("flexion=10"), parse_motion("flexion=45,abduction=7"), 10.0);
+  ASSERT_EQ(path.size(), 5U);
+  EXPECT_EQ(path.front().flexion, 10.0);
+  EXPECT_EQ(path[2].flexion, 27.5);
+  EXPECT_EQ(path[2].abduction, 3.5);
+  EXPECT_EQ(path.back().abduction, 7.0);
+  EXPECT_EQ(motion_path({}, {}, 1.0).size(), 1U);
 }
 
 // A socket that opens to the patient's right: the clock lies in the sagittal plane.
