@@ -12,8 +12,8 @@ namespace {
 constexpr double kThickestNeck = 0.95;  // of the head's radius
 constexpr double kThinnestNeck = 0.25;
 constexpr double kLargestFillet = 0.33;  // the same
-constexpr double kStraightNeck = 1.45;  // of the head's radius, from the centre
-constexpr double kWidestRim = 140.0;    // degrees from the pole
+constexpr double kStraightNeck = 1.45;   // of the head's radius, from the centre
+constexpr double kWidestRim = 140.0;     // degrees from the pole
 constexpr double kNarrowestRim = 20.0;
 constexpr int kRimSteps = 144;
 constexpr int kPolarSteps = 48;

@@ -8,31 +8,38 @@
 namespace impinge {
 namespace {
 
+// A large cam in a hip with thin cartilage: bone meets bone only where the cam is higher than the joint
+// space.
 HipParameters cam() {
   HipParameters p;
-  p.cam_height = 3.3;
+  p.cam_height = 4.5;
   p.cam_polar = 52.0;
-  p.half_opening = 84.0;
-  p.lateral_centre_edge = 30.0;
+  p.cam_clock = 2.5;
+  p.joint_space = 3.5;
+  p.half_opening = 85.0;
+  p.lateral_centre_edge = 31.0;
   return p;
 }
 
 HipParameters pincer() {
   HipParameters p;
+  p.joint_space = 4.0;
+  p.version = 12.0;
   p.half_opening = 92.0;
   p.lateral_centre_edge = 41.0;
   p.pincer_height = 4.0;
-  p.version = 12.0;
-  p.joint_space = 4.0;
   return p;
 }
 
 HipParameters mixed() {
-  HipParameters p = pincer();
-  p.cam_height = 2.5;
+  HipParameters p = cam();
+  p.cam_height = 4.0;
+  p.cam_half_width = 28.0;
   p.cam_polar = 50.0;
-  p.half_opening = 90.0;
-  p.pincer_height = 3.0;
+  p.version = 16.0;
+  p.half_opening = 89.0;
+  p.lateral_centre_edge = 39.0;
+  p.pincer_height = 2.5;
   return p;
 }
 
@@ -49,15 +56,49 @@ HipParameters dysplastic() {
   return p;
 }
 
+// An anterosuperior cam far out on the head, under a rim that is nearest to it at 1 to 2 o'clock.
 HipParameters patient_a() {
-  HipParameters p = cam();
+  HipParameters p;
   p.side = Side::right;
+  p.cam_height = 2.8;
+  p.cam_polar = 75.0;
+  p.cam_clock = 1.6;
+  p.head_neck_offset = 9.3;
+  p.neck_shaft_angle = 126.0;
+  p.femoral_torsion = 1.0;
+  p.joint_space = 4.0;
+  p.version = 9.0;
+  p.half_opening = 93.0;
+  p.lateral_centre_edge = 28.0;
+  p.pincer_height = 1.5;
+  p.pincer_clock = 1.7;
+  p.pincer_half_width = 0.7;
+  p.shift_lateral = 0.3;
+  p.shift_anterior = -1.35;
   return p;
 }
 
+// A broad cam, a deep socket, and a prominent rim at 7 o'clock, which the neck comes near to in adduction.
 HipParameters patient_b() {
-  HipParameters p = mixed();
+  HipParameters p;
   p.side = Side::left;
+  p.cam_height = 2.5;
+  p.cam_half_width = 38.0;
+  p.cam_polar = 75.0;
+  p.cam_clock = 1.9;
+  p.head_neck_offset = 7.0;
+  p.neck_shaft_angle = 121.0;
+  p.femoral_torsion = 9.5;
+  p.joint_space = 3.3;
+  p.version = 12.0;
+  p.half_opening = 96.0;
+  p.lateral_centre_edge = 28.0;
+  p.pincer_height = 6.5;
+  p.pincer_clock = 6.75;
+  p.pincer_half_width = 1.25;
+  p.shift_lateral = 1.1;
+  p.shift_anterior = -0.5;
+  p.shift_superior = 0.2;
   return p;
 }
 

@@ -7,8 +7,8 @@
 //   mixed       both
 //   dysplastic  a shallow, steep socket that covers too little
 //   patient_a, patient_b
-//               stand-ins for the two patients of the thesis (Section 5.2): their scans are not public. Side
-//               and sex are theirs; the shapes are ours, chosen so that the zones of small gaps at the ends
+//               stand-ins for the two patients of the thesis (Section 5.2): their scans are not public. The
+//               side is theirs; the shapes are ours, chosen so that the zones of small gaps at the ends
 //               of the motions of Table 11 lie where Tables 12 and 13 report them. Say so wherever they
 //               appear.
 #pragma once

@@ -143,8 +143,9 @@ TEST_P(ImpossibleHip, IsRefusedByName) {
 INSTANTIATE_TEST_SUITE_P(
     Each, ImpossibleHip,
     testing::Values(
-        Impossible{"cam_height=6 cam_polar=115", "cam_height"}, Impossible{"half_opening=190", "half_opening"},
-        Impossible{"wall_thickness=-1", "wall_thickness"}, Impossible{"joint_space=-0.5", "joint_space"},
+        Impossible{"cam_height=6 cam_polar=115", "cam_height"},
+        Impossible{"half_opening=190", "half_opening"}, Impossible{"wall_thickness=-1", "wall_thickness"},
+        Impossible{"joint_space=-0.5", "joint_space"},
         Impossible{"joint_space=1 shift_superior=-2", "joint_space"},
         Impossible{"half_opening=120 inclination=15", "joint_space"},
         Impossible{"head_neck_offset=24", "head_neck_offset"},
