@@ -11,14 +11,10 @@
 #include <cstddef>
 #include <memory>
 
+#include "contenders/grid_field.hpp"
 #include "contenders/radius_method.hpp"
 
 namespace impinge {
-
-struct DistanceGridShape {
-  double half_width = 0.0;  // mm, of the cube about the centre
-  std::size_t nodes = 0;    // along each side, 2 or more
-};
 
 // The cube that holds ball and socket in the pose of the scene.
 DistanceGridShape grid_shape(const RaceScene& scene, std::size_t nodes);
