@@ -57,6 +57,9 @@ LABELS = {
     "fcl_collide": "FCL, collide",
     "fcl_distance": "FCL, distance",
     "distance_grid": "Cartesian distance grid",
+    "hu_voxels": "Voxels (Hu)",
+    "maciel_triangles": "Triangles (Maciel)",
+    "cartesian_field": "Cartesian distance field",
 }
 
 

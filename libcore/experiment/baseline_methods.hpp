@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The methods that the thesis compares itself with in Section 3.6, each at several resolutions, beside its
+// own.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contenders/contender.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge {
+
+struct BaselineSizes {
+  std::vector<double> voxels_mm;       // hu_voxels: side of a voxel
+  std::vector<std::size_t> rays;       // maciel_triangles: rays a side
+  std::vector<std::size_t> nodes;      // cartesian_field: nodes a side
+  std::vector<double> precisions_deg;  // rsid
+  double most_pairs = 1e8;             // rays times faces up to which filling by all pairs is timed
+};
+
+// Points that a method is asked about, in one pose, and what is true of them.
+struct BaselinePoints {
+  std::vector<Vec3> on_ball;     // vertices of the ball in the socket's frame, mm
+  std::vector<double> distance;  // exact, from the socket, mm
+  std::vector<Vec3> on_socket;   // vertices of the socket in the ball's frame that meet the ball, mm
+  std::vector<double> radius;    // exact, of the ball along them, mm
+};
+
+// What a method answered.
+struct BaselineAnswers {
+  std::size_t points = 0;
+  std::size_t missed = 0;  // got no answer, though the surface is there
+  double largest_mm = std::numeric_limits<double>::quiet_NaN();
+  double rms_mm = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct BaselineMethod {
+  std::string name;
+  std::string setting;
+  double size = 0.0;  // mm of a voxel, rays or nodes a side, degrees
+  std::unique_ptr<Contender> contender;
+  double bytes = 0.0;           // kept for both surfaces
+  std::function<void()> build;  // everything done once for a joint; empty where it takes too long to be timed
+  double work = 1.0;            // of build, by which its time grows
+  double missed_faces = std::numeric_limits<double>::quiet_NaN();  // of the ball, that no entry samples
+  BaselineAnswers answers;
+};
+
+// At most `most` vertices of each surface, evenly chosen, in a pose whose rotation lines nothing up. Exact.
+BaselinePoints baseline_points(const BallSocketPair& joint, std::size_t most);
+
+// Every method at every size, built, checked and asked. Throws std::runtime_error for one that breaks what is
+// proven of it. The joint must outlive the methods.
+std::vector<BaselineMethod> baseline_methods(const BallSocketPair& joint, const BaselineSizes& sizes,
+                                             const BaselinePoints& points);
+
+}  // namespace impinge

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What baselines.csv says: bytes, times, lost triangles and wrong answers of every method of Section 3.6.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiment/baseline_methods.hpp"
+#include "experiment/baseline_poses.hpp"
+#include "experiment/timing.hpp"
+
+namespace impinge {
+
+struct BaselineJoint {
+  std::string name;
+  BallSocketPair meshes;  // centre frames, mm
+  BaselineSizes sizes;
+  BaselineWays ways;
+  std::size_t points = 2000;  // vertices of each surface that are asked, at most
+};
+
+struct BaselineOptions {
+  int build_rounds = 3;
+  int pose_rounds = 9;
+  double slow_s = 3.0;  // building that takes longer is timed once
+};
+
+struct BaselineTables {
+  Table table;
+  TimingRun timing;
+};
+
+// Keys of the timed cases.
+std::vector<Column> baseline_keys();
+
+// Builds, checks and judges all methods on all joints, then times them in one interleaved run.
+BaselineTables baseline_tables(const std::vector<BaselineJoint>& joints, const BaselineOptions& options,
+                               Progress& progress);
+
+}  // namespace impinge
