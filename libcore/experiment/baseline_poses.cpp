@@ -14,7 +14,7 @@ namespace impinge {
 namespace {
 
 constexpr std::array kOffsets{0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0};  // mm
-constexpr std::size_t kTries = 20;                             // ways drawn for one that meets the socket
+constexpr std::size_t kTries = 20;  // ways drawn for one that meets the socket
 
 }  // namespace
 

@@ -24,8 +24,8 @@ struct BaselineWays {
   std::uint64_t seed = 0;
 };
 
-// Fourteen poses of each way: 0.05, 0.1, 0.2, 0.5, 1, 2 and 4 mm before and after its first contact, as CGAL's
-// tree decides it. Fewer ways where random ones do not bring the surfaces together.
+// Fourteen poses of each way: 0.05, 0.1, 0.2, 0.5, 1, 2 and 4 mm before and after its first contact, as
+// CGAL's tree decides it. Fewer ways where random ones do not bring the surfaces together.
 std::vector<JudgedPose> baseline_poses(const BallSocketPair& joint, const BaselineWays& ways);
 
 struct BaselineVerdicts {
