@@ -9,7 +9,7 @@
 #include "detection/gap_summary.hpp"
 #include "experiment/csv.hpp"
 #include "files/file_set.hpp"
-#include "joint/clock.hpp"
+#include "joint/close_zones.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"
 #include "scene/question.hpp"
@@ -72,18 +72,21 @@ json part_json(const View& v) {
 json zones_json(const View& v, double threshold, const std::optional<ClockFace>& dial,
                 const Eigen::Matrix3d& axes) {
   if (!dial) return nullptr;
-  std::vector<double> hours;
-  std::vector<double> area;
-  for (std::size_t i = 0; i < v.gaps.gap.size(); ++i) {
-    if (!(v.gaps.gap[i] <= threshold)) continue;
-    hours.push_back(dial->hours(axes * v.posed[i]));
-    area.push_back(v.area[i]);
-  }
+  if (v.gaps.gap.empty()) return json::array();  // not scanned
+  std::vector<Vec3> places = v.posed;
+  for (Vec3& x : places) x = axes * x;
   json zones = json::array();
-  for (const ClockZone& zone : clock_zones(hours, area)) {
+  for (const ClockZone& zone : close_zones(*dial, {places, v.gaps.gap, v.area}, threshold)) {
     zones.push_back({{"from", clock_text(zone.from)}, {"to", clock_text(zone.to)}, {"area_mm2", zone.area}});
   }
   return zones;
+}
+
+// The dial as unit vectors of the joint frame.
+json dial_json(const std::optional<ClockFace>& dial) {
+  if (!dial) return nullptr;
+  const auto vector = [](const Vec3& x) { return json::array({x.x(), x.y(), x.z()}); };
+  return {{"twelve", vector(dial->twelve)}, {"three", vector(dial->three)}};
 }
 
 json impingement_json(const View& v, double threshold, const std::optional<ClockFace>& dial,
@@ -327,6 +330,7 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
           {"entries_per_table", measurement.entries},
           {"table_bytes", measurement.bytes},
           {"cartilage_mm", options.cartilage_mm},
+          {"dial", dial_json(dial)},
           {"smallest_gap", smaller(smallest_json(ball, joint.centre, dial, axes),
                                    smallest_json(socket, joint.centre, dial, axes))},
           {"impingement", thresholds},

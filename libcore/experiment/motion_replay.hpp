@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recorded motions of a hip, replayed: each turns the ball about one axis of the joint, from the pose as
+// modelled to the angle recorded. In every pose the gaps of both surfaces, and where on the dial of the
+// socket they are small (thesis, Section 5.2, Tables 11 to 13).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiment/csv.hpp"
+#include "joint/anatomy.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// A hip in the joint frame, mm, the centre of rotation as origin.
+struct ReplayedHip {
+  std::string name;
+  Side side = Side::right;
+  TriangleMesh ball;
+  TriangleMesh socket;  // that has a dial: std::invalid_argument otherwise (joint/clock.hpp)
+};
+
+// One motion to its end; names as in joint/motion.hpp, degrees.
+struct RecordedMotion {
+  std::string motion;
+  double angle_deg = 0.0;
+};
+
+struct ReplayOptions {
+  double precision_deg = 0.5;  // of the tables, RSID
+  double step_deg = 1.0;       // at most, between the poses of a motion: they are evenly spread
+  std::size_t pictures = 6;  // poses of a motion whose gaps are kept, evenly spread too, the last at its end
+  // Gaps up to which a zone is told, mm: contact; the colours of Tables 12 and 13, red, orange and yellow;
+  // and the cartilage of Section 3.4.
+  std::vector<double> thresholds{0.0, 2.0, 4.0, 6.0};
+};
+
+// Rows joint,motion,angle_deg,... of every pose, and of every zone of every pose.
+struct ReplayTables {
+  Table frames;
+  Table zones;
+};
+ReplayTables replay_tables();
+
+// Adds the poses of a hip to the tables, and writes NAME-ball.ply and NAME-socket.ply (mesh/ply_series.hpp)
+// into the folder: both meshes in the pose as modelled, with the gaps of each kept pose as property gap_K, K
+// in column `picture` of the frames; gap_0 is that of the pose as modelled.
+void replay(const ReplayedHip& hip, const std::vector<RecordedMotion>& motions, const ReplayOptions& options,
+            const std::filesystem::path& folder, ReplayTables& tables);
+
+}  // namespace impinge
