@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.patches import Patch
-from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor
 
 import ply
 import render
@@ -40,27 +39,16 @@ def colours_of(summary: dict, part: str) -> Colours:
     )
 
 
-def lookup(colours: Colours) -> tuple[vtkLookupTable, tuple[float, float]]:
-    """Colour by gap, and the range of gaps that it spans; beyond, the first and the last colour hold."""
+def shades(colours: Colours) -> render.Shades:
+    """Finely enough that the thresholds are seen where they are."""
     limits = (-1.0, float(colours.upper[-2]) + 1.0)
-    gaps = np.linspace(*limits, SHADES)
-    table = vtkLookupTable()
-    table.SetNumberOfTableValues(SHADES)
-    for i, level in enumerate(np.searchsorted(colours.upper, gaps)):
-        table.SetTableValue(i, *colours.rgb[level], 1)
-    table.SetNanColor(*colours.nothing, 1)
-    return table, limits
+    level = np.searchsorted(colours.upper, np.linspace(*limits, SHADES))
+    return render.Shades(colours.rgb[level], limits, tuple(colours.nothing))
 
 
 def coloured(mesh: ply.Mesh, colours: Colours, opacity: float = 1.0) -> vtkActor:
     """The mesh with the colours of its gap."""
-    table, limits = lookup(colours)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(render.polydata(mesh))
-    mapper.SetLookupTable(table)
-    mapper.SetScalarRange(*limits)
-    mapper.InterpolateScalarsBeforeMappingOn()
-    return render.surface(mapper, opacity)
+    return render.scalar_surface(mesh, mesh.properties["gap"], shades(colours), opacity)
 
 
 def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[Patch]:

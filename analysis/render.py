@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import (
@@ -49,6 +49,17 @@ class View:
         return (self.pixels - 1) / 2 + seen / self.size * self.pixels / 2
 
 
+@dataclass(frozen=True)
+class Shades:
+    """Colours (n, 3) from 0 to 1, evenly over the limits of a number; that of no number. Beyond, the first and the
+    last hold.
+    """
+
+    rgb: np.ndarray
+    limits: tuple[float, float]
+    nothing: tuple[float, float, float] = (0.85, 0.85, 0.85)
+
+
 def _data(vertices: np.ndarray, cells: np.ndarray) -> tuple[vtkPolyData, vtkCellArray]:
     """Points for VTK, and cells of the same number of corners each, (n, corners)."""
     points = vtkPoints()
@@ -65,12 +76,9 @@ def _data(vertices: np.ndarray, cells: np.ndarray) -> tuple[vtkPolyData, vtkCell
 
 
 def polydata(mesh: ply.Mesh) -> vtkPolyData:
-    """The mesh for VTK with smooth normals, and the gap on its vertices if it has one."""
+    """The mesh for VTK with smooth normals."""
     data, triangles = _data(mesh.vertices, mesh.triangles)
     data.SetPolys(triangles)
-    if "gap" in mesh.properties:
-        gap = np.ascontiguousarray(mesh.properties["gap"])
-        data.GetPointData().SetScalars(numpy_to_vtk(gap, deep=True))
     normals = vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
@@ -91,12 +99,30 @@ def surface(mapper: vtkPolyDataMapper, opacity: float = 1.0) -> vtkActor:
     return thing
 
 
-def plain_surface(mesh: ply.Mesh, colour: tuple[float, float, float], edges: bool = False) -> vtkActor:
+def scalar_surface(mesh: ply.Mesh, values: np.ndarray, shades: Shades, opacity: float = 1.0) -> vtkActor:
+    """The mesh in the colours of a number a vertex, interpolated before it is coloured."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(len(shades.rgb))
+    for i, colour in enumerate(shades.rgb):
+        table.SetTableValue(i, *colour, 1)
+    table.SetNanColor(*shades.nothing, 1)
+    data = polydata(mesh)
+    data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(*shades.limits)
+    mapper.InterpolateScalarsBeforeMappingOn()
+    return surface(mapper, opacity)
+
+
+def plain_surface(
+    mesh: ply.Mesh, colour: tuple[float, float, float], edges: bool = False, opacity: float = 1.0
+) -> vtkActor:
     """The mesh in one colour, its edges drawn if that is asked for."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(polydata(mesh))
-    mapper.ScalarVisibilityOff()
-    thing = surface(mapper)
+    thing = surface(mapper, opacity)
     thing.GetProperty().SetColor(*colour)
     if edges:
         thing.GetProperty().EdgeVisibilityOn()
@@ -104,20 +130,40 @@ def plain_surface(mesh: ply.Mesh, colour: tuple[float, float, float], edges: boo
     return thing
 
 
-def dots(points: np.ndarray, colour: tuple[float, float, float], size: float) -> vtkActor:
-    """Round points of one colour, `size` pixels wide, without light."""
-    data, vertices = _data(points, np.arange(len(points), dtype=np.int64)[:, None])
-    data.SetVerts(vertices)
+def _unlit(data: vtkPolyData, colour: tuple[float, float, float]) -> vtkActor:
+    """Points or lines of one colour, without light."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
     thing = vtkActor()
     thing.SetMapper(mapper)
     look = thing.GetProperty()
     look.SetColor(*colour)
-    look.SetPointSize(size)
-    look.RenderPointsAsSpheresOn()
-    look.SetAmbient(1)
-    look.SetDiffuse(0)
+    look.LightingOff()
+    return thing
+
+
+def dots(points: np.ndarray, colour: tuple[float, float, float], size: float) -> vtkActor:
+    """Round points of one colour, `size` pixels wide, without light."""
+    data, vertices = _data(points, np.arange(len(points), dtype=np.int64)[:, None])
+    data.SetVerts(vertices)
+    thing = _unlit(data, colour)
+    thing.GetProperty().SetPointSize(size)
+    thing.GetProperty().RenderPointsAsSpheresOn()
+    return thing
+
+
+def rings(curves: list[np.ndarray], colour: tuple[float, float, float], width: float) -> vtkActor:
+    """Closed curves through points (n, 3) each, `width` pixels wide, without light."""
+    starts = np.cumsum([0] + [len(curve) for curve in curves[:-1]])
+    pairs = [
+        start + np.column_stack([np.arange(len(curve)), np.roll(np.arange(len(curve)), -1)])
+        for start, curve in zip(starts, curves)
+    ]
+    data, lines = _data(np.vstack(curves), np.vstack(pairs).astype(np.int64))
+    data.SetLines(lines)
+    thing = _unlit(data, colour)
+    thing.GetProperty().SetLineWidth(width)
     return thing
 
 
