@@ -21,8 +21,8 @@ constexpr int kHalvings = 8;            // of the range of D
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // tan psi where the ray along u ends.
-double slope_along(const std::array<Vec3, 3>& corners, const Vec3& u) {
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+double slope_along(const TriangleCone& cone, const Vec3& u) {
+  const Vec3& normal = cone.plane().normal;
   return normal.cross(u).norm() / std::abs(normal.dot(u));
 }
 
@@ -119,7 +119,7 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
     const double gap = std::abs(x.norm() - cone.radius(u));
     if (gap < found.gap_mm) {
       found.gap_mm = gap;
-      found.slope = slope_along(cone.corners(), u);
+      found.slope = slope_along(cone, u);
     }
     if (cone.largest_slope() <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
     for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());

@@ -11,15 +11,10 @@ constexpr double kLeastDepth = 0.05;  // of a corner along the axis, as a share 
 // not certain to ten digits: 1e10 times the rounding of its plane.
 constexpr double kSteep = 1e10 * kPlaneTestError;
 
-Vec3 unit_normal(const TriangleCone& cone) {
-  const auto& [a, b, c] = cone.corners();
-  return (cone.side() * (b - a).cross(c - a)).normalized();
-}
-
 bool is_steep(const TriangleCone& cone) {
   const auto& [a, b, c] = cone.corners();
   const double largest = std::max({a.norm(), b.norm(), c.norm()});
-  return !(std::abs(a.dot((b - a).cross(c - a))) > kSteep * (b - a).norm() * (c - a).norm() * largest);
+  return !(cone.plane().offset > kSteep * cone.plane().size * largest);
 }
 
 DirectionCap cap_of(const TriangleCone& cone) {
@@ -66,7 +61,7 @@ Stretch within_disc(const Vec3& y0, const Vec3& y1, double radius) {
 
 FaceRange::FaceRange(const TriangleCone& cone)
     : cone_(cone),
-      normal_(unit_normal(cone)),
+      normal_(cone.plane().normal.normalized()),
       own_(cap_of(cone)),
       steep_(is_steep(cone)),
       whole_(range_of(cone, steep_)) {}

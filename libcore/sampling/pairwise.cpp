@@ -55,6 +55,7 @@ double RayCaster::cast(const Vec3& u, Layer layer) const {
 }
 
 double RayCaster::radius_of(std::size_t face, const Vec3& u) const {
+  if (cones_[face].plane().exact) return cones_[face].radius(u);
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     sum += planes_[3 * k][face] * u.x() + planes_[3 * k + 1][face] * u.y() + planes_[3 * k + 2][face] * u.z();

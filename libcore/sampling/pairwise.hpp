@@ -21,7 +21,8 @@ class RayCaster {
 
   // Radius along unit u (mm), kNoSurface if no face is met. Boundaries of faces belong to them and signs are
   // exact, so no ray slips through an edge. r = det(a, b, c) / (det(u, b, c) + det(a, u, c) + det(a, b, u))
-  // by Cramer's rule, a formula that shares nothing with the rasterisers but the edge planes.
+  // by Cramer's rule, a formula that shares nothing with the rasterisers but the edge planes, and
+  // the plane of a thin face (sphere/face_plane.hpp).
   double cast(const Vec3& u, Layer layer) const;
 
  private:

@@ -17,18 +17,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 1e-12;  // of unit vectors and their products, far above their rounding
 
 SurfacePlane plane_of(const TriangleCone& cone) {
-  const auto& [a, b, c] = cone.corners();
-  const Vec3 normal = cone.side() * (b - a).cross(c - a);
-  const double offset = normal.dot(a);
+  const FacePlane& face = cone.plane();
   SurfacePlane plane{.cone = cone};
   plane.slope = cone.edge_on() ? kInfinity : cone.largest_slope();
   plane.condition = kInfinity;
   for (const Vec3& x : cone.corners()) plane.largest_radius = std::max(plane.largest_radius, x.norm());
-  if (offset > 0.0 && std::isfinite(plane.slope)) {
-    plane.inverse = normal / offset;
-    plane.distance = offset / normal.norm();
+  if (face.offset > 0.0 && std::isfinite(plane.slope)) {
+    plane.inverse = face.normal / face.offset;
+    plane.distance = cone.plane_distance();
     plane.least_radius = plane.distance;
-    plane.condition = (b - a).norm() * (c - a).norm() * plane.largest_radius / offset;
+    plane.condition = face.size * plane.largest_radius / face.offset;
   }
   for (const Vec3& x : cone.corners()) plane.middle += x.normalized();
   plane.middle.normalize();

@@ -22,7 +22,7 @@ struct SurfacePlane {
   double slope = 0.0;           // largest tan psi over the face; infinite for a face that is seen edge-on
   double least_radius = 0.0;    // over the face, mm
   double largest_radius = 0.0;
-  double condition = 0.0;        // relative error of r that one rounding of the corners makes
+  double condition = 0.0;        // relative error of r that one rounding of the plane makes
   std::array<Vec3, 3> inward{};  // unit normals of the planes through the centre and an edge
   Vec3 middle = Vec3::Zero();    // a direction inside
   double chord = 0.0;            // longest from there to a direction of the face

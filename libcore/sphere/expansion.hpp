@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of doubles without rounding, for exact signs.
+// Sums of doubles without rounding, for exact signs and for values rounded once.
 #pragma once
 
 #include <array>
@@ -31,21 +31,33 @@ class Expansion {
     return component_[size_ - 1] > 0.0 ? 1 : -1;
   }
 
+  // Off by 2^-53 of itself at most, but for 2^-53 of that: what is below the last two components counts no
+  // more.
+  double value() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size_; ++i) sum += component_[i];
+    return sum;
+  }
+
  private:
   std::array<double, Most> component_{};
   std::size_t size_ = 0;
 };
+
+// Adds x * y: two values.
+template <std::size_t Most>
+void add_product(Expansion<Most>& sum, double x, double y) {
+  const double product = x * y;
+  sum.add(product);
+  sum.add(std::fma(x, y, -product));
+}
 
 // Adds x * y * z: four values.
 template <std::size_t Most>
 void add_product(Expansion<Most>& sum, double x, double y, double z) {
   const double high = x * y;
   const double low = std::fma(x, y, -high);
-  for (const double part : {high, low}) {
-    const double p = part * z;
-    sum.add(p);
-    sum.add(std::fma(part, z, -p));
-  }
+  for (const double part : {high, low}) add_product(sum, part, z);
 }
 
 }  // namespace impinge

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sphere/expansion.hpp"
+#include "sphere/determinant.hpp"
 
 namespace impinge {
 namespace {
@@ -22,13 +22,8 @@ Vec3 scaled(const Vec3& v) {
 }
 
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
-  Expansion<24> det;  // 6 products of 4 values each
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    add_product(det, a[i], b[j], c[k]);
-    add_product(det, -a[i], b[k], c[j]);
-  }
+  Expansion<24> det;
+  add_determinant(det, 1.0, a, b, c);
   return det.sign();
 }
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sphere/expansion.hpp"
+#include "sphere/determinant.hpp"
 #include "sphere/orientation.hpp"
 
 namespace impinge {
@@ -16,17 +16,6 @@ namespace {
 // Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
 constexpr double kSmallest = 1e-280;
 constexpr double kLargest = 1e300;
-
-using Determinant = Expansion<96>;  // 24 products of 4 values each
-
-void add_determinant(Determinant& sum, double sign, const Vec3& a, const Vec3& b, const Vec3& c) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    add_product(sum, sign * a[i], b[j], c[k]);
-    add_product(sum, -sign * a[i], b[k], c[j]);
-  }
-}
 
 // All four scaled by one power of two, so that the largest component is in [1/2, 1).
 int exact_plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -39,7 +28,7 @@ int exact_plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   for (std::size_t i = 0; i < 4; ++i) {
     x[i] = points[i].unaryExpr([exponent](double value) { return std::ldexp(value, -exponent); });
   }
-  Determinant sum;
+  Expansion<96> sum;
   add_determinant(sum, 1.0, x[1], x[2], x[3]);
   add_determinant(sum, -1.0, x[0], x[2], x[3]);
   add_determinant(sum, 1.0, x[0], x[1], x[3]);

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sphere/face_plane.hpp"
 #include "sphere/orientation.hpp"
 #include "sphere/plane_radius.hpp"
 
@@ -22,11 +23,10 @@ class TriangleCone {
   TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c)
       : corner_{a, b, c},
         side_(orientation(a, b, c)),
-        normal_(face_normal<double>(a, b, c, side_)),
-        offset_(normal_.dot(a)),
+        plane_(face_plane(a, b, c, side_)),
         largest_radius_(std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
         smallest_radius_(std::sqrt(std::min({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}))),
-        grazing_(!(offset_ > kPlaneTestError * (b - a).norm() * (c - a).norm() * largest_radius_)) {
+        grazing_(!(plane_.offset > kPlaneTestError * plane_.size * largest_radius_)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& from = corner_[k];
       const Vec3& to = corner_[(k + 1) % 3];
@@ -67,14 +67,18 @@ class TriangleCone {
   }
   double doubt() const { return std::max({doubt_[0], doubt_[1], doubt_[2]}); }
 
+  // The plane of the face; its offset is above 0 unless the face is seen edge-on, or nearly so.
+  const FacePlane& plane() const& { return plane_; }
+  const FacePlane& plane() const&& = delete;
+
   // Distance of the centre from the plane of the face, mm.
-  double plane_distance() const { return offset_ / normal_.norm(); }
+  double plane_distance() const { return plane_.offset / plane_.normal.norm(); }
 
   // r = n.v0 / (n.u) along a unit u that the cone contains (mm); the nearest corner's for a grazing face.
   // Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
   double radius(const Vec3& u) const {
     if (grazing_) return smallest_radius_;
-    return plane_radius<double>(normal_, offset_, largest_radius_, u);
+    return plane_radius<double>(plane_.normal, plane_.offset, largest_radius_, u);
   }
 
   // Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below
@@ -82,18 +86,18 @@ class TriangleCone {
   double largest_slope() const {
     if (grazing_) return std::numeric_limits<double>::infinity();
     double slope = 0.0;
-    for (const Vec3& v : corner_) slope = std::max(slope, normal_.cross(v).norm() / normal_.dot(v));
+    for (const Vec3& v : corner_)
+      slope = std::max(slope, plane_.normal.cross(v).norm() / plane_.normal.dot(v));
     return slope;
   }
 
  private:
   std::array<Vec3, 3> corner_;
   int side_;
-  Vec3 normal_;  // turned so that offset_ > 0 unless grazing_
-  double offset_;
+  FacePlane plane_;
   double largest_radius_;
   double smallest_radius_;
-  bool grazing_;  // so near to the centre's plane that no digit of offset_ is certain
+  bool grazing_;  // so near to the centre's plane that no digit of n.u is certain, or of n.v0
   std::array<Vec3, 3> edge_plane_;
   std::array<double, 3> doubt_{};
 };

@@ -30,15 +30,12 @@ struct LongPlane {
     const LongVec c = cone.corners()[2].cast<Long>();
     normal = (b - a).cross(c - a);
     offset = std::abs(normal.dot(a));
-    const Long farthest = std::max({a.norm(), b.norm(), c.norm()});
-    tilt = finite((b - a).norm() * (c - a).norm() * farthest / offset);
   }
   Long radius(const LongVec& u) const { return offset / std::abs(normal.dot(u)); }
   double slope(const LongVec& u) const { return finite(normal.cross(u).norm() / std::abs(normal.dot(u))); }
 
   LongVec normal;
   Long offset = 0.0L;
-  double tilt = 0.0;
 };
 
 }  // namespace
@@ -68,7 +65,6 @@ std::vector<RayCondition> conditions_along(const TriangleMesh& mesh, std::span<c
     for (const std::size_t f : met) {
       if (planes[f].radius(u) > nearest * (1.0L + kSamePlace)) continue;
       here.slope = std::max(here.slope, planes[f].slope(u));
-      here.tilt = std::max(here.tilt, planes[f].tilt);
     }
     found.push_back(here);
   }

@@ -2,14 +2,11 @@
 // How much of its digits a radius may lose.
 //
 // Along the plane n . x = p the radius is r = p / (n . u), and d ln r / d angle = tan psi, psi the angle from
-// u to the normal: a rounding of the direction costs 1 + tan psi. A rounding of (b - a) x (c - a) tilts the
-// plane by that over the sine of the angle at a, and costs
-//   R |b - a| |c - a| / (n . a),   R the farthest corner,
-// the more the thinner the face and the more oblique. The condition is the larger of both, at an edge or
-// vertex the largest of the faces that meet there.
+// u to the normal: a rounding of the direction costs 1 + tan psi. That is the condition, at an edge or vertex
+// the largest of the faces that meet there. How thin a face is does not count: its plane is as certain as its
+// corners are (sphere/face_plane.hpp).
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,8 +16,7 @@ namespace impinge {
 
 struct RayCondition {
   double slope = 0.0;  // tan psi of the nearest face
-  double tilt = 0.0;   // of its plane, see above
-  double condition() const { return std::max(1.0 + slope, tilt); }
+  double condition() const { return 1.0 + slope; }
 };
 
 // Of the nearest face along each direction, 0 where there is none. mesh in the centre frame. In extended

@@ -19,17 +19,19 @@
 
 namespace impinge {
 
-// Of ours in double, from the operations of TriangleCone::radius() = (n . v0) / (n . u). With u = 2^-53 and t
-// the tilt of conditions.hpp, the 4 roundings of n = (b - a) x (c - a) and the 3 of a scalar product, each of
-// them 2 |b - a| |c - a| times R or 1 at most, move n . v0 and n . u by 14 u t of themselves. The division, a
-// direction whose length is 1 to within 3 u and the 4 roundings that normalise a direction, or that read a
-// mesh_exact table, add 8: (28 + 8) u times the condition. Where the plane holds the centre but for rounding,
-// t >= 1 / (20 u), the answer is that of a corner, which is off by less than the radius itself if no corner
-// is twice as far as another one: 20 u t at most.
-inline constexpr double kRadiusThreshold = 36.0;
+// Of ours in double, from the operations of TriangleCone::radius() = (n . v0) / (n . u). With u = 2^-53, s =
+// |b - a| |c - a| and |n| <= s, the 4 roundings of n = (b - a) x (c - a), each of at most sqrt(4/3) s, and
+// the 3 of a scalar product move n . v0 by (4.62 s + 3 |n|) R u and n . u by (4.62 s + 3 |n|) u. The
+// condition is at least |n| r / (n . v0): of it they are (4.62 s / |n| + 3) (1 + R / r) u. Where s R / (|n|
+// r) is above kMostTilt = 4 (sphere/face_plane.hpp) they are those of an exact plane, (1 + 1 + 3) u,
+// elsewhere at most (2 x 4.62 x 4 + 3 + 3 x 4) u. The division, a direction whose length is 1 to within 3 u
+// and the 4 roundings that normalise a direction, or that read a mesh_exact table, add 8: 60 in all. Where a
+// plane holds the centre but for 20 roundings of its size, the answer is that of a corner, which is off by
+// less than half of the radius if no corner is twice as far as another one: 20 x 4 / 2 at most.
+inline constexpr double kRadiusThreshold = 60.0;
 inline constexpr const char* kRadiusDerivation =
-    "14 roundings each of n.v0 and n.u, of 2 |b - a| |c - a|; 8 of quotient, length and normalised direction "
-    "or inverse depth";
+    "4 roundings of n, of 1.16 |b - a| |c - a|, at most 4 times as large in n.v0 or n.u, or 1 of an exact "
+    "plane; 3 each of n.v0 and n.u; 8 of quotient, length and normalised direction or inverse depth";
 
 // Of tables stored in float: one rounding to float, and the others, which are in double.
 inline constexpr double kStoredThreshold = 1.0 + 2.0 * kRadiusThreshold * 0x1p-29;
