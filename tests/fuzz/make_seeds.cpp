@@ -84,6 +84,10 @@ void add_options(Seeds& seeds) {
       files + " --centre 1,-2.5,3e2 --precision 0.25 --pose flexion=90,internal_rotation=10 --side left"));
   seeds.add(joined(files + " --max-error 0.05 --axes LPS --cartilage 2.5"));
   seeds.add(joined(files + " --precision=1 --pose=adduction=-20 --side=right --centre=fit"));
+  seeds.add(joined(files + " --question touch --surfaces ball --explain"));
+  seeds.add(joined(files + " --question=first-contact --surfaces=socket --max-error 0.05"));
+  seeds.add(joined(files + " --surfaces ball --outputs gaps"));
+  seeds.add(joined(files + " --outputs bounds,distances,verdicts --everything --question touch"));
   for_each_scheme(
       [&]<class S>() { seeds.add(joined(files + " --scheme " + std::string(S::name) + " --precision 2")); });
   seeds.add("--help");

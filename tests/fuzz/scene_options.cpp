@@ -14,6 +14,19 @@ namespace {
 using namespace impinge;
 using test::require;
 
+// What is asked about, and what is written of it, go together.
+void require_consistent_question(const SceneOptions& options) {
+  const SceneOutputs& outputs = options.outputs;
+  const bool any = outputs.gaps || outputs.bounds || outputs.distances || outputs.verdicts;
+  require(any == (options.question == Question::all_gaps), "all gaps have outputs, other questions none");
+  require(options.scan_ball || options.scan_socket, "a surface is looked up");
+  const bool both = options.scan_ball && options.scan_socket;
+  require(both || !(outputs.bounds || outputs.distances || outputs.verdicts),
+          "comparisons need both surfaces");
+  const bool all = both && outputs.gaps && outputs.bounds && outputs.distances && outputs.verdicts;
+  require(all || !options.everything, "everything is everything");
+}
+
 void require_in_range(const SceneOptions& options) {
   require(!options.ball.empty() && !options.socket.empty() && !options.out.empty(), "files have names");
   require(!options.centre || options.centre->allFinite(), "a centre is finite");
@@ -21,6 +34,7 @@ void require_in_range(const SceneOptions& options) {
   require(!options.max_error_mm || (*options.max_error_mm > 0.0 && std::isfinite(*options.max_error_mm)),
           "an error is above 0");
   require(options.cartilage_mm >= 0.0 && std::isfinite(options.cartilage_mm), "a thickness is 0 or more");
+  require_consistent_question(options);
   const Eigen::Matrix3d turn = joint_rotation(options.motion, options.side) * input_to_joint(options.axes);
   require((turn * turn.transpose()).isIdentity(1e-12), "a pose is a rotation");
 }
