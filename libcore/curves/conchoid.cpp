@@ -8,15 +8,14 @@
 
 #include "curves/carlson.hpp"
 #include "curves/root.hpp"
+#include "curves/rounding.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of the whole, by which a length or area may pass the end
-
 double clamped(double value, double total, const char* what) {
-  if (!(value >= -kRounding * total && value <= (1.0 + kRounding) * total)) {
+  if (!(value >= -kCurveRounding * total && value <= (1.0 + kCurveRounding) * total)) {
     throw std::invalid_argument(std::string(what) + " of a conchoid is between 0 and that of the whole");
   }
   return std::clamp(value, 0.0, total);
@@ -49,6 +48,14 @@ double conchoid_radius(const ConchoidShape& shape, double phi) {
   require_on_conchoid(shape, phi);
   // a + b cos phi without cancellation where both are nearly the same
   return (shape.a - shape.b) + 2.0 * shape.b * square(std::cos(0.5 * phi));
+}
+
+double conchoid_height(const ConchoidShape& shape, double phi) {
+  return conchoid_radius(shape, phi) * std::cos(phi);
+}
+
+double conchoid_width(const ConchoidShape& shape, double phi) {
+  return conchoid_radius(shape, phi) * std::sin(phi);
 }
 
 double conchoid_speed(const ConchoidShape& shape, double phi) {

@@ -9,8 +9,12 @@
 #pragma once
 
 #include "sphere/conchoid_shape.hpp"
+#include "sphere/direction.hpp"
 
 namespace impinge {
+
+// phi where the hip's cap of the conchoid ends: the plane through the origin across the axis.
+inline constexpr double kConchoidRim = 0.5 * kPi;
 
 // Throws unless a > 0, b >= 0 and a >= b, all finite. A conchoid with a < b has a loop through its origin:
 // r changes sign, and a direction would meet it twice.
@@ -21,6 +25,10 @@ void require_on_conchoid(const ConchoidShape& shape, double phi);
 
 // r(phi), Eq. 11.
 double conchoid_radius(const ConchoidShape& shape, double phi);
+
+// Of the point at phi: its height along the axis, r cos(phi), and its distance from the axis, r sin(phi).
+double conchoid_height(const ConchoidShape& shape, double phi);
+double conchoid_width(const ConchoidShape& shape, double phi);
 
 // ds / dphi = sqrt(r^2 + r'^2) = sqrt(a^2 + b^2 + 2 a b cos phi), mm per radian.
 double conchoid_speed(const ConchoidShape& shape, double phi);

@@ -12,18 +12,10 @@
 namespace impinge {
 namespace {
 
-constexpr double kRim = 0.5 * kPi;
 constexpr int kResidualSteps = 9000;  // over the cap, to find its extreme residuals
 
-double height_of(const ConchoidShape& shape, double phi) {
-  return conchoid_radius(shape, phi) * std::cos(phi);
-}
-double width_of(const ConchoidShape& shape, double phi) {
-  return conchoid_radius(shape, phi) * std::sin(phi);
-}
-
 double distance(const ConchoidShape& shape, double height, double phi) {
-  return std::hypot(width_of(shape, phi), height_of(shape, phi) - height);
+  return std::hypot(conchoid_width(shape, phi), conchoid_height(shape, phi) - height);
 }
 
 // Means over the curve and over the surface from the apex to end.
@@ -33,21 +25,21 @@ double curve_mean(const ConchoidShape& shape, double end, const std::function<do
 }
 double surface_mean(const ConchoidShape& shape, double end, const std::function<double(double)>& f) {
   const auto strip = [&](double phi) {
-    return 2.0 * kPi * f(phi) * width_of(shape, phi) * conchoid_speed(shape, phi);
+    return 2.0 * kPi * f(phi) * conchoid_width(shape, phi) * conchoid_speed(shape, phi);
   };
   return integrate(strip, 0.0, end) / cap_area(shape, end);
 }
 
 double curve_centroid(const ConchoidShape& shape, double end) {
-  return curve_mean(shape, end, [&](double phi) { return height_of(shape, phi); });
+  return curve_mean(shape, end, [&](double phi) { return conchoid_height(shape, phi); });
 }
 double surface_centroid(const ConchoidShape& shape, double end) {
-  return surface_mean(shape, end, [&](double phi) { return height_of(shape, phi); });
+  return surface_mean(shape, end, [&](double phi) { return conchoid_height(shape, phi); });
 }
 
 // Mean distance of the cap's surface from a point of the axis.
 double mean_distance(const ConchoidShape& shape, double height) {
-  return surface_mean(shape, kRim, [&](double phi) { return distance(shape, height, phi); });
+  return surface_mean(shape, kConchoidRim, [&](double phi) { return distance(shape, height, phi); });
 }
 
 // Height at which the whole curve is lowest: where a + 2 b cos(phi) = 0, or at phi = pi.
@@ -62,8 +54,8 @@ std::vector<SamplingOrigin> sampling_origins(const ConchoidShape& shape) {
   const double apex = shape.a + shape.b;
   std::vector<SamplingOrigin> origins{{"conchoid_origin", 0.0},
                                       {"cap_extent_middle", 0.5 * apex},
-                                      {"cap_curve_centroid", curve_centroid(shape, kRim)},
-                                      {"cap_surface_centroid", surface_centroid(shape, kRim)},
+                                      {"cap_curve_centroid", curve_centroid(shape, kConchoidRim)},
+                                      {"cap_surface_centroid", surface_centroid(shape, kConchoidRim)},
                                       {"cap_best_sphere", fit_axial_sphere(shape).height},
                                       {"whole_axis_middle", shape.b},
                                       {"whole_extent_middle", 0.5 * (apex + lowest_point(shape))},
@@ -79,10 +71,10 @@ std::vector<SamplingOrigin> sampling_origins(const ConchoidShape& shape) {
 // The radius that fits best about a centre is the mean distance d from it. The mean of (d - mean d)^2 is then
 // stationary in the height where mean(d d') = mean(d) mean(d'); d d' is height - z.
 AxialSphere fit_axial_sphere(const ConchoidShape& shape) {
-  const double centroid = surface_centroid(shape, kRim);
+  const double centroid = surface_centroid(shape, kConchoidRim);
   const auto slope = [&](double height) {
-    const double pull = surface_mean(shape, kRim, [&](double phi) {
-      return (height - height_of(shape, phi)) / distance(shape, height, phi);
+    const double pull = surface_mean(shape, kConchoidRim, [&](double phi) {
+      return (height - conchoid_height(shape, phi)) / distance(shape, height, phi);
     });
     return height - centroid - mean_distance(shape, height) * pull;
   };
@@ -91,7 +83,7 @@ AxialSphere fit_axial_sphere(const ConchoidShape& shape) {
   sphere.height = find_root(slope, -0.5 * apex, 0.9 * apex);
   sphere.radius = mean_distance(shape, sphere.height);
   for (int i = 0; i <= kResidualSteps; ++i) {
-    const double residual = distance(shape, sphere.height, kRim * i / kResidualSteps) - sphere.radius;
+    const double residual = distance(shape, sphere.height, kConchoidRim * i / kResidualSteps) - sphere.radius;
     sphere.lowest_residual = std::min(sphere.lowest_residual, residual);
     sphere.highest_residual = std::max(sphere.highest_residual, residual);
   }

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "curves/rounding.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kQuarter = 0.5 * kPi;
-constexpr double kRounding = 1e-12;
-
 // angle(i / (rays - 1)) of each ray.
 template <class Angle>
 std::vector<double> fan(std::size_t rays, Angle&& angle) {
@@ -50,7 +49,7 @@ std::vector<double> original_angles(std::size_t rays) {
 
 std::vector<double> adjusted_angles(const ConchoidClosedForm& form, std::size_t rays) {
   const double ratio = form.quarter / form.factor;
-  if (!(form.factor > 0.0 && form.quarter > 0.0 && ratio <= 1.0 + kRounding)) {
+  if (!(form.factor > 0.0 && form.quarter > 0.0 && ratio <= 1.0 + kCurveRounding)) {
     throw std::invalid_argument(
         "a closed form of a conchoid's length is positive, its quarter at most its factor");
   }

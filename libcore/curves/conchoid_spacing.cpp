@@ -11,8 +11,6 @@
 namespace impinge {
 namespace {
 
-constexpr double kRim = 0.5 * kPi;
-
 void require_inside(const ConchoidShape& shape, double height) {
   require_shape(shape);
   if (!(height >= 0.0 && height < shape.a + shape.b)) {
@@ -21,18 +19,11 @@ void require_inside(const ConchoidShape& shape, double height) {
   }
 }
 
-double height_of(const ConchoidShape& shape, double phi) {
-  return conchoid_radius(shape, phi) * std::cos(phi);
-}
-double width_of(const ConchoidShape& shape, double phi) {
-  return conchoid_radius(shape, phi) * std::sin(phi);
-}
-
 }  // namespace
 
 double ray_angle(const ConchoidShape& shape, double height, double phi) {
   require_inside(shape, height);
-  return std::atan2(width_of(shape, phi), height_of(shape, phi) - height);
+  return std::atan2(conchoid_width(shape, phi), conchoid_height(shape, phi) - height);
 }
 
 double spacing_rate(const ConchoidShape& shape, double height, double phi) {
@@ -41,17 +32,17 @@ double spacing_rate(const ConchoidShape& shape, double height, double phi) {
   const double slope = -shape.b * std::sin(phi);
   const double dx = slope * std::sin(phi) + radius * std::cos(phi);
   const double dz = slope * std::cos(phi) - radius * std::sin(phi);
-  const double x = width_of(shape, phi);
-  const double z = height_of(shape, phi) - height;
+  const double x = conchoid_width(shape, phi);
+  const double z = conchoid_height(shape, phi) - height;
   return conchoid_speed(shape, phi) * (x * x + z * z) / (dx * z - dz * x);
 }
 
 std::vector<double> ray_cuts(const ConchoidShape& shape, double height, std::size_t rays) {
-  const double end = ray_angle(shape, height, kRim);
+  const double end = ray_angle(shape, height, kConchoidRim);
   std::vector<double> cuts = original_angles(rays);
   for (std::size_t i = 1; i + 1 < rays; ++i) {
-    const double wanted = end * cuts[i] / kRim;
-    cuts[i] = find_root([&](double phi) { return ray_angle(shape, height, phi) - wanted; }, 0.0, kRim);
+    const double wanted = end * cuts[i] / kConchoidRim;
+    cuts[i] = find_root([&](double phi) { return ray_angle(shape, height, phi) - wanted; }, 0.0, kConchoidRim);
   }
   return cuts;
 }

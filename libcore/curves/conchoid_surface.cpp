@@ -8,12 +8,10 @@
 #include <tuple>
 
 #include "curves/nearest_point.hpp"
+#include "curves/rounding.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kRim = 0.5 * kPi;
-constexpr double kRounding = 1e-12;
 
 Vec3 surface_point(const ConchoidShape& shape, double phi, double theta) {
   return conchoid_radius(shape, phi) * to_direction({phi, theta});
@@ -49,7 +47,7 @@ std::vector<Vec3> conchoid_rings(const ConchoidShape& shape, std::span<const dou
 
 std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count) {
   if (count == 0) throw std::invalid_argument("a spiral on a conchoid has at least one point");
-  const double each = cap_area(shape, kRim) / static_cast<double>(count);
+  const double each = cap_area(shape, kConchoidRim) / static_cast<double>(count);
   std::vector<Vec3> points;
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -65,15 +63,15 @@ std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Ve
   if (points.empty() || pieces_per_point == 0) {
     throw std::invalid_argument("areas need at least one point on the conchoid and one piece a point");
   }
-  const double mean = cap_area(shape, kRim) / static_cast<double>(points.size());
+  const double mean = cap_area(shape, kConchoidRim) / static_cast<double>(points.size());
   const NearestPoint nearest(points, std::sqrt(mean));
-  const double length = meridian_length(shape, kRim);
+  const double length = meridian_length(shape, kConchoidRim);
   const double rows = std::ceil(length / std::sqrt(mean / static_cast<double>(pieces_per_point)));
   std::vector<double> areas(points.size(), 0.0);
   double above = 0.0;
   for (double row = 1.0; row <= rows; row += 1.0) {
     const double below =
-        cap_area(shape, std::min(polar_angle_at_meridian_length(shape, length * row / rows), kRim));
+        cap_area(shape, std::min(polar_angle_at_meridian_length(shape, length * row / rows), kConchoidRim));
     const double phi = polar_angle_at_cap_area(shape, 0.5 * (above + below));
     const double around = 2.0 * kPi * conchoid_radius(shape, phi) * std::sin(phi);
     const double pieces = std::max(std::round(around * rows / length), 1.0);
@@ -90,15 +88,15 @@ std::vector<AreaBand> area_bands(const ConchoidShape& shape, std::span<const Vec
                                  const AreaBandOptions& options) {
   if (options.bands == 0) throw std::invalid_argument("areas are listed in at least one band");
   const std::vector<double> areas = nearest_areas(shape, points, options.pieces_per_point);
-  const double margin = std::sqrt(cap_area(shape, kRim) / static_cast<double>(points.size()));
-  const double inside = meridian_length(shape, kRim) - margin;
-  const double width = kRim / static_cast<double>(options.bands);
+  const double margin = std::sqrt(cap_area(shape, kConchoidRim) / static_cast<double>(points.size()));
+  const double inside = meridian_length(shape, kConchoidRim) - margin;
+  const double width = kConchoidRim / static_cast<double>(options.bands);
   std::vector<AreaBand> bands(options.bands);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double phi = to_angles(points[i]).phi;
-    if (phi > kRim || meridian_length(shape, phi) > inside) continue;
+    if (phi > kConchoidRim || meridian_length(shape, phi) > inside) continue;
     const double place =
-        std::floor(phi / width * (1.0 + kRounding));  // a ring on a border is in the band it starts
+        std::floor(phi / width * (1.0 + kCurveRounding));  // a ring on a border is in the band it starts
     AreaBand& band = bands[std::min(static_cast<std::size_t>(place), options.bands - 1)];
     band.smallest = band.points == 0 ? areas[i] : std::min(band.smallest, areas[i]);
     band.largest = std::max(band.largest, areas[i]);

@@ -7,12 +7,11 @@
 
 #include "curves/carlson.hpp"
 #include "curves/root.hpp"
+#include "curves/rounding.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kRounding = 1e-12;  // of the whole, by which a length may pass the end
 
 void require_turns(double turns) {
   if (!(turns >= 2.0 && std::isfinite(turns))) {
@@ -27,7 +26,7 @@ void require_polar_angle(double phi) {
 }
 
 double clamped(double length, double total) {
-  if (!(length >= -kRounding * total && length <= (1.0 + kRounding) * total)) {
+  if (!(length >= -kCurveRounding * total && length <= (1.0 + kCurveRounding) * total)) {
     throw std::invalid_argument("a length along the helix is between 0 and that of the whole curve");
   }
   return std::clamp(length, 0.0, total);

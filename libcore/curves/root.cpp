@@ -16,7 +16,7 @@ namespace impinge {
 namespace {
 
 constexpr int kMostSteps = 300;  // bisection alone needs about 60; Brent's worst case is a few times that
-constexpr double kRelative = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kNarrowest = 4.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double find_root(const std::function<double(double)>& function, double low, doub
     call.require(gsl_root_fsolver_iterate(solver.get()), "root");
     const double from = gsl_root_fsolver_x_lower(solver.get());
     const double to = gsl_root_fsolver_x_upper(solver.get());
-    if (gsl_root_test_interval(from, to, 0.0, kRelative) == GSL_SUCCESS) break;
+    if (gsl_root_test_interval(from, to, 0.0, kNarrowest) == GSL_SUCCESS) break;
   }
   return gsl_root_fsolver_root(solver.get());
 }

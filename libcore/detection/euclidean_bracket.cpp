@@ -9,6 +9,7 @@
 
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
@@ -18,7 +19,6 @@ constexpr double kFarthest = 0.45;      // of |x|: no lower end for a distance b
 constexpr double kAngleSlack = 1e-9;    // radians, for rounding
 constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
 constexpr int kHalvings = 8;            // of the range of D
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // tan psi where the ray along u ends.
 double slope_along(const TriangleCone& cone, const Vec3& u) {

@@ -3,31 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "detection/formatted.hpp"
 #include "detection/table_choice.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kSampled = 8;  // one in so many look-ups is weighed when a table is chosen
-
-std::string format(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 void check(const SceneNeeds& needs) {
   if (needs.poses.empty() || !(needs.ball || needs.socket)) {
     throw std::invalid_argument("a scene without poses or without scans asks nothing: give one of each");
   }
   if (needs.accuracy_mm && !(*needs.accuracy_mm > 0.0)) {
-    throw std::invalid_argument("an accuracy of " + format("%g", *needs.accuracy_mm) +
+    throw std::invalid_argument("an accuracy of " + formatted("%g", *needs.accuracy_mm) +
                                 " mm cannot be kept: give one above 0");
   }
 }
@@ -47,7 +40,7 @@ void choose_poses(const SceneNeeds& needs, Omissions omissions, ScenePlan& plan)
   const std::size_t again = needs.poses.size() - plan.poses.size();
   if (again == 0) return;
   plan.left_out.push_back(
-      {Omission::equal_poses, format("%zu of %zu poses came before", again, needs.poses.size()), 0.0});
+      {Omission::equal_poses, formatted("%zu of %zu poses came before", again, needs.poses.size()), 0.0});
 }
 
 // What is known about the gap of a vertex whose surroundings in the other surface are known.
@@ -166,17 +159,17 @@ class Planner {
       scan.wanted = false;
       plan_.left_out.push_back(
           {Omission::second_scan,
-           format("no gap of the socket's vertices can be below %.3g mm: the ball's table is not made",
+           formatted("no gap of the socket's vertices can be below %.3g mm: the ball's table is not made",
                   plan_.limit_mm),
            static_cast<double>(given_.size() * sizeof(double))});
     } else if (omissions_.has(Omission::vertices)) {
       scan.vertices = std::move(chosen);
       plan_.left_out.push_back(
           {Omission::vertices,
-           format(
+           formatted(
                "%zu of %zu look-ups of the %s's vertices meet no surface%s", all - count, all,
                socket ? "socket" : "ball",
-               std::isinf(plan_.limit_mm) ? "" : format(" or none within %.3g mm", plan_.limit_mm).c_str()),
+               std::isinf(plan_.limit_mm) ? "" : formatted(" or none within %.3g mm", plan_.limit_mm).c_str()),
            0.0});
     }
   }
@@ -205,13 +198,13 @@ class Planner {
     const std::string instead =
         plan_.table.rays_only
             ? "no table at all: the faces near each vertex are fewer than the entries that it would read"
-            : format("%s at %g degrees, %d bytes an entry, and faces where that is not proven",
+            : formatted("%s at %g degrees, %d bytes an entry, and faces where that is not proven",
                      std::string(plan_.table.scheme.name()).c_str(), plan_.table.scheme.precision_deg(),
                      plan_.table.storage == Storage::sixteen_bits       ? 2
                      : plan_.table.storage == Storage::single_precision ? 4
                                                                         : 8);
     plan_.left_out.push_back(
-        {Omission::fine_table, format("%g mm need ", *needs_.accuracy_mm) + instead, 0.0});
+        {Omission::fine_table, formatted("%g mm need ", *needs_.accuracy_mm) + instead, 0.0});
   }
 
   // Those that the look-ups read.
@@ -234,7 +227,7 @@ class Planner {
       const double kept = static_cast<double>(entries.count()) * sizeof(double);
       plan_.left_out.push_back(
           {Omission::entries,
-           format("%zu of the %s's %zu entries are read", entries.count(),
+           formatted("%zu of the %s's %zu entries are read", entries.count(),
                   scan.scanned == ScannedSurface::ball ? "socket" : "ball", given_.size()),
            full - kept - static_cast<double>(entries.bytes() + scan.faces->bytes())});
     }

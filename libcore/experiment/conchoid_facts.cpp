@@ -11,8 +11,6 @@ namespace impinge {
 namespace {
 
 constexpr int kSteps = 360;
-constexpr double kRim = 0.5 * kPi;
-
 }  // namespace
 
 Result conchoid_curve(const ConchoidShape& shape) {
@@ -56,10 +54,10 @@ Result conchoid_cap(const ConchoidShape& shape) {
       {"sphere_lowest_mm", "mm", "distance of the cap from it: lowest"},
       {"sphere_highest_mm", "mm", "and highest"}};
   const AxialSphere sphere = fit_axial_sphere(shape);
-  result.table.add_row({shape.a, shape.b, shape.a / shape.b, meridian_length(shape, kRim) / shape.b,
-                        closed_form(shape).quarter, cap_area(shape, kRim),
-                        conchoid_incidence(shape, kRim) / kDegree, area_per_solid_angle(shape, 0.0),
-                        area_per_solid_angle(shape, kRim), sphere.height, sphere.radius,
+  result.table.add_row({shape.a, shape.b, shape.a / shape.b, meridian_length(shape, kConchoidRim) / shape.b,
+                        closed_form(shape).quarter, cap_area(shape, kConchoidRim),
+                        conchoid_incidence(shape, kConchoidRim) / kDegree, area_per_solid_angle(shape, 0.0),
+                        area_per_solid_angle(shape, kConchoidRim), sphere.height, sphere.radius,
                         sphere.lowest_residual, sphere.highest_residual});
   return result;
 }

@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string message_of(int error) { return std::generic_category().message(error); }
-
 void require_regular_file(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -34,10 +32,10 @@ std::string read_bytes(const fs::path& file) {
   require_regular_file(file);
   errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError(file, "cannot be opened, " + message_of(errno), "check its permissions");
+  if (!in) throw FileError(file, "cannot be opened, " + system_message(errno), "check its permissions");
   std::string bytes(fs::file_size(file), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in) throw FileError(file, "cannot be read to its end, " + message_of(errno), "check the disk");
+  if (!in) throw FileError(file, "cannot be read to its end, " + system_message(errno), "check the disk");
   if (bytes.empty()) throw FileError(file, "is empty", "export or copy it again");
   return bytes;
 }

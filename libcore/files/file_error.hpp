@@ -14,4 +14,7 @@ class FileError : public std::runtime_error {
   FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
 };
 
+// What the system says of an errno.
+std::string system_message(int error);
+
 }  // namespace impinge

@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string message_of(int error) { return std::generic_category().message(error); }
-
 fs::path require_no_folder(fs::path target) {
   std::error_code ignored;
   if (fs::is_directory(target, ignored)) throw FileError(target, "is a folder", "choose another name");
@@ -27,7 +25,7 @@ fs::path require_no_folder(fs::path target) {
 }  // namespace
 
 void fail_writing(const fs::path& file, int error) {
-  throw FileError(file, "cannot be written, " + message_of(error),
+  throw FileError(file, "cannot be written, " + system_message(error),
                   "check that its folder exists, may be written to and has room");
 }
 
@@ -54,7 +52,7 @@ void TemporaryFile::write(std::string_view bytes) {
 
 void TemporaryFile::rename() {
   if (::rename(path_.c_str(), target_.c_str()) != 0) {
-    throw FileError(target_, "cannot be replaced, " + message_of(errno), "choose another name");
+    throw FileError(target_, "cannot be replaced, " + system_message(errno), "choose another name");
   }
   renamed_ = true;
 }

@@ -8,24 +8,21 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "reference/exact_input.hpp"
 #include "reference/exact_ratio.hpp"
+#include "reference/kernel_point.hpp"
 
 namespace impinge {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 using Corners = std::array<ExactVector, 3>;
 
-constexpr std::size_t kBatch = 1024;     // points between two calls of the progress
-constexpr double kEnlarged = 1 + 1e-12;  // so that the faces at the least distance are inside the ball
-
-Kernel::Point_3 point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+constexpr std::size_t kPointBatch = 1024;  // points between two calls of the progress
+constexpr double kEnlarged = 1 + 1e-12;    // so that the faces at the least distance are inside the ball
 
 void keep_least(ExactRatio& least, const ExactRatio& other) {
   if (other < least) least = other;
@@ -58,8 +55,9 @@ class ClosestPoint {
   explicit ClosestPoint(const TriangleMesh& mesh) : mesh_(mesh) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       const Face& face = mesh.faces[f];
-      const Kernel::Triangle_3 triangle(point(corner(mesh, face, 0)), point(corner(mesh, face, 1)),
-                                        point(corner(mesh, face, 2)));
+      const Kernel::Triangle_3 triangle(kernel_point(corner(mesh, face, 0)),
+                                        kernel_point(corner(mesh, face, 1)),
+                                        kernel_point(corner(mesh, face, 2)));
       // CGAL's predicates do not take faces without area; those few are looked at one by one.
       (triangle.is_degenerate() ? degenerate_ : proper_).push_back(f);
       if (!triangle.is_degenerate()) triangles_.push_back(triangle);
@@ -79,11 +77,12 @@ class ClosestPoint {
     if (!triangles_.empty()) {
       // The tree finds a face that is nearest up to rounding. Every nearer one meets the ball that reaches
       // it.
-      look_at(face_of(tree_.closest_point_and_primitive(point(x)).second));
+      look_at(face_of(tree_.closest_point_and_primitive(kernel_point(x)).second));
       const double reach = nearest_root(*least) * kEnlarged;
       if (reach == 0.0) return 0.0;
       std::vector<Triangles::const_iterator> near;
-      tree_.all_intersected_primitives(Kernel::Sphere_3(point(x), reach * reach), std::back_inserter(near));
+      tree_.all_intersected_primitives(Kernel::Sphere_3(kernel_point(x), reach * reach),
+                                       std::back_inserter(near));
       for (const auto& triangle : near) look_at(face_of(triangle));
     }
     return nearest_root(*least);
@@ -123,7 +122,7 @@ std::vector<double> closest_distances(const TriangleMesh& mesh, const DistanceQu
   for (const Vec3& x : query.points) {
     distances.push_back(closest.distance(x));
     const std::size_t done = distances.size();
-    if (query.progress && (done % kBatch == 0 || done == query.points.size())) query.progress(done);
+    if (query.progress && (done % kPointBatch == 0 || done == query.points.size())) query.progress(done);
   }
   return distances;
 }

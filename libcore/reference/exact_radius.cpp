@@ -6,28 +6,26 @@
 #include <stdexcept>
 #include <string>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
 #include "reference/exact_input.hpp"
 #include "reference/exact_ratio.hpp"
+#include "reference/kernel_point.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
 namespace {
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Point = Kernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
-constexpr std::size_t kBatch = 1U << 16U;  // directions at a time
-constexpr double kSlack = 1e-9;            // of a unit vector: far above its rounding
+constexpr std::size_t kDirectionBatch = 1U << 16U;  // directions at a time
+constexpr double kSlack = 1e-9;                     // of a unit vector: far above its rounding
 
 struct Hit {
   std::size_t direction;
   std::size_t face;
 };
-
-Point point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 
 Box box_about(const Vec3& middle, double reach, std::size_t info) {
   const Vec3 low = middle.array() - reach;
@@ -89,18 +87,20 @@ class Caster {
  private:
   CGAL::Orientation side(std::size_t f) const {
     const Face& face = mesh_.faces[f];
-    return CGAL::orientation(Point(CGAL::ORIGIN), point(corner(mesh_, face, 0)),
-                             point(corner(mesh_, face, 1)), point(corner(mesh_, face, 2)));
+    return CGAL::orientation(Point(CGAL::ORIGIN), kernel_point(corner(mesh_, face, 0)),
+                             kernel_point(corner(mesh_, face, 1)), kernel_point(corner(mesh_, face, 2)));
   }
 
   // Is u in the closed cone over the face? It is a sum of the corners with weights det(u, b, c), det(a, u, c)
   // and det(a, b, u), each over det(a, b, c).
   bool meets(std::size_t f, const Vec3& u) const {
     const Face& face = mesh_.faces[f];
-    const std::array<Point, 3> corners{point(corner(mesh_, face, 0)), point(corner(mesh_, face, 1)),
-                                       point(corner(mesh_, face, 2))};
+    const std::array<Point, 3> corners{kernel_point(corner(mesh_, face, 0)),
+                                       kernel_point(corner(mesh_, face, 1)),
+                                       kernel_point(corner(mesh_, face, 2))};
     const auto is_within = [&](std::size_t k) {
-      const auto turn = CGAL::orientation(Point(CGAL::ORIGIN), corners[k], corners[(k + 1) % 3], point(u));
+      const auto turn =
+          CGAL::orientation(Point(CGAL::ORIGIN), corners[k], corners[(k + 1) % 3], kernel_point(u));
       return turn == CGAL::COPLANAR || turn == side_[f];
     };
     return is_within(0) && is_within(1) && is_within(2);
@@ -127,8 +127,8 @@ std::vector<double> exact_radii(const TriangleMesh& mesh, const RadiusQuery& que
   require_directions(query.directions);
   Caster caster(mesh);
   std::vector<double> radii(query.directions.size(), kNoSurface);
-  for (std::size_t first = 0; first < radii.size(); first += kBatch) {
-    const std::size_t last = std::min(first + kBatch, radii.size());
+  for (std::size_t first = 0; first < radii.size(); first += kDirectionBatch) {
+    const std::size_t last = std::min(first + kDirectionBatch, radii.size());
     const std::vector<Hit> hits = caster.hits(query.directions, first, last);
     for (std::size_t i = 0; i < hits.size();) {
       const std::size_t direction = hits[i].direction;

@@ -11,51 +11,51 @@
 namespace impinge {
 namespace {
 
-constexpr double kSlack = 1e-9;  // radians, and share of a radius: far more than rounding
+constexpr double kShadowSlack = 1e-9;  // radians, and share of a radius: far more than rounding
 
 template <class Number>
-using Point = std::array<Number, 3>;
+using Triple = std::array<Number, 3>;
 
 template <class Number>
-Point<Number> exactly(const Vec3& x) {
+Triple<Number> exactly(const Vec3& x) {
   return {Number(x.x()), Number(x.y()), Number(x.z())};
 }
 
 template <class Number>
-Number dot(const Point<Number>& a, const Point<Number>& b) {
+Number dot(const Triple<Number>& a, const Triple<Number>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <class Number>
-Point<Number> cross(const Point<Number>& a, const Point<Number>& b) {
+Triple<Number> cross(const Triple<Number>& a, const Triple<Number>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <class Number>
-Point<Number> minus(const Point<Number>& a, const Point<Number>& b) {
+Triple<Number> minus(const Triple<Number>& a, const Triple<Number>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 // normal . x + offset >= 0.
 template <class Number>
 struct HalfSpace {
-  Point<Number> normal;
+  Triple<Number> normal;
   Number offset;
 
-  Number at(const Point<Number>& x) const { return dot(normal, x) + offset; }
+  Number at(const Triple<Number>& x) const { return dot(normal, x) + offset; }
 };
 
 // The four half-spaces of a shadow, or of a pyramid. Empty for a face whose plane holds the centre.
 template <class Number>
 std::vector<HalfSpace<Number>> bounds(const Triangle& face, bool shadow) {
   const std::array corner{exactly<Number>(face[0]), exactly<Number>(face[1]), exactly<Number>(face[2])};
-  Point<Number> normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
+  Triple<Number> normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
   const CGAL::Sign side = CGAL::sign(dot(normal, corner[0]));
   if (side == CGAL::ZERO) return {};
   const Number turn = Number(side == CGAL::POSITIVE ? 1 : -1);
   std::vector<HalfSpace<Number>> planes;
   for (std::size_t k = 0; k < 3; ++k) {
-    Point<Number> plane = cross(corner[k], corner[(k + 1) % 3]);
+    Triple<Number> plane = cross(corner[k], corner[(k + 1) % 3]);
     for (Number& component : plane) component = component * turn;
     planes.push_back({plane, Number(0)});
   }
@@ -75,12 +75,12 @@ bool holds(const std::vector<HalfSpace<Number>>& planes, const Vec3& x) {
 
 // What of a convex polygon lies in the half-space.
 template <class Number>
-std::vector<Point<Number>> clipped(const std::vector<Point<Number>>& polygon,
-                                   const HalfSpace<Number>& half_space) {
-  std::vector<Point<Number>> kept;
+std::vector<Triple<Number>> clipped(const std::vector<Triple<Number>>& polygon,
+                                    const HalfSpace<Number>& half_space) {
+  std::vector<Triple<Number>> kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point<Number>& from = polygon[k];
-    const Point<Number>& to = polygon[(k + 1) % polygon.size()];
+    const Triple<Number>& from = polygon[k];
+    const Triple<Number>& to = polygon[(k + 1) % polygon.size()];
     const Number at_from = half_space.at(from);
     const Number at_to = half_space.at(to);
     const CGAL::Sign sign_from = CGAL::sign(at_from);
@@ -88,7 +88,7 @@ std::vector<Point<Number>> clipped(const std::vector<Point<Number>>& polygon,
     if (sign_from != CGAL::NEGATIVE) kept.push_back(from);
     if (sign_from * sign_to != CGAL::NEGATIVE) continue;
     const Number share = at_from / (at_from - at_to);
-    const Point<Number> way = minus(to, from);
+    const Triple<Number> way = minus(to, from);
     kept.push_back({from[0] + share * way[0], from[1] + share * way[1], from[2] + share * way[2]});
   }
   return kept;
@@ -98,8 +98,8 @@ template <class Number>
 bool meets(const Triangle& ball, const Triangle& socket) {
   if (bounds<Number>(ball, true).empty()) return false;
   const auto planes = bounds<Number>(socket, true);
-  std::vector<Point<Number>> rest{exactly<Number>(ball[0]), exactly<Number>(ball[1]),
-                                  exactly<Number>(ball[2])};
+  std::vector<Triple<Number>> rest{exactly<Number>(ball[0]), exactly<Number>(ball[1]),
+                                   exactly<Number>(ball[2])};
   for (const auto& plane : planes) rest = clipped(rest, plane);
   return !planes.empty() && !rest.empty();
 }
@@ -135,9 +135,9 @@ ShadowReference::Seen ShadowReference::see(const Triangle& corners) {
   seen.axis.stableNormalize();
   double angle = 0.0;
   for (const Vec3& v : corners) {
-    angle = std::max(angle, angle_between(seen.axis, v) + kSlack);
-    seen.low = std::min(seen.low, seen.axis.dot(v) * (1.0 - kSlack));
-    seen.high = std::max(seen.high, v.norm() * (1.0 + kSlack));
+    angle = std::max(angle, angle_between(seen.axis, v) + kShadowSlack);
+    seen.low = std::min(seen.low, seen.axis.dot(v) * (1.0 - kShadowSlack));
+    seen.high = std::max(seen.high, v.norm() * (1.0 + kShadowSlack));
   }
   seen.cosine = std::cos(angle);
   seen.sine = std::sin(angle);

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include <CGAL/Delaunay_triangulation_on_sphere_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Projection_on_sphere_traits_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_data_structure_2.h>
@@ -15,10 +14,11 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include "reference/kernel_point.hpp"
+
 namespace impinge {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Traits = CGAL::Projection_on_sphere_traits_3<Kernel>;
 using VertexBase = CGAL::Triangulation_on_sphere_vertex_base_2<Traits>;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Traits, VertexBase>;

@@ -5,27 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/lengths.hpp"
 #include "mesh/star_shape.hpp"
+#include "sampling/face_grid.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kCoarsest = 15.0;  // degrees
-constexpr double kFinest = 0.5;
+constexpr double kIndexGridDeg = 15.0;  // degrees between entries of the grid
 constexpr double kReach = 1.5;  // of the covering radius of the grid: most faces are looked up in one piece
 constexpr double kRounding = 1e-12;  // of lengths, as a share
-
-// The grid whose cells are as large as the mean face, as seen from the centre.
-CubeGnomonic grid_for(const TriangleMesh& mesh) {
-  require_lengths(mesh);
-  double total = 0.0;
-  for (const Face& face : mesh.faces)
-    total += std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
-  const double mean = total / static_cast<double>(std::max<std::size_t>(mesh.faces.size(), 1));
-  const double size_deg = std::clamp(std::sqrt(mean) / kDegree, kFinest, kCoarsest);
-  return CubeGnomonic::with_precision(90.0 / std::round(90.0 / size_deg));
-}
 
 }  // namespace
 
@@ -49,7 +37,7 @@ FaceIndex::SeenFace see_face(const std::array<Vec3, 3>& corners) {
 }
 
 FaceIndex::FaceIndex(const TriangleMesh& mesh)
-    : grid_(grid_for(mesh)), reach_(kReach * grid_.covering_radius()), ranges_(grid_.size()) {
+    : grid_(face_grid(mesh, kIndexGridDeg)), reach_(kReach * grid_.covering_radius()), ranges_(grid_.size()) {
   faces_.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces)
     faces_.push_back(see_face({corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)}));

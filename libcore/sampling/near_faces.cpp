@@ -6,34 +6,24 @@
 #include <utility>
 
 #include "mesh/star_shape.hpp"
+#include "sampling/face_grid.hpp"
 #include "sampling/face_index.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kCoarsest = 10.0;  // degrees between entries of the grid
-constexpr double kFinest = 0.5;
+constexpr double kNearGridDeg = 10.0;  // degrees between entries of the grid
 // tan psi beyond which the radius that a face is computed to have may be nearer than the slack allows: such a
 // face may be anywhere before its farthest corner.
-constexpr double kSteep = 1e4;
-
-// The grid whose cells are as large as the mean face, as seen from the centre.
-CubeGnomonic grid_for(const TriangleMesh& mesh) {
-  double total = 0.0;
-  for (const Face& face : mesh.faces)
-    total += std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
-  const double mean = total / static_cast<double>(std::max<std::size_t>(mesh.faces.size(), 1));
-  const double size_deg = std::clamp(std::sqrt(mean) / kDegree, kFinest, kCoarsest);
-  return CubeGnomonic::with_precision(90.0 / std::round(90.0 / size_deg));
-}
+constexpr double kSteepSlope = 1e4;
 
 }  // namespace
 
 NearFaces::NearFaces(const TriangleMesh& mesh, double margin)
     : mesh_(mesh),
       margin_(margin),
-      grid_(grid_for(mesh)),
+      grid_(face_grid(mesh, kNearGridDeg)),
       reach_(grid_.stencil_radius() + margin + kCapSlack),
       summaries_(grid_.size()),
       jumps_(jump_edges(mesh)) {
@@ -57,12 +47,12 @@ void NearFaces::see(std::size_t f, const CubeGnomonic::Walker& walker, std::vect
   const bool small = seen.cap.radius < 0.5 * kPi;
   caps_.push_back({seen.cap.axis, small ? std::cos(seen.cap.radius) - kCapSlack : -1.0});
   const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
-  seen.range.low = slope > kSteep ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
+  seen.range.low = slope > kSteepSlope ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
   seen.range.high *= 1.0 + kRangeSlack;
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kFarthest = std::numeric_limits<float>::infinity();
   const float low = std::nextafter(static_cast<float>(seen.range.low), 0.0F);
-  const float high = std::nextafter(static_cast<float>(seen.range.high), kInfinity);
-  const float steepest = std::nextafter(static_cast<float>(slope), kInfinity);
+  const float high = std::nextafter(static_cast<float>(seen.range.high), kFarthest);
+  const float steepest = std::nextafter(static_cast<float>(slope), kFarthest);
   const double wide = seen.cap.radius + reach_;
   const double least = small && wide < kPi ? std::cos(wide) - kCapSlack : -2.0;
   walker.visit_near(cone, reach_, [&](const DirectionRun& run) {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Roundings of the table, its interpolation and the truth, for each unit of `condition`.
 constexpr double kRoundings = 64.0 * 0x1p-53;

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mesh/edges.hpp"
 #include "mesh/lengths.hpp"
 #include "mesh/star_shape.hpp"
+#include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 1e-12;  // of unit vectors and their products, far above their rounding
 
 SurfacePlane plane_of(const TriangleCone& cone) {

@@ -2,8 +2,9 @@
 #include "scene/length_unit.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
+
+#include "detection/formatted.hpp"
 
 namespace impinge {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 constexpr double kApart = 5.0;       // times as far; radii of ball and socket differ by a tenth or so
 constexpr double kSmallest = 0.1;    // mm
 constexpr double kLargest = 1000.0;  // mm
-
-std::string format(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 }  // namespace
 
@@ -35,7 +30,7 @@ Reach reach_of(const TriangleMesh& mesh) {
 std::string different_units(const Reach& ball, const Reach& socket) {
   const bool far = socket.nearest > kApart * ball.farthest || ball.nearest > kApart * socket.farthest;
   if (!far) return {};
-  return format(
+  return formatted(
       "lies %.3g to %.3g mm from the centre of rotation, and the ball %.3g to %.3g mm; check that both "
       "meshes "
       "are in mm and in one frame",
@@ -44,7 +39,7 @@ std::string different_units(const Reach& ball, const Reach& socket) {
 
 std::string doubtful_unit(const Reach& ball) {
   if (ball.farthest >= kSmallest && ball.farthest <= kLargest) return {};
-  return format(
+  return formatted(
       "reaches %.3g mm from the centre of rotation, which no joint does; lengths are read as mm, scale "
       "both meshes if theirs are in another unit",
       ball.farthest);

@@ -5,9 +5,9 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
+#include "detection/formatted.hpp"
 #include "detection/gap_scan.hpp"
 #include "experiment/machine.hpp"
 #include "joint/motion.hpp"
@@ -38,19 +38,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::string format(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 // Radii and slopes of both surfaces; in floating point, since entries by the 10^18 are asked for at times.
 template <SamplingScheme S>
 void require_memory(const S& scheme) {
   const double needed = 2.0 * static_cast<double>(scheme.size()) * (sizeof(double) + sizeof(float));
   const auto free = static_cast<double>(available_memory());
   if (needed <= free) return;
-  throw std::runtime_error(format(
+  throw std::runtime_error(formatted(
       "tables of %zu entries at %g degrees would take %.0f bytes (%.1f GiB) and %.1f GiB of memory are "
       "free; choose a coarser --precision or a larger --max-error",
       scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
@@ -138,7 +132,7 @@ Measurement measure_within(double max_error_mm, const Joint& joint, const Pose& 
     if (bound <= max_error_mm) return result;
   }
   throw std::runtime_error(
-      format("option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
+      formatted("option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
              "is %g mm; ask for a larger error, or choose --precision instead",
              max_error_mm, kPrecisions.back(), bound));
 }
@@ -177,7 +171,7 @@ AnyScheme partly_kept(const SceneOptions& options) {
   const auto free = static_cast<double>(available_memory());
   if (needed <= free) return scheme;
   throw std::runtime_error(
-      format("tables of %zu entries at %g degrees would take more than %.0f bytes (%.1f GiB) and %.1f GiB of "
+      formatted("tables of %zu entries at %g degrees would take more than %.0f bytes (%.1f GiB) and %.1f GiB of "
              "memory are free; choose a coarser --precision",
              scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
 }

@@ -3,28 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "detection/formatted.hpp"
+#include "scene/point_json.hpp"
 
 namespace impinge {
 namespace {
 
 using nlohmann::json;
 
-std::string format(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 // Megabytes as a person reads them.
 std::string size_text(double bytes) {
   const double size = std::abs(bytes);
-  if (size >= 1e6) return format("%.3g MB", size / 1e6);
-  if (size >= 1e3) return format("%.3g kB", size / 1e3);
-  return format("%.0f bytes", size);
+  if (size >= 1e6) return formatted("%.3g MB", size / 1e6);
+  if (size >= 1e3) return formatted("%.3g kB", size / 1e3);
+  return formatted("%.0f bytes", size);
 }
-
-json point(const Vec3& x) { return {{"x", x.x()}, {"y", x.y()}, {"z", x.z()}}; }
 
 json smallest_json(const SmallestGap& smallest, const Joint& joint, const Pose& pose) {
   const bool ball = smallest.scanned == ScannedSurface::ball;
@@ -32,7 +26,7 @@ json smallest_json(const SmallestGap& smallest, const Joint& joint, const Pose& 
   return {{"gap_mm", smallest.gap_mm},
           {"surface", ball ? "ball" : "socket"},
           {"vertex", smallest.vertex},
-          {"position", point((ball ? to_socket(pose, vertex) : vertex) + joint.centre)}};
+          {"position", point_json((ball ? to_socket(pose, vertex) : vertex) + joint.centre)}};
 }
 
 const char* surfaces(const SceneOptions& options) {
@@ -80,7 +74,7 @@ std::string json_text(const json& summary) {
 json question_summary(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found) {
   const SceneAnswer& answer = found.answer;
   const bool touch = options.question == Question::touch;
-  json centre = point(joint.centre);
+  json centre = point_json(joint.centre);
   centre["source"] = joint.fit ? "fitted" : "given";
   return {
       {"units", {{"length", "mm"}, {"time", "ms"}, {"memory", "bytes"}}},
@@ -108,7 +102,7 @@ std::string describe_question(const json& summary) {
     return std::string("touch               ") + (summary["touch"].get<bool>() ? "yes" : "no") + "\n";
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return "smallest gap        none: the surfaces do not face each other\n";
-  return format("smallest gap        %.3f mm at %s vertex %zu\n", smallest["gap_mm"].get<double>(),
+  return formatted("smallest gap        %.3f mm at %s vertex %zu\n", smallest["gap_mm"].get<double>(),
                 smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
 }
 

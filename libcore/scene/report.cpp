@@ -2,16 +2,17 @@
 #include "scene/report.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
+#include "detection/formatted.hpp"
 #include "detection/gap_summary.hpp"
 #include "experiment/csv.hpp"
 #include "files/file_set.hpp"
 #include "joint/close_zones.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"
+#include "scene/point_json.hpp"
 #include "scene/question.hpp"
 
 namespace impinge {
@@ -48,8 +49,6 @@ View view(Surface surface, const SceneOptions& options, const Joint& joint, cons
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 json interval(double low, double high) { return json::array({number(low), number(high)}); }
-
-json point(const Vec3& x) { return {{"x", x.x()}, {"y", x.y()}, {"z", x.z()}}; }
 
 json part_json(const View& v) {
   const MeshReport& mesh = v.part.validation;
@@ -109,7 +108,7 @@ json smallest_json(const View& v, const Vec3& centre, const std::optional<ClockF
                                         : interval(v.gaps.distance[i].lower_mm, v.gaps.distance[i].upper_mm)},
           {"surface", name(v.surface)},
           {"vertex", i},
-          {"position", point(v.posed[i] + centre)},
+          {"position", point_json(v.posed[i] + centre)},
           {"clock", dial ? json(clock_text(dial->hours(axes * v.posed[i]))) : json(nullptr)}};
 }
 
@@ -119,7 +118,7 @@ json smaller(const json& a, const json& b) {
 }
 
 json centre_json(const Joint& joint) {
-  json centre = point(joint.centre);
+  json centre = point_json(joint.centre);
   centre["source"] = joint.fit ? "fitted" : "given";
   centre["radius_mm"] = joint.fit ? json(joint.fit->radius) : json(nullptr);
   centre["residual_rms_mm"] = joint.fit ? json(joint.fit->rms) : json(nullptr);
@@ -272,12 +271,6 @@ std::string part_ply(const View& v, const SceneOptions& options, const Vec3& cen
   return ply_bytes(mesh, "gap", v.gaps.gap, colours);
 }
 
-std::string format(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 std::string describe_zones(const json& zones) {
   if (zones.is_null()) return "no clock positions: the socket looks straight up, down, forward or back";
   std::string text;
@@ -294,7 +287,7 @@ std::string describe_certificate(const json& certificate) {
   const std::string surfaces = certificate["surfaces"];
   std::string text = "bone on bone        surfaces " + surfaces;
   if (surfaces == "impinged") {
-    text += format(", by up to %.3f mm at a %s", certificate["deepest_mm"].get<double>(),
+    text += formatted(", by up to %.3f mm at a %s", certificate["deepest_mm"].get<double>(),
                    certificate["deepest_at"].get<std::string>().c_str());
   }
   return text + "; vertices " + certificate["vertices"].get<std::string>() + " (both decided exactly)\n";
@@ -371,41 +364,41 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
 
 std::string describe_scene(const json& summary) {
   const json& centre = summary["centre"];
-  std::string text = format("centre of rotation  %.3f %.3f %.3f mm, %s", centre["x"].get<double>(),
+  std::string text = formatted("centre of rotation  %.3f %.3f %.3f mm, %s", centre["x"].get<double>(),
                             centre["y"].get<double>(), centre["z"].get<double>(),
                             centre["source"].get<std::string>().c_str());
   if (centre["source"] == "fitted") {
     text +=
-        format(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", centre["radius_mm"].get<double>(),
+        formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", centre["radius_mm"].get<double>(),
                centre["residual_rms_mm"].get<double>(), centre["vertices_used"].get<std::size_t>());
   }
-  text += format("\ntable               %s at %g degrees, %zu entries a surface\n",
+  text += formatted("\ntable               %s at %g degrees, %zu entries a surface\n",
                  summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
                  summary["entries_per_table"].get<std::size_t>());
   text += describe_certificate(summary["certificate"]);
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return text + "smallest gap        none: the surfaces do not face each other\n";
-  text += format("smallest gap        %.3f mm at %s vertex %zu", smallest["gap_mm"].get<double>(),
+  text += formatted("smallest gap        %.3f mm at %s vertex %zu", smallest["gap_mm"].get<double>(),
                  smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
   if (!smallest["clock"].is_null()) text += ", " + smallest["clock"].get<std::string>() + " o'clock";
   if (!smallest["error_bound_mm"].is_null()) {
     text +=
-        format(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
+        formatted(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
   }
   const json& distance = smallest["euclidean_distance_mm"];
   if (!distance.is_null()) {
-    text += format("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
+    text += formatted("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
                    distance[1].get<double>());
   }
   for (const json& level : summary["impingement"]) {
-    text += format("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
+    text += formatted("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
     const std::size_t found =
         level["ball"]["vertices"].get<std::size_t>() + level["socket"]["vertices"].get<std::size_t>();
     if (found == 0) {
       text += "nowhere";
       continue;
     }
-    text += format("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level["ball"]["area_mm2"].get<double>(),
+    text += formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level["ball"]["area_mm2"].get<double>(),
                    describe_zones(level["ball"]["clock_zones"]).c_str(),
                    level["socket"]["area_mm2"].get<double>(),
                    describe_zones(level["socket"]["clock_zones"]).c_str());

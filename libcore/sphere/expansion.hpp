@@ -8,6 +8,10 @@
 
 namespace impinge {
 
+// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
+inline constexpr double kSmallestProduct = 1e-280;
+inline constexpr double kLargestProduct = 1e300;
+
 // Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
 // precision floating-point arithmetic"). `Most` is at least the number of values added.
 template <std::size_t Most>

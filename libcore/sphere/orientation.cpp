@@ -10,10 +10,6 @@
 namespace impinge {
 namespace {
 
-// Inside these a product of two or three lengths has neither lost digits to underflow nor overflowed.
-constexpr double kSmallest = 1e-280;
-constexpr double kLargest = 1e300;
-
 // The same direction with its largest component in [1/2, 1).
 Vec3 scaled(const Vec3& v) {
   int exponent = 0;
@@ -34,7 +30,7 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
   const double product = b.lpNorm<1>() * c.lpNorm<1>();
   const double doubt = kPlaneTestError * a.lpNorm<1>() * product;
-  if (product > kSmallest && doubt > kSmallest && std::abs(det) > doubt && std::abs(det) < kLargest)
+  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt && std::abs(det) < kLargestProduct)
     return det > 0.0 ? 1 : -1;
   if (a == b || b == c || c == a) return 0;  // a shared corner, the commonest zero
   return exact_orientation(scaled(a), scaled(b), scaled(c));

@@ -13,10 +13,6 @@
 namespace impinge {
 namespace {
 
-// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
-constexpr double kSmallest = 1e-280;
-constexpr double kLargest = 1e300;
-
 // All four scaled by one power of two, so that the largest component is in [1/2, 1).
 int exact_plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const std::array points{a, b, c, d};
@@ -47,7 +43,7 @@ int plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = ab.dot(ac.cross(ad));
   const double product = ac.lpNorm<1>() * ad.lpNorm<1>();
   const double doubt = kPlaneTestError * ab.lpNorm<1>() * product;
-  if (product > kSmallest && doubt > kSmallest && std::abs(det) > doubt && std::abs(det) < kLargest)
+  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt && std::abs(det) < kLargestProduct)
     return det > 0.0 ? 1 : -1;
   return exact_plane_side(a, b, c, d);
 }

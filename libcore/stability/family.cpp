@@ -8,7 +8,7 @@
 namespace impinge {
 namespace {
 
-void raise(double& largest, double value) {
+void keep_larger(double& largest, double value) {
   if (value > largest || largest != largest) largest = value;
 }
 
@@ -19,11 +19,11 @@ double share_of_bound(const StabilityCase& c) {
 
 void add(StabilityCase& sum, const StabilityCase& other) {
   sum.questions += other.questions;
-  raise(sum.condition, other.condition);
-  raise(sum.relative_error, other.relative_error);
-  raise(sum.error_over_condition_u, other.error_over_condition_u);
-  raise(sum.backward_error_over_u, other.backward_error_over_u);
-  raise(sum.stiffness, other.stiffness);
+  keep_larger(sum.condition, other.condition);
+  keep_larger(sum.relative_error, other.relative_error);
+  keep_larger(sum.error_over_condition_u, other.error_over_condition_u);
+  keep_larger(sum.backward_error_over_u, other.backward_error_over_u);
+  keep_larger(sum.stiffness, other.stiffness);
   sum.nan += other.nan;
   sum.false_hits += other.false_hits;
   sum.missed_hits += other.missed_hits;

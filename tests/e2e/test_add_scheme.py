@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -27,7 +28,8 @@ FIGURES = {"fig_scheme_covering": "scheme-covering", "fig_covering_cost": "cover
 
 def run(*words: str | Path, cwd: Path | None = None) -> str:
     """What the command prints; a failure shows its end."""
-    done = subprocess.run([str(word) for word in words], cwd=cwd, capture_output=True, text=True)
+    cached = {**os.environ, "CCACHE_BASEDIR": str(cwd)} if cwd else None  # paths below the copy are relative to it
+    done = subprocess.run([str(word) for word in words], cwd=cwd, env=cached, capture_output=True, text=True)
     if done.returncode != 0:
         raise AssertionError(f"{words}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}")
     return done.stdout
@@ -62,7 +64,7 @@ class AddScheme(unittest.TestCase):
         copy_sources(cls.project)
         shutil.copy(EXAMPLE, cls.project / "libcore" / "sphere" / "schemes")
         run("cmake", "--preset", "release", "-DIMPINGE_RESULTS=OFF", cwd=cls.project)
-        run("cmake", "--build", cls.build, "--target", *DRIVERS, "test_sphere")
+        run("cmake", "--build", cls.build, "--target", *DRIVERS, "test_sphere", cwd=cls.project)
         for driver in DRIVERS:
             run(cls.build / "experiments" / driver, "--out", cls.results / "data", "--profile", "quick")
 

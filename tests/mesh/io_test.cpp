@@ -19,6 +19,7 @@ namespace impinge {
 namespace {
 
 namespace fs = std::filesystem;
+using test::contents;
 using test::TemporaryFolder;
 
 constexpr double kFloatRounding = 0x1p-24;
@@ -38,12 +39,6 @@ void expect_same(const TriangleMesh& read, const TriangleMesh& written, double r
 
 std::size_t files_in(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-std::string contents(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 const TriangleMesh kTriangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

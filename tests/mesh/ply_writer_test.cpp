@@ -13,18 +13,14 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
+#include "support/mesh_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
 namespace {
 
+using test::contents;
 using test::TemporaryFolder;
-
-std::string contents(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 // This machine is little-endian, as the file.
 template <class T>

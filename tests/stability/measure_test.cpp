@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -14,13 +13,13 @@
 #include "contenders/table_method.hpp"
 #include "mesh/bodies.hpp"
 #include "reference/exact_radius.hpp"
+#include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 #include "stability/conditions.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 StabilityScene open_scene() {
   StabilityScene scene;

@@ -4,12 +4,20 @@
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge::test {
+
+inline std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 inline std::string ply_header(const std::string& format, std::size_t vertices, std::size_t faces) {
   return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) +
