@@ -42,7 +42,8 @@ std::vector<double> ray_cuts(const ConchoidShape& shape, double height, std::siz
   std::vector<double> cuts = original_angles(rays);
   for (std::size_t i = 1; i + 1 < rays; ++i) {
     const double wanted = end * cuts[i] / kConchoidRim;
-    cuts[i] = find_root([&](double phi) { return ray_angle(shape, height, phi) - wanted; }, 0.0, kConchoidRim);
+    cuts[i] =
+        find_root([&](double phi) { return ray_angle(shape, height, phi) - wanted; }, 0.0, kConchoidRim);
   }
   return cuts;
 }

@@ -160,17 +160,17 @@ class Planner {
       plan_.left_out.push_back(
           {Omission::second_scan,
            formatted("no gap of the socket's vertices can be below %.3g mm: the ball's table is not made",
-                  plan_.limit_mm),
+                     plan_.limit_mm),
            static_cast<double>(given_.size() * sizeof(double))});
     } else if (omissions_.has(Omission::vertices)) {
       scan.vertices = std::move(chosen);
-      plan_.left_out.push_back(
-          {Omission::vertices,
-           formatted(
-               "%zu of %zu look-ups of the %s's vertices meet no surface%s", all - count, all,
-               socket ? "socket" : "ball",
-               std::isinf(plan_.limit_mm) ? "" : formatted(" or none within %.3g mm", plan_.limit_mm).c_str()),
-           0.0});
+      plan_.left_out.push_back({Omission::vertices,
+                                formatted("%zu of %zu look-ups of the %s's vertices meet no surface%s",
+                                          all - count, all, socket ? "socket" : "ball",
+                                          std::isinf(plan_.limit_mm)
+                                              ? ""
+                                              : formatted(" or none within %.3g mm", plan_.limit_mm).c_str()),
+                                0.0});
     }
   }
 
@@ -199,10 +199,10 @@ class Planner {
         plan_.table.rays_only
             ? "no table at all: the faces near each vertex are fewer than the entries that it would read"
             : formatted("%s at %g degrees, %d bytes an entry, and faces where that is not proven",
-                     std::string(plan_.table.scheme.name()).c_str(), plan_.table.scheme.precision_deg(),
-                     plan_.table.storage == Storage::sixteen_bits       ? 2
-                     : plan_.table.storage == Storage::single_precision ? 4
-                                                                        : 8);
+                        std::string(plan_.table.scheme.name()).c_str(), plan_.table.scheme.precision_deg(),
+                        plan_.table.storage == Storage::sixteen_bits       ? 2
+                        : plan_.table.storage == Storage::single_precision ? 4
+                                                                           : 8);
     plan_.left_out.push_back(
         {Omission::fine_table, formatted("%g mm need ", *needs_.accuracy_mm) + instead, 0.0});
   }
@@ -228,7 +228,7 @@ class Planner {
       plan_.left_out.push_back(
           {Omission::entries,
            formatted("%zu of the %s's %zu entries are read", entries.count(),
-                  scan.scanned == ScannedSurface::ball ? "socket" : "ball", given_.size()),
+                     scan.scanned == ScannedSurface::ball ? "socket" : "ball", given_.size()),
            full - kept - static_cast<double>(entries.bytes() + scan.faces->bytes())});
     }
     scan.entries = std::move(entries);

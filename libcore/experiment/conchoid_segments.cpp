@@ -53,8 +53,9 @@ Result conchoid_origins(const ConchoidShape& shape) {
     std::vector<double> rates;
     for (const double phi : original_angles(kPlaces)) rates.push_back(rate(phi));
     const auto [smallest, largest] = std::ranges::minmax(rates);
-    result.table.add_row({at.name, at.height, ray_angle(shape, at.height, kConchoidRim) / kDegree, rates.front(),
-                          rate(ray_cuts(shape, at.height, 3)[1]), rates.back(), smallest, largest});
+    result.table.add_row({at.name, at.height, ray_angle(shape, at.height, kConchoidRim) / kDegree,
+                          rates.front(), rate(ray_cuts(shape, at.height, 3)[1]), rates.back(), smallest,
+                          largest});
   }
   return result;
 }

@@ -7,8 +7,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kBandHeight = 0.8660254037844386;  // of equilateral triangles with edges of 1
-constexpr double kHidden = 0.03;                    // radians by which the outer side stays behind the inner
+constexpr double kHidden = 0.03;  // radians by which the outer side stays behind the inner
 
 // The point of the sphere of the socket, from its centre, at a share of the way from the pole to the rim and
 // `hours` round the clock; `out` behind the surface, and `back` radians inside the rim.

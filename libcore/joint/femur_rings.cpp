@@ -9,10 +9,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kBandHeight = 0.8660254037844386;  // of equilateral triangles with edges of 1
-constexpr double kFine = 0.7;                       // spacing where head and neck meet
-constexpr double kCoarse = 1.8;                     // and along the shaft
-constexpr double kFineUpTo = 100.0 * kDegree;       // from the neck axis: cams end there
+constexpr double kFine = 0.7;                  // spacing where head and neck meet
+constexpr double kCoarse = 1.8;                // and along the shaft
+constexpr double kFineUpTo = 100.0 * kDegree;  // from the neck axis: cams end there
 constexpr double kProfileStep = 0.05 * kDegree;
 
 // Cross-sections are circles or rings about `middle` in the plane of the two unit vectors.

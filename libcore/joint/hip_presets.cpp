@@ -115,7 +115,7 @@ constexpr std::array kPresets{Preset{"normal", [] { return HipParameters{}; }},
                               Preset{"patient_a", patient_a},
                               Preset{"patient_b", patient_b}};
 
-constexpr auto kNames = [] {
+constexpr auto kPresetNames = [] {
   std::array<std::string_view, kPresets.size()> names;
   for (std::size_t k = 0; k < kPresets.size(); ++k) names[k] = kPresets[k].name;
   return names;
@@ -123,7 +123,7 @@ constexpr auto kNames = [] {
 
 }  // namespace
 
-std::span<const std::string_view> hip_preset_names() { return kNames; }
+std::span<const std::string_view> hip_preset_names() { return kPresetNames; }
 
 HipParameters hip_preset(std::string_view name) {
   std::string known;

@@ -8,6 +8,8 @@
 
 namespace impinge {
 
+inline constexpr double kBandHeight = 0.8660254037844386;  // of equilateral triangles with edges of 1
+
 using PointRings = std::vector<std::vector<Vec3>>;
 
 // From the pole of the head that is opposite to the neck, about the neck axis, round its bend and down the

@@ -15,7 +15,7 @@
 namespace impinge {
 namespace {
 
-constexpr std::array kNames{MotionName{"flexion", &Motion::flexion, 1.0},
+constexpr std::array kMotionNames{MotionName{"flexion", &Motion::flexion, 1.0},
                             MotionName{"extension", &Motion::flexion, -1.0},
                             MotionName{"abduction", &Motion::abduction, 1.0},
                             MotionName{"adduction", &Motion::abduction, -1.0},
@@ -53,11 +53,11 @@ Turn rotated(double degrees, std::optional<Side> side) {
 
 }  // namespace
 
-std::span<const MotionName> motion_names() { return kNames; }
+std::span<const MotionName> motion_names() { return kMotionNames; }
 
 const MotionName& motion_name(std::string_view name) {
   std::string known;
-  for (const MotionName& candidate : kNames) {
+  for (const MotionName& candidate : kMotionNames) {
     if (candidate.name == name) return candidate;
     known += (known.empty() ? "" : ", ") + std::string(candidate.name);
   }
@@ -76,7 +76,7 @@ Motion parse_motion(std::string_view text) {
                                   "' is no motion; write NAME=DEGREES, as flexion=90");
     }
     const MotionName& name = motion_name(part.substr(0, equals));
-    bool& seen = given[static_cast<std::size_t>(&name - kNames.data()) / 2];
+    bool& seen = given[static_cast<std::size_t>(&name - kMotionNames.data()) / 2];
     if (seen)
       throw std::invalid_argument("the axis of '" + std::string(name.name) +
                                   "' is given twice; give it once");

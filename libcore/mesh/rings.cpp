@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/vertex_ring.hpp"
+
 namespace impinge {
 namespace {
 
@@ -85,34 +87,12 @@ TriangleMesh ring_points(const Counts& sizes, double total, double bottom) {
   return mesh;
 }
 
-// Ring of n vertices from index `first`, read cyclically.
-struct Ring {
-  std::size_t first;
-  std::size_t size;
-  VertexIndex operator[](std::size_t k) const { return static_cast<VertexIndex>(first + k % size); }
-};
-
-// Band between two rings: at each step the shorter of the two possible diagonals.
-void stitch(TriangleMesh& mesh, Ring upper, Ring lower) {
-  const auto length = [&mesh](VertexIndex a, VertexIndex b) {
-    return (mesh.vertices[a] - mesh.vertices[b]).squaredNorm();
-  };
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < upper.size || j < lower.size) {
-    const bool along_upper = j == lower.size || (i < upper.size && length(upper[i + 1], lower[j]) <
-                                                                       length(upper[i], lower[j + 1]));
-    mesh.faces.push_back({upper[i], lower[j], along_upper ? upper[i + 1] : lower[j + 1]});
-    ++(along_upper ? i : j);
-  }
-}
-
 // Faces between pole and first ring, and of all bands. Returns the last ring.
-Ring stitch_rings(TriangleMesh& mesh, const Counts& sizes) {
-  Ring ring{1, sizes[0]};
+VertexRing stitch_rings(TriangleMesh& mesh, const Counts& sizes) {
+  VertexRing ring{1, sizes[0]};
   for (std::size_t k = 0; k < ring.size; ++k) mesh.faces.push_back({0, ring[k], ring[k + 1]});
   for (std::size_t i = 1; i < sizes.size(); ++i) {
-    const Ring next{ring.first + ring.size, sizes[i]};
+    const VertexRing next{ring.first + ring.size, sizes[i]};
     stitch(mesh, ring, next);
     ring = next;
   }
@@ -129,7 +109,7 @@ TriangleMesh unit_sphere(std::size_t faces) {
   const Counts sizes = sphere_rings(faces);
   const std::size_t vertices = faces / 2 + 2;
   TriangleMesh mesh = ring_points(sizes, static_cast<double>(vertices), -1.0);
-  const Ring last = stitch_rings(mesh, sizes);
+  const VertexRing last = stitch_rings(mesh, sizes);
   const auto south = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.emplace_back(0.0, 0.0, -1.0);
   for (std::size_t k = 0; k < last.size; ++k) mesh.faces.push_back({last[k], south, last[k + 1]});

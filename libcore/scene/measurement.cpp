@@ -131,10 +131,10 @@ Measurement measure_within(double max_error_mm, const Joint& joint, const Pose& 
     bound = largest_bound(result);
     if (bound <= max_error_mm) return result;
   }
-  throw std::runtime_error(
-      formatted("option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
-             "is %g mm; ask for a larger error, or choose --precision instead",
-             max_error_mm, kPrecisions.back(), bound));
+  throw std::runtime_error(formatted(
+      "option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
+      "is %g mm; ask for a larger error, or choose --precision instead",
+      max_error_mm, kPrecisions.back(), bound));
 }
 
 // They are those of the meshes, whatever the table.
@@ -170,10 +170,10 @@ AnyScheme partly_kept(const SceneOptions& options) {
   const double needed = kDirectory * static_cast<double>(scheme.size());
   const auto free = static_cast<double>(available_memory());
   if (needed <= free) return scheme;
-  throw std::runtime_error(
-      formatted("tables of %zu entries at %g degrees would take more than %.0f bytes (%.1f GiB) and %.1f GiB of "
-             "memory are free; choose a coarser --precision",
-             scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
+  throw std::runtime_error(formatted(
+      "tables of %zu entries at %g degrees would take more than %.0f bytes (%.1f GiB) and %.1f GiB of "
+      "memory are free; choose a coarser --precision",
+      scheme.size(), scheme.precision_deg(), needed, needed / 0x1p30, free / 0x1p30));
 }
 
 // The gaps alone.

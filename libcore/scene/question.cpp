@@ -103,7 +103,7 @@ std::string describe_question(const json& summary) {
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return "smallest gap        none: the surfaces do not face each other\n";
   return formatted("smallest gap        %.3f mm at %s vertex %zu\n", smallest["gap_mm"].get<double>(),
-                smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
+                   smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
 }
 
 }  // namespace impinge

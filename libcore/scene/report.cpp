@@ -288,7 +288,7 @@ std::string describe_certificate(const json& certificate) {
   std::string text = "bone on bone        surfaces " + surfaces;
   if (surfaces == "impinged") {
     text += formatted(", by up to %.3f mm at a %s", certificate["deepest_mm"].get<double>(),
-                   certificate["deepest_at"].get<std::string>().c_str());
+                      certificate["deepest_at"].get<std::string>().c_str());
   }
   return text + "; vertices " + certificate["vertices"].get<std::string>() + " (both decided exactly)\n";
 }
@@ -365,30 +365,30 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
 std::string describe_scene(const json& summary) {
   const json& centre = summary["centre"];
   std::string text = formatted("centre of rotation  %.3f %.3f %.3f mm, %s", centre["x"].get<double>(),
-                            centre["y"].get<double>(), centre["z"].get<double>(),
-                            centre["source"].get<std::string>().c_str());
+                               centre["y"].get<double>(), centre["z"].get<double>(),
+                               centre["source"].get<std::string>().c_str());
   if (centre["source"] == "fitted") {
-    text +=
-        formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", centre["radius_mm"].get<double>(),
-               centre["residual_rms_mm"].get<double>(), centre["vertices_used"].get<std::size_t>());
+    text += formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)",
+                      centre["radius_mm"].get<double>(), centre["residual_rms_mm"].get<double>(),
+                      centre["vertices_used"].get<std::size_t>());
   }
   text += formatted("\ntable               %s at %g degrees, %zu entries a surface\n",
-                 summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
-                 summary["entries_per_table"].get<std::size_t>());
+                    summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
+                    summary["entries_per_table"].get<std::size_t>());
   text += describe_certificate(summary["certificate"]);
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return text + "smallest gap        none: the surfaces do not face each other\n";
   text += formatted("smallest gap        %.3f mm at %s vertex %zu", smallest["gap_mm"].get<double>(),
-                 smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
+                    smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
   if (!smallest["clock"].is_null()) text += ", " + smallest["clock"].get<std::string>() + " o'clock";
   if (!smallest["error_bound_mm"].is_null()) {
-    text +=
-        formatted(" (error of this gap by the table at most %.3f mm)", smallest["error_bound_mm"].get<double>());
+    text += formatted(" (error of this gap by the table at most %.3f mm)",
+                      smallest["error_bound_mm"].get<double>());
   }
   const json& distance = smallest["euclidean_distance_mm"];
   if (!distance.is_null()) {
     text += formatted("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
-                   distance[1].get<double>());
+                      distance[1].get<double>());
   }
   for (const json& level : summary["impingement"]) {
     text += formatted("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
@@ -399,9 +399,9 @@ std::string describe_scene(const json& summary) {
       continue;
     }
     text += formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level["ball"]["area_mm2"].get<double>(),
-                   describe_zones(level["ball"]["clock_zones"]).c_str(),
-                   level["socket"]["area_mm2"].get<double>(),
-                   describe_zones(level["socket"]["clock_zones"]).c_str());
+                      describe_zones(level["ball"]["clock_zones"]).c_str(),
+                      level["socket"]["area_mm2"].get<double>(),
+                      describe_zones(level["socket"]["clock_zones"]).c_str());
   }
   return text + "\n";
 }

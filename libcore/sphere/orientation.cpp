@@ -30,7 +30,8 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double det = a.dot(b.cross(c));
   const double product = b.lpNorm<1>() * c.lpNorm<1>();
   const double doubt = kPlaneTestError * a.lpNorm<1>() * product;
-  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt && std::abs(det) < kLargestProduct)
+  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt &&
+      std::abs(det) < kLargestProduct)
     return det > 0.0 ? 1 : -1;
   if (a == b || b == c || c == a) return 0;  // a shared corner, the commonest zero
   return exact_orientation(scaled(a), scaled(b), scaled(c));

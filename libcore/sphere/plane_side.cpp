@@ -43,7 +43,8 @@ int plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = ab.dot(ac.cross(ad));
   const double product = ac.lpNorm<1>() * ad.lpNorm<1>();
   const double doubt = kPlaneTestError * ab.lpNorm<1>() * product;
-  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt && std::abs(det) < kLargestProduct)
+  if (product > kSmallestProduct && doubt > kSmallestProduct && std::abs(det) > doubt &&
+      std::abs(det) < kLargestProduct)
     return det > 0.0 ? 1 : -1;
   return exact_plane_side(a, b, c, d);
 }

@@ -20,7 +20,6 @@
 namespace impinge {
 namespace {
 
-
 StabilityScene open_scene() {
   StabilityScene scene;
   scene.mesh = cup(20.0, 60.0, 100);

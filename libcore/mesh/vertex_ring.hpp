@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rings of vertices, and the band of triangles between two of them.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// `size` vertices from index `first` on, read cyclically; one vertex is a pole.
+struct VertexRing {
+  std::size_t first;
+  std::size_t size;
+
+  std::size_t steps() const { return size == 1 ? 0 : size; }  // faces along the ring: a pole has none
+  VertexIndex operator[](std::size_t k) const { return static_cast<VertexIndex>(first + k % size); }
+};
+
+// Appends the band between two rings, at each step the shorter of the two possible diagonals. Normals point
+// outward where points go counter-clockwise as seen from outside beyond `upper`.
+void stitch(TriangleMesh& mesh, VertexRing upper, VertexRing lower);
+
+}  // namespace impinge
