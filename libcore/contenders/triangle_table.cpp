@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kMargin = 1e-9;  // radians, far above the rounding of an angle
+constexpr double kAngleMargin = 1e-9;  // radians, far above the rounding of an angle
 
 // The nearest or farthest radius met so far, and the face it belongs to.
 struct Sampler {
@@ -45,7 +45,7 @@ struct RayRange {
 
 RayRange rays_near(const TriangleMesh& mesh, const Face& face, std::size_t side) {
   const AngularBox box =
-      angular_box({corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)}, kMargin);
+      angular_box({corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)}, kAngleMargin);
   const auto count = static_cast<double>(side);
   const double row = kPi / count;
   const double column = 2.0 * kPi / count;

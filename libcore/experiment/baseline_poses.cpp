@@ -18,10 +18,10 @@ constexpr std::size_t kTries = 20;  // ways drawn for one that meets the socket
 
 }  // namespace
 
-std::vector<JudgedPose> baseline_poses(const BallSocketPair& joint, const BaselineWays& ways) {
+std::vector<BaselinePose> baseline_poses(const BallSocketPair& joint, const BaselineWays& ways) {
   const auto oracle = make_cgal_tree(joint.ball, joint.socket);
   std::mt19937_64 random(ways.seed);
-  std::vector<JudgedPose> poses;
+  std::vector<BaselinePose> poses;
   const std::size_t wanted = ways.count * 2 * kOffsets.size();
   for (std::size_t i = 0; i < kTries * ways.count && poses.size() < wanted; ++i) {
     PosePath path;
@@ -40,9 +40,9 @@ std::vector<JudgedPose> baseline_poses(const BallSocketPair& joint, const Baseli
   return poses;
 }
 
-BaselineVerdicts judge(Contender& contender, const std::vector<JudgedPose>& poses) {
+BaselineVerdicts judge(Contender& contender, const std::vector<BaselinePose>& poses) {
   BaselineVerdicts verdicts;
-  for (const JudgedPose& judged : poses) {
+  for (const BaselinePose& judged : poses) {
     const bool answer = contender.touches(judged.pose);
     if (answer == judged.touches) continue;
     ++(answer ? verdicts.false_touches : verdicts.missed_touches);

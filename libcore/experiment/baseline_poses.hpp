@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-struct JudgedPose {
+struct BaselinePose {
   Pose pose;
   double beyond_mm = 0.0;  // way of the ball past the first contact; negative before it
   bool touches = false;    // exactly
@@ -26,7 +26,7 @@ struct BaselineWays {
 
 // Fourteen poses of each way: 0.05, 0.1, 0.2, 0.5, 1, 2 and 4 mm before and after its first contact, as
 // CGAL's tree decides it. Fewer ways where random ones do not bring the surfaces together.
-std::vector<JudgedPose> baseline_poses(const BallSocketPair& joint, const BaselineWays& ways);
+std::vector<BaselinePose> baseline_poses(const BallSocketPair& joint, const BaselineWays& ways);
 
 struct BaselineVerdicts {
   std::size_t false_touches = 0;
@@ -34,6 +34,6 @@ struct BaselineVerdicts {
   double wrong_within_mm = 0.0;  // the largest way from the contact at which an answer was wrong
 };
 
-BaselineVerdicts judge(Contender& contender, const std::vector<JudgedPose>& poses);
+BaselineVerdicts judge(Contender& contender, const std::vector<BaselinePose>& poses);
 
 }  // namespace impinge

@@ -15,7 +15,7 @@ constexpr std::size_t kPosesTimed = 14;
 // A joint with its methods, which refer to it.
 struct Prepared {
   const BaselineJoint* joint = nullptr;
-  std::vector<JudgedPose> poses;
+  std::vector<BaselinePose> poses;
   std::vector<BaselineMethod> methods;
   std::vector<BaselineVerdicts> verdicts;
 };

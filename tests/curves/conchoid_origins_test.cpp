@@ -13,17 +13,17 @@
 namespace impinge {
 namespace {
 
-const ConchoidShape kCircle{22.0, 0.0};
+const ConchoidShape kRound{22.0, 0.0};
 
 // Of a circle every whole-curve centre is the circle's; of the half circle r / 2 and 2 r / pi are known.
 TEST(ConchoidOrigins, CentresOfACircle) {
-  for (const SamplingOrigin& at : sampling_origins(kCircle)) {
+  for (const SamplingOrigin& at : sampling_origins(kRound)) {
     double expected = 0.0;
     if (at.name == "cap_extent_middle" || at.name == "cap_surface_centroid") expected = 11.0;
     if (at.name == "cap_curve_centroid") expected = 44.0 / kPi;
     EXPECT_NEAR(at.height, expected, 1e-9) << at.name;
   }
-  EXPECT_GE(sampling_origins(kCircle).size(), 4U);
+  EXPECT_GE(sampling_origins(kRound).size(), 4U);
   EXPECT_EQ(sampling_origins({}).size(), 9U);
 }
 

@@ -16,8 +16,8 @@ namespace impinge {
 namespace {
 
 // Menschik's, a circle, almost a circle, almost a cusp, the cusp.
-const ConchoidShape kShapes[] = {{},           {22.0, 0.0},         {22.0, 1e-9},
-                                 {22.0, 11.0}, {20.0, 20.0 - 1e-9}, {20.0, 20.0}};
+const ConchoidShape kConchoids[] = {{},           {22.0, 0.0},         {22.0, 1e-9},
+                                    {22.0, 11.0}, {20.0, 20.0 - 1e-9}, {20.0, 20.0}};
 constexpr double kAngles[] = {0.0, 1e-7, 0.01, 0.7, 0.5 * kPi, 2.5, 3.14, kPi};
 
 // sqrt(r^2 + r'^2) as Eq. 12 has it.
@@ -26,7 +26,7 @@ double speed(const ConchoidShape& s, double phi) {
 }
 
 TEST(Conchoid, LengthIsEq12) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double phi : kAngles) {
       const double expected = integrate([&](double t) { return speed(shape, t); }, 0.0, phi);
       EXPECT_NEAR(meridian_length(shape, phi), expected, 1e-12 * expected) << shape.b << ' ' << phi;
@@ -47,7 +47,7 @@ TEST(Conchoid, LengthOfACircleAndOfTheCuspAreClosedForms) {
 
 // dA = 2 pi r sin(phi) ds.
 TEST(Conchoid, AreaIsThatOfTheSweptSurface) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double phi : kAngles) {
       const auto strip = [&](double t) {
         return 2.0 * kPi * (shape.a + shape.b * std::cos(t)) * std::sin(t) * speed(shape, t);
@@ -72,7 +72,7 @@ TEST(Conchoid, AreaIsTheClosedForm) {
 }
 
 TEST(Conchoid, InversesRoundTrip) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double share : {0.0, 1e-12, 1e-3, 0.2, 0.5, 0.9, 0.9999, 1.0}) {
       const double length = share * meridian_length(shape, kPi);
       EXPECT_NEAR(meridian_length(shape, polar_angle_at_meridian_length(shape, length)), length,
@@ -87,7 +87,7 @@ TEST(Conchoid, InversesRoundTrip) {
 
 // The normal turned out of the direction by psi: of the surface x(phi), n.u = cos psi.
 TEST(Conchoid, IncidenceIsTheAngleOfTheNormal) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double phi : {0.0, 0.3, 1.0, 0.5 * kPi, 2.0, 3.0}) {
       const double r = shape.a + shape.b * std::cos(phi);
       const double slope = -shape.b * std::sin(phi);
@@ -103,7 +103,7 @@ TEST(Conchoid, IncidenceIsTheAngleOfTheNormal) {
 
 // dA / dOmega with dOmega = 2 pi sin(phi) dphi, by differences.
 TEST(Conchoid, AreaPerSolidAngle) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double phi : {0.3, 1.0, 0.5 * kPi, 2.0}) {
       const double h = 1e-4;
       const double area = cap_area(shape, phi + h) - cap_area(shape, phi - h);
@@ -114,7 +114,7 @@ TEST(Conchoid, AreaPerSolidAngle) {
 }
 
 TEST(Conchoid, NothingIsNotANumber) {
-  for (const ConchoidShape& shape : kShapes) {
+  for (const ConchoidShape& shape : kConchoids) {
     for (const double phi : kAngles) {
       for (const auto value : {conchoid_radius(shape, phi), meridian_length(shape, phi), cap_area(shape, phi),
                                conchoid_incidence(shape, phi), area_per_solid_angle(shape, phi)}) {

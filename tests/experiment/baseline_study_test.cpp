@@ -40,7 +40,7 @@ TEST(BaselinePoses, LieOnEitherSideOfAContact) {
   ASSERT_EQ(poses.size(), 3U * 14U);
   const auto oracle = make_cgal_tree(joint.meshes.ball, joint.meshes.socket);
   std::size_t touching = 0;
-  for (const JudgedPose& judged : poses) {
+  for (const BaselinePose& judged : poses) {
     EXPECT_EQ(judged.touches, oracle->touches(judged.pose));
     EXPECT_TRUE(judged.touches == (judged.beyond_mm > 0.0) || std::abs(judged.beyond_mm) > 0.5);
     touching += judged.touches ? 1U : 0U;

@@ -4,9 +4,7 @@
 //   d(x) = min over the points y of all faces of |x - y|
 #include "reference/closest_point.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -16,13 +14,14 @@
 
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "support/bits.hpp"
 #include "support/directions.hpp"
 #include "support/precise.hpp"
 
 namespace impinge {
 namespace {
 
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
+using test::bits;
 
 void expect_brute_force(const TriangleMesh& mesh, const std::vector<Vec3>& points) {
   const std::vector<double> distances = closest_distances(mesh, {.points = points});

@@ -5,9 +5,7 @@
 #include "reference/exact_radius.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "mesh/bodies.hpp"
 #include "reference/exact_ratio.hpp"
 #include "sampling/pairwise.hpp"
+#include "support/bits.hpp"
 #include "support/directions.hpp"
 #include "support/precise.hpp"
 #include "support/soup.hpp"
@@ -25,9 +24,8 @@
 namespace impinge {
 namespace {
 
+using test::bits;
 using test::Precise;
-
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
 // Same double, or no surface in both.
 void expect_same(const std::vector<double>& found, const std::vector<double>& expected) {

@@ -19,7 +19,7 @@
 namespace impinge {
 namespace {
 
-const Vec3 kAxis = Vec3(0.48, 0.6, 0.64);
+const Vec3 kSlanted = Vec3(0.48, 0.6, 0.64);
 constexpr double kRounding = 1e-12;  // mm
 
 TEST(ThesisFormula, GivesTheThesisTable) {
@@ -39,7 +39,7 @@ TEST(ThesisFormula, IsADistanceAlongTheSurface) {
 }
 
 TEST(SamplingError, OfTheNearestEntryIsBoundedAndTheBoundIsReached) {
-  const RadialSurface sphere = spherical_surface("sphere", 22.0, 5.0 * kAxis);
+  const RadialSurface sphere = spherical_surface("sphere", 22.0, 5.0 * kSlanted);
   const Rsid scheme = Rsid::with_precision(1.0);
   const NearestEntryFinder<Rsid> finder(scheme);
   double share = 0.0;
@@ -55,7 +55,7 @@ TEST(SamplingError, OfTheNearestEntryIsBoundedAndTheBoundIsReached) {
 
 template <SamplingScheme S>
 double largest_share_on_plane(const std::vector<Vec3>& directions, double rho, const S& scheme) {
-  const RadialSurface plane = planar_surface("plane", kAxis, 22.0, 75.0);
+  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 75.0);
   double share = 0.0;
   for (const Vec3& u : directions) {
     if (!plane.covers(u)) continue;
@@ -91,7 +91,7 @@ TEST(SamplingError, OnAPlaneIsOfSecondOrder) {
 // Where rows end in a pole, their taps bend round it: an arc of few entries misses the pole's tangent by a
 // share of its own length, so that the error there is of first order on a surface that is not level.
 TEST(SamplingError, OfRowsAtAPoleIsOfFirstOrder) {
-  const RadialSurface plane = planar_surface("plane", kAxis, 22.0, 75.0);
+  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 75.0);
   const auto largest = [&]<class S>(const S& scheme) {
     double error = 0.0;
     for (const Vec3& u : polar_directions(3.0 * scheme.covering_radius(), 4000)) {
@@ -113,8 +113,8 @@ TEST(SamplingError, OfRowsAtAPoleIsOfFirstOrder) {
 TEST(SamplingError, AcrossAnEdgeIsBounded) {
   for (const double tilt : {0.0, 50.0}) {
     EdgeShape shape;
-    shape.axis = kAxis;
-    shape.edge = kAxis.cross(Vec3(0.8, 0.0, -0.6)).normalized();
+    shape.axis = kSlanted;
+    shape.edge = kSlanted.cross(Vec3(0.8, 0.0, -0.6)).normalized();
     shape.dihedral_deg = 1.6;
     shape.tilt_deg = tilt;
     const EdgeSurface edge = edge_surface("edge", shape);
@@ -166,13 +166,13 @@ TEST(SamplingError, OfInverseRadiusVanishesOnAPlane) {
 }
 
 TEST(Probes, AreThoseThatTheSurfaceCovers) {
-  const RadialSurface plane = planar_surface("plane", kAxis, 22.0, 60.0);
+  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 60.0);
   const auto u = uniform_directions(1000, 54);
   const Probes probes = probes_of(plane, u);
   EXPECT_NEAR(static_cast<double>(probes.place.size()), 250.0, 50.0);
   const auto errors = errors_at(probes, [&](std::size_t k) { return plane.radius(u[k]) - 0.5; });
   for (const double error : errors) EXPECT_NEAR(error, 0.5, 1e-12);
-  for (const std::size_t k : probes.place) EXPECT_LE(angle_between(u[k], kAxis), 60.0 * kDegree);
+  for (const std::size_t k : probes.place) EXPECT_LE(angle_between(u[k], kSlanted), 60.0 * kDegree);
 }
 
 }  // namespace

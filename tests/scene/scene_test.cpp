@@ -19,14 +19,14 @@
 namespace impinge {
 namespace {
 
-const Vec3 kCentre(-86.0, 20.5, -580.25);  // where the scanner saw the joint
+const Vec3 kScanned(-86.0, 20.5, -580.25);  // where the scanner saw the joint
 
 class Scene : public ::testing::Test {
  protected:
-  // Writes both meshes about kCentre and asks for the default scene.
+  // Writes both meshes about kScanned and asks for the default scene.
   SceneOptions joint_of(TriangleMesh ball, TriangleMesh socket) {
-    for (Vec3& v : ball.vertices) v += kCentre;
-    for (Vec3& v : socket.vertices) v += kCentre;
+    for (Vec3& v : ball.vertices) v += kScanned;
+    for (Vec3& v : socket.vertices) v += kScanned;
     SceneOptions options;
     options.ball = folder_.path() / "ball.ply";
     options.socket = folder_.path() / "socket.ply";
@@ -56,7 +56,7 @@ TriangleMesh opened_to_the_right(TriangleMesh socket) {
 TEST_F(Scene, ConcentricSpheresHaveTheirGapEverywhere) {
   SceneOptions options = joint_of(sphere(22.0, 20000), opened_to_the_right(cup(25.0, 80.0, 10000)));
   const auto report = run(options);
-  EXPECT_LT((Vec3(report["centre"]["x"], report["centre"]["y"], report["centre"]["z"]) - kCentre).norm(),
+  EXPECT_LT((Vec3(report["centre"]["x"], report["centre"]["y"], report["centre"]["z"]) - kScanned).norm(),
             1e-3);
   EXPECT_NEAR(report["centre"]["radius_mm"], 22.0, 1e-3);
   EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.03);
@@ -77,7 +77,7 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
   const PairShape shape = impinging_cam();
   const BallSocketPair pair = make_ball_socket_pair(12000, shape);
   SceneOptions options = joint_of(pair.ball, pair.socket);
-  options.centre = kCentre;
+  options.centre = kScanned;
   options.axes = "ALS";
   const auto at_rest = run(options);
   EXPECT_GT(at_rest["smallest_gap"]["gap_mm"], 3.5);
@@ -88,7 +88,7 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
   EXPECT_GT(flexed["impingement"][0]["ball"]["vertices"], 0);
   EXPECT_TRUE(flexed["impingement"][0]["ball"]["clock_zones"].is_null()) << "this socket looks straight up";
   const auto& where = flexed["smallest_gap"]["position"];
-  const Vec3 direction = Vec3(where["x"], where["y"], where["z"]) - kCentre;
+  const Vec3 direction = Vec3(where["x"], where["y"], where["z"]) - kScanned;
   EXPECT_NEAR(to_angles(direction).phi, 70.0 * kDegree, 5.0 * kDegree);
   options.motion = parse_motion("extension=60");
   EXPECT_GT(run(options)["smallest_gap"]["gap_mm"], 3.5);
@@ -98,7 +98,7 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
 TEST_F(Scene, GapsKeepTheirBounds) {
   const BallSocketPair pair = make_ball_socket_pair(3000);
   SceneOptions options = joint_of(pair.ball, pair.socket);
-  options.centre = kCentre;
+  options.centre = kScanned;
   const Joint joint = load_joint(options);
   for (const double precision : {5.0, 1.0}) {
     options.precision_deg = precision;
@@ -150,7 +150,7 @@ TEST_F(Scene, BoundsOfTheSocketAreThoseOfThePosedBall) {
     return 20.0 + (u.z() > 0.0 ? 1.5 * u.z() * bump : 0.0);
   });
   SceneOptions options = joint_of(ball, cup(26.0, 80.0, 3000));
-  options.centre = kCentre;
+  options.centre = kScanned;
   options.precision_deg = 5.0;
   options.motion = parse_motion("flexion=90");
   const Joint joint = load_joint(options);
@@ -174,7 +174,7 @@ TEST_F(Scene, BoundsOfTheSocketAreThoseOfThePosedBall) {
 TEST_F(Scene, AnAccuracyChoosesThePrecision) {
   const BallSocketPair pair = make_ball_socket_pair(3000);
   SceneOptions options = joint_of(pair.ball, pair.socket);
-  options.centre = kCentre;
+  options.centre = kScanned;
   const Joint joint = load_joint(options);
   const auto largest = [](const Measurement& m) {
     return std::max(largest_bound(m.ball), largest_bound(m.socket));
@@ -224,7 +224,7 @@ TEST_F(Scene, WhatCannotWorkIsSaidInOneLine) {
   SceneOptions options = joint_of(ball, socket);
   options.centre = Vec3::Zero();
   EXPECT_NE(message_of(options).find("lies outside of the ball"), std::string::npos) << message_of(options);
-  options.centre = kCentre;
+  options.centre = kScanned;
   options.precision_deg = 0.0005;
   EXPECT_NE(message_of(options).find("GiB"), std::string::npos) << message_of(options);
   EXPECT_NE(message_of(options).find("coarser"), std::string::npos);

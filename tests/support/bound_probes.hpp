@@ -24,7 +24,7 @@ namespace impinge::test {
 template <SamplingScheme S>
 std::vector<Vec3> bound_probes(const TriangleMesh& mesh, const S& scheme, std::size_t uniform) {
   std::vector<Vec3> probes = random_directions(uniform, 60);
-  for (const Vec3& u : feature_directions(mesh)) probes.push_back(u);
+  for (const Vec3& u : test::feature_directions(mesh)) probes.push_back(u);
   for (const Vec3& x : special_directions()) probes.push_back(x.normalized());
   for (const JumpEdge& edge : jump_edges(mesh)) {
     const Vec3 middle = (mesh.vertices[edge.from] + mesh.vertices[edge.to]).normalized();
