@@ -16,11 +16,11 @@ namespace impinge {
 namespace {
 
 constexpr std::array kMotionNames{MotionName{"flexion", &Motion::flexion, 1.0},
-                            MotionName{"extension", &Motion::flexion, -1.0},
-                            MotionName{"abduction", &Motion::abduction, 1.0},
-                            MotionName{"adduction", &Motion::abduction, -1.0},
-                            MotionName{"internal_rotation", &Motion::internal_rotation, 1.0},
-                            MotionName{"external_rotation", &Motion::internal_rotation, -1.0}};
+                                  MotionName{"extension", &Motion::flexion, -1.0},
+                                  MotionName{"abduction", &Motion::abduction, 1.0},
+                                  MotionName{"adduction", &Motion::abduction, -1.0},
+                                  MotionName{"internal_rotation", &Motion::internal_rotation, 1.0},
+                                  MotionName{"external_rotation", &Motion::internal_rotation, -1.0}};
 
 double parse_angle(std::string_view name, std::string_view text) {
   double value = 0.0;

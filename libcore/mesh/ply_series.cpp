@@ -2,22 +2,15 @@
 #include "mesh/ply_series.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <string_view>
 
 #include "files/file_bytes.hpp"
+#include "mesh/ply_bytes.hpp"
 
 namespace impinge {
 namespace {
-
-void append(std::string& bytes, std::uint32_t bits) {
-  for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(bits >> shift & 0xffU));
-}
-
-void append(std::string& bytes, float x) { append(bytes, std::bit_cast<std::uint32_t>(x)); }
 
 void require_usable(const TriangleMesh& mesh, std::span<const VertexSeries> states) {
   std::set<std::string_view> names{"x", "y", "z"};
@@ -51,13 +44,10 @@ void write_ply_series(const std::filesystem::path& file, const TriangleMesh& mes
   std::string bytes = header(mesh, states);
   bytes.reserve(bytes.size() + 4 * (3 + states.size()) * mesh.vertices.size() + 13 * mesh.faces.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    for (const double x : mesh.vertices[i]) append(bytes, static_cast<float>(x));
-    for (const VertexSeries& state : states) append(bytes, state.values[i]);
+    for (const double x : mesh.vertices[i]) append_value(bytes, static_cast<float>(x));
+    for (const VertexSeries& state : states) append_value(bytes, state.values[i]);
   }
-  for (const Face& face : mesh.faces) {
-    bytes.push_back(3);
-    for (const VertexIndex v : face) append(bytes, v);
-  }
+  append_faces(bytes, mesh);
   write_bytes(file, bytes);
 }
 

@@ -2,24 +2,15 @@
 #include "mesh/ply_writer.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <concepts>
 #include <stdexcept>
 #include <string>
 
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "mesh/ply_bytes.hpp"
 
 namespace impinge {
 namespace {
-
-template <std::unsigned_integral Bits>
-void append_bits(std::string& bytes, Bits bits) {
-  for (std::size_t k = 0; k < sizeof bits; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 0xffU));
-}
-
-void append(std::string& bytes, double x) { append_bits(bytes, std::bit_cast<std::uint64_t>(x)); }
-void append(std::string& bytes, float x) { append_bits(bytes, std::bit_cast<std::uint32_t>(x)); }
 
 struct VertexData {
   std::string_view property;
@@ -41,12 +32,12 @@ std::string header(const TriangleMesh& mesh, const VertexData& data) {
 }
 
 void append_vertex(std::string& bytes, const Vec3& v, const VertexData& data, std::size_t i) {
-  for (int k = 0; k < 3; ++k) append(bytes, v[k]);
+  for (int k = 0; k < 3; ++k) append_value(bytes, v[k]);
   if (!data.property.empty()) {
-    append(bytes, data.values[i]);
-    append(bytes, static_cast<float>(data.values[i]));  // quality
-    append(bytes, static_cast<float>(data.values[i]));  // u
-    append(bytes, 0.0F);                                // v
+    append_value(bytes, data.values[i]);
+    append_value(bytes, static_cast<float>(data.values[i]));  // quality
+    append_value(bytes, static_cast<float>(data.values[i]));  // u
+    append_value(bytes, 0.0F);                                // v
   }
   if (!data.colours.empty()) {
     for (const std::uint8_t c : data.colours[i]) bytes.push_back(static_cast<char>(c));
@@ -57,10 +48,7 @@ std::string bytes_of(const TriangleMesh& mesh, const VertexData& data) {
   std::string bytes = header(mesh, data);
   bytes.reserve(bytes.size() + 47 * mesh.vertices.size() + 13 * mesh.faces.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) append_vertex(bytes, mesh.vertices[i], data, i);
-  for (const Face& face : mesh.faces) {
-    bytes.push_back(3);
-    for (const VertexIndex v : face) append_bits(bytes, v);
-  }
+  append_faces(bytes, mesh);
   return bytes;
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values and faces as a binary little-endian PLY file has them.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <string>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+template <std::unsigned_integral Bits>
+void append_bits(std::string& bytes, Bits bits) {
+  for (std::size_t k = 0; k < sizeof bits; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 0xffU));
+}
+
+inline void append_value(std::string& bytes, double x) {
+  append_bits(bytes, std::bit_cast<std::uint64_t>(x));
+}
+inline void append_value(std::string& bytes, float x) { append_bits(bytes, std::bit_cast<std::uint32_t>(x)); }
+
+// "property list uchar int vertex_indices"
+inline void append_faces(std::string& bytes, const TriangleMesh& mesh) {
+  for (const Face& face : mesh.faces) {
+    bytes.push_back(3);
+    for (const VertexIndex v : face) append_bits(bytes, v);
+  }
+}
+
+}  // namespace impinge
