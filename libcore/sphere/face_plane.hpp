@@ -36,7 +36,7 @@ inline FacePlane face_plane(const Vec3& a, const Vec3& b, const Vec3& c, int sid
   const Vec3 normal = face_normal<double>(a, b, c, side);
   const double ab = (b - a).norm();
   const double ac = (c - a).norm();
-  const FacePlane plane{normal, normal.dot(a), ab * ac};
+  FacePlane plane{normal, normal.dot(a), ab * ac};
   const double tilt = plane.size * std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}));
   if (side == 0 || tilt <= kMostTilt * plane.offset) return plane;  // no point is nearer than the plane, nor
   const double nearest = a.norm() - std::max(ab, ac);               // than this
