@@ -62,8 +62,10 @@ RayRange rays_near(const TriangleMesh& mesh, const Face& face, std::size_t side)
 
 Vec3 ray_direction(std::size_t side, std::size_t ray) {
   const auto count = static_cast<double>(side);
-  return to_direction({(static_cast<double>(ray / side) + 0.5) * kPi / count,
-                       (static_cast<double>(ray % side) + 0.5) * 2.0 * kPi / count});
+  const std::size_t row = ray / side;
+  const std::size_t column = ray % side;
+  return to_direction({(static_cast<double>(row) + 0.5) * kPi / count,
+                       (static_cast<double>(column) + 0.5) * 2.0 * kPi / count});
 }
 
 std::size_t ray_of(std::size_t side, const Vec3& x) {

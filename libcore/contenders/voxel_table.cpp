@@ -99,8 +99,7 @@ std::vector<Voxel> surface_voxels(const TriangleMesh& mesh, double size) {
   for (const Face& f : mesh.faces)
     add_voxels({corner(mesh, f, 0), corner(mesh, f, 1), corner(mesh, f, 2)}, size, voxels);
   std::ranges::sort(voxels);
-  const auto repeated = std::ranges::unique(voxels);
-  voxels.erase(repeated.begin(), repeated.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   return voxels;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,7 +43,7 @@ TriangleMesh body() {
   for (VertexIndex i = 0; i <= kRings; ++i) {
     for (VertexIndex j = 0; j < kAround; ++j) {
       const CosSin polar = half_turn_fraction(static_cast<long>(i), kRings + 3);
-      const CosSin turn = half_turn_fraction(static_cast<long>(2 * j), kAround);
+      const CosSin turn = half_turn_fraction(2 * static_cast<long>(j), kAround);
       const Vec3 u(polar.sin * turn.cos, polar.sin * turn.sin, polar.cos);
       mesh.vertices.emplace_back((24.0 + 2.0 * u.x() * u.y() - 3.0 * u.z() * u.z() * u.x()) * u);
     }
@@ -97,6 +98,11 @@ void print_all() {
 }  // namespace impinge
 
 int main() {
-  impinge::print_all();
+  try {
+    impinge::print_all();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "digest: %s\n", error.what());
+    return 1;
+  }
   return 0;
 }
