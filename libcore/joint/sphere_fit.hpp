@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 
@@ -14,6 +15,7 @@ struct SphereFit {
   double radius = 0.0;         // mm
   double rms = 0.0;            // root mean square of |x - centre| - radius over the points used, weighted; mm
   std::size_t points = 0;      // points used
+  double trim = 0.0;           // of fit_ball(): residuals above this were left out; mm
 };
 
 // Geometric least squares (Eberly 1999, "Least squares fitting of data", as in Section 3.4): the centre and
@@ -25,15 +27,30 @@ SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weigh
 
 // Options of fit_ball(); lengths as shares of the radius found.
 struct BallFitOptions {
-  double start_tolerance = 0.10;  // points that close to a trial sphere vote for it
-  double trim = 0.06;             // residuals above this are left out of the fit: 1.5 mm on a head of 25 mm
-  int trials = 400;               // trial spheres through four vertices
+  double start_tolerance = 0.05;  // points that close to a trial sphere vote for it
+  double trim = 0.06;             // residuals above this are left out: 1.5 mm on a head of 25 mm
+  double scales = 2.5;            // and those above so many standard deviations
+  int trials = 1500;              // trial spheres
   unsigned seed = 1;
 };
 
-// Centre of a ball whose mesh may hold more than the ball, such as a femoral head with its neck: the sphere
-// that the largest area lies on, refined by fit_sphere() with vertex areas as weights over the vertices
-// within `trim` until these stay the same. The thesis chose the region by hand (Figure 38). Deterministic.
+// Centre of a ball whose mesh may hold more than the ball, such as a whole femur; also of a socket with its
+// rim and fossa. The thesis cut the region by hand (Figure 38); here
+//   1. trial spheres, through four vertices or through two with their normals, are voted for by the area of
+//      the vertices that lie on them with a normal along the radius: the best covered sphere wins, as a share
+//      of its own area, so that a large sphere which a few bumps touch does not;
+//   2. fit_sphere() with vertex areas as weights is repeated over the outward vertices whose residual is
+//   below
+//      `trim` and below `scales` standard deviations (1.4826 times the median residual, which the neck hardly
+//      moves) until these stay the same.
+// Deterministic. std::invalid_argument as fit_sphere().
 SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options = {});
+
+// The deviation map of Figures 38 and 39: distance of each vertex from the sphere, positive outside of it,
+// mm.
+std::vector<double> sphere_deviations(const TriangleMesh& mesh, const SphereFit& fit);
+
+// Which vertices fit_ball() used: the spherical region.
+std::vector<bool> spherical_region(const TriangleMesh& mesh, const SphereFit& fit);
 
 }  // namespace impinge
