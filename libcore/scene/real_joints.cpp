@@ -23,6 +23,7 @@ constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_faci
 constexpr std::initializer_list<const char*> kFormats{".ply", ".stl", ".obj", ".off"};
 constexpr const char* kSubject = "subject.json";
 constexpr const char* kCentre = "center_of_rotation_mm";
+constexpr const char* kRadius = "radius_mm";
 
 // The first of these meshes that is there.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
@@ -41,8 +42,14 @@ std::string listed(std::initializer_list<const char*> names) {
   return text;
 }
 
-// The centre that the subject's description gives, if there is a description.
-std::optional<Vec3> described_centre(const fs::path& folder) {
+// What the subject's description says.
+struct Description {
+  Vec3 centre;
+  std::optional<double> radius;
+};
+
+// None if there is no description.
+std::optional<Description> read_description(const fs::path& folder) {
   const fs::path file = folder / kSubject;
   if (!fs::is_regular_file(file)) return std::nullopt;
   const nlohmann::json subject = nlohmann::json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
@@ -54,7 +61,10 @@ std::optional<Vec3> described_centre(const fs::path& folder) {
         file.string() + ": no " + kCentre +
         ": give the centre of rotation as [x, y, z], or remove the file to have it fitted");
   }
-  return Vec3(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
+  Description found{Vec3(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()), {}};
+  const nlohmann::json radius = subject.value(kRadius, nlohmann::json());
+  if (radius.is_number()) found.radius = radius.get<double>();
+  return found;
 }
 
 Vec3 fitted_centre(const TriangleMesh& ball, const fs::path& file) {
@@ -82,11 +92,13 @@ std::vector<RealJoint> read_real_joints(const fs::path& folder, Progress& progre
       continue;
     }
     const TriangleMesh ball = read_mesh(*ball_file);
-    const std::optional<Vec3> described = described_centre(subject);
-    const Vec3 centre = described ? *described : fitted_centre(ball, *ball_file);
+    const std::optional<Description> described = read_description(subject);
+    const Vec3 centre = described ? described->centre : fitted_centre(ball, *ball_file);
     joints.push_back({subject.filename().string(),
                       {relative_to(ball, centre), relative_to(read_mesh(*socket_file), centre)},
-                      centre});
+                      centre,
+                      described.has_value(),
+                      described ? described->radius : std::nullopt});
   }
   if (joints.empty()) {
     throw std::runtime_error(folder.string() +

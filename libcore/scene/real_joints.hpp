@@ -5,10 +5,11 @@
 //   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
 // as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
 //   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z]; otherwise it is
-//                     fitted to the ball
+//                     fitted to the ball; and perhaps with the head's radius, "radius_mm"
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,11 @@
 namespace impinge {
 
 struct RealJoint {
-  std::string subject;    // name of its folder
-  BallSocketPair meshes;  // in the centre frame, mm
-  Vec3 centre;            // of rotation, in the input frame, mm
+  std::string subject;           // name of its folder
+  BallSocketPair meshes;         // in the centre frame, mm
+  Vec3 centre;                   // of rotation, in the input frame, mm
+  bool described = false;        // is the centre that of the description?
+  std::optional<double> radius;  // of the head, from the description, mm
 };
 
 // In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws
