@@ -2,7 +2,7 @@
 // A user's own joint: two meshes in, gaps out.
 //
 //   scene --ball FILE --socket FILE [--centre fit|X,Y,Z] [--scheme NAME] [--precision DEG | --max-error MM]
-//         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM]
+//         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM|FILE]
 //         [--question touch|first-contact|all-gaps] [--surfaces both|ball|socket]
 //         [--outputs gaps,bounds,distances,verdicts] [--explain] [--everything] --out DIR
 //

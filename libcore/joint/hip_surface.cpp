@@ -178,9 +178,9 @@ double inner_radius(const HipSurface& hip, const Vec3& from_socket_centre) {
 
 // |t u - c| = R + fossa in that direction, by fixed-point iteration: the fossa is much flatter than a ray.
 double socket_radius(const HipSurface& hip, const Vec3& direction) {
-  constexpr int kMostSteps = 50;
+  constexpr int kMostRounds = 50;
   double t = eccentric_sphere_radius(direction, hip.socket_radius, hip.socket_centre);
-  for (int k = 0; k < kMostSteps; ++k) {
+  for (int k = 0; k < kMostRounds; ++k) {
     const double radius = inner_radius(hip, t * direction - hip.socket_centre);
     const double next = eccentric_sphere_radius(direction, radius, hip.socket_centre);
     if (next == t) break;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "joint/cartilage_map.hpp"
 #include "joint/sphere_fit.hpp"
 #include "mesh/star_shape.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -23,15 +24,17 @@ struct JointPart {
 struct Joint {
   JointPart ball;
   JointPart socket;
-  Vec3 centre = Vec3::Zero();    // mm, input frame
-  std::optional<SphereFit> fit;  // if the centre was fitted
+  Vec3 centre = Vec3::Zero();             // mm, input frame
+  std::optional<SphereFit> fit;           // if the centre was fitted
+  std::optional<CartilageMap> cartilage;  // centre frame; none where it is as thick everywhere
   std::vector<std::string> warnings;
 };
 
 // Reads and examines both meshes. FileError for a file that cannot be used; std::runtime_error, one line
 // with the file and what to do, where the centre is not inside the ball, the socket is not round it, or one
 // of them is in another unit of length (length_unit.hpp). A joint of a size that none has in mm gets a
-// warning.
+// warning, and so does a socket that lies on the lateral side of the ball, as if left and right were mixed
+// up.
 Joint load_joint(const SceneOptions& options);
 
 }  // namespace impinge

@@ -141,6 +141,25 @@ void require_both_surfaces(const Typed& typed, const SceneOptions& options) {
          "leaves out what bounds, distances and verdicts need; add --outputs gaps");
 }
 
+// A number is one thickness, anything else a file.
+void set_cartilage(const Typed& typed, SceneOptions& options) {
+  const std::string& text = typed.cartilage;
+  if (text.empty()) return;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  std::error_code ignored;
+  if (!number && std::filesystem::exists(text, ignored)) {
+    options.cartilage_map = text;
+    return;
+  }
+  if (!number || !(value >= 0.0 && std::isfinite(value))) {
+    refuse("--cartilage", text,
+           "is no thickness and no file; give a number of mm, 0 or more, or a CSV of x,y,z,thickness_mm");
+  }
+  options.cartilage_mm = value;
+}
+
 void interpret(const Typed& typed, SceneOptions& options) {
   if (typed.centre != "fit") options.centre = parse_centre(typed.centre);
   set_accuracy(typed, options);
@@ -157,11 +176,7 @@ void interpret(const Typed& typed, SceneOptions& options) {
       }
     });
   }
-  if (!typed.cartilage.empty()) {
-    constexpr std::string_view advice = "is no thickness; give a number of mm, 0 or more";
-    options.cartilage_mm = parse_number("--cartilage", typed.cartilage, advice);
-    if (options.cartilage_mm < 0.0) refuse("--cartilage", typed.cartilage, advice);
-  }
+  set_cartilage(typed, options);
   set_question(typed, options);
   set_outputs(typed, options);
   require_both_surfaces(typed, options);
@@ -196,7 +211,9 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   app.add_option("--side", typed.side, "left or right, which abduction and rotation need");
   app.add_option("--axes", options.axes, "where +x, +y and +z of the meshes point: R/L, A/P, S/I")
       ->capture_default_str();
-  app.add_option("--cartilage", typed.cartilage, "thickness of both cartilage layers together in mm [4]");
+  app.add_option("--cartilage", typed.cartilage,
+                 "thickness of both cartilage layers together in mm [4], or a CSV of it by place: "
+                 "x,y,z,thickness_mm in the frame of the meshes");
   app.add_option(
          "--question", typed.question,
          "touch, first-contact (the smallest gap) or all-gaps; the first two write summary.json alone")

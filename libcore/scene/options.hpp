@@ -33,7 +33,8 @@ struct SceneOptions {
   std::string pose = "as scanned";  // the text that motion was read from
   std::optional<Side> side;
   std::string axes = "RAS";
-  double cartilage_mm = 4.0;  // both layers together; the thesis' value
+  double cartilage_mm = 4.0;                           // both layers together; the thesis' value
+  std::optional<std::filesystem::path> cartilage_map;  // instead of one thickness (cartilage_file.hpp)
   Question question = Question::all_gaps;
   bool scan_ball = true;  // the first scan: vertices of the ball against the socket
   bool scan_socket = true;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "detection/formatted.hpp"
+#include "detection/gap_histogram.hpp"
 #include "detection/gap_summary.hpp"
 #include "experiment/csv.hpp"
 #include "files/file_set.hpp"
@@ -28,6 +30,8 @@ struct View {
   const SurfaceGaps& gaps;
   std::vector<Vec3> posed;  // socket's centre frame, mm
   std::vector<double> area;
+  std::vector<double> against_cartilage;  // gaps in mm, or as shares of a map's thickness
+  double touching = 0.0;                  // of these, where the layers of cartilage touch
 };
 
 View view(Surface surface, const SceneOptions& options, const Joint& joint, const Measurement& measurement) {
@@ -37,12 +41,16 @@ View view(Surface surface, const SceneOptions& options, const Joint& joint, cons
          is_ball ? joint.ball : joint.socket,
          is_ball ? measurement.ball : measurement.socket,
          {},
-         {}};
+         {},
+         {},
+         joint.cartilage ? 1.0 : options.cartilage_mm};
   v.posed = v.part.mesh.vertices;
   if (is_ball) {
     for (Vec3& x : v.posed) x = to_socket(measurement.pose, x);
   }
   if (!v.gaps.gap.empty()) v.area = vertex_areas(v.part.mesh);  // else it was not scanned
+  v.against_cartilage =
+      joint.cartilage ? shares_of_cartilage(v.gaps.gap, v.posed, *joint.cartilage) : v.gaps.gap;
   return v;
 }
 
@@ -75,7 +83,7 @@ json zones_json(const View& v, double threshold, const std::optional<ClockFace>&
   std::vector<Vec3> places = v.posed;
   for (Vec3& x : places) x = axes * x;
   json zones = json::array();
-  for (const ClockZone& zone : close_zones(*dial, {places, v.gaps.gap, v.area}, threshold)) {
+  for (const ClockZone& zone : close_zones(*dial, {places, v.against_cartilage, v.area}, threshold)) {
     zones.push_back({{"from", clock_text(zone.from)}, {"to", clock_text(zone.to)}, {"area_mm2", zone.area}});
   }
   return zones;
@@ -90,7 +98,7 @@ json dial_json(const std::optional<ClockFace>& dial) {
 
 json impingement_json(const View& v, double threshold, const std::optional<ClockFace>& dial,
                       const Eigen::Matrix3d& axes) {
-  const GapSummary found = summarise(v.gaps.gap, v.area, threshold);
+  const GapSummary found = summarise(v.against_cartilage, v.area, threshold);
   return {{"vertices", found.impinged},
           {"area_mm2", found.impinged_area},
           {"clock_zones", zones_json(v, threshold, dial, axes)}};
@@ -126,13 +134,44 @@ json centre_json(const Joint& joint) {
   return centre;
 }
 
-json levels_json(Surface surface, double cartilage) {
+json levels_json(const View& v, bool map) {
   json levels = json::array();
-  for (const GapLevel& level : gap_levels(surface, cartilage)) {
-    levels.push_back(
-        {{"up_to_mm", number(level.up_to_mm)}, {"meaning", level.meaning}, {"rgb", level.colour}});
+  for (const GapLevel& level : gap_levels(v.surface, v.touching)) {
+    levels.push_back({{map ? "up_to_share_of_cartilage" : "up_to_mm", number(level.up_to_mm)},
+                      {"meaning", level.meaning},
+                      {"rgb", level.colour}});
   }
   return levels;
+}
+
+json cartilage_json(const SceneOptions& options, const Joint& joint) {
+  if (!joint.cartilage) return nullptr;
+  const auto [least, most] = std::ranges::minmax(joint.cartilage->thickness);
+  return {{"file", options.cartilage_map->string()},
+          {"points", joint.cartilage->thickness.size()},
+          {"thinnest_mm", least},
+          {"thickest_mm", most}};
+}
+
+json histogram_json(const View& v) {
+  if (v.gaps.gap.empty()) return nullptr;  // not scanned
+  const GapHistogram found = gap_histogram(v.gaps.gap, v.area);
+  return {{"area_mm2", found.area},
+          {"below_mm2", found.below},
+          {"beyond_mm2", found.beyond},
+          {"without_gap_mm2", found.without}};
+}
+
+// In the pose of the scan no bone is in another one.
+json warnings_json(const Joint& joint, const Measurement& measurement, const json& smallest) {
+  json warnings = joint.warnings;
+  const bool as_scanned = measurement.pose.rotation == Eigen::Matrix3d::Identity();
+  if (as_scanned && !smallest.is_null() && smallest["gap_mm"] < 0.0) {
+    warnings.push_back(
+        "the bones overlap as scanned, where none can; check the centre, the frame and the "
+        "segmentation of both meshes");
+  }
+  return warnings;
 }
 
 // Work that this scene did not need, and why.
@@ -262,12 +301,12 @@ std::string distances_csv(const View& ball, const View& socket) {
   return to_csv(table);
 }
 
-std::string part_ply(const View& v, const SceneOptions& options, const Vec3& centre) {
+std::string part_ply(const View& v, const Vec3& centre) {
   TriangleMesh mesh{v.posed, v.part.mesh.faces};
   for (Vec3& x : mesh.vertices) x += centre;
-  const auto levels = gap_levels(v.surface, options.cartilage_mm);
+  const auto levels = gap_levels(v.surface, v.touching);
   std::vector<Rgb> colours;
-  for (const double gap : v.gaps.gap) colours.push_back(gap_colour(gap, levels));
+  for (const double gap : v.against_cartilage) colours.push_back(gap_colour(gap, levels));
   return ply_bytes(mesh, "gap", v.gaps.gap, colours);
 }
 
@@ -304,13 +343,17 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
   const auto dial = clock_face(in_joint_frame);
 
   json thresholds = json::array();
-  for (const double threshold : {0.0, options.cartilage_mm}) {
+  for (const double threshold : {0.0, ball.touching}) {
     if (threshold == 0.0 && !thresholds.empty()) continue;
-    thresholds.push_back({{"gap_up_to_mm", threshold},
+    const bool by_map = joint.cartilage && threshold > 0.0;
+    thresholds.push_back({{"gap_up_to_mm", by_map ? json(nullptr) : json(threshold)},
                           {"meaning", threshold == 0.0 ? "bone on bone" : "cartilage on cartilage"},
                           {"ball", impingement_json(ball, threshold, dial, axes)},
                           {"socket", impingement_json(socket, threshold, dial, axes)}});
   }
+  const json smallest =
+      smaller(smallest_json(ball, joint.centre, dial, axes), smallest_json(socket, joint.centre, dial, axes));
+  const GapHistogram bins;
   return {{"units", {{"length", "mm"}, {"area", "mm^2"}, {"angle", "deg"}, {"time", "ms"}}},
           {"ball", part_json(ball)},
           {"socket", part_json(socket)},
@@ -322,20 +365,25 @@ json summary(const SceneOptions& options, const Joint& joint, const Measurement&
           {"precision_deg", measurement.precision_deg},
           {"entries_per_table", measurement.entries},
           {"table_bytes", measurement.bytes},
-          {"cartilage_mm", options.cartilage_mm},
+          {"cartilage_mm", joint.cartilage ? json(nullptr) : json(options.cartilage_mm)},
+          {"cartilage_map", cartilage_json(options, joint)},
           {"dial", dial_json(dial)},
-          {"smallest_gap", smaller(smallest_json(ball, joint.centre, dial, axes),
-                                   smallest_json(socket, joint.centre, dial, axes))},
+          {"smallest_gap", smallest},
+          {"gap_histogram",
+           {{"first_mm", bins.first},
+            {"bin_mm", bins.width},
+            {"ball", histogram_json(ball)},
+            {"socket", histogram_json(socket)}}},
           {"impingement", thresholds},
           {"error_bound_mm", bounds_json(ball, socket)},
           {"euclidean_distance_mm", distances_json(ball, socket)},
           {"certificate", certificate_json(measurement.certificate)},
           {"colours",
-           {{"ball", levels_json(Surface::ball, options.cartilage_mm)},
-            {"socket", levels_json(Surface::socket, options.cartilage_mm)},
+           {{"ball", levels_json(ball, joint.cartilage.has_value())},
+            {"socket", levels_json(socket, joint.cartilage.has_value())},
             {"no_gap_rgb", kNoGapColour}}},
           {"left_out", left_out(joint, measurement.left_out)},
-          {"warnings", joint.warnings},
+          {"warnings", warnings_json(joint, measurement, smallest)},
           {"times_ms",
            {{"fill_tables", measurement.fill_ms},
             {"scan", measurement.scan_ms},
@@ -353,7 +401,7 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
   if (options.outputs.gaps) {
     for (const View* v : {&ball, &socket}) {
       if (v->gaps.gap.empty()) continue;
-      files.add(options.out / (std::string(name(v->surface)) + ".ply"), part_ply(*v, options, joint.centre));
+      files.add(options.out / (std::string(name(v->surface)) + ".ply"), part_ply(*v, joint.centre));
     }
     files.add(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
   }
@@ -391,7 +439,9 @@ std::string describe_scene(const json& summary) {
                       distance[1].get<double>());
   }
   for (const json& level : summary["impingement"]) {
-    text += formatted("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
+    text += level["gap_up_to_mm"].is_null()
+                ? std::string("\ncartilage touches   ")
+                : formatted("\nimpinged at %3g mm   ", level["gap_up_to_mm"].get<double>());
     const std::size_t found =
         level["ball"]["vertices"].get<std::size_t>() + level["socket"]["vertices"].get<std::size_t>();
     if (found == 0) {

@@ -5,6 +5,7 @@
 
 AXES = "name where +x, +y and +z point with one letter each of R/L, A/P and S/I, as RAS or LPS"
 MOTIONS = "there are flexion, extension, abduction, adduction, internal_rotation, external_rotation"
+THICKNESS = "is no thickness and no file; give a number of mm, 0 or more, or a CSV of x,y,z,thickness_mm"
 
 OPTIONS = [
     (["--precision", "0"], "option --precision: an RSID precision is above 0 and at most 90 degrees"),
@@ -93,8 +94,10 @@ OPTIONS = [
         ["--axes", "XYZ"],
         f"option --axes: axis code 'XYZ' has an unknown letter; {AXES}",
     ),
-    (["--cartilage", "-1"], "option --cartilage: '-1' is no thickness; give a number of mm, 0 or more"),
-    (["--cartilage", "thick"], "option --cartilage: 'thick' is no thickness; give a number of mm, 0 or more"),
+    (["--cartilage", "-1"], f"option --cartilage: '-1' {THICKNESS}"),
+    (["--cartilage", "thick"], f"option --cartilage: 'thick' {THICKNESS}"),
+    (["--cartilage", "inf"], f"option --cartilage: 'inf' {THICKNESS}"),
+    (["--cartilage", "4mm"], f"option --cartilage: '4mm' {THICKNESS}"),
     (["--colour", "red"], "The following arguments were not expected: red --colour; see scene --help"),
     (["--colour\nred"], "The following argument was not expected: --colour red; see scene --help"),
     (["stray"], "The following argument was not expected: stray; see scene --help"),

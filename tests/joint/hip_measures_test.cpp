@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kAngle = 0.5;    // degrees
 constexpr double kLength = 0.05;  // mm
-const Vec3 kElsewhere(40.0, -70.0, 900.0);
+const Vec3 kFarAway(40.0, -70.0, 900.0);
 
-TriangleMesh moved(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v += kElsewhere;
+TriangleMesh far_away(TriangleMesh mesh) {
+  for (Vec3& v : mesh.vertices) v += kFarAway;
   return mesh;
 }
 
@@ -31,8 +31,8 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   HipParameters right = p;
   right.side = Side::right;
   const HipSurface surface = hip_surface(right);
-  const FemurMeasures femur = measure_femur(moved(hip.ball), p.side);
-  EXPECT_LT((femur.head.centre - kElsewhere).norm(), kLength);
+  const FemurMeasures femur = measure_femur(far_away(hip.ball), p.side);
+  EXPECT_LT((femur.head.centre - kFarAway).norm(), kLength);
   EXPECT_NEAR(femur.head.radius, p.head_radius, kLength);
   EXPECT_NEAR(femur.head_neck_offset, p.head_neck_offset, kLength);
   EXPECT_NEAR(femur.neck_shaft_angle.value(), p.neck_shaft_angle, kAngle);
@@ -40,7 +40,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   for (std::size_t h = 0; h < kClockHours; ++h)
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
 
-  const AcetabulumMeasures socket = measure_acetabulum(moved(hip.socket), femur.head.centre, p.side);
+  const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head.centre, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
   Vec3 shift = socket.socket.centre - femur.head.centre;
   if (p.side == Side::left) shift.x() = -shift.x();
