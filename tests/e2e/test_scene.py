@@ -101,6 +101,49 @@ class Scene(unittest.TestCase):
         self.assertEqual(names, ["ball.ply", "gaps.csv", "summary.json"])
         self.assertNotIn("\nsocket,", (self.root / "one_surface" / "gaps.csv").read_text())
 
+    def hip(self, out: str, *more: str | int) -> tuple[Path, Path]:
+        made = run(MAKE_PAIR, *more, "--out", self.root / out)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        return self.root / out / "ball.ply", self.root / out / "socket.ply"
+
+    def test_a_hip_made_from_parameters(self):
+        ball, socket = self.hip("hip", "--hip", "cam", "--set", "side=left", "--set", "shaft_length=0", "--faces", 2000)
+        done = self.scene("of_hip", "--side", "left", "--precision", 1, ball=ball, socket=socket)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        summary = self.summary("of_hip")
+        self.assertAlmostEqual(summary["centre"]["radius_mm"], 24.0, delta=0.01)
+        self.assertLess(max(abs(summary["centre"][axis]) for axis in "xyz"), 0.01)
+        self.assertAlmostEqual(summary["smallest_gap"]["gap_mm"], 3.5, delta=0.02)
+
+    def test_the_wrong_side_is_warned_of(self):
+        ball, socket = self.hip("right", "--hip", "normal", "--set", "shaft_length=0", "--faces", 2000)
+        done = self.scene("wrong_side", "--side", "left", "--precision", 1, ball=ball, socket=socket)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("check --side and --axes", done.stderr)
+
+    def test_swapped_files_are_refused(self):
+        ball, socket = self.hip("swapped", "--hip", "normal", "--faces", 2000)
+        self.refused(self.scene("bad_swap", ball=socket, socket=ball), 1, "swapped")
+        self.nothing_in("bad_swap")
+
+    def test_hips_that_cannot_be(self):
+        for options, words in (
+            (["--hip", "norml"], ["there is no hip 'norml'", "dysplastic"]),
+            (["--set", "cam_height=1"], ["--set requires --hip"]),
+            (["--hip", "normal", "--set", "cam=1"], ["no parameter 'cam'", "cam_height"]),
+            (["--hip", "normal", "--set", "half_opening=190"], ["half_opening = 190", "give 45 to 120 deg"]),
+            (["--hip", "normal", "--set", "cam_height=6", "--set", "cam_polar=115"], ["cam_height = 6", "lower it"]),
+            (["--hip", "normal", "--faces", "100"], ["500 faces or more"]),
+        ):
+            with self.subTest(options):
+                done = run(MAKE_PAIR, *options, "--out", self.root / "no_hip")
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+                self.nothing_in("no_hip")
+
     def refused(self, done: subprocess.CompletedProcess, code: int, *words: str):
         self.assertEqual(done.returncode, code, done.stderr + done.stdout)
         self.assertEqual(done.stdout, "")
