@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "mesh/io.hpp"
+#include "scene/arrangement.hpp"
 #include "scene/cartilage_file.hpp"
 #include "scene/length_unit.hpp"
 
@@ -80,20 +81,17 @@ void check_units(const SceneOptions& options, Joint& joint) {
   if (!doubt.empty()) joint.warnings.push_back(options.ball.string() + ": " + doubt);
 }
 
-// The socket of a hip or shoulder lies towards the midline: to the left of a right ball.
-void check_side(const SceneOptions& options, Joint& joint) {
-  if (!options.side) return;
-  constexpr double kClear = 0.25;  // of the length of the mean direction
-  const std::vector<double> area = vertex_areas(joint.socket.mesh);
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const Vec3& x = joint.socket.mesh.vertices[i];
-    if (x.norm() > 0.0) mean += area[i] / x.norm() * x;
+void check_arrangement(const SceneOptions& options, Joint& joint) {
+  if (look_swapped(joint.ball.mesh, joint.socket.mesh)) {
+    throw FileError(options.ball, "lies outside of the socket and does not close about the centre",
+                    "check that the files of --ball and --socket are not swapped");
   }
-  const double to_right = (input_to_joint(options.axes) * mean).x();
-  const bool right = *options.side == Side::right;
-  if ((right ? to_right : -to_right) <= kClear * mean.norm()) return;
-  const std::string side = right ? "right" : "left";
+  if (!options.side) return;
+  TriangleMesh socket = joint.socket.mesh;
+  const Eigen::Matrix3d axes = input_to_joint(options.axes);
+  for (Vec3& x : socket.vertices) x = axes * x;
+  if (!looks_lateral(socket, *options.side)) return;
+  const std::string side = *options.side == Side::right ? "right" : "left";
   joint.warnings.push_back(options.socket.string() + ": lies to the " + side + " of the ball, which no " +
                            side + " socket does; check --side and --axes");
 }
@@ -135,7 +133,7 @@ Joint load_joint(const SceneOptions& options) {
   joint.socket = examine(std::move(socket), joint.centre);
   require_centre_inside(joint, options);
   check_units(options, joint);
-  check_side(options, joint);
+  check_arrangement(options, joint);
   if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
   warn(joint.ball, options.ball.string(), "the outermost layer stands for the ball", joint);
   warn(joint.socket, options.socket.string(), "the layer nearest to the centre stands for the socket", joint);

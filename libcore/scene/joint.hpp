@@ -31,10 +31,10 @@ struct Joint {
 };
 
 // Reads and examines both meshes. FileError for a file that cannot be used; std::runtime_error, one line
-// with the file and what to do, where the centre is not inside the ball, the socket is not round it, or one
-// of them is in another unit of length (length_unit.hpp). A joint of a size that none has in mm gets a
-// warning, and so does a socket that lies on the lateral side of the ball, as if left and right were mixed
-// up.
+// with the file and what to do, where the centre is not inside the ball, the socket is not round it, the two
+// have changed places (arrangement.hpp), or one of them is in another unit of length (length_unit.hpp). A
+// joint of a size that none has in mm gets a warning, and so does a socket on the lateral side of the ball,
+// as if left and right were mixed up.
 Joint load_joint(const SceneOptions& options);
 
 }  // namespace impinge
