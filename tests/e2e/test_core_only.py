@@ -59,6 +59,7 @@ class CoreOnly(unittest.TestCase):
                 "Ninja",
                 f"-DIMPINGE={SOURCE}",
                 "-DCMAKE_CXX_FLAGS=-O0 -g0",
+                "-DCMAKE_UNITY_BUILD=ON",  # in half the time
                 *options,
             )
             run("cmake", "--build", build, "--target", "core_only")
