@@ -12,11 +12,13 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
 #include "scene/question.hpp"
 #include "scene/report.hpp"
+#include "scene/scene_files.hpp"
 
 namespace {
 
@@ -30,14 +32,22 @@ int fail(const std::exception& error, int code) {
   return code;
 }
 
-// The files that a scene of all gaps writes, as a person reads them.
-std::string files_of(const SceneOptions& options) {
-  if (options.outputs.gaps) {
-    return std::string("{") + (options.scan_ball ? "ball.ply," : "") +
-           (options.scan_socket ? "socket.ply," : "") + "gaps.csv" +
-           (options.outputs.distances ? ",distances.csv" : "") + ",summary.json}";
-  }
-  return options.outputs.distances ? "{distances.csv,summary.json}" : "summary.json";
+// Names of files, as a person reads them.
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return names.size() > 1 ? "{" + text + "}" : text;
+}
+
+void say_what_was_written(const SceneOptions& options) {
+  std::cout << "wrote               " << options.out.string() << "/" << listed(scene_files(options))
+            << std::endl;
+  const std::vector<std::string> older = older_files(options);
+  if (older.empty()) return;
+  std::cerr << "scene: warning: "
+            << one_line(options.out.string() + "/" + listed(older) +
+                        " is left from an earlier scene: it says nothing about this one")
+            << std::endl;
 }
 
 // Writes all that was asked for and says what it found.
@@ -47,7 +57,7 @@ void run_all_gaps(const Joint& joint, const SceneOptions& options) {
   write_scene(options, joint, measurement, report);
   std::cout << describe_scene(report);
   if (options.explain) std::cout << describe_left_out(report["left_out"]);
-  std::cout << "wrote               " << options.out.string() << "/" << files_of(options) << std::endl;
+  say_what_was_written(options);
 }
 
 void run_question(const Joint& joint, const SceneOptions& options) {
@@ -55,7 +65,7 @@ void run_question(const Joint& joint, const SceneOptions& options) {
   write_if_changed(options.out / "summary.json", json_text(report));
   std::cout << describe_question(report);
   if (options.explain) std::cout << describe_left_out(report["left_out"]);
-  std::cout << "wrote               " << options.out.string() << "/summary.json" << std::endl;
+  say_what_was_written(options);
 }
 
 void run(const SceneOptions& options) {

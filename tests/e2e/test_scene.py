@@ -94,6 +94,18 @@ class Scene(unittest.TestCase):
         self.assertIn("touch               no", done.stdout)
         self.assertFalse(self.summary("touch")["touch"])
 
+    def test_files_that_are_not_of_this_scene_are_named(self):
+        self.assertEqual(self.scene("twice", "--precision", 2).stderr, "")
+        before = (self.root / "twice" / "gaps.csv").read_bytes()
+        done = self.scene("twice", "--precision", 2, "--surfaces", "ball", "--outputs", "gaps")
+        self.assertIn("twice/{socket.ply,distances.csv} is left from an earlier scene", done.stderr)
+        done = self.scene("twice", "--question", "touch")
+        self.assertIn("twice/{ball.ply,socket.ply,gaps.csv,distances.csv} is left", done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertNotEqual((self.root / "twice" / "gaps.csv").read_bytes(), before)
+        self.assertEqual(self.scene("twice", "--precision", 2).stderr, "")
+        self.assertEqual((self.root / "twice" / "gaps.csv").read_bytes(), before)
+
     def test_gaps_of_one_surface_alone(self):
         done = self.scene("one_surface", "--surfaces", "ball", "--outputs", "gaps")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace impinge {
+
+std::vector<std::string> scene_files(const SceneOptions& options) {
+  std::vector<std::string> files;
+  const bool gaps = options.question == Question::all_gaps && options.outputs.gaps;
+  if (gaps && options.scan_ball) files.emplace_back("ball.ply");
+  if (gaps && options.scan_socket) files.emplace_back("socket.ply");
+  if (gaps) files.emplace_back("gaps.csv");
+  if (options.question == Question::all_gaps && options.outputs.distances)
+    files.emplace_back("distances.csv");
+  files.emplace_back("summary.json");
+  return files;
+}
+
+std::vector<std::string> older_files(const SceneOptions& options) {
+  std::vector<std::string> older;
+  const std::vector<std::string> written = scene_files(options);
+  for (const std::string& name : scene_files({})) {
+    std::error_code unreadable;  // then nothing is known of it
+    if (std::ranges::find(written, name) == written.end() &&
+        std::filesystem::exists(options.out / name, unreadable))
+      older.push_back(name);
+  }
+  return older;
+}
+
+}  // namespace impinge

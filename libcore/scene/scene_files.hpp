@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which files a scene writes into its folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/options.hpp"
+
+namespace impinge {
+
+// Names of the files that write_scene() or an answered question leaves behind.
+std::vector<std::string> scene_files(const SceneOptions& options);
+
+// Names of files in the folder that an earlier scene wrote and this one does not. They are not of this scene,
+// and are not touched.
+std::vector<std::string> older_files(const SceneOptions& options);
+
+}  // namespace impinge
