@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  How much of the error of a gap comes from slices, noise, decimation, centre, table?
+// (Sections 3.4, 3.5.2)
+// @writes    slices_to_surface slices_to_surface_image slices_to_surface_mesh
+// @timing    no
+// @seconds   8 60
+// @links     experiment_slices
+//
+// A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise), its surface
+// drawn and decimated by VTK, the centre fitted and tables filled. An image and the surface at 1.25 mm are
+// kept for Figure 37.
+
+#include <cmath>
+
+#include "experiment/driver.hpp"
+#include "experiment/slices_study.hpp"
+#include "joint/hip_presets.hpp"
+
+namespace {
+
+using namespace impinge;
+
+constexpr double kThesisSlice = 1.25;  // mm
+constexpr double kWall = 5.0;          // mm, so that the socket is a body
+constexpr std::size_t kDirections = 8000;
+constexpr std::size_t kDirectionsInQuick = 1500;
+constexpr std::size_t kFaces = 48000;  // of the hip that is scanned
+constexpr std::size_t kFacesInQuick = 12000;
+
+double rounded(double mm) { return std::round(1e3 * mm) * 1e-3; }
+
+Result make_result(std::string name, const char* question, const SlicesOptions& options) {
+  Result result;
+  result.name = std::move(name);
+  result.question = question;
+  result.parameters = {{"hip", "normal"},
+                       {"pixel_mm", options.grid.pixel},
+                       {"bone_hu", options.levels.bone},
+                       {"tissue_hu", options.levels.tissue},
+                       {"noise_hu", options.levels.noise},
+                       {"precision_deg", options.precision_deg},
+                       {"surface", "vtkFlyingEdges3D, then vtkQuadricDecimation"}};
+  return result;
+}
+
+void add_stages(Table& table, double slice, const FacingGaps& truth, const SlicesResult& result) {
+  for (const StageError& stage : result.stages) {
+    table.add_row({slice, stage.stage, stage.ball_faces, stage.socket_faces, truth.directions.size(),
+                   stage.missed, stage.mean_mm, stage.rms_mm, stage.largest_mm, stage.added_rms_mm,
+                   1e3 * result.centre.norm()});
+  }
+}
+
+void write_mesh(DriverRun& run, const SlicesOptions& options, const SlicesResult& scanned) {
+  Result result = make_result("slices_to_surface_mesh", "The surface drawn from slices of 1.25 mm?", options);
+  result.table.columns = {{"body", "", "ball or socket"}};
+  for (const char* corner : {"a", "b", "c"}) {
+    for (const char* axis : {"x", "y", "z"})
+      result.table.columns.push_back(
+          {std::string(axis) + "_" + corner + "_mm", "mm", "corner of a triangle"});
+  }
+  for (const auto& [name, mesh] : {std::pair{"ball", &scanned.ball}, {"socket", &scanned.socket}}) {
+    for (const Face& face : mesh->faces) {
+      std::vector<Cell> row{name};
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const double x : corner(*mesh, face, k)) row.emplace_back(rounded(x));
+      }
+      result.table.add_row(std::move(row));
+    }
+  }
+  run.write(result);
+}
+
+// The slice through the centre of the head, of both bones in one image.
+void write_image(DriverRun& run, const SlicesOptions& options, const Hip& hip) {
+  TriangleMesh both = hip.ball;
+  const auto shift = static_cast<VertexIndex>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), hip.socket.vertices.begin(), hip.socket.vertices.end());
+  for (const Face& f : hip.socket.faces) both.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  const VoxelImage image = hounsfield(bone_shares(both, options.grid), options.levels);
+  const auto k = static_cast<std::size_t>(std::round(-image.origin.z() / image.spacing.z()));
+  Result result = make_result("slices_to_surface_image", "What does a slice look like?", options);
+  result.table.columns = {{"x_mm", "mm", "middle of the pixel"},
+                          {"y_mm", "mm", "middle of the pixel"},
+                          {"z_mm", "mm", "middle of the slice"},
+                          {"value_hu", "HU", "brightness"}};
+  for (std::size_t j = 0; j < image.count[1]; ++j) {
+    for (std::size_t i = 0; i < image.count[0]; ++i) {
+      const Vec3 at =
+          image.origin + Vec3(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k))
+                             .cwiseProduct(image.spacing);
+      const double value = std::round(static_cast<double>(image.values[image.index(i, j, k)]));
+      result.table.add_row({rounded(at.x()), rounded(at.y()), rounded(at.z()), value});
+    }
+  }
+  run.write(result);
+}
+
+void body(DriverRun& run) {
+  HipParameters parameters = hip_preset("normal");
+  parameters.wall_thickness = kWall;
+  parameters.shaft_length = 0.0;  // head and neck, as the thesis cut its femur
+  const Hip hip = make_hip(parameters, run.quick() ? kFacesInQuick : kFaces);
+  const FacingGaps truth = facing_gaps(hip, run.quick() ? kDirectionsInQuick : kDirections);
+  SlicesOptions options;
+  Result result =
+      make_result("slices_to_surface", "What does each stage from slices to tables add?", options);
+  result.table.columns = {
+      {"slice_mm", "mm", "distance and thickness of the slices"},
+      {"stage", "", "slices, noise, decimation, centre, table: each on top of the one before"},
+      {"ball_faces", "1", "triangles"},
+      {"socket_faces", "1", "triangles"},
+      {"directions", "1", "in which the surfaces face each other"},
+      {"missed", "1", "of them, without a gap"},
+      {"mean_mm", "mm", "mean of gap minus true gap"},
+      {"rms_mm", "mm", "root mean square of the same"},
+      {"largest_mm", "mm", "largest of the same, by amount"},
+      {"added_rms_mm", "mm", "root mean square of gap minus that of the stage before"},
+      {"centre_off_um", "um", "fitted centre from the true one"}};
+  const std::vector<double> slices{0.5, 0.7, kThesisSlice, 2.0, 3.0, 5.0};
+  for (std::size_t s = 0; s < slices.size(); ++s) {
+    options.grid.slice = slices[s];
+    options.levels.seed = run.record.seed + s;
+    const SlicesResult scanned = slices_to_surface(hip, truth, options);
+    add_stages(result.table, slices[s], truth, scanned);
+    if (slices[s] == kThesisSlice) {
+      write_mesh(run, options, scanned);
+      write_image(run, options, hip);
+    }
+    run.progress.say("scanned in slices of " + Cell(slices[s]).text() + " mm");
+  }
+  run.write(result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::run_driver(argc, argv, {"19_slices_to_surface", "From slices to surface (Figure 37)."},
+                             body);
+}
