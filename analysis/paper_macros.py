@@ -19,6 +19,7 @@ import pandas as pd
 import common
 import finding
 import log_plot
+import paper_baselines
 import paper_cells
 import paper_race
 import paper_stability
@@ -186,6 +187,7 @@ def main() -> None:
     facts |= paper_cells.facts(options.results)
     facts |= paper_race.facts(options.results)
     facts |= paper_stability.facts(options.results)
+    facts |= paper_baselines.facts(options.results)
     for table in (timing.TABLE_8, timing.TABLE_9):  # they hold Tables 3 and 4
         facts |= timing_facts(options.results, table)
     lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Claims that the thesis makes and never shows, measured. From data/claims.csv."""
+
+import pandas as pd
+
+import common
+
+
+def main() -> None:
+    """Writes tables/claims-measured.csv and .tex."""
+    options = common.arguments(__doc__)
+    table = common.load(options.results, "claims")
+    rows = table[["claim", "setting", "quantity"]].copy()
+    rows["value"] = [readable(row) for row in table.itertuples()]
+    rows["unit"] = table.unit.map({"B": "kB", "us": "µs"}).fillna(table.unit).replace("1", "")
+    common.write_table(options.out, "claims-measured", rows, latex(rows))
+
+
+def readable(row) -> str:
+    """Three digits; bytes in kB; identical is a word."""
+    if row.quantity == "identical":
+        return "yes"
+    if pd.isna(row.value):
+        return ""
+    return common.digits(row.value / 1e3 if row.unit == "B" else row.value)
+
+
+def latex(rows: pd.DataFrame) -> str:
+    """One line a claim and setting: what was measured there, one after the other."""
+    lines = [r"\begin{tabular}{@{}p{0.23\textwidth}p{0.22\textwidth}p{0.5\textwidth}@{}}", r"\toprule"]
+    lines.append(r"claim & setting & measured \\")
+    before = None
+    for (claim, setting), group in rows.groupby(["claim", "setting"], sort=False):
+        if claim != before:
+            lines.append(r"\midrule")
+        measured = "; ".join(
+            f"{row.quantity} {row.value}" + (f" {row.unit}" if row.unit else "") for row in group.itertuples()
+        )
+        name = claim if claim != before else ""
+        before = claim
+        lines.append(" & ".join(common.tex(text) for text in (name, setting, measured)) + r" \\")
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+
+
+common.run(main)
