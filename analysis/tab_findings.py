@@ -14,7 +14,8 @@ import pandas as pd
 import common
 import finding
 
-FIRST, LAST = "findings_grid", "findings_note"  # the thesis from front to back, then the note
+# The thesis from front to back, then the note; those without a place stand between.
+FIRST, LATER = "findings_grid", ["findings_conchoid", "findings_claims", "findings_note"]
 
 HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{45mm}
   >{\raggedright\arraybackslash}p{69mm}l@{}}
@@ -35,7 +36,7 @@ def main() -> None:
     """Writes tables/findings.csv and .tex."""
     options = common.arguments(__doc__)
     names = sorted(path.stem for path in common.HERE.glob("findings_*.py"))
-    names.sort(key=lambda name: (name == LAST, name != FIRST, name == "findings_conchoid"))
+    names.sort(key=lambda name: (name != FIRST, LATER.index(name) + 1 if name in LATER else 0))
     modules = [importlib.import_module(name) for name in names]
     rows = pd.DataFrame(
         [row for module in modules for row in module.rows(options.results)], columns=finding.COLUMNS

@@ -14,7 +14,8 @@ namespace impinge {
 // whose values are not as many as its voxels.
 TriangleMesh isosurface(const VoxelImage& image, double level);
 
-// About so many faces or fewer (vtkQuadricDecimation), the mesh itself where it has no more.
+// Down to so many faces, where vtkQuadricDecimation gets there: it stops before it where no further step is
+// left to it. The mesh itself where it has no more.
 TriangleMesh decimate(const TriangleMesh& mesh, std::size_t faces);
 
 }  // namespace impinge
