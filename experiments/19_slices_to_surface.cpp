@@ -10,10 +10,9 @@
 // drawn and decimated by VTK, the centre fitted and tables filled. An image and the surface at 1.25 mm are
 // kept for Figure 37.
 
-#include <cmath>
-
 #include "experiment/driver.hpp"
-#include "experiment/slices_study.hpp"
+#include "experiment/slices_tables.hpp"
+#include "imaging/isosurface.hpp"
 #include "joint/hip_presets.hpp"
 
 namespace {
@@ -27,8 +26,6 @@ constexpr std::size_t kDirectionsInQuick = 1500;
 constexpr std::size_t kFaces = 48000;  // of the hip that is scanned
 constexpr std::size_t kFacesInQuick = 12000;
 
-double rounded(double mm) { return std::round(1e3 * mm) * 1e-3; }
-
 Result make_result(std::string name, const char* question, const SlicesOptions& options) {
   Result result;
   result.name = std::move(name);
@@ -39,61 +36,18 @@ Result make_result(std::string name, const char* question, const SlicesOptions& 
                        {"tissue_hu", options.levels.tissue},
                        {"noise_hu", options.levels.noise},
                        {"precision_deg", options.precision_deg},
-                       {"surface", "vtkFlyingEdges3D, then vtkQuadricDecimation"}};
+                       {"surface", isosurface_library() + ", vtkFlyingEdges3D, then vtkQuadricDecimation"}};
   return result;
 }
 
-void add_stages(Table& table, double slice, const FacingGaps& truth, const SlicesResult& result) {
-  for (const StageError& stage : result.stages) {
-    table.add_row({slice, stage.stage, stage.ball_faces, stage.socket_faces, truth.directions.size(),
-                   stage.missed, stage.mean_mm, stage.rms_mm, stage.largest_mm, stage.added_rms_mm,
-                   1e3 * result.centre.norm()});
-  }
-}
-
-void write_mesh(DriverRun& run, const SlicesOptions& options, const SlicesResult& scanned) {
-  Result result = make_result("slices_to_surface_mesh", "The surface drawn from slices of 1.25 mm?", options);
-  result.table.columns = {{"body", "", "ball or socket"}};
-  for (const char* corner : {"a", "b", "c"}) {
-    for (const char* axis : {"x", "y", "z"})
-      result.table.columns.push_back(
-          {std::string(axis) + "_" + corner + "_mm", "mm", "corner of a triangle"});
-  }
-  for (const auto& [name, mesh] : {std::pair{"ball", &scanned.ball}, {"socket", &scanned.socket}}) {
-    for (const Face& face : mesh->faces) {
-      std::vector<Cell> row{name};
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (const double x : corner(*mesh, face, k)) row.emplace_back(rounded(x));
-      }
-      result.table.add_row(std::move(row));
-    }
-  }
-  run.write(result);
-}
-
-// The slice through the centre of the head, of both bones in one image.
-void write_image(DriverRun& run, const SlicesOptions& options, const Hip& hip) {
-  TriangleMesh both = hip.ball;
-  const auto shift = static_cast<VertexIndex>(both.vertices.size());
-  both.vertices.insert(both.vertices.end(), hip.socket.vertices.begin(), hip.socket.vertices.end());
-  for (const Face& f : hip.socket.faces) both.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-  const VoxelImage image = hounsfield(bone_shares(both, options.grid), options.levels);
-  const auto k = static_cast<std::size_t>(std::round(-image.origin.z() / image.spacing.z()));
-  Result result = make_result("slices_to_surface_image", "What does a slice look like?", options);
-  result.table.columns = {{"x_mm", "mm", "middle of the pixel"},
-                          {"y_mm", "mm", "middle of the pixel"},
-                          {"z_mm", "mm", "middle of the slice"},
-                          {"value_hu", "HU", "brightness"}};
-  for (std::size_t j = 0; j < image.count[1]; ++j) {
-    for (std::size_t i = 0; i < image.count[0]; ++i) {
-      const Vec3 at =
-          image.origin + Vec3(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k))
-                             .cwiseProduct(image.spacing);
-      const double value = std::round(static_cast<double>(image.values[image.index(i, j, k)]));
-      result.table.add_row({rounded(at.x()), rounded(at.y()), rounded(at.z()), value});
-    }
-  }
-  run.write(result);
+void write_pictures(DriverRun& run, const SlicesOptions& options, const Hip& hip,
+                    const SlicesResult& scanned) {
+  Result mesh = make_result("slices_to_surface_mesh", "The surface drawn from slices of 1.25 mm?", options);
+  mesh.table = mesh_table(scanned);
+  run.write(mesh);
+  Result image = make_result("slices_to_surface_image", "What does a slice look like?", options);
+  image.table = slice_table(hip, options);
+  run.write(image);
 }
 
 void body(DriverRun& run) {
@@ -105,28 +59,14 @@ void body(DriverRun& run) {
   SlicesOptions options;
   Result result =
       make_result("slices_to_surface", "What does each stage from slices to tables add?", options);
-  result.table.columns = {
-      {"slice_mm", "mm", "distance and thickness of the slices"},
-      {"stage", "", "slices, noise, decimation, centre, table: each on top of the one before"},
-      {"ball_faces", "1", "triangles"},
-      {"socket_faces", "1", "triangles"},
-      {"directions", "1", "in which the surfaces face each other"},
-      {"missed", "1", "of them, without a gap"},
-      {"mean_mm", "mm", "mean of gap minus true gap"},
-      {"rms_mm", "mm", "root mean square of the same"},
-      {"largest_mm", "mm", "largest of the same, by amount"},
-      {"added_rms_mm", "mm", "root mean square of gap minus that of the stage before"},
-      {"centre_off_um", "um", "fitted centre from the true one"}};
+  result.table = stage_table();
   const std::vector<double> slices{0.5, 0.7, kThesisSlice, 2.0, 3.0, 5.0};
   for (std::size_t s = 0; s < slices.size(); ++s) {
     options.grid.slice = slices[s];
     options.levels.seed = run.record.seed + s;
     const SlicesResult scanned = slices_to_surface(hip, truth, options);
-    add_stages(result.table, slices[s], truth, scanned);
-    if (slices[s] == kThesisSlice) {
-      write_mesh(run, options, scanned);
-      write_image(run, options, hip);
-    }
+    add_stages(result.table, slices[s], scanned);
+    if (slices[s] == kThesisSlice) write_pictures(run, options, hip, scanned);
     run.progress.say("scanned in slices of " + Cell(slices[s]).text() + " mm");
   }
   run.write(result);

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
 
 #include "contenders/cartesian_field.hpp"
@@ -17,7 +16,6 @@
 #include "contenders/table_check.hpp"
 #include "experiment/csv.hpp"
 #include "reference/closest_point.hpp"
-#include "reference/exact_radius.hpp"
 #include "sphere/entries_inside.hpp"
 #include "sphere/schemes/rsid.hpp"
 
@@ -25,34 +23,6 @@ namespace impinge {
 namespace {
 
 constexpr double kRounding = 1e-9;  // mm, of a radius in double
-
-std::vector<Vec3> some_of(const std::vector<Vec3>& points, std::size_t most) {
-  std::vector<Vec3> some;
-  const std::size_t stride = points.size() / most + 1;
-  for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
-  return some;
-}
-
-// Errors of answers, where there is one.
-BaselineAnswers summarise(const std::vector<double>& answers, const std::vector<double>& exact) {
-  BaselineAnswers summary;
-  summary.points = exact.size();
-  double squares = 0.0;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    if (std::isnan(answers[i])) {
-      ++summary.missed;
-      continue;
-    }
-    const double error = std::abs(answers[i] - exact[i]);
-    largest = std::max(largest, error);
-    squares += error * error;
-  }
-  if (summary.missed == summary.points) return summary;
-  summary.largest_mm = largest;
-  summary.rms_mm = std::sqrt(squares / static_cast<double>(summary.points - summary.missed));
-  return summary;
-}
 
 [[noreturn]] void broken(const std::string& method, const std::string& what) {
   throw std::runtime_error(method + ": " + what + ": its results mean nothing until that is resolved");
@@ -90,7 +60,7 @@ BaselineMethod triangles(const BallSocketPair& joint, std::size_t side, const Ba
   method.name = "maciel_triangles";
   method.setting = std::to_string(side) + " x " + std::to_string(side);
   method.size = static_cast<double>(side);
-  method.answers = summarise(radius, points.radius);
+  method.answers = judge_answers(radius, points.radius);
   method.missed_faces = static_cast<double>(missed_faces(table, joint.ball));
   method.work = static_cast<double>(side * side) * static_cast<double>(joint.ball.faces.size());
   if (method.work <= most_pairs) {
@@ -119,7 +89,7 @@ BaselineMethod field(const BallSocketPair& joint, std::size_t nodes, const Basel
   method.name = "cartesian_field";
   method.setting = std::to_string(nodes) + " nodes a side";
   method.size = static_cast<double>(nodes);
-  method.answers = summarise(distance, points.distance);
+  method.answers = judge_answers(distance, points.distance);
   method.bytes = static_cast<double>(grid.bytes());
   method.contender = std::make_unique<CartesianField>(joint.ball, grid);
   method.build = [&joint, shape] { benchmark::DoNotOptimize(make_signed_field(joint.socket, shape)); };
@@ -153,7 +123,7 @@ BaselineMethod table(const BallSocketPair& joint, double precision, const Baseli
   method.name = "rsid";
   method.setting = Cell(precision).text() + " degrees";
   method.size = precision;
-  method.answers = summarise(radius, points.radius);
+  method.answers = judge_answers(radius, points.radius);
   const std::size_t rims = tables->ball.rim_cells().bytes() + tables->socket.rim_cells().bytes();
   method.bytes = static_cast<double>(2 * RadialTable<Rsid>::bytes(tables->ball.scheme()) + rims);
   method.missed_faces = static_cast<double>(faces_without_entry(joint.ball, tables->ball.scheme()));
@@ -163,23 +133,6 @@ BaselineMethod table(const BallSocketPair& joint, double precision, const Baseli
 }
 
 }  // namespace
-
-BaselinePoints baseline_points(const BallSocketPair& joint, std::size_t most) {
-  Pose pose;
-  pose.rotation = Eigen::AngleAxisd(0.3, Vec3(0.3, -1.0, 0.2).normalized()).toRotationMatrix();
-  BaselinePoints points;
-  for (const Vec3& x : some_of(joint.ball.vertices, most)) points.on_ball.push_back(to_socket(pose, x));
-  points.distance = closest_distances(joint.socket, {points.on_ball});
-  std::vector<Vec3> all;
-  for (const Vec3& y : some_of(joint.socket.vertices, most)) all.push_back(to_ball(pose, y));
-  const std::vector<double> radius = exact_radii(joint.ball, {all, Layer::farthest});
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::isnan(radius[i])) continue;
-    points.on_socket.push_back(all[i]);
-    points.radius.push_back(radius[i]);
-  }
-  return points;
-}
 
 std::vector<BaselineMethod> baseline_methods(const BallSocketPair& joint, const BaselineSizes& sizes,
                                              const BaselinePoints& points) {

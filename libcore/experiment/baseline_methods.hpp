@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contenders/contender.hpp"
+#include "experiment/baseline_points.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
 namespace impinge {
@@ -21,22 +22,6 @@ struct BaselineSizes {
   std::vector<std::size_t> nodes;      // cartesian_field: nodes a side
   std::vector<double> precisions_deg;  // rsid
   double most_pairs = 1e8;             // rays times faces up to which filling by all pairs is timed
-};
-
-// Points that a method is asked about, in one pose, and what is true of them.
-struct BaselinePoints {
-  std::vector<Vec3> on_ball;     // vertices of the ball in the socket's frame, mm
-  std::vector<double> distance;  // exact, from the socket, mm
-  std::vector<Vec3> on_socket;   // vertices of the socket in the ball's frame that meet the ball, mm
-  std::vector<double> radius;    // exact, of the ball along them, mm
-};
-
-// What a method answered.
-struct BaselineAnswers {
-  std::size_t points = 0;
-  std::size_t missed = 0;  // got no answer, though the surface is there
-  double largest_mm = std::numeric_limits<double>::quiet_NaN();
-  double rms_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct BaselineMethod {
@@ -50,9 +35,6 @@ struct BaselineMethod {
   double missed_faces = std::numeric_limits<double>::quiet_NaN();  // of the ball, that no entry samples
   BaselineAnswers answers;
 };
-
-// At most `most` vertices of each surface, evenly chosen, in a pose whose rotation lines nothing up. Exact.
-BaselinePoints baseline_points(const BallSocketPair& joint, std::size_t most);
 
 // Every method at every size, built, checked and asked. Throws std::runtime_error for one that breaks what is
 // proven of it. The joint must outlive the methods.

@@ -30,7 +30,8 @@ struct BaselineTables {
   TimingRun timing;
 };
 
-// Keys of the timed cases.
+// Columns of the table, and keys of the timed cases.
+std::vector<Column> baseline_columns();
 std::vector<Column> baseline_keys();
 
 // Builds, checks and judges all methods on all joints, then times them in one interleaved run.

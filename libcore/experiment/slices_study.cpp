@@ -69,6 +69,7 @@ class Stages {
 
   void add(const char* name, const BallSocketPair& pair, Gaps gaps) {
     StageError error{name, pair.ball.faces.size(), pair.socket.faces.size()};
+    error.directions = gaps.size();
     std::size_t counted = 0;
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       if (std::isnan(gaps[i]) || std::isnan(before_[i])) {

@@ -44,7 +44,8 @@ struct StageError {
   double rms_mm = 0.0;
   double largest_mm = 0.0;
   double added_rms_mm = 0.0;  // of gap minus that of the stage before
-  std::size_t missed = 0;     // directions without a gap
+  std::size_t directions = 0;
+  std::size_t missed = 0;  // of them, without a gap
 };
 
 struct SlicesResult {

@@ -3,7 +3,7 @@
 //
 // A voxel is as bright as the share of it that the body fills (partial volume), and slices are as thick as
 // they are far apart. Along x the share is exact: each of a bundle of parallel lines is cut with the surface.
-// Across, the lines are at most kLineSpacing apart and pixel / 2.
+// Across, the lines are at most kLineSpacing (scan_lines.hpp) apart and pixel / 2.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,6 @@
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
-
-inline constexpr double kLineSpacing = 0.25;  // mm
 
 struct ScanGrid {
   double pixel = 0.7;   // mm; 360 mm in 512 pixels

@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
+#include <vtkVersion.h>
 
 namespace impinge {
 namespace {
@@ -79,5 +80,7 @@ TriangleMesh decimate(const TriangleMesh& mesh, std::size_t faces) {
   filter->Update();
   return from_vtk(*filter->GetOutput());
 }
+
+std::string isosurface_library() { return std::string("VTK ") + vtkVersion::GetVTKVersion(); }
 
 }  // namespace impinge

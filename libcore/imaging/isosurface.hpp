@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "imaging/voxel_image.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -17,5 +18,8 @@ TriangleMesh isosurface(const VoxelImage& image, double level);
 // Down to so many faces, where vtkQuadricDecimation gets there: it stops before it where no further step is
 // left to it. The mesh itself where it has no more.
 TriangleMesh decimate(const TriangleMesh& mesh, std::size_t faces);
+
+// The library and its version, for the record of a result.
+std::string isosurface_library();
 
 }  // namespace impinge

@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-ClaimsOptions small() {
+ClaimsOptions small_claims() {
   ClaimsOptions options;
   options.faces = 1000;
   options.precision_deg = 4.0;
@@ -22,7 +22,7 @@ ClaimsOptions small() {
   return options;
 }
 
-double value(const ClaimsStudy& study, const std::string& setting, const std::string& quantity) {
+double claims_value(const ClaimsStudy& study, const std::string& setting, const std::string& quantity) {
   const auto row = std::ranges::find_if(
       study.rows, [&](const Claim& r) { return r.setting == setting && r.quantity == quantity; });
   if (row == study.rows.end()) return std::nan("");
@@ -31,50 +31,50 @@ double value(const ClaimsStudy& study, const std::string& setting, const std::st
 
 TEST(Claims, AWiderCapChangesMore) {
   ClaimsStudy study;
-  add_deforming(study, small());
-  const double few = value(study, "cap of 15 degrees", "entries worked out");
-  const double many = value(study, "cap of 60 degrees", "entries worked out");
+  add_deforming(study, small_claims());
+  const double few = claims_value(study, "cap of 15 degrees", "entries worked out");
+  const double many = claims_value(study, "cap of 60 degrees", "entries worked out");
   EXPECT_GT(few, 10.0);
   EXPECT_GT(many, 4.0 * few);
   EXPECT_LT(many, 90.0 * 46.0) << "not the whole table";
-  EXPECT_GT(value(study, "cap of 60 degrees", "faces changed"),
-            value(study, "cap of 15 degrees", "faces changed"));
+  EXPECT_GT(claims_value(study, "cap of 60 degrees", "faces changed"),
+            claims_value(study, "cap of 15 degrees", "faces changed"));
   EXPECT_EQ(study.cases.size(), 4U);
 }
 
 TEST(Claims, ALargerToleranceFindsMoreCrossings) {
   ClaimsStudy study;
-  add_self_collision(study, small());
-  EXPECT_GT(value(study, "exact", "pairs crossing"), 10.0);
-  const double tight = value(study, "2 degrees, within 0.001 mm", "crossing pairs found");
-  const double wide = value(study, "2 degrees, within 0.1 mm", "crossing pairs found");
+  add_self_collision(study, small_claims());
+  EXPECT_GT(claims_value(study, "exact", "pairs crossing"), 10.0);
+  const double tight = claims_value(study, "2 degrees, within 0.001 mm", "crossing pairs found");
+  const double wide = claims_value(study, "2 degrees, within 0.1 mm", "crossing pairs found");
   EXPECT_LE(tight, wide);
   EXPECT_GT(wide, 10.0);
   EXPECT_LE(wide, 100.0);
-  EXPECT_EQ(value(study, "2 degrees, within 0.001 mm", "pairs found that do not cross"), 0.0);
+  EXPECT_EQ(claims_value(study, "2 degrees, within 0.001 mm", "pairs found that do not cross"), 0.0);
 }
 
 TEST(Claims, AddingADistanceIsRightOnASphereAlone) {
   ClaimsStudy study;
-  add_layers(study, small());
-  EXPECT_LT(value(study, "normal hip, under the socket", "distance added, rms error"), 0.1);
-  EXPECT_GT(value(study, "normal hip, whole ball", "distance added, largest error"), 1.0)
+  add_layers(study, small_claims());
+  EXPECT_LT(claims_value(study, "normal hip, under the socket", "distance added, rms error"), 0.1);
+  EXPECT_GT(claims_value(study, "normal hip, whole ball", "distance added, largest error"), 1.0)
       << "the neck is oblique";
-  EXPECT_EQ(value(study, "normal hip", "memory of two tables"), 2.0 * 46 * 90 * 8);
+  EXPECT_EQ(claims_value(study, "normal hip", "memory of two tables"), 2.0 * 46 * 90 * 8);
 }
 
 TEST(Claims, MemoryGrowsWithTheJoints) {
   ClaimsStudy study;
-  add_pairs(study, small());
-  EXPECT_EQ(value(study, "rsid, 3 joints", "identical"), 1.0);
-  const double one = value(study, "rsid, 1 joints", "memory");
-  const double three = value(study, "rsid, 3 joints", "memory");
+  add_pairs(study, small_claims());
+  EXPECT_EQ(claims_value(study, "rsid, 3 joints", "identical"), 1.0);
+  const double one = claims_value(study, "rsid, 1 joints", "memory");
+  const double three = claims_value(study, "rsid, 3 joints", "memory");
   EXPECT_TRUE(std::isnan(one) || std::abs(three / one - 3.0) < 0.2) << "no allocator of a sanitizer counts";
 }
 
 TEST(Claims, EveryTimeHasItsRow) {
   ClaimsStudy study;
-  ClaimsOptions options = small();
+  ClaimsOptions options = small_claims();
   options.pairs = {1};
   add_pairs(study, options);
   std::ostringstream told;

@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-TriangleMesh with_layer(TriangleMesh mesh, const TriangleMesh& other) {
+TriangleMesh with_second_layer(TriangleMesh mesh, const TriangleMesh& other) {
   const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const Face& f : other.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
@@ -19,7 +19,7 @@ TriangleMesh with_layer(TriangleMesh mesh, const TriangleMesh& other) {
 }
 
 // Brute force over entries and pairs.
-std::vector<FacePair> by_force(const TriangleMesh& mesh, const Rsid& scheme, double tolerance) {
+std::vector<FacePair> collisions_by_force(const TriangleMesh& mesh, const Rsid& scheme, double tolerance) {
   std::vector<FacePair> pairs;
   for (std::size_t a = 0; a < mesh.faces.size(); ++a) {
     for (std::size_t b = a + 1; b < mesh.faces.size(); ++b) {
@@ -41,10 +41,10 @@ std::vector<FacePair> by_force(const TriangleMesh& mesh, const Rsid& scheme, dou
 TEST(SelfCollisions, AreThoseOfBruteForce) {
   TriangleMesh other = icosphere(22.0, 0);
   for (Vec3& v : other.vertices) v += Vec3(1.5, 0.7, -0.4);
-  const TriangleMesh mesh = with_layer(icosphere(22.0, 0), other);
+  const TriangleMesh mesh = with_second_layer(icosphere(22.0, 0), other);
   const Rsid scheme = Rsid::with_precision(6.0);
   for (const double tolerance : {0.0, 0.2, 1.0, 10.0}) {
-    const auto expected = by_force(mesh, scheme, tolerance);
+    const auto expected = collisions_by_force(mesh, scheme, tolerance);
     EXPECT_EQ(self_collisions(mesh, scheme, tolerance), expected) << tolerance;
     EXPECT_TRUE(tolerance < 0.2 || expected.size() > 3U);
   }
@@ -53,7 +53,7 @@ TEST(SelfCollisions, AreThoseOfBruteForce) {
 TEST(SelfCollisions, NeitherNeighboursNorLayersApartAreAny) {
   const TriangleMesh one = icosphere(22.0, 1);
   EXPECT_TRUE(self_collisions(one, Rsid::with_precision(5.0), 100.0).empty()) << "one layer";
-  const TriangleMesh two = with_layer(one, icosphere(24.0, 1));
+  const TriangleMesh two = with_second_layer(one, icosphere(24.0, 1));
   EXPECT_TRUE(self_collisions(two, Rsid::with_precision(5.0), 1.0).empty()) << "2 mm apart";
   EXPECT_FALSE(self_collisions(two, Rsid::with_precision(5.0), 2.5).empty());
 }

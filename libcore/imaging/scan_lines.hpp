@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines through the voxels of an image, and where they cross a surface.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "imaging/voxel_image.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+inline constexpr double kLineSpacing = 0.25;  // mm, at most
+
+// Lines along x through the voxels, on a grid of its own in y and z.
+struct ScanLines {
+  std::array<std::size_t, 2> per_voxel{};
+  std::array<std::size_t, 2> count{};
+  std::array<double, 2> first{};    // y and z of line (0, 0), mm
+  std::array<double, 2> spacing{};  // mm
+
+  double at(std::size_t axis, std::size_t i) const {
+    return first[axis] + spacing[axis] * static_cast<double>(i);
+  }
+};
+
+// Where a line crosses the surface; +1 into the body, -1 out of it.
+struct Crossing {
+  double x;
+  int step;
+};
+
+// Two lines or more along each side of a voxel.
+ScanLines lines_of(const VoxelImage& image);
+
+// Crossings of every line, y fastest, in no order along it. A line that meets an edge or a vertex crosses one
+// of the faces there as one beside it would.
+std::vector<std::vector<Crossing>> cross_all(const ScanLines& lines, const TriangleMesh& body);
+
+}  // namespace impinge
