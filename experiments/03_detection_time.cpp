@@ -60,9 +60,10 @@ double race_generated(DriverRun& run, RaceOptions options) {
 
 void race_real(DriverRun& run, RaceOptions options) {
   std::vector<RaceJoint> joints;
-  for (const auto& [subject, pair, centre] : read_real_joints(*run.bones, run.progress)) {
-    joints.push_back(
-        make_race_joint({subject}, pair, {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
+  for (const RealJoint& joint : read_real_joints(*run.bones, run.progress)) {
+    const BallSocketPair& pair = joint.meshes;
+    joints.push_back(make_race_joint({joint.subject}, pair,
+                                     {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
   }
   const std::vector<Column> keys{{"subject", "", "folder of the joint"},
                                  kMethod,

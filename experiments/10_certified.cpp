@@ -78,8 +78,9 @@ void judge_real(DriverRun& run, CertifiedStudy& study) {
   ContactOptions options;
   options.seed = run.record.seed;
   options.count = run.quick() ? kRealPosesInQuick : kRealPoses;
-  for (const auto& [subject, meshes, centre] : read_real_joints(*run.bones, run.progress))
-    judge_all(run, study, subject, meshes, options, run.quick() ? kPrecisions.front() : kFinestOfReal);
+  for (const RealJoint& joint : read_real_joints(*run.bones, run.progress))
+    judge_all(run, study, joint.subject, joint.meshes, options,
+              run.quick() ? kPrecisions.front() : kFinestOfReal);
 }
 
 void body(DriverRun& run) {

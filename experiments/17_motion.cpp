@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  How far does a joint turn before its bones touch, and where do they?
+// @writes    motion_limits motion_limit_details motion_replay
+// @bones     yes
+// @timing    no
+// @seconds   6 40
+// @links     experiment_limits scene
+//
+// Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no
+// step can jump over (limits/turn_limit.hpp), about the centre of the head and about that of the socket; of
+// the angle at which gaps fall to a threshold; and by how much an error of half a millimetre moves it. Then
+// Table 11 replayed on the stand-ins of its two patients. A bracket wider than a tenth of a degree fails the
+// run.
+
+#include <stdexcept>
+
+#include "experiment/driver.hpp"
+#include "experiment/limit_study.hpp"
+#include "joint/hip.hpp"
+#include "joint/hip_presets.hpp"
+#include "scene/real_joints.hpp"
+
+namespace {
+
+using namespace impinge;
+
+constexpr std::size_t kFacesInQuick = 3000;
+constexpr double kWidest = 0.1;      // of a bracket, degrees
+constexpr double kReplayStep = 2.0;  // degrees
+constexpr double kReplayStepInQuick = 10.0;
+const std::vector<double> kGaps{0.5, 2.0};  // mm; the thesis' red is below 2 (Section 5.2)
+
+StudiedJoint generated(std::string_view name, std::size_t faces) {
+  const HipParameters parameters = hip_preset(name);
+  Hip hip = make_hip(parameters, faces);
+  return {std::string(name), {std::move(hip.ball), std::move(hip.socket)}, parameters.side};
+}
+
+void require_narrow(const std::vector<LimitCase>& cases) {
+  for (const LimitCase& found : cases) {
+    const double width = found.limit.high_deg - found.limit.low_deg;
+    if (width <= kWidest) continue;
+    throw std::runtime_error(found.joint + ", " + std::string(found.motion->name) + ": the bracket is " +
+                             std::to_string(width) + " degrees wide: surfaces graze and part again");
+  }
+}
+
+void write_limits(DriverRun& run, std::size_t faces) {
+  std::vector<LimitCase> cases;
+  const auto add = [&](const StudiedJoint& joint) {
+    const std::vector<LimitCase> more = limits_of(joint, kGaps);
+    cases.insert(cases.end(), more.begin(), more.end());
+    run.progress.say("limits of " + joint.name);
+  };
+  for (const std::string_view name : hip_preset_names()) add(generated(name, faces));
+  if (run.bones) {
+    for (const RealJoint& joint : read_real_joints(*run.bones, run.progress))
+      add({joint.subject, in_joint_frame(joint), joint.side});
+  }
+  require_narrow(cases);
+  Result result;
+  result.parameters = {{"faces_of_the_generated_models", faces},
+                       {"largest_angle_deg", kLargestAngle},
+                       {"input_error_mm", kInputError}};
+  result.name = "motion_limits";
+  result.question = "How far does each joint turn about the centre of its head until the surfaces touch?";
+  result.table = limit_table(cases);
+  run.write(result);
+  result.name = "motion_limit_details";
+  result.question = "How does the limit depend on the centre, the threshold and the input?";
+  result.table = limit_detail_table(cases);
+  run.write(result);
+}
+
+void write_replay(DriverRun& run, std::size_t faces) {
+  std::vector<ReplayedPose> poses;
+  for (const RecordedMotion& motion : kRecordedMotions) {
+    const auto more =
+        replay(generated(motion.patient, faces), motion, run.quick() ? kReplayStepInQuick : kReplayStep);
+    poses.insert(poses.end(), more.begin(), more.end());
+  }
+  Result result;
+  result.name = "motion_replay";
+  result.question = "How near do the bones of the stand-ins come in the motions of Table 11?";
+  result.parameters = {{"faces_of_the_generated_models", faces}};
+  result.table = replay_table(poses);
+  run.write(result);
+}
+
+void body(DriverRun& run) {
+  const std::size_t faces = run.quick() ? kFacesInQuick : kHipFaces;
+  write_limits(run, faces);
+  write_replay(run, faces);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::run_driver(
+      argc, argv, {"17_motion", "How far joints turn before their bones touch.", /*takes_bones=*/true}, body);
+}

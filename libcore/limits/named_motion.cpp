@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/named_motion.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace impinge {
+namespace {
+
+constexpr std::array kMotions{
+    NamedMotion{"flexion", {}, "flexion", "thigh forward"},
+    NamedMotion{"extension", {}, "extension", "thigh back"},
+    NamedMotion{"abduction", {}, "abduction", "thigh outwards"},
+    NamedMotion{"adduction", {}, "adduction", "thigh inwards"},
+    NamedMotion{"internal_rotation", {}, "internal_rotation", "knee inwards"},
+    NamedMotion{"external_rotation", {}, "external_rotation", "knee outwards"},
+    NamedMotion{"internal_rotation_at_45", {45, 0, 0}, "internal_rotation", "at 45 degrees of flexion"},
+    NamedMotion{"internal_rotation_at_70", {70, 0, 0}, "internal_rotation", "at 70 degrees of flexion"},
+    NamedMotion{"internal_rotation_at_90", {90, 0, 0}, "internal_rotation", "at 90 degrees of flexion"},
+    NamedMotion{"external_rotation_at_90", {90, 0, 0}, "external_rotation", "at 90 degrees of flexion"},
+    NamedMotion{"fadir", {90, -15, 0}, "internal_rotation", "at 90 of flexion and 15 of adduction"},
+    NamedMotion{"faber", {45, 30, 0}, "external_rotation", "at 45 of flexion and 30 of abduction"}};
+
+}  // namespace
+
+std::span<const NamedMotion> named_motions() { return kMotions; }
+
+double largest_growth(const Motion& start, const MotionName& growing) {
+  const double left = kLargestAngle - growing.sign * start.*growing.angle;
+  if (left > 0.0) return left;
+  throw std::invalid_argument("the pose leaves no room for " + std::string(growing.name) +
+                              " within 180 degrees; begin with a smaller angle");
+}
+
+}  // namespace impinge
