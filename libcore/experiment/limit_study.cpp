@@ -63,21 +63,4 @@ std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<do
   return cases;
 }
 
-std::vector<ReplayedPose> replay(const StudiedJoint& joint, const RecordedMotion& motion, double step_deg) {
-  const CentredJoint centred(joint, CentreStrategy::head);
-  const MotionName& growing = motion_name(motion.motion);
-  const JointTurn turn = joint_turn({}, growing, joint.side);
-  Motion end;
-  end.*growing.angle = growing.sign * motion.degrees;
-  std::vector<ReplayedPose> poses;
-  for (const Motion& at : motion_path({}, end, step_deg)) {
-    ReplayedPose pose{&motion, growing.sign * at.*growing.angle + 0.0, std::nullopt, "", false};
-    pose.smallest = centred.limits.smallest_gap(turn, pose.angle_deg);
-    if (pose.smallest) pose.clock = centred.clock(pose.smallest->place);
-    pose.impinged = centred.limits.impinged(turn, pose.angle_deg);
-    poses.push_back(pose);
-  }
-  return poses;
-}
-
 }  // namespace impinge

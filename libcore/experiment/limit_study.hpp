@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far joints turn: every named motion, about the centre of the head and about that of the socket, up to
-// contact and up to thresholds of the gap; and recorded motions replayed.
+// contact and up to thresholds of the gap.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 #include "experiment/csv.hpp"
 #include "joint/clock.hpp"
-#include "joint/recorded_motion.hpp"
 #include "limits/named_motion.hpp"
+#include "limits/phantom.hpp"
 #include "limits/turn_limit.hpp"
 
 namespace impinge {
@@ -43,20 +43,11 @@ struct LimitCase {
 // All motions up to contact, and about the head's centre up to each of these gaps, mm.
 std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<double>& gaps_mm);
 
-// A recorded motion on a joint at equal steps.
-struct ReplayedPose {
-  const RecordedMotion* motion = nullptr;
-  double angle_deg = 0.0;
-  std::optional<VertexGap> smallest;
-  std::string clock;  // of that vertex
-  bool impinged = false;
-};
-std::vector<ReplayedPose> replay(const StudiedJoint& joint, const RecordedMotion& motion, double step_deg);
-
-// The tables motion_limits, motion_limit_details and motion_replay.
+// The tables motion_limits and motion_limit_details.
 Table limit_table(const std::vector<LimitCase>& cases);
 Table limit_detail_table(const std::vector<LimitCase>& cases);
-Table replay_table(const std::vector<ReplayedPose>& poses);
+
+Table phantom_table(const std::vector<PhantomRow>& rows);
 
 // What the error of a centre or a surface is taken to be, mm: residuals of sphere fits to real heads are 0.4
 // to 0.7.

@@ -69,19 +69,17 @@ Table limit_detail_table(const std::vector<LimitCase>& cases) {
   return table;
 }
 
-Table replay_table(const std::vector<ReplayedPose>& poses) {
+Table phantom_table(const std::vector<PhantomRow>& rows) {
   Table table;
-  table.columns = {{"joint", "", "stand-in for the thesis' patient, whose scan is not public"},
-                   {"motion", "", "recorded in Table 11"},
-                   {"recorded_deg", "deg", "its end"},
-                   {"angle_deg", "deg", "of this pose"},
-                   {"smallest_gap_mm", "mm", "of a vertex"},
-                   {"clock", "", "of that vertex on the socket"},
-                   {"impinged", "", "do the surfaces touch?"}};
-  for (const ReplayedPose& pose : poses) {
-    table.add_row({pose.motion->patient, pose.motion->motion, pose.motion->degrees, pose.angle_deg,
-                   pose.smallest ? Cell(pose.smallest->gap_mm) : Cell(), pose.clock, pose.impinged});
-  }
+  table.columns = {
+      {"phantom", "", "limits/phantom.hpp has the formulas"},
+      {"quantity", "", "limit in degrees, or gap in mm"},
+      {"closed_form", "", "of the smooth surfaces"},
+      {"measured", "", "on meshes; of a limit the middle of its bracket"},
+      {"error", "", "measured less closed form"},
+      {"bound", "", "0.01 degrees; of gaps the sagittas of the meshes and the error of the table"}};
+  for (const PhantomRow& row : rows)
+    table.add_row({row.phantom, row.quantity, row.closed_form, row.measured, row.error, row.bound});
   return table;
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies of revolution for the phantoms: rings of vertices about an axis.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// A ring of vertices: `radius` mm from the origin, `polar` radians from the axis. At 0 and pi it is a pole.
+struct Ring {
+  double polar = 0.0;
+  double radius = 0.0;
+};
+
+// Rings from one pole, about a unit axis through `centre`, `sides` vertices each; closed if the last is a
+// pole.
+struct Revolution {
+  std::vector<Ring> rings;
+  Vec3 axis = Vec3::UnitZ();
+  Vec3 centre = Vec3::Zero();
+  std::size_t sides = 360;
+};
+TriangleMesh revolve(const Revolution& body);
+
+// Rings of a sphere from the axis to `to` radians, `step` apart.
+std::vector<Ring> sphere_rings(double radius, double to, double step);
+
+// Rings of a whole sphere about the axis, closer together towards it: each is 1.15 times as far from the axis
+// as the one before.
+std::vector<Ring> focused_rings(double radius);
+
+}  // namespace impinge
