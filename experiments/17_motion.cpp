@@ -3,7 +3,7 @@
 // @writes    motion_limits motion_limit_details phantoms
 // @bones     yes
 // @timing    no
-// @seconds   6 40
+// @seconds   12 60
 // @links     experiment_limits scene
 //
 // Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no

@@ -155,11 +155,11 @@ std::optional<double> first_turn_to(const AngleQuestion& question) {
   return first;
 }
 
-std::vector<PhantomRow> phantom_limits(std::size_t sides) {
+std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes) {
   std::vector<PhantomRow> rows;
-  add_necks(sides, rows);
-  add_bump(sides, rows);
-  add_spheres(sides, rows);
+  add_necks(sizes.sides, rows);
+  add_bump(sizes.sides, rows);
+  add_spheres(sizes.sides, rows);
   return rows;
 }
 

@@ -54,14 +54,19 @@ struct PhantomRow {
   double bound = 0.0;  // that the error keeps
 };
 
-inline constexpr std::size_t kPhantomSides = 360;
+// How fine the meshes are.
+struct PhantomSizes {
+  std::size_t sides = 360;     // of rims, necks and rings
+  std::size_t faces = 4000;    // of each sphere whose gaps are measured
+  double precision_deg = 1.0;  // of the tables of those gaps, RSID
+};
 inline constexpr double kPhantomLimitError = 0.01;  // degrees
 
 // Cone and cylinder neck, cam bump and eccentric spheres, about several axes each: limits by
-// limits/turn_limit.hpp. The bound of the rows is kPhantomLimitError, whatever the sides.
-std::vector<PhantomRow> phantom_limits(std::size_t sides = kPhantomSides);
+// limits/turn_limit.hpp. The bound of the rows is kPhantomLimitError, whatever the sizes.
+std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes = {});
 
 // Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.
-std::vector<PhantomRow> phantom_gaps();
+std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes = {});
 
 }  // namespace impinge

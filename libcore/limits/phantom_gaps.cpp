@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kBall = 20.0;  // mm
 constexpr double kSocket = 26.0;
-constexpr std::size_t kFaces = 4000;
-constexpr double kPrecision = 1.0;  // degrees
 
 // How far a face of a mesh inscribed in a sphere about `centre` is inside of it, mm, along directions from
 // the origin: the sagitta R - d, d the distance of the plane, over the cosine of the largest angle between a
@@ -38,8 +36,9 @@ double depth_of_faces(const TriangleMesh& mesh, double radius, const Vec3& centr
 
 struct Spheres {
   Vec3 centre;  // of the ball
-  TriangleMesh ball = sphere(kBall, kFaces, centre);
-  TriangleMesh socket = sphere(kSocket, kFaces);
+  PhantomSizes sizes;
+  TriangleMesh ball = sphere(kBall, sizes.faces, centre);
+  TriangleMesh socket = sphere(kSocket, sizes.faces);
 
   double gap(const Vec3& u) const { return kSocket - eccentric_sphere_radius(u, kBall, centre); }
 };
@@ -70,7 +69,7 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
   const double closed = kSocket - kBall - spheres.centre.norm();
   rows.push_back({name, "smallest gap of a vertex on faces, mm", closed, smallest, smallest - closed,
                   std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed})});
-  const Rsid scheme = Rsid::with_precision(kPrecision);
+  const Rsid scheme = Rsid::with_precision(spheres.sizes.precision_deg);
   const auto socket_table = fill_exact(spheres.socket, scheme, Layer::nearest);
   const auto ball_table = fill_exact(spheres.ball, scheme, Layer::farthest);
   std::vector<double> gaps(spheres.ball.vertices.size());
@@ -89,9 +88,9 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
 
 }  // namespace
 
-std::vector<PhantomRow> phantom_gaps() {
+std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes) {
   std::vector<PhantomRow> rows;
-  for (const double by : {1.0, 2.0, 5.0}) add_rows({by * Vec3(1.0, 2.0, 2.0) / 3.0}, rows);
+  for (const double by : {1.0, 2.0, 5.0}) add_rows({by * Vec3(1.0, 2.0, 2.0) / 3.0, sizes}, rows);
   return rows;
 }
 

@@ -31,24 +31,25 @@ TEST(Phantom, FirstTurnToAnAngleIsTheFirst) {
   EXPECT_GT(found, 3);
 }
 
-// With few sides, for the time it takes: the error grows with the inverse square. The experiment measures it
-// at kPhantomSides.
+// On coarse meshes, for the time it takes: the error grows with the inverse square of the sides. Experiment
+// 17 fails where it is above a hundredth of a degree at the default sizes.
+constexpr PhantomSizes kCoarse{40, 400, 4.0};
+
 TEST(Phantom, LimitsAreThoseOfTheClosedForms) {
-  constexpr std::size_t kSides = 60;
-  constexpr double kCoarser = static_cast<double>(kPhantomSides) / kSides;
-  const auto rows = phantom_limits(kSides);
+  const double coarser = static_cast<double>(PhantomSizes{}.sides) / static_cast<double>(kCoarse.sides);
+  const auto rows = phantom_limits(kCoarse);
   EXPECT_EQ(rows.size(), 11U);
   for (const PhantomRow& row : rows)
-    EXPECT_LE(std::abs(row.error), kCoarser * kCoarser * kPhantomLimitError)
+    EXPECT_LE(std::abs(row.error), coarser * coarser * kPhantomLimitError)
         << row.phantom << ", " << row.quantity;
 }
 
 TEST(Phantom, GapsAreWithinTheirBounds) {
-  const auto rows = phantom_gaps();
+  const auto rows = phantom_gaps(kCoarse);
   EXPECT_EQ(rows.size(), 9U);
   for (const PhantomRow& row : rows) {
     EXPECT_LE(std::abs(row.error), row.bound) << row.phantom << ", " << row.quantity;
-    EXPECT_LT(row.bound, 0.5) << "a bound that says something";
+    EXPECT_LT(row.bound, 2.0) << "a bound that says something";
   }
 }
 
