@@ -16,8 +16,8 @@
 namespace impinge {
 namespace {
 
-constexpr double kBall = 20.0;  // mm
-constexpr double kSocket = 26.0;
+constexpr double kInner = 20.0;  // mm
+constexpr double kOuter = 26.0;
 
 // How far a face of a mesh inscribed in a sphere about `centre` is inside of it, mm, along directions from
 // the origin: the sagitta R - d, d the distance of the plane, over the cosine of the largest angle between a
@@ -37,10 +37,10 @@ double depth_of_faces(const TriangleMesh& mesh, double radius, const Vec3& centr
 struct Spheres {
   Vec3 centre;  // of the ball
   PhantomSizes sizes;
-  TriangleMesh ball = sphere(kBall, sizes.faces, centre);
-  TriangleMesh socket = sphere(kSocket, sizes.faces);
+  TriangleMesh ball = sphere(kInner, sizes.faces, centre);
+  TriangleMesh socket = sphere(kOuter, sizes.faces);
 
-  double gap(const Vec3& u) const { return kSocket - eccentric_sphere_radius(u, kBall, centre); }
+  double gap(const Vec3& u) const { return kOuter - eccentric_sphere_radius(u, kInner, centre); }
 };
 
 // The gap at the vertex of the ball next to where it is smallest. No face of the socket is beyond its sphere,
@@ -63,10 +63,10 @@ double largest_error(const Spheres& spheres, const std::vector<Vec3>& vertices,
 void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
   const std::string name =
       "eccentric spheres by " + std::to_string(std::lround(spheres.centre.norm())) + " mm";
-  const double ball_depth = depth_of_faces(spheres.ball, kBall, spheres.centre);
-  const double socket_depth = depth_of_faces(spheres.socket, kSocket, Vec3::Zero());
+  const double ball_depth = depth_of_faces(spheres.ball, kInner, spheres.centre);
+  const double socket_depth = depth_of_faces(spheres.socket, kOuter, Vec3::Zero());
   const double smallest = VertexGaps(spheres.ball, spheres.socket).smallest({})->gap_mm;
-  const double closed = kSocket - kBall - spheres.centre.norm();
+  const double closed = kOuter - kInner - spheres.centre.norm();
   rows.push_back({name, "smallest gap of a vertex on faces, mm", closed, smallest, smallest - closed,
                   std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed})});
   const Rsid scheme = Rsid::with_precision(spheres.sizes.precision_deg);

@@ -8,12 +8,12 @@ namespace impinge {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-constexpr double kRounding = 1e-14;  // of an angle that is taken round the circle, radians
+constexpr double kAngleRounding = 1e-14;  // of an angle that is taken round the circle, radians
 
 // The span, which may begin anywhere, cut where a turn begins and ends.
 void add(AngleSpans& spans, double from, double to) {
-  const double width = to - from + 2.0 * kRounding;
-  double start = std::fmod(from - kRounding, kTurn);
+  const double width = to - from + 2.0 * kAngleRounding;
+  double start = std::fmod(from - kAngleRounding, kTurn);
   if (start < 0.0) start += kTurn;
   spans.span[spans.count++] = {start, std::min(start + width, kTurn)};
   if (start + width > kTurn) spans.span[spans.count++] = {0.0, std::min(start + width - kTurn, kTurn)};

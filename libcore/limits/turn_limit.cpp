@@ -15,8 +15,8 @@ namespace {
 // Angles past a contact at which it may be deep enough to be seen in doubles, radians; the last is still
 // below a tenth of a degree.
 constexpr std::array kPast{1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3};
-constexpr double kRounding = 1e-12;  // of an angle, radians: between the two ways of turning
-constexpr int kMostGrazes = 32;      // places that are passed within the tolerance
+constexpr double kTurnRounding = 1e-12;  // of an angle, radians: between the two ways of turning
+constexpr int kMostGrazes = 32;          // places that are passed within the tolerance
 
 Pose pose_at(const JointTurn& turn, double angle) {
   return {turn.outer * Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix() * turn.inner, Vec3::Zero()};
@@ -63,7 +63,7 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
   for (int graze = 0; graze < kMostGrazes; ++graze) {
     const std::optional<TurnContact> contact = next(AngleSpan{from, largest});
     if (!contact) return limit;
-    const double low_deg = std::max(0.0, contact->angle - kRounding) / kDegree;
+    const double low_deg = std::max(0.0, contact->angle - kTurnRounding) / kDegree;
     limit.low_deg = std::min(limit.low_deg, low_deg);
     for (const double past : kPast) {
       const double angle = std::min(contact->angle + past, largest);
