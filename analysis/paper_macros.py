@@ -5,7 +5,7 @@ the timed data.
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
-one for each number of further CSVs (see paper_cells.py, paper_race.py and paper_stability.py), as
+one for each number of further CSVs (see paper_cells.py, paper_limits.py, paper_race.py, paper_stability.py), as
 scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by
 the thesis' two tables; and the machine: cpu, cores, compiler, flags, commit, profile ...
 """
@@ -21,6 +21,7 @@ import finding
 import log_plot
 import paper_baselines
 import paper_cells
+import paper_limits
 import paper_race
 import paper_stability
 import timing
@@ -188,6 +189,7 @@ def main() -> None:
     facts |= paper_race.facts(options.results)
     facts |= paper_stability.facts(options.results)
     facts |= paper_baselines.facts(options.results)
+    facts |= paper_limits.facts(options.results)
     for table in (timing.TABLE_8, timing.TABLE_9):  # they hold Tables 3 and 4
         facts |= timing_facts(options.results, table)
     lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]

@@ -3,7 +3,7 @@
 //
 //   scene --ball FILE --socket FILE [--centre fit|X,Y,Z] [--scheme NAME] [--precision DEG | --max-error MM]
 //         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM|FILE]
-//         [--question touch|first-contact|all-gaps] [--surfaces both|ball|socket]
+//         [--question touch|first-contact|limit|all-gaps] [--motion NAME] [--surfaces both|ball|socket]
 //         [--outputs gaps,bounds,distances,verdicts] [--explain] [--everything] --out DIR
 //
 // Exit code 0 on success, 1 when a mesh cannot be used, 2 for a wrong option. An error is one line on stderr.
@@ -16,6 +16,7 @@
 
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
+#include "scene/limit.hpp"
 #include "scene/question.hpp"
 #include "scene/report.hpp"
 #include "scene/scene_files.hpp"
@@ -68,10 +69,18 @@ void run_question(const Joint& joint, const SceneOptions& options) {
   say_what_was_written(options);
 }
 
+void run_limit(const Joint& joint, const SceneOptions& options) {
+  const nlohmann::json report = limit_summary(options, joint);
+  write_if_changed(options.out / "summary.json", json_text(report));
+  std::cout << describe_limits(report);
+  say_what_was_written(options);
+}
+
 void run(const SceneOptions& options) {
   const Joint joint = load_joint(options);
   for (const std::string& warning : joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
+  if (options.limit != nullptr) return run_limit(joint, options);
   options.question == Question::all_gaps ? run_all_gaps(joint, options) : run_question(joint, options);
 }
 

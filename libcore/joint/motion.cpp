@@ -25,7 +25,7 @@ constexpr std::array kMotionNames{MotionName{"flexion", &Motion::flexion, 1.0},
 double parse_angle(std::string_view name, std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= 180.0)) {
+  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kLargestAngle)) {
     throw std::invalid_argument("'" + std::string(text) + "' is no angle of " + std::string(name) +
                                 "; give degrees from -180 to 180");
   }
@@ -107,6 +107,13 @@ JointTurn joint_turn(const Motion& start, const MotionName& growing, std::option
   if (growing.angle == &Motion::abduction)
     return {flexion.toRotationMatrix(), -sign * Vec3::UnitY(), (abduction * rotation).matrix()};
   return {(flexion * abduction).matrix(), sign * Vec3::UnitZ(), rotation.toRotationMatrix()};
+}
+
+double largest_growth(const Motion& start, const MotionName& growing) {
+  const double left = kLargestAngle - growing.sign * start.*growing.angle;
+  if (left > 0.0) return left;
+  throw std::invalid_argument("the pose leaves no room for " + std::string(growing.name) +
+                              " within 180 degrees; begin with a smaller angle");
 }
 
 std::vector<Motion> motion_path(const Motion& from, const Motion& to, double step_deg) {

@@ -53,6 +53,13 @@ struct JointTurn {
 };
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
 
+// No joint turns farther than this in any of its angles: degrees from the pose of the scan.
+inline constexpr double kLargestAngle = 180.0;
+
+// How far an angle may grow from a start until it is beyond any anatomy, degrees. std::invalid_argument where
+// it is so at the start.
+double largest_growth(const Motion& start, const MotionName& growing);
+
 // From one motion to another, every angle in equal steps, both ends included: the fewest steps of which none
 // changes an angle by more than step_deg, above 0.
 std::vector<Motion> motion_path(const Motion& from, const Motion& to, double step_deg);

@@ -2,8 +2,6 @@
 #include "limits/named_motion.hpp"
 
 #include <array>
-#include <stdexcept>
-#include <string>
 
 namespace impinge {
 namespace {
@@ -25,12 +23,5 @@ constexpr std::array kMotions{
 }  // namespace
 
 std::span<const NamedMotion> named_motions() { return kMotions; }
-
-double largest_growth(const Motion& start, const MotionName& growing) {
-  const double left = kLargestAngle - growing.sign * start.*growing.angle;
-  if (left > 0.0) return left;
-  throw std::invalid_argument("the pose leaves no room for " + std::string(growing.name) +
-                              " within 180 degrees; begin with a smaller angle");
-}
 
 }  // namespace impinge

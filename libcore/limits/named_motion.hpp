@@ -24,11 +24,4 @@ struct NamedMotion {
 // clinician takes them as the patient allows).
 std::span<const NamedMotion> named_motions();
 
-// No joint turns farther than this in any of its angles: degrees from the pose of the scan.
-inline constexpr double kLargestAngle = 180.0;
-
-// How far an angle may grow from a start until it is beyond any anatomy, degrees. std::invalid_argument where
-// it is so at the start.
-double largest_growth(const Motion& start, const MotionName& growing);
-
 }  // namespace impinge

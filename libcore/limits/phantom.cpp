@@ -44,15 +44,15 @@ void add_limits(const std::string& phantom, const TurnLimits& limits,
 }
 
 TriangleMesh cup_with_fine_rim(std::size_t sides) {
-  std::vector<Ring> rings = sphere_rings(kSocket, kHalfOpening, kStep);
-  rings.insert(rings.end() - 1, Ring{kHalfOpening - 0.1 * kDegree, kSocket});
+  std::vector<LatheRing> rings = sphere_rings(kSocket, kHalfOpening, kStep);
+  rings.insert(rings.end() - 1, LatheRing{kHalfOpening - 0.1 * kDegree, kSocket});
   return revolve({rings, Vec3::UnitZ(), Vec3::Zero(), sides});
 }
 
 // A head about the axis -z and a neck along it, through rings of these polar angles and radii, to an end cap.
-TriangleMesh head_and_neck(const std::vector<Ring>& neck, std::size_t sides) {
-  std::vector<Ring> rings = sphere_rings(kHead, kPi - neck.front().polar, kStep);
-  for (Ring ring : neck) {
+TriangleMesh head_and_neck(const std::vector<LatheRing>& neck, std::size_t sides) {
+  std::vector<LatheRing> rings = sphere_rings(kHead, kPi - neck.front().polar, kStep);
+  for (LatheRing ring : neck) {
     ring.polar = kPi - ring.polar;
     rings.push_back(ring);
   }
@@ -81,7 +81,7 @@ void add_necks(std::size_t sides, std::vector<PhantomRow>& rows) {
   const TriangleMesh socket = cup_with_fine_rim(sides);
   add_limits("cone neck", TurnLimits({head_and_neck({{kConeHalfAngle, kNeckEnd}}, sides), socket}),
              neck_questions(kConeHalfAngle), rows);
-  std::vector<Ring> neck;
+  std::vector<LatheRing> neck;
   for (const double radius : {kHead, 24.0, kSocket, 28.0, kNeckEnd})
     neck.push_back({std::asin(kCylinderRadius / radius), radius});
   add_limits("cylinder neck", TurnLimits({head_and_neck(neck, sides), socket}),
@@ -95,7 +95,7 @@ void add_bump(std::size_t sides, std::vector<PhantomRow>& rows) {
   const double rise = shape.socket_radius - shape.head_radius;
   const double level = 2.0 * half_width / kPi * std::acos(std::sqrt(rise / shape.cam_height));
   constexpr double kClose = 0.002 * kDegree;
-  std::vector<Ring> rings;
+  std::vector<LatheRing> rings;
   const auto add = [&](double polar) {
     const double c = polar < half_width ? std::cos(0.5 * kPi * polar / half_width) : 0.0;
     rings.push_back({polar, shape.head_radius + shape.cam_height * c * c});

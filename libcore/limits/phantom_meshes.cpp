@@ -20,7 +20,7 @@ TriangleMesh revolve(const Revolution& body) {
   const Vec3 x = body.axis.unitOrthogonal();
   const Vec3 y = body.axis.cross(x);
   std::vector<std::vector<Vec3>> rings;
-  for (const Ring& ring : body.rings) {
+  for (const LatheRing& ring : body.rings) {
     std::vector<Vec3>& points = rings.emplace_back();
     if (ring.polar == 0.0 || ring.polar == kPi) {
       points.push_back(body.centre + (ring.polar == 0.0 ? ring.radius : -ring.radius) * body.axis);
@@ -35,17 +35,17 @@ TriangleMesh revolve(const Revolution& body) {
   return loft(rings);
 }
 
-std::vector<Ring> sphere_rings(double radius, double to, double step) {
+std::vector<LatheRing> sphere_rings(double radius, double to, double step) {
   const auto steps = static_cast<std::size_t>(std::ceil(to / step));
-  std::vector<Ring> rings;
+  std::vector<LatheRing> rings;
   for (std::size_t k = 0; k < steps; ++k)
     rings.push_back({to * static_cast<double>(k) / static_cast<double>(steps), radius});
   rings.push_back({to, radius});
   return rings;
 }
 
-std::vector<Ring> focused_rings(double radius) {
-  std::vector<Ring> rings{{0.0, radius}};
+std::vector<LatheRing> focused_rings(double radius) {
+  std::vector<LatheRing> rings{{0.0, radius}};
   for (double polar = kFirst; polar < kPi - kCoarsest; polar += std::min((kGrowth - 1.0) * polar, kCoarsest))
     rings.push_back({polar, radius});
   rings.push_back({kPi, radius});

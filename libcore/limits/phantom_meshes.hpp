@@ -10,7 +10,7 @@
 namespace impinge {
 
 // A ring of vertices: `radius` mm from the origin, `polar` radians from the axis. At 0 and pi it is a pole.
-struct Ring {
+struct LatheRing {
   double polar = 0.0;
   double radius = 0.0;
 };
@@ -18,7 +18,7 @@ struct Ring {
 // Rings from one pole, about a unit axis through `centre`, `sides` vertices each; closed if the last is a
 // pole.
 struct Revolution {
-  std::vector<Ring> rings;
+  std::vector<LatheRing> rings;
   Vec3 axis = Vec3::UnitZ();
   Vec3 centre = Vec3::Zero();
   std::size_t sides = 360;
@@ -26,10 +26,10 @@ struct Revolution {
 TriangleMesh revolve(const Revolution& body);
 
 // Rings of a sphere from the axis to `to` radians, `step` apart.
-std::vector<Ring> sphere_rings(double radius, double to, double step);
+std::vector<LatheRing> sphere_rings(double radius, double to, double step);
 
 // Rings of a whole sphere about the axis, closer together towards it: each is 1.15 times as far from the axis
 // as the one before.
-std::vector<Ring> focused_rings(double radius);
+std::vector<LatheRing> focused_rings(double radius);
 
 }  // namespace impinge

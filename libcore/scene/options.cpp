@@ -24,6 +24,7 @@ struct Typed {
   std::string side;
   std::string cartilage;
   std::string question = "all-gaps";
+  std::string motion;
   std::string surfaces = "both";
   std::string outputs;
 };
@@ -93,14 +94,34 @@ void set_accuracy(const Typed& typed, SceneOptions& options) {
   });
 }
 
+// A limit is found on the faces: of the outputs of tables it has none.
+void set_limit(const Typed& typed, SceneOptions& options) {
+  if (typed.motion.empty())
+    refuse("--question", typed.question,
+           "needs the motion whose limit is wanted; add it, as --motion flexion");
+  options.question = Question::first_contact;
+  for_option("--motion", [&] {
+    options.limit = &motion_name(typed.motion);
+    largest_growth(options.motion, *options.limit);
+    if (!options.side && options.limit->angle != &Motion::flexion)
+      throw std::invalid_argument(
+          "abduction and rotation need to know the side; give left or right with --side");
+    return 0;
+  });
+}
+
 void set_question(const Typed& typed, SceneOptions& options) {
   if (typed.question == "touch") {
     options.question = Question::touch;
   } else if (typed.question == "first-contact") {
     options.question = Question::first_contact;
+  } else if (typed.question == "limit") {
+    set_limit(typed, options);
   } else if (typed.question != "all-gaps") {
-    refuse("--question", typed.question, "is no question; ask touch, first-contact or all-gaps");
+    refuse("--question", typed.question, "is no question; ask touch, first-contact, limit or all-gaps");
   }
+  if (!typed.motion.empty() && options.limit == nullptr)
+    refuse("--motion", typed.motion, "comes with the question limit alone; add --question limit");
   if (typed.surfaces != "both" && typed.surfaces != "ball" && typed.surfaces != "socket")
     refuse("--surfaces", typed.surfaces, "is no choice of surfaces; give ball, socket or both");
   options.scan_ball = typed.surfaces != "socket";
@@ -182,6 +203,7 @@ void interpret(const Typed& typed, SceneOptions& options) {
   require_both_surfaces(typed, options);
   if (!options.everything) return;
   options.question = Question::all_gaps;
+  options.limit = nullptr;
   options.scan_ball = options.scan_socket = true;
   options.outputs = {};
 }
@@ -214,10 +236,13 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   app.add_option("--cartilage", typed.cartilage,
                  "thickness of both cartilage layers together in mm [4], or a CSV of it by place: "
                  "x,y,z,thickness_mm in the frame of the meshes");
-  app.add_option(
-         "--question", typed.question,
-         "touch, first-contact (the smallest gap) or all-gaps; the first two write summary.json alone")
+  app.add_option("--question", typed.question,
+                 "touch, first-contact (the smallest gap), limit (of --motion) or all-gaps; the others write "
+                 "summary.json alone")
       ->capture_default_str();
+  app.add_option(
+      "--motion", typed.motion,
+      "with the question limit: the motion that grows from --pose until the surfaces touch, as flexion");
   app.add_option("--surfaces", typed.surfaces, "whose vertices are looked up: ball, socket or both")
       ->capture_default_str();
   app.add_option(

@@ -36,7 +36,8 @@ struct SceneOptions {
   double cartilage_mm = 4.0;                           // both layers together; the thesis' value
   std::optional<std::filesystem::path> cartilage_map;  // instead of one thickness (cartilage_file.hpp)
   Question question = Question::all_gaps;
-  bool scan_ball = true;  // the first scan: vertices of the ball against the socket
+  const MotionName* limit = nullptr;  // the motion whose limit is asked for, in place of the question
+  bool scan_ball = true;              // the first scan: vertices of the ball against the socket
   bool scan_socket = true;
   SceneOutputs outputs;     // none of them with another question than all_gaps
   bool everything = false;  // all gaps and all outputs, and nothing is left out on the way

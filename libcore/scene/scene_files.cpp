@@ -9,12 +9,12 @@ namespace impinge {
 
 std::vector<std::string> scene_files(const SceneOptions& options) {
   std::vector<std::string> files;
-  const bool gaps = options.question == Question::all_gaps && options.outputs.gaps;
+  const bool all = options.limit == nullptr && options.question == Question::all_gaps;
+  const bool gaps = all && options.outputs.gaps;
   if (gaps && options.scan_ball) files.emplace_back("ball.ply");
   if (gaps && options.scan_socket) files.emplace_back("socket.ply");
   if (gaps) files.emplace_back("gaps.csv");
-  if (options.question == Question::all_gaps && options.outputs.distances)
-    files.emplace_back("distances.csv");
+  if (all && options.outputs.distances) files.emplace_back("distances.csv");
   files.emplace_back("summary.json");
   return files;
 }

@@ -56,6 +56,30 @@ OPTIONS = [
         "option --centre: 'middle' is no centre; give 'fit' or three numbers in mm as X,Y,Z",
     ),
     (
+        ["--question", "limit"],
+        "option --question: 'limit' needs the motion whose limit is wanted; add it, as --motion flexion",
+    ),
+    (
+        ["--question", "limit", "--motion", "bend"],
+        f"option --motion: unknown motion 'bend'; {MOTIONS}",
+    ),
+    (
+        ["--question", "limit", "--motion", "flexion=30"],
+        f"option --motion: unknown motion 'flexion=30'; {MOTIONS}",
+    ),
+    (
+        ["--motion", "flexion"],
+        "option --motion: 'flexion' comes with the question limit alone; add --question limit",
+    ),
+    (
+        ["--question", "limit", "--motion", "abduction"],
+        "option --motion: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (
+        ["--question", "limit", "--motion", "flexion", "--pose", "flexion=180"],
+        "option --motion: the pose leaves no room for flexion within 180 degrees; begin with a smaller angle",
+    ),
+    (
         ["--pose", "bend=3"],
         f"option --pose: unknown motion 'bend'; {MOTIONS}",
     ),
@@ -119,7 +143,7 @@ OPTIONS = [
     (["--scheme", ""], "option --scheme: '' is empty; give it a value or leave it out"),
     (
         ["--question", "why"],
-        "option --question: 'why' is no question; ask touch, first-contact or all-gaps",
+        "option --question: 'why' is no question; ask touch, first-contact, limit or all-gaps",
     ),
     (
         ["--surfaces", "none"],

@@ -90,6 +90,14 @@ TEST(Motion, OneAngleGrowsAboutOneAxis) {
   EXPECT_THROW(motion_name("bend"), std::invalid_argument);
 }
 
+TEST(Motion, NoAngleGrowsBeyondAnyAnatomy) {
+  EXPECT_EQ(largest_growth({}, motion_name("extension")), 180.0);
+  EXPECT_EQ(largest_growth(parse_motion("flexion=90"), motion_name("flexion")), 90.0);
+  EXPECT_EQ(largest_growth(parse_motion("flexion=90"), motion_name("extension")), 270.0);
+  EXPECT_THROW(largest_growth(parse_motion("extension=180"), motion_name("extension")),
+               std::invalid_argument);
+}
+
 TEST(Motion, APathHasBothEndsAndNoLongerStep) {
   const auto path = motion_path(parse_motion("flexion=10"), parse_motion("flexion=45,abduction=7"), 10.0);
   ASSERT_EQ(path.size(), 5U);

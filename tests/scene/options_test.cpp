@@ -62,6 +62,20 @@ TEST(SceneOptions, ReadsWhatTheSceneNeeds) {
   EXPECT_EQ(everything->question, Question::all_gaps);
 }
 
+TEST(SceneOptions, ReadsTheLimitOfAMotion) {
+  EXPECT_EQ(parse({})->limit, nullptr);
+  const auto options = parse({"--question", "limit", "--motion", "extension", "--pose", "flexion=20"});
+  ASSERT_NE(options->limit, nullptr);
+  EXPECT_EQ(options->limit->name, "extension");
+  EXPECT_EQ(options->motion.flexion, 20.0);
+  EXPECT_FALSE(options->outputs.gaps || options->outputs.verdicts);
+  EXPECT_EQ(parse({"--everything", "--question", "limit", "--motion", "flexion"})->limit, nullptr);
+  EXPECT_THROW(parse({"--question", "limit"}), OptionError);
+  EXPECT_THROW(parse({"--motion", "flexion"}), OptionError);
+  EXPECT_THROW(parse({"--question", "limit", "--motion", "abduction"}), OptionError);
+  EXPECT_THROW(parse({"--question", "limit", "--motion", "flexion", "--pose", "flexion=180"}), OptionError);
+}
+
 struct Wrong {
   std::vector<const char*> options;
   std::string named;   // what the message must name

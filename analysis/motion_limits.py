@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the table, the figure and the paper share about limits of motion: names, and what a normal hip reaches."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+# In the order of the experiment, as a reader knows them.
+MOTIONS = {
+    "flexion": "flexion",
+    "extension": "extension",
+    "abduction": "abduction",
+    "adduction": "adduction",
+    "internal_rotation": "internal rotation",
+    "external_rotation": "external rotation",
+    "internal_rotation_at_45": "int. rot. at 45° flexion",
+    "internal_rotation_at_70": "int. rot. at 70° flexion",
+    "internal_rotation_at_90": "int. rot. at 90° flexion",
+    "external_rotation_at_90": "ext. rot. at 90° flexion",
+    "fadir": "FADIR",
+    "faber": "FABER",
+}
+# Degrees that a clinician finds in a normal hip, soft tissue included, as they are commonly quoted; internal rotation
+# in flexion.
+CLINICAL = {
+    "flexion": (110, 120),
+    "extension": (10, 15),
+    "abduction": (30, 50),
+    "adduction": (20, 30),
+    "external_rotation": (40, 60),
+    "internal_rotation_at_90": (30, 40),
+}
+GENERATED = ["normal", "cam", "pincer", "mixed", "dysplastic", "patient_a", "patient_b"]
+LABELS = {"patient_a": "stand-in for patient A", "patient_b": "stand-in for patient B"}
+
+
+def label(joint: str) -> str:
+    """The joint as a reader knows it."""
+    return LABELS.get(joint, joint.replace("_", " "))
+
+
+def contacts(results: Path, centre: str = "head") -> pd.DataFrame:
+    """Limits by contact of the surfaces about one centre."""
+    table = common.load(results, "motion_limit_details")
+    return table[table.gap_mm.isna() & (table.centre == centre)]
+
+
+def text(row) -> str:
+    """A limit as a reader reads it: tenths of a degree."""
+    if row.state == "free":
+        return "free"
+    if row.state == "blocked":
+        return "blocked"
+    return f"{row.limit_low_deg:.1f}"

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers of the paper about limits of motion and phantoms.
+
+limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count, :widest (of a bracket, degrees),
+:joints, :uncertainty:least and :most (degrees, of half a millimetre; 5 % and 95 % of the contacts), :shift:most (mm, between
+the two centres) and :centre:most (degrees, by which the choice of the centre moves a limit); phantoms:limits:count, :error
+(largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import common
+import motion_limits
+
+
+def facts(results: Path) -> dict[str, str]:
+    """All of them."""
+    return limits(results) | phantoms(results)
+
+
+def limits(results: Path) -> dict[str, str]:
+    """Of every joint about the centre of its head, and how much they depend on centre and input."""
+    table = motion_limits.contacts(results)
+    found = {}
+    for row in table.itertuples():
+        found[f"limit:{row.joint}:{row.motion}"] = motion_limits.text(row)
+        found[f"limit:{row.joint}:{row.motion}:clock"] = str(row.clock)
+    every = common.load(results, "motion_limit_details")
+    width = (every.limit_high_deg - every.limit_low_deg).max()
+    keys = ["joint", "motion"]
+    both = table.merge(motion_limits.contacts(results, "socket"), on=keys, suffixes=("", "_socket"))
+    both = both[(both.state == "reached") & (both.state_socket == "reached")]
+    moved = (both.limit_low_deg - both.limit_low_deg_socket).abs()
+    reached = table[table.state == "reached"].uncertainty_deg
+    return found | {
+        "limits:count": str(len(every)),
+        "limits:joints": str(table.joint.nunique()),
+        "limits:widest": f"{width:.7f}".rstrip("0").rstrip("."),
+        "limits:uncertainty:least": common.digits(reached.quantile(0.05), 2),
+        "limits:uncertainty:most": common.digits(reached.quantile(0.95), 2),
+        "limits:shift:most": common.digits(both.shift_mm_socket.max(), 2),
+        "limits:centre:most": common.digits(moved.max(), 2),
+    }
+
+
+def phantoms(results: Path) -> dict[str, str]:
+    """How far measured is from closed form."""
+    table = common.load(results, "phantoms")
+    limit = table.quantity.str.startswith("limit")
+    gaps = table[~limit]
+    return {
+        "phantoms:limits:count": str(int(limit.sum())),
+        "phantoms:limits:error": common.digits(table[limit].error.abs().max(), 2),
+        "phantoms:gaps:count": str(len(gaps)),
+        "phantoms:gaps:share": common.digits(100 * (gaps.error.abs() / gaps.bound).max(), 2),
+    }

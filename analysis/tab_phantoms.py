@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limits and gaps of joints with closed forms: what the formula says, what was measured, and the bound on the
+difference. From data/phantoms.csv.
+"""
+
+import pandas as pd
+
+import common
+
+
+def main() -> None:
+    """Writes tables/phantom-validation.csv and .tex."""
+    options = common.arguments(__doc__)
+    phantoms = common.load(options.results, "phantoms")
+    common.write_table(options.out, "phantom-validation", phantoms, latex(phantoms))
+
+
+def latex(phantoms: pd.DataFrame) -> str:
+    """A line a quantity."""
+    lines = [
+        r"\begin{tabular}{llrrrr}",
+        r"\toprule",
+        r"phantom & quantity & closed form & measured & error & bound \\",
+        r"\midrule",
+    ]
+    for row in phantoms.itertuples():
+        cells = [common.tex(row.phantom), common.tex(row.quantity)]
+        cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}", f"{row.bound:.5f}"]
+        lines.append(" & ".join(cells) + r" \\")
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+
+
+common.run(main)
