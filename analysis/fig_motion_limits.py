@@ -28,7 +28,6 @@ def main() -> None:
         axes.set_title(title)
         axes.set_xlabel("angle of first contact, degrees")
     panels[0][0].set_yticks(range(len(motion_limits.MOTIONS)), list(motion_limits.MOTIONS.values()))
-    panels[0][0].invert_yaxis()
     figure.tight_layout()
     common.save_figure(figure, options.out, "motion-limits")
 
@@ -40,7 +39,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
             axes.axhspan(k - 0.5, k + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
         if motion in motion_limits.CLINICAL:
             low, high = motion_limits.CLINICAL[motion]
-            label = "normal, found by a clinician" if k == 0 else None
+            label = "clinical range, as commonly quoted" if k == 0 else None
             axes.barh(k, high - low, left=low, height=0.9, color="#c9c9c9", zorder=1, label=label)
     joints = list(dict.fromkeys(limits.joint))
     looks = common.look(joints)
@@ -64,6 +63,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
         )
     axes.set(xlim=(-5, 190), ylim=(len(motion_limits.MOTIONS) - 0.5, -0.5))
     axes.axvline(180, color="black", linestyle=":", linewidth=1)
+    axes.set_xticks(range(0, 181, 30))
     axes.grid(visible=False, axis="y")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2)
 

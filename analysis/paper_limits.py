@@ -3,7 +3,7 @@
 
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count, :widest (of a bracket, degrees),
 :joints, :uncertainty:least and :most (degrees, of half a millimetre; 5 % and 95 % of the contacts), :shift:most (mm, between
-the two centres) and :centre:most (degrees, by which the choice of the centre moves a limit); phantoms:limits:count, :error
+the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit); phantoms:limits:count, :error
 (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
@@ -41,6 +41,7 @@ def limits(results: Path) -> dict[str, str]:
         "limits:uncertainty:least": common.digits(reached.quantile(0.05), 2),
         "limits:uncertainty:most": common.digits(reached.quantile(0.95), 2),
         "limits:shift:most": common.digits(both.shift_mm_socket.max(), 2),
+        "limits:centre:median": common.digits(moved.median(), 2),
         "limits:centre:most": common.digits(moved.max(), 2),
     }
 
