@@ -14,9 +14,9 @@ namespace {
 
 const Vec3 kAt(100.0, -40.0, 7.0);
 
-// The generated pair, which impinges in abduction, about kAt in a frame LPS.
-Joint scanned_joint() {
-  BallSocketPair pair = make_ball_socket_pair(800, impinging_cam());
+// A generated pair about kAt in a frame LPS.
+Joint scanned_joint(const PairShape& shape) {
+  BallSocketPair pair = make_ball_socket_pair(800, shape);
   const Eigen::Matrix3d axes = input_to_joint("LPS");
   for (TriangleMesh* mesh : {&pair.ball, &pair.socket}) {
     for (Vec3& x : mesh->vertices) x = axes.transpose() * x;
@@ -38,7 +38,7 @@ SceneOptions abducted() {
 }
 
 TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
-  const auto summary = limit_summary(abducted(), scanned_joint());
+  const auto summary = limit_summary(abducted(), scanned_joint(impinging_cam()));
   const TurnLimits limits(make_ball_socket_pair(800, impinging_cam()));
   const JointTurn turn = joint_turn({}, motion_name("abduction"), Side::right);
   const TurnLimit expected = limits.first_contact(turn, 180.0);
@@ -60,9 +60,8 @@ TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
 
 TEST(SceneLimit, SaysFreeAndBlocked) {
   SceneOptions options = abducted();
-  options.limit = &motion_name("adduction");
   options.cartilage_mm = 5.0;  // above the joint space
-  const auto summary = limit_summary(options, scanned_joint());
+  const auto summary = limit_summary(options, scanned_joint({}));
   EXPECT_EQ(summary["contact"][0]["state"], "free");
   EXPECT_EQ(summary["contact"][0]["high_deg"], 180.0);
   EXPECT_EQ(summary["cartilage"]["state"], "blocked");
