@@ -121,7 +121,7 @@ TEST_F(Cartilage, AMapTouchesWhereItIsThickerThanTheGap) {
   double expected = 0.0;
   for (std::size_t i = 0; i < area.size(); ++i)
     expected += socket.vertices[i].normalized().y() >= -0.25 ? area[i] : 0.0;
-  EXPECT_NEAR(report["impingement"][1]["socket"]["area_mm2"], expected, 0.02 * expected);
+  EXPECT_NEAR(report["impingement"][1]["socket"]["area_mm2"], expected, 0.05 * expected);
   EXPECT_EQ(report["impingement"][0]["socket"]["area_mm2"], 0.0);
 }
 
@@ -149,7 +149,7 @@ TEST_F(Cartilage, TheWrongSideIsWarnedOf) {
 }
 
 TEST_F(Cartilage, SwappedFilesAreRefused) {
-  SceneOptions options = hip(hip_preset("dysplastic"));
+  SceneOptions options = hip(hip_preset("pincer"));
   std::swap(options.ball, options.socket);
   try {
     load_joint(options);
