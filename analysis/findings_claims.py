@@ -28,7 +28,7 @@ def deforming(results: Path) -> dict:
         if quantity == "time in place"
     ]
     return finding(
-        "6",
+        "Chapter 6",
         "Updating the table of a deformed surface is very efficient.",
         f"In place, with the same bits, {rounded(gains[0], 2)} times faster than filling anew where a cap of 5 degrees moves, "
         f"{rounded(gains[-1], 2)} times where one of 45 does.",
@@ -47,7 +47,7 @@ def same_distance(results: Path) -> dict:
     tight = [value for setting, value in share.items() if setting.endswith("within 0.001 mm")]
     wide = [value for setting, value in share.items() if setting.endswith("within 0.1 mm")]
     return finding(
-        "6",
+        "Chapter 6",
         "Self-collision shows where sample points of two triangles have the same direction and the same distance.",
         f"Of {int(found['exact', 'pairs crossing'])} pairs that cross, {rounded(max(tight), 2) if max(tight) else 'none'}"
         f"{' %' if max(tight) else ''} at best put the same distance to 0.001 mm into an entry, and {rounded(min(wide), 2)} % "
@@ -64,7 +64,7 @@ def added_distance(results: Path) -> dict:
     neck = found["normal hip, whole ball", "distance added, largest error"]
     facing = found["normal hip, under the socket", "distance added, rms error"]
     return finding(
-        "6",
+        "Chapter 6",
         "Several layers follow from one table by adding a distance.",
         f"A layer of 2 mm is off by {rounded(1e3 * facing, 2)} micrometres (root mean square) under the socket of a normal hip, "
         f"where the head is a sphere, and by up to {rounded(neck, 2)} mm on its neck, which rays meet obliquely.",

@@ -10,6 +10,8 @@ def main() -> None:
     """Writes tables/claims-measured.csv and .tex."""
     options = common.arguments(__doc__)
     table = common.load(options.results, "claims")
+    order = {name: k for k, name in enumerate(table.claim.unique())}
+    table = table.sort_values("claim", key=lambda names: names.map(order), kind="stable")
     rows = table[["claim", "setting", "quantity"]].copy()
     rows["value"] = [readable(row) for row in table.itertuples()]
     rows["unit"] = table.unit.map({"B": "kB", "us": "µs"}).fillna(table.unit).replace("1", "")
@@ -22,6 +24,8 @@ def readable(row) -> str:
         return "yes"
     if pd.isna(row.value):
         return ""
+    if row.unit == "1":
+        return f"{int(row.value):,}"
     return common.digits(row.value / 1e3 if row.unit == "B" else row.value)
 
 
