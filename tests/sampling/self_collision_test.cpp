@@ -43,7 +43,7 @@ TEST(SelfCollisions, AreThoseOfBruteForce) {
   for (Vec3& v : other.vertices) v += Vec3(1.5, 0.7, -0.4);
   const TriangleMesh mesh = with_second_layer(icosphere(22.0, 0), other);
   const Rsid scheme = Rsid::with_precision(6.0);
-  for (const double tolerance : {0.0, 0.2, 1.0, 10.0}) {
+  for (const double tolerance : {0.2, 10.0}) {
     const auto expected = collisions_by_force(mesh, scheme, tolerance);
     EXPECT_EQ(self_collisions(mesh, scheme, tolerance), expected) << tolerance;
     EXPECT_TRUE(tolerance < 0.2 || expected.size() > 3U);
