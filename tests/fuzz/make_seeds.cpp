@@ -86,6 +86,7 @@ void add_options(Seeds& seeds) {
   seeds.add(joined(files + " --precision=1 --pose=adduction=-20 --side=right --centre=fit"));
   seeds.add(joined(files + " --question touch --surfaces ball --explain"));
   seeds.add(joined(files + " --question=first-contact --surfaces=socket --max-error 0.05"));
+  seeds.add(joined(files + " --question limit --motion abduction --pose flexion=-20 --side left"));
   seeds.add(joined(files + " --surfaces ball --outputs gaps"));
   seeds.add(joined(files + " --outputs bounds,distances,verdicts --everything --question touch"));
   for_each_scheme(

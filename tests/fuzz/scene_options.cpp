@@ -19,6 +19,9 @@ void require_consistent_question(const SceneOptions& options) {
   const SceneOutputs& outputs = options.outputs;
   const bool any = outputs.gaps || outputs.bounds || outputs.distances || outputs.verdicts;
   require(any == (options.question == Question::all_gaps), "all gaps have outputs, other questions none");
+  require(options.limit == nullptr || !any, "a limit has no outputs of tables");
+  require(options.limit == nullptr || largest_growth(options.motion, *options.limit) > 0.0,
+          "a motion has room");
   require(options.scan_ball || options.scan_socket, "a surface is looked up");
   const bool both = options.scan_ball && options.scan_socket;
   require(both || !(outputs.bounds || outputs.distances || outputs.verdicts),
