@@ -9,18 +9,9 @@
 #include <vector>
 
 #include "experiment/csv.hpp"
-#include "joint/anatomy.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "experiment/hip_scan.hpp"
 
 namespace impinge {
-
-// A hip in the joint frame, mm, the centre of rotation as origin.
-struct ReplayedHip {
-  std::string name;
-  Side side = Side::right;
-  TriangleMesh ball;
-  TriangleMesh socket;  // that has a dial: std::invalid_argument otherwise (joint/clock.hpp)
-};
 
 // One motion to its end; names as in joint/motion.hpp, degrees.
 struct RecordedMotion {
@@ -32,6 +23,7 @@ struct ReplayOptions {
   double precision_deg = 0.5;  // of the tables, RSID
   double step_deg = 1.0;       // at most, between the poses of a motion: they are evenly spread
   std::size_t pictures = 6;  // poses of a motion whose gaps are kept, evenly spread too, the last at its end
+  double forward_mm = 4.0;   // the last pose: as modelled, but moved forward by so much (Figure 41)
   // Gaps up to which a zone is told, mm: contact; the colours of Tables 12 and 13, red, orange and yellow;
   // and the cartilage of Section 3.4.
   std::vector<double> thresholds{0.0, 2.0, 4.0, 6.0};

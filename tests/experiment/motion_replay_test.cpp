@@ -39,7 +39,7 @@ struct Replayed {
   ReplayTables tables = replay_tables();
 
   Replayed() {
-    const ReplayOptions coarse{.precision_deg = 1.0, .step_deg = 25.0, .pictures = 2};
+    const ReplayOptions coarse{.precision_deg = 1.0, .step_deg = 25.0, .pictures = 2, .forward_mm = 5.0};
     replay(hip(), {{"abduction", kAbduction}}, coarse, folder.path(), tables);
   }
 };
@@ -62,7 +62,7 @@ double value(const Table& table, std::size_t row, std::string_view column) {
 
 TEST(MotionReplay, GoesEvenlyToTheAngleRecorded) {
   const Table& frames = replayed().tables.frames;
-  ASSERT_EQ(frames.rows.size(), 5U);
+  ASSERT_EQ(frames.rows.size(), 6U);
   const std::vector<double> angles{0.0, 20.0, 40.0, 60.0, 80.0};
   const std::vector<std::string> pictures{"0", "", "1", "", "2"};
   for (std::size_t k = 0; k < 5; ++k) {
@@ -73,6 +73,17 @@ TEST(MotionReplay, GoesEvenlyToTheAngleRecorded) {
   }
   EXPECT_NEAR(value(frames, 4, "rotation_xx"), std::cos(kAbduction * kPi / 180.0), 1e-15);
   EXPECT_NEAR(value(frames, 4, "rotation_zx"), std::sin(kAbduction * kPi / 180.0), 1e-15);
+}
+
+// Moved forward by d, the head is within 4 - d of the socket in front, at 3 o'clock, and the bump stays
+// outside.
+TEST(MotionReplay, EndsWithTheBallMovedForward) {
+  const Table& frames = replayed().tables.frames;
+  EXPECT_EQ(cell(frames, 5, "motion"), "forward");
+  EXPECT_EQ(cell(frames, 5, "picture"), "3");
+  EXPECT_EQ(value(frames, 5, "forward_mm"), 5.0);
+  EXPECT_NEAR(value(frames, 5, "smallest_gap_mm"), -1.0, 2 * kChords);
+  EXPECT_NEAR(value(frames, 5, "clock_hours"), 3.0, 0.5);
 }
 
 TEST(MotionReplay, FindsTheBumpWhereItComesUnderTheSocket) {
@@ -90,7 +101,7 @@ TEST(MotionReplay, ToldInHoursAndArea) {
   const Table& zones = replayed().tables.zones;
   std::size_t found = 0;
   for (std::size_t k = 0; k < zones.rows.size(); ++k) {
-    if (cell(zones, k, "within_mm") != "2") continue;
+    if (cell(zones, k, "within_mm") != "2" || cell(zones, k, "motion") != "abduction") continue;
     EXPECT_GT(value(zones, k, "angle_deg"), 31.0) << "that part of the bump is not under the socket yet";
     if (cell(zones, k, "at_end") != "yes" || cell(zones, k, "surface") != "ball") continue;
     ++found;
@@ -110,7 +121,7 @@ TEST(MotionReplay, KeepsTheGapsOfEachPicture) {
     while (std::getline(file, line) && line != "end_header") {
       if (line.starts_with("property float gap_")) properties.push_back(line.substr(15));
     }
-    EXPECT_EQ(properties, (std::vector<std::string>{"gap_0", "gap_1", "gap_2"})) << name;
+    EXPECT_EQ(properties, (std::vector<std::string>{"gap_0", "gap_1", "gap_2", "gap_3"})) << name;
   }
 }
 

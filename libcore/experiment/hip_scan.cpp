@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/hip_scan.hpp"
+
+#include <stdexcept>
+
+#include "detection/gap_scan.hpp"
+#include "sampling/exact_raster.hpp"
+
+namespace impinge {
+
+HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg) {
+  const auto dial = clock_face(hip.socket);
+  if (!dial) throw std::invalid_argument(hip.name + ": the socket has no dial: see joint/clock.hpp");
+  const Rsid scheme = Rsid::with_precision(precision_deg);
+  return {hip,
+          *dial,
+          fill_exact(hip.ball, scheme, Layer::farthest),
+          fill_exact(hip.socket, scheme, Layer::nearest),
+          vertex_areas(hip.ball),
+          vertex_areas(hip.socket)};
+}
+
+PosedHip scan(const HipScanner& scanner, const Pose& pose) {
+  const ReplayedHip& hip = scanner.hip;
+  PosedHip posed{pose,
+                 {hip.ball.vertices, std::vector<double>(hip.ball.vertices.size()), scanner.ball_area},
+                 {hip.socket.vertices, std::vector<double>(hip.socket.vertices.size()), scanner.socket_area}};
+  scan_ball(scanner.socket_table, hip.ball.vertices, pose, posed.ball.gap);
+  scan_socket(scanner.ball_table, hip.socket.vertices, pose, posed.socket.gap);
+  for (Vec3& x : posed.ball.vertices) x = to_socket(pose, x);
+  return posed;
+}
+
+}  // namespace impinge
