@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  Which points of a socket do the two tables of the thesis sample? (Figure 49)
-// @writes    sample_points
+// @writes    sample_points sample_points_hip
 // @writes-with-bones  sample_points_bones
 // @timing    no
 // @seconds   1 1
-// @links     experiment sampling scene
+// @links     experiment joint sampling scene
 //
-// The generated socket, and real ones when they are given. The tables are filled as in the thesis: the raster
-// on the grid, and the helix resampled from it.
+// The generated socket, that of a hip (Figure 40), and real ones when they are given. The tables are filled
+// as in the thesis: the raster on the grid, and the helix resampled from it.
 
 #include <cmath>
 
 #include "experiment/driver.hpp"
+#include "joint/hip.hpp"
+#include "joint/hip_presets.hpp"
 #include "sampling/resampled.hpp"
 #include "scene/real_joints.hpp"
 #include "sphere/schemes/usid.hpp"
@@ -23,6 +25,7 @@ using namespace impinge;
 constexpr double kPrecision = 1.0;         // degrees, as in the figure
 constexpr std::size_t kTriangles = 12000;  // of the generated socket
 constexpr double kDigits = 1e4;            // points are rounded to 1e-4 mm
+constexpr const char* kHip = "patient_a";  // stand-in for the patient of the figure
 
 // A socket and where it stands.
 struct Socket {
@@ -68,6 +71,9 @@ void write_points(DriverRun& run, const char* name, std::vector<Column> columns,
 
 void body(DriverRun& run) {
   write_points(run, "sample_points", {}, {{{}, make_ball_socket_pair(kTriangles).socket}});
+  Hip hip = make_hip(hip_preset(kHip));
+  write_points(run, "sample_points_hip", {{"subject", "", "name of the hip"}},
+               {{{kHip}, std::move(hip.socket)}});
   if (!run.bones) return;
   std::vector<Socket> sockets;
   for (auto& joint : read_real_joints(*run.bones, run.progress)) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  Where are the hips of the thesis' two patients impinged through their recorded motions? (Tables
-// 11 to 13)
+// @question  Where are hips impinged through the recorded motions of two patients? (Tables 11 to 13)
 // @writes    motion_frames motion_zones
 // @files     motion_frames/patient_a-ball.ply motion_frames/patient_a-socket.ply
-// motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
+// @files     motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
 // @timing    no
 // @seconds   3 3
 // @links     experiment_motion joint

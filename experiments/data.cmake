@@ -66,13 +66,15 @@ foreach(driver IN LISTS drivers)
   cmake_path(GET driver STEM name)
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-  foreach(key question writes writes-with-bones files bones cache timing seconds)
+  foreach(key question writes writes-with-bones files files-with-bones bones cache timing seconds)
     tag(${key} "${source}" ${key})
   endforeach()
   if(NOT writes)
     message(FATAL_ERROR "${source} has no line '// @writes NAME...': see experiments/CMakeLists.txt")
   endif()
   words(tables "${writes}")
+  list(JOIN files " " files) # one line or several
+  words(more_files "${files}")
   words(seconds "${seconds}")
   set(bones_arguments "")
   set(bones_files "")
@@ -83,15 +85,17 @@ foreach(driver IN LISTS drivers)
     foreach(joint IN LISTS IMPINGE_JOINTS)
       file(GLOB subject CONFIGURE_DEPENDS "${IMPINGE_BONES}/${joint}/subject.json")
       list(APPEND bones_files "${${joint}_ball}" "${${joint}_socket}" ${subject})
+      string(REPLACE JOINT ${joint} own_files "${files-with-bones}")
+      words(own_files "${own_files}")
+      list(APPEND more_files ${own_files})
     endforeach()
   endif()
   set(outputs "")
   foreach(table IN LISTS tables)
     list(APPEND outputs data/${table}.csv data/${table}.json)
   endforeach()
-  words(more "${files}")
-  list(TRANSFORM more PREPEND data/)
-  list(APPEND outputs ${more})
+  list(TRANSFORM more_files PREPEND data/)
+  list(APPEND outputs ${more_files})
   set(timing_option "")
   if(timing STREQUAL "yes")
     set(timing_option TIMING)
@@ -154,6 +158,50 @@ if(TARGET scene AND TARGET make_pair)
     impinge_scenes(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
   endforeach()
 endif()
+
+# The stand-ins for the two patients of the thesis: as modelled, and at the end of each motion of Table 11 with the colours
+# of Tables 12 and 13 (red within 2 mm, blue beyond 6).
+function(impinge_gaps name ball socket)
+  impinge_job(
+    NAME scene-${name} KIND data
+    OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv scenes/${name}/summary.json
+    DEPENDS "${scene_program}" "${ball}" "${socket}"
+    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --outputs gaps ${ARGN} --out scenes/${name}
+    SECONDS 1 1
+    ARTEFACTS scene-${name}
+    QUESTION "Where is the joint ${name} impinged?")
+endfunction()
+
+set(IMPINGE_PATIENTS "")
+if(TARGET scene AND TARGET make_pair)
+  file(STRINGS "${PROJECT_SOURCE_DIR}/analysis/thesis_values.csv" recorded REGEX "^table-11,")
+  foreach(patient IN ITEMS patient_a:right patient_b:left)
+    string(REGEX MATCH "(.*):(.*)" none ${patient})
+    set(patient ${CMAKE_MATCH_1})
+    set(side ${CMAKE_MATCH_2})
+    set(ball "${IMPINGE_RESULTS_DIR}/scenes/${patient}/input/ball.ply")
+    set(socket "${IMPINGE_RESULTS_DIR}/scenes/${patient}/input/socket.ply")
+    impinge_job(
+      NAME hip-${patient} KIND data
+      OUTPUTS scenes/${patient}/input/ball.ply scenes/${patient}/input/socket.ply
+      DEPENDS "${pair_program}"
+      COMMAND "${pair_program}" --hip ${patient} --out scenes/${patient}/input
+      SECONDS 1 1
+      ARTEFACTS hip-${patient}
+      QUESTION "What does the stand-in for the thesis' ${patient} look like?")
+    impinge_gaps(${patient} "${ball}" "${socket}" --side ${side} --cartilage 4)
+    foreach(line IN LISTS recorded)
+      if(line MATCHES "^table-11,([a-z_]+),${patient},([0-9.]+),")
+        impinge_gaps(${patient}-${CMAKE_MATCH_1} "${ball}" "${socket}" --side ${side} --cartilage 6
+                     --pose ${CMAKE_MATCH_1}=${CMAKE_MATCH_2})
+        list(APPEND IMPINGE_MOTIONS_${patient} ${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+    set(IMPINGE_MOTIONS_${patient} "${IMPINGE_MOTIONS_${patient}}" PARENT_SCOPE)
+    list(APPEND IMPINGE_PATIENTS ${patient})
+  endforeach()
+endif()
+set(IMPINGE_PATIENTS "${IMPINGE_PATIENTS}" PARENT_SCOPE)
 set(IMPINGE_SCENES "${IMPINGE_SCENES}" PARENT_SCOPE)
 set(IMPINGE_SYSTEMS "${IMPINGE_SYSTEMS}" PARENT_SCOPE)
 set(IMPINGE_JOINTS "${IMPINGE_JOINTS}" PARENT_SCOPE)
