@@ -28,7 +28,7 @@ def main() -> None:
         ]
     figure, _ = panels.sheet([row], f"A ball-and-socket joint, {joint.side} side: {hip.title(joint.name)}")
     handles = [Patch(color=hip.BALL, label="ball"), Patch(color=hip.SOCKET, label="socket")]
-    figure.legend(handles=handles, loc="lower center", ncol=2, title=panels.WAYS, title_fontsize=8, fontsize=9)
+    figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
     panels.save(figure, options.out, options.name)
 
 

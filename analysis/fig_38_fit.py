@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires. From scenes/NAME."""
+"""Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires. From
+data/head_maps.csv with its meshes, and scenes/NAME.
+"""
 
 from __future__ import annotations
 
@@ -19,14 +21,13 @@ def main() -> None:
     """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
     options = common.arguments(__doc__, "--joint", "--name")
     joint = hip.load(options.results, options.joint)
-    centre = joint.summary["centre"]
-    radius = centre["radius_mm"]
-    chosen = np.abs(sphere_deviation.deviation(joint)) <= sphere_deviation.TRIM * radius
+    head = sphere_deviation.load(options.results, joint)
+    fit = head.fit
     shades = render.Shades(np.array([LEFT_OUT, FITTED]), (0.0, 1.0))
-    region = render.scalar_surface(joint.ball, chosen.astype(float), shades)
-    bone = render.plain_surface(joint.ball, hip.BALL)
-    wires = render.rings(hip.sphere_rings(radius), WIRES, 1.4)
-    front, above = (hip.view(name, joint, [joint.ball]) for name in ("anterior", "superior"))
+    region = render.scalar_surface(head.ball, head.fitted.astype(float), shades)
+    bone = render.plain_surface(head.ball, hip.BALL)
+    wires = render.rings(hip.sphere_rings(fit.radius_mm), WIRES, 1.4)
+    front, above = (hip.view(name, joint, [head.ball]) for name in ("anterior", "superior"))
     with render.screen():
         row = [
             panels.take("a) region fitted, anterior view", [region], front),
@@ -34,17 +35,17 @@ def main() -> None:
             panels.take("c) fitted sphere, superior view", [bone, wires], above),
         ]
     heading = (
-        f"Sphere fitted to the ball ({joint.side} side), {hip.title(joint.name)}\n"
-        f"radius {radius:.2f} mm, residual {centre['residual_rms_mm']:.2f} mm rms over {centre['vertices_used']:,} of "
-        f"{len(joint.ball.vertices):,} vertices"
+        f"{hip.title(joint.name)}: sphere fitted to the ball ({joint.side} side)\n"
+        f"radius {fit.radius_mm:.2f} mm, residual {common.digits(fit.rms_mm, 2)} mm rms over {int(fit.fitted):,} of "
+        f"{int(fit.vertices):,} vertices"
     )
     figure, _ = panels.sheet([row], heading)
     handles = [
-        Patch(color=FITTED, label=f"within {100 * sphere_deviation.TRIM:.0f} % of the radius: fitted"),
+        Patch(color=FITTED, label="fitted: found without a hand"),
         Patch(color=LEFT_OUT, label="left out"),
         Patch(color=WIRES, label="sphere"),
     ]
-    figure.legend(handles=handles, loc="lower center", ncol=3, title=panels.WAYS, title_fontsize=8, fontsize=9)
+    figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=8, fontsize=9)
     panels.save(figure, options.out, options.name)
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours. From scenes/NAME."""
+"""Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours. From
+data/head_maps.csv with its meshes, and scenes/NAME.
+"""
 
 from __future__ import annotations
 
@@ -16,20 +18,21 @@ def main() -> None:
     """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
     options = common.arguments(__doc__, "--joint", "--name")
     joint = hip.load(options.results, options.joint)
-    radius = joint.summary["centre"]["radius_mm"]
-    ball = sphere_deviation.coloured(joint)
+    head = sphere_deviation.load(options.results, joint)
+    radius = head.fit.radius_mm
+    ball = sphere_deviation.coloured(head)
     wires = render.rings(hip.sphere_rings(radius), WIRES, 1.6)
-    front, above = (hip.view(name, joint, [joint.ball]) for name in ("anterior", "superior"))
+    front, above = (hip.view(name, joint, [head.ball]) for name in ("anterior", "superior"))
     with render.screen():
         row = [
             panels.take("a) with the sphere as wires, anterior view", [ball, wires], front),
             panels.take("b) superior view", [ball], above),
         ]
     heading = (
-        f"Ball beyond the sphere of {radius:.2f} mm fitted to it ({joint.side} side)\n{hip.title(joint.name)}"
+        f"{hip.title(joint.name)}\nball beyond the sphere of {radius:.2f} mm fitted to it ({joint.side} side)"
     )
-    figure, grid = panels.sheet([row], heading, legend=0.85)
-    sphere_deviation.colour_bar(figure, grid)
+    figure, _ = panels.sheet([row], heading, legend=0.85)
+    sphere_deviation.colour_bar(figure)
     panels.save(figure, options.out, options.name)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib.patches import Patch
 from vtkmodules.vtkRenderingCore import vtkActor
 
+import hip
 import ply
 import render
 
@@ -51,6 +52,16 @@ def coloured(mesh: ply.Mesh, colours: Colours, opacity: float = 1.0) -> vtkActor
     return render.scalar_surface(mesh, mesh.properties["gap"], shades(colours), opacity)
 
 
+def of_part(joint, part: str, opacity: float = 1.0) -> vtkActor:
+    """The ball or the socket of a hip.Hip in the colours of its scene."""
+    return coloured(getattr(joint, part), colours_of(joint.summary, part), opacity)
+
+
+def both(joint) -> list[vtkActor]:
+    """Ball and socket."""
+    return [of_part(joint, part) for part in ("ball", "socket")]
+
+
 def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[Patch]:
     """The colours from contact outwards; the last differs between ball and socket."""
     first = colours_of(summary, parts[0])
@@ -61,3 +72,15 @@ def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[P
         colours = colours_of(summary, part)
         patches.append(Patch(color=colours.rgb[-1], label=f"{part}, over {colours.upper[-2]:.2g} mm"))
     return [*patches, Patch(color=first.nothing, label="no surface opposite")]
+
+
+def add_legend(figure, summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> None:
+    """At the foot of a sheet of panels.py, with what the letters in them mean."""
+    figure.legend(
+        handles=legend(summary, parts),
+        loc="lower center",
+        ncol=3,
+        title=f"gap, mm (radial)      {hip.WAYS}",
+        title_fontsize=8,
+        fontsize=8.5,
+    )

@@ -15,6 +15,7 @@ import common
 import ply
 import render
 
+WAYS = "A anterior, P posterior, S superior, I inferior, R and L the patient's right and left"
 PIXELS = 560  # a side of one view
 DIRECTIONS = {
     "R": (1, 0, 0),
@@ -24,6 +25,8 @@ DIRECTIONS = {
     "S": (0, 0, 1),
     "I": (0, 0, -1),
 }
+
+NEAR = 46.0  # mm: head and neck, but not the shaft
 
 # Bone of the ball and of the socket where no gap is shown.
 BALL = (0.93, 0.87, 0.74)
@@ -48,22 +51,22 @@ class Hip:
         """Which way of x is lateral."""
         return 1.0 if self.side == "right" else -1.0
 
-    @property
-    def size(self) -> float:
-        """Distance of the farthest vertex from the centre, mm."""
-        return max(float(np.linalg.norm(mesh.vertices, axis=1).max()) for mesh in (self.ball, self.socket))
+
+def to_joint(points: np.ndarray, summary: dict) -> np.ndarray:
+    """Points (n, 3) of the input frame of a scene."""
+    centre = np.array([summary["centre"][axis] for axis in "xyz"])
+    turn = np.array([DIRECTIONS[letter] for letter in summary["axes"]], dtype=float)
+    return (points - centre) @ turn
 
 
 def load(results: Path, scene: str) -> Hip:
     """From scenes/SCENE. A scene that does not know its side is shown as a right joint."""
     folder = results / "scenes" / scene
     summary = json.loads((folder / "summary.json").read_text())
-    centre = np.array([summary["centre"][axis] for axis in "xyz"])
-    turn = np.array([DIRECTIONS[letter] for letter in summary["axes"]], dtype=float).T
 
     def seen(part: str) -> ply.Mesh:
         mesh = ply.read(folder / f"{part}.ply")
-        return replace(mesh, vertices=(mesh.vertices - centre) @ turn.T)
+        return replace(mesh, vertices=to_joint(mesh.vertices, summary))
 
     return Hip(scene, summary["side"] or "right", seen("ball"), seen("socket"), summary)
 
@@ -72,30 +75,47 @@ def title(name: str) -> str:
     """What a reader calls the joint NAME, or the scene NAME-MOTION of it."""
     joint = name.split("-")[0]
     if joint in STAND_INS:
-        return f"generated stand-in for {STAND_INS[joint]}, whose scan is not public"
-    return joint.replace("_", " ")
+        return f"Generated stand-in for {STAND_INS[joint]}, whose scan is not public"
+    return f"Real joint {joint.replace('_', ' ')}"
 
 
-def pose(summary: dict) -> str:
+def pose(joint: Hip) -> str:
     """Of a scene, in words."""
-    text = summary["pose"].replace("=", " ").replace("_", " ").replace(",", "°, ")
-    return f"{text}°" if "=" in summary["pose"] else "as scanned or modelled"
+    text = joint.summary["pose"].replace("=", " ").replace("_", " ").replace(",", "°, ")
+    if "=" in joint.summary["pose"]:
+        return f"{text}°"
+    return "as modelled" if joint.name.split("-")[0] in STAND_INS else "as scanned"
+
+
+def close_zones(summary: dict) -> str:
+    """Where the socket is within the cartilage, in words."""
+    level = summary["impingement"][-1]
+    found = level["socket"]["clock_zones"]
+    if found is None:
+        return "no clock positions"
+    places = ", ".join(
+        "any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found
+    )
+    return (
+        f"socket within {level['gap_up_to_mm']:g} mm at {places}"
+        if places
+        else (f"nowhere within {level['gap_up_to_mm']:g} mm")
+    )
 
 
 # Views. Right is the right of the picture.
 
 
-def towards(view: str, hip: Hip) -> tuple[np.ndarray, np.ndarray]:
+def towards(view: str, joint: Hip) -> tuple[np.ndarray, np.ndarray]:
     """Where a camera of that name looks, and what is up in its picture."""
     superior = np.array([0.0, 0.0, 1.0])
     looks = {
         "anterior": (0, -1, 0),
         "posterior": (0, 1, 0),
-        "lateral": (-hip.outwards, 0, 0),
-        "medial": (hip.outwards, 0, 0),
+        "lateral": (-joint.outwards, 0, 0),
+        "medial": (joint.outwards, 0, 0),
         "superior": (0, 0, -1),
-        "oblique": (-0.55 * hip.outwards, -0.7, -0.45),
-        "posteromedial": (0.8 * hip.outwards, 0.6, 0),
+        "oblique": (-0.55 * joint.outwards, -0.7, -0.45),
     }
     look = np.array(looks[view], dtype=float)
     look /= np.linalg.norm(look)
@@ -103,14 +123,15 @@ def towards(view: str, hip: Hip) -> tuple[np.ndarray, np.ndarray]:
     return look, up - (up @ look) * look
 
 
-def view(name: str, hip: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) -> render.View:
-    """The camera of that name, so that it shows all of the meshes."""
-    look, up = towards(name, hip)
+def view(name: str, joint: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) -> render.View:
+    """The camera of that name, so that it shows the meshes as far as NEAR from the centre."""
+    look, up = towards(name, joint)
     up = up / np.linalg.norm(up)
     frame = np.array([np.cross(look, up), up, look])
-    seen = np.vstack([mesh.vertices for mesh in meshes]) @ frame.T
+    points = np.vstack([mesh.vertices for mesh in meshes])
+    seen = points[np.linalg.norm(points, axis=1) < NEAR] @ frame.T
     low, high = seen.min(axis=0), seen.max(axis=0)
-    return render.View((low + high) / 2 @ frame, look, up, 0.54 * float((high - low)[:2].max()), pixels)
+    return render.View((low + high) / 2 @ frame, look, up, 0.56 * float((high - low)[:2].max()), pixels)
 
 
 def letters(seen: render.View) -> dict[str, str]:
@@ -159,13 +180,15 @@ class Dial:
         )
 
 
-def dial(hip: Hip) -> Dial:
+def dial(joint: Hip) -> Dial:
     """Where the socket's rim is widest."""
-    found = hip.summary["dial"]
+    found = joint.summary["dial"]
     if found is None:
-        raise common.Refused(f"scenes/{hip.name}: the socket looks straight up, down, forward or back and has no dial")
+        raise common.Refused(
+            f"scenes/{joint.name}: the socket looks straight up, down, forward or back and has no dial"
+        )
     twelve, three = np.array(found["twelve"]), np.array(found["three"])
     axis = np.cross(twelve, three)
-    along = hip.socket.vertices @ axis
+    along = joint.socket.vertices @ axis
     towards_rim = along.max() if abs(along.max()) < abs(along.min()) else along.min()
     return Dial(twelve, three, towards_rim * axis)

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patheffects import withStroke
 
 import common
 import hip
@@ -20,7 +22,6 @@ LETTERS = {
     "top": (0.5, 0.985, "center", "top"),
     "bottom": (0.5, 0.015, "center", "bottom"),
 }
-WAYS = "A anterior, P posterior, S superior, I inferior, R and L the patient's right and left"
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,18 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
         return
     for where, letter in hip.letters(panel.view).items():
         x, y, across, along = LETTERS[where]
-        axes.text(x, y, letter, transform=axes.transAxes, ha=across, va=along, fontsize=9, color=INK, weight="bold")
+        axes.text(
+            x,
+            y,
+            letter,
+            transform=axes.transAxes,
+            ha=across,
+            va=along,
+            fontsize=9,
+            color=INK,
+            weight="bold",
+            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+        )
     scale_bar(axes, panel.view)
 
 
@@ -56,18 +68,33 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
     length = min((5, 10, 20, 50), key=lambda mm: abs(mm - 0.4 * view.size))
     pixels = length / view.size * view.pixels / 2
     x, y = 0.03 * view.pixels, 0.965 * view.pixels
-    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt")
-    axes.text(x + pixels / 2, y - 0.012 * view.pixels, f"{length} mm", ha="center", va="bottom", fontsize=8, color=INK)
+    halo = [withStroke(linewidth=2.5, foreground="white")]
+    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=halo)
+    axes.annotate(
+        f"{length} mm",
+        (x + pixels / 2, y),
+        (0, 3),
+        textcoords="offset points",
+        ha="center",
+        fontsize=8,
+        color=INK,
+        path_effects=halo,
+    )
 
 
-def sheet(rows: list[list[Panel]], heading: str, legend: float = 0.55) -> tuple[plt.Figure, np.ndarray]:
-    """Panels in rows below a heading; `legend` inches are kept free below them. The axes have the shape of the rows."""
+def sheet(
+    rows: list[list[Panel]], heading: str, legend: float = 0.55, titles: int = 1
+) -> tuple[plt.Figure, np.ndarray]:
+    """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
+    The axes have the shape of the rows.
+    """
     common.style()
     columns = max(len(row) for row in rows)
     width = {1: 3.6, 2: 6.6}.get(columns, 8.6)
     side = width / columns
     head = 0.30 + 0.19 * heading.count("\n")
-    height = (side + 0.27) * len(rows) + head + legend
+    above = 0.12 + 0.15 * titles
+    height = (side + above) * len(rows) + head + legend
     figure, grid = plt.subplots(len(rows), columns, figsize=(width, height), squeeze=False)
     for line, row in zip(grid, rows):
         for axes, panel in zip(line, row):
@@ -75,14 +102,16 @@ def sheet(rows: list[list[Panel]], heading: str, legend: float = 0.55) -> tuple[
         for axes in line[len(row) :]:
             axes.axis("off")
     figure.suptitle(heading, fontsize=10.5, y=1 - 0.08 / height, va="top")
-    top = 1 - (head + 0.22) / height
-    figure.subplots_adjust(left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=0.27 / side)
+    top = 1 - (head + above - 0.05) / height
+    figure.subplots_adjust(
+        left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=above / side
+    )
     return figure, grid
 
 
 def save(figure: plt.Figure, out: Path, name: str) -> None:
     """figures/NAME.png, .svg and .pdf; of a real joint, whose figures are many, the PNG alone."""
-    if any(name.endswith(f"-{joint}") for joint in hip.STAND_INS) or "-" not in name.removeprefix("figure-"):
+    if not re.fullmatch(r"figure-\d+-.+", name):
         common.save_figure(figure, out, name)
         return
     path = out / "figures" / f"{name}.png"

@@ -23,7 +23,7 @@ MEANINGS = {
     "reproduced": "came out again",
     "differs": "came out otherwise",
     "thesis-misprint": "wrong in the thesis",
-    "not-comparable": "times of another machine",
+    "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }
 PROVENANCE = {
@@ -187,7 +187,7 @@ def data_table(path: Path) -> str:
 
 def image(path: Path, title: str) -> str:
     """The picture inside the page."""
-    kind = {".svg": "image/svg+xml", ".png": "image/png"}[path.suffix]
+    kind = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}[path.suffix]
     content = base64.b64encode(path.read_bytes()).decode("ascii")
     return f'<img alt="{html.escape(title)}" src="data:{kind};base64,{content}">'
 

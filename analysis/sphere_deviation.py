@@ -1,27 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How far the surface of a ball is from the sphere fitted to it, and its colours: what Figures 38, 39, 60 and 61
-share.
+share. From data/head_maps.csv and data/head_maps/NAME.ply.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import matplotlib
 import numpy as np
+import pandas as pd
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from vtkmodules.vtkRenderingCore import vtkActor
 
+import common
 import hip
-import panels
 import ply
 import render
 
-STEP, LARGEST = 0.5, 3.0  # mm: of a colour, and where the last begins
-TRIM = 0.06  # residuals up to this share of the radius are fitted (libcore/joint/sphere_fit.hpp)
+STEP, LARGEST = (
+    0.5,
+    2.75,
+)  # mm: of a colour, and where the last begins; the middle one is within a quarter of 0
 EXCESS = 1.0  # mm beyond the sphere that Figures 60 and 61 mark
-REACH = 0.25  # of the radius: what is farther out is neck or trochanter
+NECK = (0.25, 0.6)  # of the radius: what is that far out is the neck
+BESIDE_NECK = np.radians(55)  # from the axis of the neck: nearer, the head rises to it
 CLUSTER = np.radians(30)  # half width of the region that is marked
 
 
@@ -31,24 +36,42 @@ def edges() -> np.ndarray:
 
 
 def colours() -> ScalarMappable:
-    """Blue inside the sphere, red outside, white at it; the ends hold all that is beyond."""
+    """Blue inside the sphere, red outside, pale at it; the ends hold all that is beyond."""
     count = len(edges()) + 1
     shades = ListedColormap(matplotlib.colormaps["RdBu_r"](np.linspace(0.03, 0.97, count)))
     norm = BoundaryNorm(edges(), count, extend="both")
     return ScalarMappable(norm, shades)
 
 
-def deviation(joint: hip.Hip) -> np.ndarray:
-    """Of each vertex of the ball, mm, beyond the sphere positive."""
-    return np.linalg.norm(joint.ball.vertices, axis=1) - joint.summary["centre"]["radius_mm"]
+@dataclass(frozen=True)
+class HeadMap:
+    """A ball in the joint frame about the centre of its sphere; of each vertex the distance from the sphere (mm,
+    outwards positive) and whether it was fitted; and the row of head_maps.csv.
+    """
+
+    ball: ply.Mesh
+    deviation: np.ndarray
+    fitted: np.ndarray
+    fit: pd.Series
 
 
-def coloured(joint: hip.Hip) -> vtkActor:
+def load(results: Path, joint: hip.Hip) -> HeadMap:
+    """Of the ball of a joint as scanned or modelled."""
+    table = common.load(results, "head_maps").set_index("joint")
+    mesh = ply.read(results / "data" / "head_maps" / f"{joint.name}.ply")
+    turned = hip.to_joint(mesh.vertices, {**joint.summary, "centre": dict.fromkeys("xyz", 0.0)})
+    deviation, fitted = (mesh.properties[name] for name in ("deviation", "fitted"))
+    return HeadMap(replace(mesh, vertices=turned), deviation, fitted > 0.5, table.loc[joint.name])
+
+
+def coloured(head: HeadMap) -> vtkActor:
     """The ball in these colours."""
     limits = (-LARGEST - STEP, LARGEST + STEP)
     scale = colours()
     middles = np.arange(limits[0] + STEP / 2, limits[1], STEP)
-    return render.scalar_surface(joint.ball, deviation(joint), render.Shades(scale.to_rgba(middles)[:, :3], limits))
+    return render.scalar_surface(
+        head.ball, head.deviation, render.Shades(scale.to_rgba(middles)[:, :3], limits)
+    )
 
 
 @dataclass(frozen=True)
@@ -60,16 +83,20 @@ class Region:
     reach: float  # mm from the middle
 
 
-def excess(joint: hip.Hip) -> Region | None:
-    """The largest region of EXCESS or more that is still of the head; none where there is none."""
-    off = deviation(joint)
-    radius = joint.summary["centre"]["radius_mm"]
-    chosen = (off > EXCESS) & (off < REACH * radius)
+def excess(head: HeadMap) -> Region | None:
+    """The largest region of EXCESS or more that is not of the neck; none where there is none."""
+    off = head.deviation
+    share = off / head.fit.radius_mm
+    area = vertex_areas(head.ball)
+    unit = head.ball.vertices / np.linalg.norm(head.ball.vertices, axis=1)[:, None]
+    neck = (unit * area[:, None])[(share > NECK[0]) & (share < NECK[1])].sum(axis=0)
+    length = np.linalg.norm(neck)
+    beside = unit @ neck < length * np.cos(BESIDE_NECK) if length else np.full(len(unit), True)
+    chosen = (off > EXCESS) & (share < NECK[0]) & beside
     if not chosen.any():
         return None
-    points = joint.ball.vertices[chosen]
-    unit = points / np.linalg.norm(points, axis=1)[:, None]
-    weight = vertex_areas(joint.ball)[chosen] * off[chosen]
+    points, unit = head.ball.vertices[chosen], unit[chosen]
+    weight = area[chosen] * off[chosen]
     near = unit @ unit.T > np.cos(CLUSTER)
     best = near[int(np.argmax(near @ weight))]
     middle = np.average(points[best], axis=0, weights=weight[best])
@@ -85,11 +112,12 @@ def vertex_areas(mesh: ply.Mesh) -> np.ndarray:
     return np.bincount(mesh.triangles.ravel(), np.repeat(share, 3), minlength=len(mesh.vertices))
 
 
-def colour_bar(figure, grid) -> None:
+def colour_bar(figure) -> None:
     """Below the panels, with what the letters in them mean."""
     height = figure.get_size_inches()[1]
     axes = figure.add_axes([0.2, 0.45 / height, 0.6, 0.12 / height])
     bar = figure.colorbar(colours(), cax=axes, orientation="horizontal", extend="both", extendfrac="auto")
-    bar.set_ticks(edges()[::2])
+    bar.set_ticks(np.arange(-2, 3))
+    bar.set_ticks([], minor=True)
     bar.ax.tick_params(labelsize=8, length=2, pad=1)
-    bar.set_label(f"distance from the sphere, mm, outwards positive\n{panels.WAYS}", fontsize=8, labelpad=2)
+    bar.set_label(f"distance from the sphere, mm, outwards positive\n{hip.WAYS}", fontsize=8, labelpad=2)

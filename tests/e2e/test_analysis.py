@@ -20,11 +20,15 @@ import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
 import finding  # noqa: E402
+import hip  # noqa: E402
 import log_plot  # noqa: E402
 import ply  # noqa: E402
 import render  # noqa: E402
+import replay  # noqa: E402
+import socket_map  # noqa: E402
 import timing  # noqa: E402
 import verdict  # noqa: E402
+import verdicts_hip  # noqa: E402
 import verdicts_memory  # noqa: E402
 
 
@@ -189,6 +193,54 @@ class View(unittest.TestCase):
         self.assertEqual(view.place(5 * z).tolist(), [50, 50])
         self.assertEqual(view.place(2 * y).tolist(), [50, -0.5])  # the border above
         self.assertEqual(view.place(-2 * x).tolist(), [100.5, 50])  # z away, y above: x to the left
+
+
+class Hips(unittest.TestCase):
+    """Anatomical views, and zones by the clock."""
+
+    def hip(self, side: str) -> hip.Hip:
+        corners = np.array([[30.0, 0, 0], [-30, 10, 0], [0, -10, 30]])
+        mesh = ply.Mesh(corners, np.array([[0, 1, 2]]), {})
+        return hip.Hip("h", side, mesh, mesh, {})
+
+    def test_sides_of_a_picture(self):
+        """A picture from the front has the patient's right on its left; from above, anterior is up."""
+        expected = {
+            ("anterior", "right"): "RLSI",
+            ("anterior", "left"): "RLSI",
+            ("medial", "right"): "APSI",
+            ("medial", "left"): "PASI",
+            ("lateral", "right"): "PASI",
+            ("superior", "left"): "LRAP",
+        }
+        for (name, side), letters in expected.items():
+            joint = self.hip(side)
+            found = hip.letters(hip.view(name, joint, [joint.ball]))
+            ways = "".join(found[where] for where in ("left", "right", "top", "bottom"))
+            self.assertEqual(ways, letters, (name, side))
+
+    def test_map_is_seen_from_medial(self):
+        """3 o'clock is anterior: left on a right hip; 12 is up."""
+        self.assertLess(socket_map.place(3, 90, self.hip("right"))[0], 0)
+        self.assertGreater(socket_map.place(3, 90, self.hip("left"))[0], 0)
+        self.assertGreater(socket_map.place(12, 90, self.hip("left"))[1], 0)
+
+    def zones(self, *rows: tuple[float, float, float]) -> pd.DataFrame:
+        return pd.DataFrame(rows, columns=["from_hours", "to_hours", "area_mm2"])
+
+    def test_union_of_zones(self):
+        self.assertEqual(
+            replay.union(self.zones((11.5, 1, 1), (0.5, 2.25, 1), (7, 7.25, 1))), "7:00-7:15, 11:30-2:15"
+        )
+        self.assertEqual(replay.union(self.zones((0, 0, 1))), "12:00-12:00")
+        self.assertEqual(replay.union(self.zones()), "none")
+
+    def test_zones_against_print(self):
+        self.assertEqual(verdicts_hip.stretches("1-3 and 7"), [(1, 3), (6.5, 7.5)])
+        zone = next(self.zones((11.75, 4.25, 1)).itertuples())
+        self.assertTrue(verdicts_hip.inside(zone, (12, 4)))
+        self.assertFalse(verdicts_hip.inside(zone, (1, 4)))
+        self.assertFalse(verdicts_hip.inside(zone, (12, 3)))
 
 
 class GapDifference(unittest.TestCase):
