@@ -5,8 +5,8 @@ the timed data.
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
-one for each number of further CSVs (see paper_cells.py, paper_limits.py, paper_race.py, paper_stability.py), as
-scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by
+one for each number of further CSVs (see paper_cells.py, paper_limits.py, paper_race.py, paper_replay.py and
+paper_stability.py), as scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by
 the thesis' two tables; and the machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
@@ -23,6 +23,7 @@ import paper_baselines
 import paper_cells
 import paper_limits
 import paper_race
+import paper_replay
 import paper_stability
 import timing
 
@@ -187,6 +188,7 @@ def main() -> None:
     facts |= finding_facts(options.results)
     facts |= paper_cells.facts(options.results)
     facts |= paper_race.facts(options.results)
+    facts |= paper_replay.facts(options.results)
     facts |= paper_stability.facts(options.results)
     facts |= paper_baselines.facts(options.results)
     facts |= paper_limits.facts(options.results)
