@@ -51,7 +51,7 @@ void body(DriverRun& run) {
                                      std::pair("patient_b", &RecordedRange::patient_b)}) {
     const HipParameters parameters = hip_preset(name);
     const Hip hip = make_hip(parameters);
-    const Vec3 centre = Vec3::Zero();
+    const Vec3 centre = fit_ball(hip.ball).centre;  // as the thesis has it
     replay({name, parameters.side, relative_to(hip.ball, centre), relative_to(hip.socket, centre)},
            motions_of(angles), kOptions, folder, tables);
   }
