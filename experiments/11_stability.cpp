@@ -2,7 +2,7 @@
 // @question  Do stiff and extreme cases break a method?
 // @writes    stability stability_detail stability_families
 // @timing    no
-// @seconds   60 400
+// @seconds   50 90
 // @links     stability
 //
 // Every family of libcore/stability/families/: its knob is turned from harmless to extreme, and each answer
