@@ -126,7 +126,7 @@ class Scene(unittest.TestCase):
         summary = self.summary("of_hip")
         self.assertAlmostEqual(summary["centre"]["radius_mm"], 24.0, delta=0.01)
         self.assertLess(max(abs(summary["centre"][axis]) for axis in "xyz"), 0.01)
-        self.assertAlmostEqual(summary["smallest_gap"]["gap_mm"], 3.5, delta=0.02)
+        self.assertAlmostEqual(summary["smallest_gap"]["gap_mm"], 3.5, delta=0.06)  # the sagitta of coarse faces
 
     def test_the_wrong_side_is_warned_of(self):
         ball, socket = self.hip("right", "--hip", "normal", "--set", "shaft_length=0", "--faces", 2000)
