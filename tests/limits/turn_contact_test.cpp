@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -121,27 +122,34 @@ TEST(TurnContact, TheFirstGapOfAThreshold) {
   EXPECT_GT(found, 5);
 }
 
-// A plate outside of a cup meets none of its points and is beyond it once it passes the rim: its corner that
-// leads is at -60 degrees from -z, the rim at 70 degrees from +z, both in the plane y = 0.
-TEST(TurnContact, KnowsARimBehindARim) {
+// A plate outside of a cap meets none of its points and is beyond it once it passes the rim: its tip leads at
+// -60 degrees from -z, the rim is at 70 degrees from +z, both across the plane y = 0. Either has a corner in
+// that plane, and the other an edge across it.
+BallSocketPair plate_and_cap(double plate_width, double rim_width) {
+  const auto at = [](double radius, double degrees, double y) {
+    return Vec3(-radius * std::sin(degrees * kDegree), y, radius * std::cos(degrees * kDegree));
+  };
   const TriangleMesh plate{
-      {{-40 * std::sin(kPi / 3), 0, -40 * std::cos(kPi / 3)}, {-5, 4, -40}, {-5, -4, -40}}, {{0, 1, 2}}};
-  const double rim = 70.0 * kDegree;
-  const double r = 26.0;
-  const TriangleMesh cap{{{0, 0, r},
-                          {-r * std::sin(rim), 0, r * std::cos(rim)},
-                          {r * std::sin(rim), 9, r * std::cos(rim)},
-                          {r * std::sin(rim), -9, r * std::cos(rim)}},
-                         {{0, 2, 1}, {0, 1, 3}}};
-  const BallSocketPair joint{plate, cap};
-  const auto first = Turning{joint, Vec3::UnitY()}.contacts().first({0.0, kFarthest});
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->kind, ContactKind::rims);
-  EXPECT_NEAR(first->angle, (180.0 - 60.0 - 70.0) * kDegree, 1e-9);
-  const auto gap = Turning{joint, Vec3::UnitY()}.contacts(1.0).first_gap(1.0, {0.0, kFarthest});
-  ASSERT_TRUE(gap);
-  EXPECT_NEAR(gap->angle, first->angle, 1e-9);
-  EXPECT_FALSE(Turning({joint, -Vec3::UnitY()}).contacts().first({0.0, 1.0})) << "it turns away";
+      {at(40, 120, plate_width), at(40, 120, -plate_width), at(40, 170, 4), at(40, 170, -4)},
+      {{0, 2, 1}, {1, 2, 3}}};
+  const TriangleMesh cap{{at(26, 70, rim_width), at(26, 70, -rim_width), at(26, 0, 4), at(26, 0, -4)},
+                         {{0, 2, 1}, {1, 2, 3}}};
+  return {plate, cap};
+}
+
+TEST(TurnContact, KnowsARimBehindARim) {
+  for (const auto& [plate_width, rim_width] :
+       {std::pair(0.0, 9.0), std::pair(9.0, 0.0), std::pair(3.0, 9.0)}) {
+    const BallSocketPair joint = plate_and_cap(plate_width, rim_width);
+    const auto first = Turning{joint, Vec3::UnitY()}.contacts().first({0.0, kFarthest});
+    ASSERT_TRUE(first) << plate_width;
+    EXPECT_EQ(first->kind, ContactKind::rims);
+    EXPECT_NEAR(first->angle, (180.0 - 60.0 - 70.0) * kDegree, 1e-8);
+    const auto gap = Turning{joint, Vec3::UnitY()}.contacts(1.0).first_gap(1.0, {0.0, kFarthest});
+    ASSERT_TRUE(gap) << plate_width;
+    EXPECT_NEAR(gap->angle, first->angle, 1e-8);
+    EXPECT_FALSE(Turning({joint, -Vec3::UnitY()}).contacts().first({0.0, 1.0})) << "it turns away";
+  }
 }
 
 // A corner of the ball at distance 5, a quarter turn away, meets the plane x = 3 after asin(3/5).
