@@ -77,7 +77,10 @@ class Uint16Values {
   }
   std::size_t size() const { return codes_.size(); }
   std::size_t bytes() const { return codes_.size() * sizeof(std::uint16_t); }
-  double step() const { return step_; }  // in the unit of the numbers
+  // Number i is smallest() + step() * code(i), in the unit of the numbers; code kNone is NaN.
+  std::uint16_t code(std::size_t i) const { return codes_[i]; }
+  double smallest() const { return smallest_; }
+  double step() const { return step_; }
 
  private:
   std::vector<std::uint16_t> codes_;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two scans of detection/gap_scan.hpp with vector instructions: several vertices at a time, the pose
+// fused, no function of libm.
+//
+//   gap(u) = S(u) - B(u), mm; NaN where the other surface is not met, in a cell that has no answer, and for a
+//   vertex at the centre itself, which has no direction
+//
+// Rounding. With u = 2^-24 (2^-53 for tables in double), a vertex is moved by at most
+//   E = 10.4 u (|v| + |t|)                     (6 u |v| + 2 u |t| a coordinate, by Cauchy-Schwarz; times sqrt
+//   3)
+// and at the moved vertex x the gap is off from that of the table in exact arithmetic by at most
+//   u (20 (r + |x|) + c m D)
+// m being the cells of a quarter turn along a row and D the largest difference of radii between neighbouring
+// entries of the table: the two coordinates of a place on the grid are together accurate to c m u cells, c =
+// 5 for `cube_gnomonic` (a quotient, a product, a sum) and c = 60 for `rsid` (arctangents to a few ulp of the
+// whole turn). No sum of products is fused, so that all instruction sets, the scalar one too, answer alike
+// bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "kernels/lane_table.hpp"
+#include "kernels/vertex_lanes.hpp"
+
+namespace impinge {
+
+// Vertices of one surface in a pose. The vertices outlive it.
+template <class Real>
+struct LaneScan {
+  const VertexLanes<Real>& vertices;
+  Pose pose;
+  Scan scan;
+};
+
+// gap has the size of the vertices; the table is that of the other surface.
+void scan_gaps(const LaneTable<CubeGnomonic, float>& table, const LaneScan<float>& scan,
+               std::span<float> gap);
+void scan_gaps(const LaneTable<CubeGnomonic, std::uint16_t>& table, const LaneScan<float>& scan,
+               std::span<float> gap);
+void scan_gaps(const LaneTable<Rsid, float>& table, const LaneScan<float>& scan, std::span<float> gap);
+void scan_gaps(const LaneTable<Rsid, std::uint16_t>& table, const LaneScan<float>& scan,
+               std::span<float> gap);
+void scan_gaps(const LaneTable<Rsid, double>& table, const LaneScan<double>& scan, std::span<double> gap);
+
+}  // namespace impinge

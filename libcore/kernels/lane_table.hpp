@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A filled table as a kernel reads it: rows of equal length in which the entries of a cell are neighbours.
+//
+// Entry (i, j) of S stands at row i, column j. `rsid` gets its first column once more behind the last, so
+// that no cell crosses the seam; `cube_gnomonic` has rows like that of its own. A cell is named by its first
+// entry. What is stored is radii of `rsid` (the `smooth` interpolant) and inverse depths of `cube_gnomonic`
+// (`mesh_exact`), in double, float or 16 bits as in sphere/stored_values.hpp.
+//
+// Entries without surface hold a harmless number, since zeros would become denormal on the way and take a
+// hundred times as long; their cells answer "none", as the cells of the rim do. The scalar look-up says the
+// same but on a grid line that has surface at both ends: it answers there even when the cell beside has none.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "sphere/inverse_depth_table.hpp"
+#include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/schemes/rsid.hpp"
+
+namespace impinge {
+
+template <class Value>
+concept LaneValue =
+    std::same_as<Value, double> || std::same_as<Value, float> || std::same_as<Value, std::uint16_t>;
+
+// Plain data; make it with the functions below. Value is what is stored.
+template <SamplingScheme S, LaneValue Value>
+struct LaneTable {
+  using Real = std::conditional_t<std::same_as<Value, double>, double, float>;  // that a kernel works in
+  using Word = std::conditional_t<std::same_as<Value, double>, std::uint64_t, std::uint32_t>;
+
+  std::size_t divisions = 0;  // cells along a side of the cube; rows of cells of the grid
+  std::size_t stride = 0;     // entries of a row
+  std::vector<Value> values;  // entry e stands for smallest + step * values[e]
+  double smallest = 0.0;      // mm or 1 / mm
+  double step = 1.0;          // the same
+  std::vector<Word> none;     // one bit an entry: its cell has no answer; empty where all have one
+
+  std::size_t bytes() const { return values.size() * sizeof(Value) + none.size() * sizeof(Word); }
+};
+
+// Most entries of a table: their offsets in bytes have to fit into 32 bits.
+inline constexpr std::size_t kMostLaneEntries = std::size_t{1} << 28;
+
+// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold.
+template <LaneValue Value>
+LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table);
+template <LaneValue Value>
+LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table);
+
+}  // namespace impinge

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one kernel, over all schemes: a scheme says where on the grid of its table a point is. Included once
+// for each instruction set, hence no #pragma once.
+#if defined(IMPINGE_SCAN_LANES) == defined(HWY_TARGET_TOGGLE)
+#ifdef IMPINGE_SCAN_LANES
+#undef IMPINGE_SCAN_LANES
+#else
+#define IMPINGE_SCAN_LANES
+#endif
+
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "kernels/lane_cells-inl.hpp"
+#include "kernels/raw_scan.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+struct Point {
+  hn::Vec<D> x;
+  hn::Vec<D> y;
+  hn::Vec<D> z;
+};
+
+// Where a point is on the grid.
+template <class D>
+struct Place {
+  hn::Vec<D> row;  // of the table, the face included
+  Line<D> along_row;
+  Line<D> along_column;
+};
+
+template <class D>
+HWY_INLINE Point<D> transformed(D d, const LaneTransform<hn::TFromD<D>>& by, const Point<D>& v) {
+  const auto coordinate = [&](std::size_t k) HWY_ATTR {
+    const auto& r = by.rotation[k];
+    const auto xy = hn::Add(hn::Mul(hn::Set(d, r[0]), v.x), hn::Mul(hn::Set(d, r[1]), v.y));
+    return hn::Add(hn::Add(xy, hn::Mul(hn::Set(d, r[2]), v.z)), hn::Set(d, by.translation[k]));
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> length(const Point<D>& p) {
+  return hn::Sqrt(hn::Add(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)), hn::Mul(p.z, p.z)));
+}
+
+// Gaps of the vertices in one vector.
+template <class Scheme, class D, class Table>
+HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TFromD<D> sign,
+                           const Point<D>& p) {
+  using T = hn::TFromD<D>;
+  const auto size = length(p);
+  const Place<D> place = scheme.place(d, p);
+  const auto entry = first_entry(d, place.row, place.along_row.below, table.stride);
+  auto stored = between(d, table.values.data(), table.stride, entry, place.along_row, place.along_column);
+  if constexpr (sizeof(*table.values.data()) == 2) {
+    stored = hn::Add(hn::Set(d, static_cast<T>(table.smallest)),
+                     hn::Mul(hn::Set(d, static_cast<T>(table.step)), stored));
+  }
+  const auto gap = hn::Mul(hn::Set(d, sign), hn::Sub(scheme.radius(d, p, size, stored), size));
+  auto met = hn::Gt(size, hn::Zero(d));
+  if (!table.none.empty()) met = hn::AndNot(has_none(d, table.none.data(), entry), met);
+  return hn::IfThenElse(met, gap, hn::Set(d, std::numeric_limits<T>::quiet_NaN()));
+}
+
+template <class Scheme, class T, class Table>
+void scan_lanes(const Table& table, const RawScan<T>& scan) {
+  using D = hn::ScalableTag<T>;
+  const D d;
+  const Scheme scheme(table);
+  const std::size_t lanes = hn::Lanes(d);
+  const auto answer = [&](const T* x, const T* y, const T* z) HWY_ATTR {
+    const Point<D> v{hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)};
+    return gaps(d, scheme, table, scan.sign, transformed(d, scan.transform, v));
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= scan.count; i += lanes)
+    hn::StoreU(answer(scan.x + i, scan.y + i, scan.z + i), d, scan.gap + i);
+  if (i == scan.count) return;
+  T rest[4][hn::MaxLanes(D())] = {};
+  const std::size_t bytes = (scan.count - i) * sizeof(T);
+  std::memcpy(rest[0], scan.x + i, bytes);
+  std::memcpy(rest[1], scan.y + i, bytes);
+  std::memcpy(rest[2], scan.z + i, bytes);
+  hn::StoreU(answer(rest[0], rest[1], rest[2]), d, rest[3]);
+  std::memcpy(scan.gap + i, rest[3], bytes);
+}
+
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

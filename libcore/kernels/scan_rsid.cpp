@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/gap_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/scan_rsid.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "kernels/angle_lanes-inl.hpp"
+#include "kernels/scan_lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+namespace {
+
+// See sphere/schemes/rsid.hpp: rows of phi, columns of theta.
+template <class T>
+class RsidLanes {
+ public:
+  template <class Value>
+  explicit RsidLanes(const LaneTable<Rsid, Value>& table)
+      : rows_(static_cast<T>(table.divisions)),
+        columns_(static_cast<T>(2 * table.divisions)),
+        cells_a_radian_(static_cast<T>(static_cast<double>(table.divisions) / kPi)) {}
+
+  template <class D>
+  HWY_INLINE Place<D> place(D d, const Point<D>& p) const {
+    const auto scale = hn::Set(d, cells_a_radian_);
+    const auto across = hn::Sqrt(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)));
+    const auto half = half_turn_angle(d, p.y, p.x);
+    const auto turn = hn::Set(d, static_cast<T>(2.0 * kPi));
+    const auto theta = hn::IfThenElse(hn::Lt(p.y, hn::Zero(d)), hn::Sub(turn, half), half);
+    const auto phi = half_turn_angle(d, across, p.z);
+    const Line<D> along_row = line_below(d, hn::Mul(theta, scale), hn::Set(d, columns_));
+    const Line<D> along_column = line_below(d, hn::Mul(phi, scale), hn::Set(d, rows_));
+    return {along_column.below, along_row, along_column};
+  }
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> radius(D /*d*/, const Point<D>& /*p*/, hn::Vec<D> /*length*/, hn::Vec<D> r) const {
+    return r;
+  }
+
+ private:
+  T rows_;
+  T columns_;
+  T cells_a_radian_;
+};
+
+void scan_rsid_float(const LaneTable<Rsid, float>& table, const RawScan<float>& scan) {
+  scan_lanes<RsidLanes<float>>(table, scan);
+}
+void scan_rsid_uint16(const LaneTable<Rsid, std::uint16_t>& table, const RawScan<float>& scan) {
+  scan_lanes<RsidLanes<float>>(table, scan);
+}
+void scan_rsid_double(const LaneTable<Rsid, double>& table, const RawScan<double>& scan) {
+  scan_lanes<RsidLanes<double>>(table, scan);
+}
+
+}  // namespace
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace impinge {
+namespace {
+
+HWY_EXPORT(scan_rsid_float);
+HWY_EXPORT(scan_rsid_uint16);
+HWY_EXPORT(scan_rsid_double);
+
+}  // namespace
+
+void scan_gaps(const LaneTable<Rsid, float>& table, const LaneScan<float>& scan, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_float)(table, raw_scan(scan, gap));
+}
+
+void scan_gaps(const LaneTable<Rsid, std::uint16_t>& table, const LaneScan<float>& scan,
+               std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_uint16)(table, raw_scan(scan, gap));
+}
+
+void scan_gaps(const LaneTable<Rsid, double>& table, const LaneScan<double>& scan, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_double)(table, raw_scan(scan, gap));
+}
+
+}  // namespace impinge
+#endif

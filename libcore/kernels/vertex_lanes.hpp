@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices as a kernel reads them: coordinate by coordinate, in float or double.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "detection/pose.hpp"
+
+namespace impinge {
+
+// Millimetres, in the frame of the mesh that they are of; all three of one size.
+template <class Real>
+struct VertexLanes {
+  std::vector<Real> x;
+  std::vector<Real> y;
+  std::vector<Real> z;
+
+  std::size_t size() const { return x.size(); }
+};
+
+template <class Real>
+VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
+  VertexLanes<Real> lanes;
+  for (auto* axis : {&lanes.x, &lanes.y, &lanes.z}) axis->reserve(vertices.size());
+  for (const Vec3& v : vertices) {
+    lanes.x.push_back(static_cast<Real>(v.x()));
+    lanes.y.push_back(static_cast<Real>(v.y()));
+    lanes.z.push_back(static_cast<Real>(v.z()));
+  }
+  return lanes;
+}
+
+// Which vertices are looked up: those of the ball in the socket's table, or those of the socket in the
+// ball's.
+enum class Scan { ball, socket };
+
+// x = rotation v + translation takes the vertices of a scan to the frame of the table, mm.
+template <class Real>
+struct LaneTransform {
+  std::array<std::array<Real, 3>, 3> rotation{};  // rows
+  std::array<Real, 3> translation{};
+};
+
+// Worked out in double and rounded once.
+template <class Real>
+LaneTransform<Real> lane_transform(const Pose& pose, Scan scan) {
+  Eigen::Matrix3d rotation = pose.rotation;
+  Vec3 translation = pose.translation;
+  if (scan == Scan::socket) {
+    translation = to_ball(pose, Vec3::Zero());
+    rotation.transposeInPlace();
+  }
+  LaneTransform<Real> lanes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t k = 0; k < 3; ++k)
+      lanes.rotation[i][k] = static_cast<Real>(rotation(row, static_cast<Eigen::Index>(k)));
+    lanes.translation[i] = static_cast<Real>(translation[row]);
+  }
+  return lanes;
+}
+
+}  // namespace impinge

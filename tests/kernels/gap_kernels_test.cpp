@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract:
+//   |gap of the kernel - gap of the scalar look-up| <= u (20 (r + |x|) + c m D) at points that are floats,
+//   and with a pose by what a displacement of 10.4 u (|v| + |t|) does besides one of them has no answer where
+//   the other has none, but within rounding of a grid line
+#include "kernels/gap_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "detection/gap_scan.hpp"
+#include "kernels/lane_fixture.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sphere/quantised_table.hpp"
+#include "sphere/uniform_directions.hpp"
+
+namespace impinge {
+namespace {
+
+// The scheme, what its tables hold, and the scalar table that holds the same numbers.
+template <class SchemeT, class ValueT, class ScalarT>
+struct Kind {
+  using S = SchemeT;
+  using Value = ValueT;
+  using Scalar = ScalarT;
+  using Lanes = LaneTable<S, Value>;
+  using Real = typename Lanes::Real;
+  static constexpr bool kCube = std::same_as<S, CubeGnomonic>;
+  static constexpr double kUnit = sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53;
+  static constexpr double kPlace = kCube ? 5.0 : 60.0;  // c
+
+  static auto exact(const RadialTable<S>& table) {
+    if constexpr (kCube) {
+      return InverseDepthTable<S>(table);
+    } else {
+      return table;
+    }
+  }
+};
+using Kinds =
+    testing::Types<Kind<CubeGnomonic, float, FloatInverseDepthTable<CubeGnomonic>>,
+                   Kind<CubeGnomonic, std::uint16_t, Uint16InverseDepthTable<CubeGnomonic>>,
+                   Kind<Rsid, float, FloatTable<Rsid>>, Kind<Rsid, std::uint16_t, Uint16Table<Rsid>>,
+                   Kind<Rsid, double, RadialTable<Rsid>>>;
+
+template <class K>
+std::vector<typename K::Real> kernel_gaps(const typename K::Lanes& table, const std::vector<Vec3>& vertices,
+                                          const Pose& pose, Scan scan) {
+  const auto lanes = vertex_lanes<typename K::Real>(vertices);
+  std::vector<typename K::Real> gap(vertices.size());
+  scan_gaps(table, {lanes, pose, scan}, gap);
+  return gap;
+}
+
+// m D: cells of a quarter turn, times the largest step of radius between neighbours.
+template <class K>
+double steps(const typename K::S& scheme, const RadialTable<typename K::S>& table) {
+  const double quarter = 0.25 * static_cast<double>(scheme.equator_points());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    const Stencil stencil = scheme.stencil(scheme.direction(i));
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      const double step = std::abs(table.radii()[stencil.entry[k]] - table.radii()[i]);
+      if (!std::isnan(step)) largest = std::max(largest, step);
+    }
+  }
+  return 2.0 * quarter * largest;  // inverse depths change with the depth too: by less than as much again
+}
+
+// Within rounding of x, is there an answer (or none) as the kernel says?
+template <class K, class Table>
+bool said_close_by(const Table& table, const Vec3& x, bool none) {
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    if (std::isnan(table.radius_at(x + 64.0 * K::kUnit * x.norm() * way)) == none) return true;
+  }
+  return false;
+}
+
+template <class K>
+class GapKernels : public testing::Test {};
+TYPED_TEST_SUITE(GapKernels, Kinds);
+
+TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
+  using K = TypeParam;
+  for (const double precision : {10.0, 1.5}) {
+    const auto radii = test::bumpy_table<typename K::S>(precision);
+    const auto exact = K::exact(radii);
+    const typename K::Scalar scalar(exact);
+    const auto table = lane_table<typename K::Value>(exact);
+    const auto points = test::float_points(radii.scheme());
+    const auto gap = kernel_gaps<K>(table, points, {}, Scan::ball);
+    const double places = K::kPlace * steps<K>(radii.scheme(), radii);
+    std::size_t none = 0;
+    std::size_t otherwise = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double radius = scalar.radius_at(points[i]);
+      const double length = points[i].norm();
+      none += std::isnan(gap[i]) ? 1U : 0U;
+      if (std::isnan(gap[i]) != std::isnan(radius)) {
+        ++otherwise;
+        EXPECT_TRUE((said_close_by<K>(scalar, points[i], std::isnan(gap[i])))) << points[i].transpose();
+      }
+      if (std::isnan(gap[i]) || std::isnan(radius)) continue;
+      ASSERT_NEAR(gap[i], radius - length, K::kUnit * (20.0 * (radius + length) + places))
+          << points[i].transpose();
+    }
+    EXPECT_GT(none, 100U);
+    EXPECT_LT(otherwise, points.size() / 100);
+  }
+}
+
+// One scan against a surface with a rim, the other against a closed one, as the library answers in double.
+TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
+  using K = TypeParam;
+  const BallSocketPair pair = make_ball_socket_pair(1000);
+  const auto scheme = K::S::with_precision(3.0);
+  std::mt19937_64 random(5);
+  for (const Scan scan : {Scan::ball, Scan::socket}) {
+    const bool first = scan == Scan::ball;
+    const auto radii = first ? fill_exact(pair.socket, scheme, Layer::nearest)
+                             : fill_exact(pair.ball, scheme, Layer::farthest);
+    const auto exact = K::exact(radii);
+    const typename K::Scalar scalar(exact);
+    const auto table = lane_table<typename K::Value>(exact);
+    const double slope = steps<K>(scheme, radii);  // mm a radian, no less
+    for (int k = 0; k < 10; ++k) {
+      Pose pose;
+      pose.rotation = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
+      pose.translation = 2.0 * (uniform(random) - 0.5) * uniform_direction(random);
+      const auto& vertices = first ? pair.ball.vertices : pair.socket.vertices;
+      const auto gap = kernel_gaps<K>(table, vertices, pose, scan);
+      std::size_t otherwise = 0;
+      for (std::size_t i = 0; i < gap.size(); ++i) {
+        const Vec3 x = first ? to_socket(pose, vertices[i]) : to_ball(pose, vertices[i]);
+        const double radius = scalar.radius_at(x);
+        const double expected = first ? radius - x.norm() : x.norm() - radius;
+        if (std::isnan(gap[i]) != std::isnan(radius)) ++otherwise;
+        if (std::isnan(gap[i]) || std::isnan(radius)) continue;
+        const double moved = 10.4 * (vertices[i].norm() + pose.translation.norm());
+        const double bound =
+            K::kUnit * (20.0 * (radius + x.norm()) + K::kPlace * slope + moved * (1.0 + slope / x.norm()));
+        ASSERT_NEAR(gap[i], expected, bound);
+      }
+      EXPECT_LE(otherwise, gap.size() / 100);
+    }
+  }
+}
+
+TYPED_TEST(GapKernels, TakesTheBytesOfItsEntriesAndMask) {
+  using K = TypeParam;
+  const auto radii = test::bumpy_table<typename K::S>(3.0);
+  const auto table = lane_table<typename K::Value>(K::exact(radii));
+  const std::size_t entries = radii.scheme().size() + (K::kCube ? 0 : radii.scheme().size() / 120);
+  const std::size_t words = entries / (8 * sizeof(typename K::Lanes::Word)) + 1;
+  EXPECT_EQ(table.bytes(), entries * sizeof(typename K::Value) + words * sizeof(typename K::Lanes::Word));
+}
+
+}  // namespace
+}  // namespace impinge
