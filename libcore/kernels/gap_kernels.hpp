@@ -6,15 +6,14 @@
 //   vertex at the centre itself, which has no direction
 //
 // Rounding. With u = 2^-24 (2^-53 for tables in double), a vertex is moved by at most
-//   E = 10.4 u (|v| + |t|)                     (6 u |v| + 2 u |t| a coordinate, by Cauchy-Schwarz; times sqrt
-//   3)
+//   E = 10.4 u (|v| + |t|)                     (6 u |v| + 2 u |t| a coordinate, Cauchy-Schwarz; times sqrt 3)
 // and at the moved vertex x the gap is off from that of the table in exact arithmetic by at most
 //   u (20 (r + |x|) + c m D)
-// m being the cells of a quarter turn along a row and D the largest difference of radii between neighbouring
-// entries of the table: the two coordinates of a place on the grid are together accurate to c m u cells, c =
-// 5 for `cube_gnomonic` (a quotient, a product, a sum) and c = 60 for `rsid` (arctangents to a few ulp of the
-// whole turn). No sum of products is fused, so that all instruction sets, the scalar one too, answer alike
-// bit for bit.
+// m being the cells of a quarter turn along a row and D the largest difference of radii between the corners
+// of the cells there: the two coordinates of a place on the grid are together accurate to c m u cells, c = 5
+// for `cube_gnomonic` (a quotient, a product, a sum, a product) and c = 28 for `rsid` (15 u for theta, whose
+// last step is 2 pi minus an angle, and 9 u for phi, each with 2 u of itself for the product). No product is
+// fused with a sum, so that all instruction sets, the scalar one too, answer alike bit for bit.
 #pragma once
 
 #include <cstdint>
