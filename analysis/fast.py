@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the table, the targets and the figure of experiment 13 share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+TRIANGLES = 12000  # of each model of the joint that is shown
+DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
+NAMES = {
+    "embree_ray1": "Embree, 1 ray",
+    "embree_ray8": "Embree, 8 rays",
+    "embree_ray16": "Embree, 16 rays",
+    "floor": "floor",
+    "rsid_scalar": "RSID, scalar",
+    "rsid": "RSID kernel",
+    "cube_gnomonic_mesh_exact": "cube kernel",
+}
+
+
+def load(results: Path) -> pd.DataFrame:
+    """data/fast.csv with a readable `line` for each method and storage."""
+    table = common.load(results, "fast")
+    storage = table.storage.map({"uint16": ", 16 bits", "float": ", float", "double": ", double"}).fillna("")
+    table["line"] = table.method.map(NAMES) + storage.where(table.method != "floor", "")
+    return table
+
+
+def best_set(table: pd.DataFrame) -> str:
+    """The instruction set that the machine prefers: kernels are listed with it first."""
+    return table[table.instruction_set != "none"].instruction_set.iloc[0]
+
+
+def plain_rows(table: pd.DataFrame) -> pd.DataFrame:
+    """The joint that is shown, one thread, the best instruction set."""
+    sets = table.instruction_set.isin(["none", best_set(table)])
+    return table[(table.triangles == TRIANGLES) & (table.threads == 1) & sets]

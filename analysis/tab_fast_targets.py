@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What was aimed at in speed, and what was measured. From data/fast.csv."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import pandas as pd
+
+import common
+import fast
+
+KERNELS = ["rsid", "cube_gnomonic_mesh_exact"]
+MIB = 2**20
+# Not measured yet: what it is, and at least how many times faster it has to be.
+OPEN = {
+    "exact gaps (0.05 µm) against Embree, 12k": 12,
+    "cold pose, 7 µm, against Embree": 12,
+    "USID with polynomials against USID with libm": 7,
+    "boolean against FCL, 12k": 200,
+    "all gaps against FCL's distance": 100,
+    "fill against Embree's build and rays": 5,
+}
+
+
+@dataclass(frozen=True)
+class Target:
+    """A ratio of times: at least `target`, or at most where `most` is set."""
+
+    key: str
+    what: str
+    target: float
+    measured: float
+    most: bool = False
+
+    def verdict(self) -> str:
+        """yes, no, or not measured."""
+        if not math.isfinite(self.measured):
+            return "not measured"
+        met = self.measured <= self.target if self.most else self.measured >= self.target
+        return "yes" if met else "no"
+
+
+def main() -> None:
+    """Writes tables/fast-targets.csv and .tex."""
+    options = common.arguments(__doc__)
+    targets = measured(fast.load(options.results))
+    targets += [Target(f"open{k}", what, least, math.nan) for k, (what, least) in enumerate(OPEN.items())]
+    rows = pd.DataFrame(
+        {
+            "key": [one.key for one in targets],
+            "what": [one.what for one in targets],
+            "target": [f"{'at most' if one.most else 'at least'} {one.target:g}" for one in targets],
+            "measured": [common.digits(one.measured, 2) for one in targets],
+            "met": [one.verdict() for one in targets],
+        }
+    )
+    common.write_table(options.out, "fast-targets", rows, latex(rows))
+
+
+def measured(table: pd.DataFrame) -> list[Target]:
+    """Those that experiment 13 times."""
+    shown = fast.plain_rows(table)
+    every = table[(table.triangles == fast.TRIANGLES) & (table.threads == 1)]
+    ball, socket = (shown[shown.direction == name] for name in fast.DIRECTIONS)
+    every_ball = every[every.direction == "socket->ball"]
+    return [
+        Target("ball", "socket to ball, 7 µm, 1 MiB, against Embree", 50, fastest(ball, 7, MIB)),
+        Target("socket", "ball to socket, the same, rim masked", 30, fastest(socket, 7, MIB)),
+        Target("avx2", "socket to ball with AVX2", 40, of_set(every_ball, ["AVX2"])),
+        Target("scalar", "socket to ball without vectors", 12, of_set(every_ball, ["SCALAR", "EMU128"])),
+        Target("fine", "socket to ball, 2 µm, against Embree", 35, fastest(ball, 2, math.inf)),
+        Target("floor", "time over that of the floor", 1.5, over_floor(ball), most=True),
+        Target("thesis", "against scalar RSID in double, half the memory", 15, over_thesis(ball)),
+    ]
+
+
+def fastest(rows: pd.DataFrame, error_um: float, most_bytes: float) -> float:
+    """How many times faster than Embree the fastest kernel is, of those that are as accurate and as small."""
+    kept = rows.method.isin(KERNELS) & (rows.error_um <= error_um) & (rows.bytes <= most_bytes)
+    return rows[kept].times_embree.max()
+
+
+def of_set(rows: pd.DataFrame, sets: list[str]) -> float:
+    """The same with one instruction set."""
+    return fastest(rows[rows.instruction_set.isin(sets)], 7, MIB)
+
+
+def over_floor(rows: pd.DataFrame) -> float:
+    """The cube in 16 bits over the floor with a table of its size."""
+    floor = rows[rows.method == "floor"].iloc[0]
+    kept = (rows.method == KERNELS[1]) & (rows.setting == floor.setting) & (rows.storage == "uint16")
+    return rows[kept].ns_vertex.iloc[0] / floor.ns_vertex
+
+
+def over_thesis(rows: pd.DataFrame) -> float:
+    """The fastest kernel that is no worse in half the memory than the scalar grid at half a degree."""
+    grid = rows[(rows.method == "rsid_scalar") & (rows.setting == "0.5deg")].iloc[0]
+    kept = rows.method.isin(KERNELS) & (rows.error_um <= grid.error_um) & (rows.bytes <= grid.bytes / 2)
+    return grid.ns_vertex / rows[kept].ns_vertex.min()
+
+
+def latex(rows: pd.DataFrame) -> str:
+    """What, target, measured, met."""
+    lines = [
+        r"\begin{tabular}{@{}lrrl@{}}",
+        r"\toprule",
+        r"ratio of times & target & measured & met \\",
+        r"\midrule",
+    ]
+    for row in rows.itertuples():
+        cells = (row.what, row.target, row.measured or "---", row.met)
+        lines.append(" & ".join(common.tex(cell) for cell in cells) + r" \\")
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+
+
+common.run(main)

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  How fast are all gaps of a pose found, beside Embree's rays and beside the machine's limit?
+// @writes    fast fast_samples
+// @timing    yes
+// @seconds   12 100
+// @links     experiment_fast
+//
+// Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
+// both directions, in one interleaved run. Errors against all triangles come first, and what is too far off
+// is not timed. Warm: a method asks for a motion of 24 poses, over and over.
+
+#include "experiment/driver.hpp"
+#include "experiment/fast_study.hpp"
+#include "experiment/timing_report.hpp"
+
+namespace {
+
+using namespace impinge;
+
+FastOptions quick_options() {
+  FastOptions options;
+  options.joints = {{12000, {{256, 1024}, {0.5}}}};
+  options.rounds = 7;
+  options.ray_tests = 5e7;
+  return options;
+}
+
+FastOptions full_options() {
+  FastOptions options;
+  const FastSizes few{{256}, {0.5}};
+  options.joints = {{300, few},
+                    {3000, few},
+                    {12000, {{64, 128, 256, 512, 1024}, {1.0, 0.5, 0.25, 0.1}}},
+                    {100000, few},
+                    {400000, few}};
+  return options;
+}
+
+void body(DriverRun& run) {
+  FastOptions options = run.quick() ? quick_options() : full_options();
+  options.timing.min_round_ms = 10.0;
+  options.seed = run.record.seed;
+  FastTables tables = fast_tables(options, run.progress);
+  Result result;
+  result.name = "fast";
+  result.question = "Time of a vertex, error and bytes of every way to find all gaps of a pose?";
+  result.parameters = {{"ray_tests_of_the_truth", options.ray_tests}, {"warm", true}, {"poses", 24}};
+  result.table = std::move(tables.table);
+  write_timed(run, std::move(result), fast_keys(), tables.timing);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::run_driver(argc, argv,
+                             {"13_fast", "All gaps of a pose, beside Embree and the machine's limit."}, body);
+}

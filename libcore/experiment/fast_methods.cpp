@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/fast_methods.hpp"
+
+#include <utility>
+
+#include "contenders/embree_rays.hpp"
+#include "experiment/gap_methods.hpp"
+#include "sampling/exact_raster.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kFloorCells = 256;  // the floor's table is as large as that of such a cube in 16 bits
+
+template <class Table>
+std::unique_ptr<GapMethod> kernel(Table table, Scan scan) {
+  return std::make_unique<KernelScan<Table>>(std::move(table), scan);
+}
+
+std::string degrees(double precision) {
+  std::string text = std::to_string(precision);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text + "deg";
+}
+
+void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
+  const double precision = 90.0 / static_cast<double>(cells);
+  const auto filled = [s, precision] {
+    return InverseDepthTable(fill_exact(s.mesh, CubeGnomonic::with_precision(precision), s.layer));
+  };
+  const std::string name = "cube_gnomonic_mesh_exact";
+  const std::string setting = "n=" + std::to_string(cells);
+  makers.push_back(
+      {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
+  makers.push_back(
+      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
+}
+
+void add_grids(const AskedSurface& s, double precision, std::vector<GapMethodMaker>& makers) {
+  const auto filled = [s, precision] { return fill_exact(s.mesh, Rsid::with_precision(precision), s.layer); };
+  const std::string setting = degrees(precision);
+  makers.push_back({"rsid_scalar", setting, "double", false,
+                    [=] { return std::make_unique<ScalarScan>(filled(), s.scan); }});
+  makers.push_back(
+      {"rsid", setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scan); }});
+  makers.push_back(
+      {"rsid", setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
+  makers.push_back(
+      {"rsid", setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
+}
+
+}  // namespace
+
+AskedPoints::AskedPoints(std::vector<Vec3> asked)
+    : points(std::move(asked)), floats(vertex_lanes<float>(points)), doubles(vertex_lanes<double>(points)) {}
+
+std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes) {
+  std::vector<GapMethodMaker> makers;
+  for (const int width : {1, 8, 16}) {
+    makers.push_back({"embree_ray" + std::to_string(width), "fast", "none", false, [surface, width] {
+                        return std::make_unique<RayScan>(
+                            make_embree_rays(surface.mesh, {width, EmbreeQuality::fast}), surface.scan);
+                      }});
+  }
+  makers.push_back({"floor", "n=" + std::to_string(kFloorCells), "uint16", true, [] {
+                      return std::make_unique<FloorScan>(
+                          2 * CubeGnomonic::with_precision(90.0 / kFloorCells).size());
+                    }});
+  for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
+  for (const double precision : sizes.rsid_degrees) add_grids(surface, precision, makers);
+  return makers;
+}
+
+}  // namespace impinge

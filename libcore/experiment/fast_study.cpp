@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/fast_study.hpp"
+
+#include <thread>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <benchmark/benchmark.h>
+
+#include "experiment/fast_table.hpp"
+#include "kernels/instruction_set.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
+constexpr std::size_t kOtherQuestions = 1 << 17;
+constexpr int kTurns = 24;  // poses of a motion, after which it begins again
+constexpr int kThreads = 2;
+
+// A pair with its points; what is timed refers to it.
+struct Stage {
+  BallSocketPair pair;
+  AskedPoints ball;
+  AskedPoints socket;
+
+  explicit Stage(std::size_t triangles)
+      : pair(make_ball_socket_pair(triangles)), ball(pair.ball.vertices), socket(pair.socket.vertices) {}
+};
+
+// Flexion from 0 to 115 degrees, the ball a little off the centre.
+Pose pose_of(int turn) {
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(-5.0 * turn * kDegree, Vec3::UnitY()).toRotationMatrix();
+  pose.translation = Vec3(0.1, -0.2, 0.05);
+  return pose;
+}
+
+struct Work {
+  std::shared_ptr<GapMethod> method;
+  const AskedPoints& asked;
+  std::string instruction_set;
+  int threads;
+  int poses;
+};
+
+void scan_poses(const Work& work, GapMethod::Scratch& scratch) {
+  for (int k = 0; k < work.poses; ++k) {
+    work.method->scan(work.asked, pose_of(k % kTurns), scratch);
+    benchmark::DoNotOptimize(scratch.floats.data());
+    benchmark::DoNotOptimize(scratch.doubles.data());
+    benchmark::ClobberMemory();
+  }
+}
+
+// Each thread does all poses of its own.
+std::function<void()> run_of(const Work& work) {
+  auto scratches = std::make_shared<std::vector<GapMethod::Scratch>>(work.threads);
+  return [work, scratches] {
+    use_instruction_set(work.instruction_set);
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < scratches->size(); ++t)
+      others.emplace_back([&work, &scratch = (*scratches)[t]] { scan_poses(work, scratch); });
+    scan_poses(work, scratches->front());
+  };
+}
+
+struct Asking {
+  const FastOptions& options;
+  std::vector<FastCase>& cases;
+};
+
+void add_case(const Asking& asking, const std::vector<Cell>& key, const Work& work, FastErrors errors) {
+  FastCase added;
+  added.timed.key = key;
+  added.timed.run = run_of(work);
+  added.timed.rounds = asking.options.rounds;
+  added.timed.units =
+      static_cast<double>(work.threads) * work.poses * static_cast<double>(work.asked.points.size());
+  added.errors = errors;
+  added.bytes = work.method->bytes();
+  asking.cases.push_back(std::move(added));
+}
+
+// One method; kernels with every instruction set and with two threads where `widely`.
+void add_method(const Asking& asking, const GapMethodMaker& maker, const std::vector<Cell>& where, Work work,
+                const FastProbes& probes, bool widely) {
+  work.method = maker.make();
+  const FastErrors errors = fast_errors(*work.method, probes, maker);
+  const std::size_t questions = maker.kernel ? kKernelQuestions : kOtherQuestions;
+  work.poses = static_cast<int>(questions / work.asked.points.size()) + 1;
+  const auto key = [&](const std::string& set, int threads) {
+    std::vector<Cell> cells{maker.name, maker.setting, maker.storage};
+    cells.insert(cells.end(), where.begin(), where.end());
+    cells.emplace_back(maker.kernel ? Cell(set) : Cell("none"));
+    cells.emplace_back(threads);
+    return cells;
+  };
+  for (const std::string& set : instruction_sets()) {
+    work.instruction_set = set;
+    work.threads = 1;
+    if (set == instruction_sets().front() || (maker.kernel && widely))
+      add_case(asking, key(set, 1), work, errors);
+  }
+  if (!widely) return;
+  work.instruction_set = instruction_sets().front();
+  work.threads = kThreads;
+  add_case(asking, key(work.instruction_set, kThreads), work, errors);
+}
+
+void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, Scan scan) {
+  const bool ball = scan == Scan::ball;
+  const AskedSurface surface{ball ? stage.pair.socket : stage.pair.ball,
+                             ball ? Layer::nearest : Layer::farthest, scan};
+  const auto faces = static_cast<double>(surface.mesh.faces.size());
+  const auto probes =
+      fast_probes(surface, static_cast<std::size_t>(asking.options.ray_tests / faces), asking.options.seed);
+  const std::vector<Cell> where{joint.triangles, ball ? "ball->socket" : "socket->ball"};
+  for (const GapMethodMaker& maker : fast_methods(surface, joint.sizes)) {
+    const bool widely = maker.kernel && maker.storage == "uint16" && maker.setting == "n=256";
+    add_method(asking, maker, where, {nullptr, ball ? stage.ball : stage.socket, "", 1, 1}, probes, widely);
+  }
+}
+
+}  // namespace
+
+FastTables fast_tables(const FastOptions& options, Progress& progress) {
+  std::vector<FastCase> cases;
+  std::vector<std::unique_ptr<Stage>> stages;
+  for (const FastJoint& joint : options.joints) {
+    stages.push_back(std::make_unique<Stage>(joint.triangles));
+    for (const Scan scan : {Scan::ball, Scan::socket})
+      add_scan({options, cases}, joint, *stages.back(), scan);
+  }
+  std::vector<TimedCase> timed;
+  for (const FastCase& one : cases) timed.push_back(one.timed);
+  FastTables tables;
+  tables.timing = run_interleaved(timed, options.timing, progress);
+  use_best_instruction_set();
+  tables.table = fast_table(cases, tables.timing);
+  return tables;
+}
+
+}  // namespace impinge

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast all gaps of a pose are found, beside Embree and beside the least that a look-up can do, and how
+// far off the answers are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "experiment/fast_methods.hpp"
+#include "experiment/fast_table.hpp"
+#include "experiment/timing.hpp"
+
+namespace impinge {
+
+// One generated pair, of so many triangles a model, and the tables that are tried on it.
+struct FastJoint {
+  std::size_t triangles = 0;
+  FastSizes sizes;
+};
+
+struct FastOptions {
+  std::vector<FastJoint> joints;
+  int rounds = 15;
+  double ray_tests = 4e8;  // triangles that the truth of the errors may look at, for each surface
+  TimingOptions timing;
+  std::uint64_t seed = 0;
+};
+
+struct FastTables {
+  Table table;
+  TimingRun timing;
+};
+
+// Errors first. std::runtime_error for a method that is too far off to be timed.
+FastTables fast_tables(const FastOptions& options, Progress& progress);
+
+}  // namespace impinge

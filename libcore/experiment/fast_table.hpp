@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table that experiment 13 fills.
+#pragma once
+
+#include <vector>
+
+#include "experiment/fast_errors.hpp"
+#include "experiment/timing.hpp"
+
+namespace impinge {
+
+// What is said of a case beside its time.
+struct FastCase {
+  TimedCase timed;
+  FastErrors errors;
+  double bytes = 0.0;
+};
+
+// method, setting, storage, triangles, direction, instruction_set, threads.
+std::vector<Column> fast_keys();
+
+// A row a case, in their order, which is that of the timings.
+Table fast_table(const std::vector<FastCase>& cases, const TimingRun& run);
+
+}  // namespace impinge

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands behind the interface of fast_methods.hpp.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+
+#include "contenders/radius_method.hpp"
+#include "contenders/table_method.hpp"
+#include "detection/gap_scan.hpp"
+#include "experiment/fast_methods.hpp"
+#include "kernels/floor_scan.hpp"
+
+namespace impinge {
+
+// A kernel on its table.
+template <class Table>
+class KernelScan final : public GapMethod {
+ public:
+  KernelScan(Table table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    if constexpr (kFloats) {
+      scratch.floats.resize(asked.points.size());
+      scan_gaps(table_, {asked.floats, pose, scan_}, scratch.floats);
+    } else {
+      scratch.doubles.resize(asked.points.size());
+      scan_gaps(table_, {asked.doubles, pose, scan_}, scratch.doubles);
+    }
+  }
+  double gap(const Scratch& scratch, std::size_t i) const override {
+    return kFloats ? static_cast<double>(scratch.floats[i]) : scratch.doubles[i];
+  }
+  double bytes() const override { return static_cast<double>(table_.bytes()); }
+
+ private:
+  static constexpr bool kFloats = std::same_as<typename Table::Real, float>;
+  Table table_;
+  Scan scan_;
+};
+
+// The library's scan in double, one vertex at a time.
+class ScalarScan final : public GapMethod {
+ public:
+  ScalarScan(RadialTable<Rsid> table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    scratch.doubles.resize(asked.points.size());
+    if (scan_ == Scan::ball) {
+      scan_ball(table_, asked.points, pose, scratch.doubles);
+    } else {
+      scan_socket(table_, asked.points, pose, scratch.doubles);
+    }
+  }
+  double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
+  double bytes() const override { return static_cast<double>(table_bytes(table_)); }
+
+ private:
+  RadialTable<Rsid> table_;
+  Scan scan_;
+};
+
+// Rays in the frame of the surface; the points are moved there first.
+class RayScan final : public GapMethod {
+ public:
+  RayScan(std::unique_ptr<RadiusMethod> rays, Scan scan) : rays_(std::move(rays)), scan_(scan) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    const std::size_t count = asked.points.size();
+    scratch.moved.resize(count);
+    scratch.doubles.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3& v = asked.points[i];
+      scratch.moved[i] = scan_ == Scan::ball ? to_socket(pose, v) : to_ball(pose, v);
+    }
+    rays_->answer(scratch.moved, scratch.doubles);
+    const double sign = scan_ == Scan::ball ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < count; ++i)
+      scratch.doubles[i] = sign * (scratch.doubles[i] - scratch.moved[i].norm());
+  }
+  double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
+  double bytes() const override { return rays_->bytes(); }
+
+ private:
+  std::unique_ptr<RadiusMethod> rays_;
+  Scan scan_;
+};
+
+// The least that a look-up does.
+class FloorScan final : public GapMethod {
+ public:
+  explicit FloorScan(std::size_t bytes) : table_(bytes, kReach) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    scratch.floats.resize(asked.points.size());
+    floor_scan(table_, {asked.floats, pose, Scan::ball}, scratch.floats);
+  }
+  double gap(const Scratch& /*scratch*/, std::size_t /*i*/) const override { return kNoSurface; }
+  double bytes() const override { return static_cast<double>(sizeof(float) * table_.values.size()); }
+  bool answers() const override { return false; }
+
+ private:
+  static constexpr double kReach = 64.0;  // mm, beyond every vertex of the pair
+  FloorTable table_;
+};
+
+}  // namespace impinge
