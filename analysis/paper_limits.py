@@ -2,9 +2,9 @@
 """Numbers of the paper about limits of motion and phantoms.
 
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count, :widest (of a bracket, degrees),
-:joints, :uncertainty:least and :most (degrees, of half a millimetre; 5 % and 95 % of the contacts), :shift:most (mm, between
-the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit); phantoms:limits:count, :error
-(largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
+:joints, :uncertainty:least and :most (degrees, of half a millimetre; 5 % and 95 % of the contacts), :shift:most (mm,
+between the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit);
+phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
 from __future__ import annotations
