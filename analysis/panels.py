@@ -44,6 +44,7 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
     axes.imshow(panel.image, interpolation="none")
     axes.set_title(panel.title, loc="center", fontsize=9.5)
     axes.axis("off")
+    axes.autoscale(False)  # what is drawn later may leave the picture
     if not panel.letters:
         return
     for where, letter in hip.letters(panel.view).items():
