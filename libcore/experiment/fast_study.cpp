@@ -134,6 +134,7 @@ FastTables fast_tables(const FastOptions& options, Progress& progress) {
       add_scan({options, cases}, joint, *stages.back(), scan);
   }
   std::vector<TimedCase> timed;
+  timed.reserve(cases.size());
   for (const FastCase& one : cases) timed.push_back(one.timed);
   FastTables tables;
   tables.timing = run_interleaved(timed, options.timing, progress);
