@@ -10,7 +10,8 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kFloorCells = 256;  // the floor's table is as large as that of such a cube in 16 bits
+constexpr std::size_t kFloorCells =
+    kMebibyteCells;  // the floor's table is as large as that of such a cube in 16 bits
 
 template <class Table>
 std::unique_ptr<GapMethod> kernel(Table table, Scan scan) {

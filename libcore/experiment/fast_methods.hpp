@@ -61,6 +61,9 @@ struct GapMethodMaker {
   std::function<std::unique_ptr<GapMethod>()> make;
 };
 
+// The most cells along an edge of a cube map of which 16 bits an entry fit in 1 MiB.
+inline constexpr std::size_t kMebibyteCells = 294;
+
 // All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, of RSID
 // at `rsid_degrees`.
 struct FastSizes {
