@@ -32,7 +32,7 @@ def facts(results: Path) -> dict[str, str]:
 def gain(table: pd.DataFrame, rows: pd.DataFrame) -> str:
     """Vertices a second of two threads over those of one, cube in 16 bits."""
     one = rows[
-        (rows.method == "cube_gnomonic_mesh_exact") & (rows.setting == "n=294") & (rows.storage == "uint16")
+        (rows.method == "cube_gnomonic_mesh_exact") & (rows.setting == "n=291") & (rows.storage == "uint16")
     ]
     keys = ["method", "setting", "storage", "direction", "triangles"]
     pair = one.merge(table[table.threads == 2], on=keys)

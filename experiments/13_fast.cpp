@@ -19,7 +19,7 @@ using namespace impinge;
 
 FastOptions quick_options() {
   FastOptions options;
-  options.joints = {{12000, {{kMebibyteCells, 1100}, {0.5}}}};
+  options.joints = {{12000, {{kMainCells, 1100}, {0.5}}}};
   options.rounds = 7;
   options.ray_tests = 5e7;
   return options;
@@ -27,10 +27,10 @@ FastOptions quick_options() {
 
 FastOptions full_options() {
   FastOptions options;
-  const FastSizes few{{kMebibyteCells}, {0.5}};
+  const FastSizes few{{kMainCells}, {0.5}};
   options.joints = {{300, few},
                     {3000, few},
-                    {12000, {{64, 128, kMebibyteCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}}},
+                    {12000, {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}}},
                     {100000, few},
                     {400000, few}};
   return options;

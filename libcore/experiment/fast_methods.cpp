@@ -11,7 +11,7 @@ namespace impinge {
 namespace {
 
 constexpr std::size_t kFloorCells =
-    kMebibyteCells;  // the floor's table is as large as that of such a cube in 16 bits
+    kMainCells;  // the floor's table is as large as that of such a cube in 16 bits
 
 template <class Table>
 std::unique_ptr<GapMethod> kernel(Table table, Scan scan) {

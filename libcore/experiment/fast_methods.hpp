@@ -61,8 +61,9 @@ struct GapMethodMaker {
   std::function<std::unique_ptr<GapMethod>()> make;
 };
 
-// The most cells along an edge of a cube map of which 16 bits an entry fit in 1 MiB.
-inline constexpr std::size_t kMebibyteCells = 294;
+// Cells along an edge of a cube map of which 16 bits an entry take just less than 1 MiB, and than half of
+// what RSID takes in double at half a degree.
+inline constexpr std::size_t kMainCells = 291;
 
 // All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, of RSID
 // at `rsid_degrees`.

@@ -119,7 +119,7 @@ void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, 
   const std::vector<Cell> where{joint.triangles, ball ? "ball->socket" : "socket->ball"};
   for (const GapMethodMaker& maker : fast_methods(surface, joint.sizes)) {
     const bool widely =
-        maker.kernel && maker.storage == "uint16" && maker.setting == "n=" + std::to_string(kMebibyteCells);
+        maker.kernel && maker.storage == "uint16" && maker.setting == "n=" + std::to_string(kMainCells);
     add_method(asking, maker, where, {nullptr, ball ? stage.ball : stage.socket, "", 1, 1}, probes, widely);
   }
 }
