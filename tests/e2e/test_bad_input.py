@@ -248,7 +248,7 @@ class BadInput(unittest.TestCase):
         ]:
             (root / name).write_bytes(scaled(mesh, factor))
         os.link(self.ball, root / "again.ply")
-        (root / "triangle.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        (root / "triangle.off").write_text("OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n")
         advice = "check that both meshes are in mm and in one frame"
         apart = "mm from the centre of rotation, and the ball {}; " + advice
         same = "is the mesh of the ball and of the socket; give two files with --ball and --socket"
@@ -256,24 +256,24 @@ class BadInput(unittest.TestCase):
         for keywords, message in [
             (
                 {"ball": root / "ball_m.ply"},
-                f"{self.socket}: lies 26 to 26 {apart.format('0.0219 to 0.0249 mm')}",
+                f"{self.socket}: lies 26 to 26 {apart.format('0.022 to 0.025 mm')}",
             ),
             (
                 {"ball": root / "ball_cm.ply"},
-                f"{self.socket}: lies 26 to 26 {apart.format('2.19 to 2.49 mm')}",
+                f"{self.socket}: lies 26 to 26 {apart.format('2.2 to 2.5 mm')}",
             ),
             (
                 {"ball": root / "ball_um.ply"},
-                f"{self.socket}: lies 65.7 to 108 {apart.format('2.19e+04 to 2.49e+04 mm')}",
+                f"{self.socket}: lies 26 to 26 {apart.format('2.2e+04 to 2.5e+04 mm')}",
             ),
             (
                 {"socket": root / "socket_m.ply"},
-                f"{root}/socket_m.ply: lies 0.0657 to 0.108 {apart.format('21.9 to 24.9 mm')}",
+                f"{root}/socket_m.ply: lies 0.026 to 0.026 {apart.format('22 to 25 mm')}",
             ),
             ({"ball": root / "triangle.off"}, f"{root}/triangle.off: {points}"),
             (
                 {"socket": root / "triangle.off"},
-                f"{root}/triangle.off: lies 0.0825 to 1 {apart.format('21.9 to 24.9 mm')}",
+                f"{root}/triangle.off: lies 1 to 1.41 {apart.format('22 to 25 mm')}",
             ),
             ({"socket": self.ball}, f"{self.ball}: {same}"),
             ({"socket": root / "again.ply"}, f"{root}/again.ply: {same}"),
@@ -291,7 +291,7 @@ class BadInput(unittest.TestCase):
         done = self.scene(ball=self.root / "ball_in_m.ply", socket=self.root / "socket_in_m.ply", out=out)
         self.assertEqual(done.returncode, 0, done.stderr)
         warning = (
-            f"{self.root}/ball_in_m.ply: reaches 0.0249 mm from the centre of rotation, which no joint does; "
+            f"{self.root}/ball_in_m.ply: reaches 0.025 mm from the centre of rotation, which no joint does; "
             "lengths are read as mm, scale both meshes if theirs are in another unit"
         )
         self.assertEqual(done.stderr, f"scene: warning: {warning}\n")
