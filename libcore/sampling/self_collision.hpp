@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,7 +35,6 @@ std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme,
     std::size_t entry;
     double radius;
     std::size_t face;
-    auto operator<=>(const Sample&) const = default;
   };
   std::vector<Sample> samples;
   const auto& walker = scheme.walker();
@@ -46,7 +45,7 @@ std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme,
       samples.push_back({entry, cone.radius(u), f});
     });
   }
-  std::ranges::sort(samples);
+  std::ranges::sort(samples, {}, [](const Sample& s) { return std::tuple(s.entry, s.radius, s.face); });
   std::vector<FacePair> pairs;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t j = i + 1; j < samples.size() && samples[j].entry == samples[i].entry &&
@@ -57,8 +56,7 @@ std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme,
     }
   }
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
