@@ -8,18 +8,6 @@ namespace {
 
 const char* name(CentreStrategy centre) { return centre == CentreStrategy::head ? "head" : "socket"; }
 
-const char* name(LimitState state) {
-  switch (state) {
-    case LimitState::reached:
-      return "reached";
-    case LimitState::free:
-      return "free";
-    case LimitState::blocked:
-      break;
-  }
-  return "blocked";
-}
-
 Cell number(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
 const Column kJoint{"joint", "", "preset of a generated hip, or folder of a real joint"};

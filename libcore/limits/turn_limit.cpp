@@ -29,6 +29,18 @@ double deg_per_mm(const TurnContact& contact, const Vec3& axis) {
 
 }  // namespace
 
+std::string_view name(LimitState state) {
+  switch (state) {
+    case LimitState::reached:
+      return "reached";
+    case LimitState::free:
+      return "free";
+    case LimitState::blocked:
+      break;
+  }
+  return "blocked";
+}
+
 TurnLimits::TurnLimits(BallSocketPair joint)
     : overlay_(std::make_unique<const SurfaceOverlay>(std::move(joint.ball), std::move(joint.socket))),
       ball_parts_(overlay_->ball()),

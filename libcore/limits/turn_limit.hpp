@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "detection/overlay.hpp"
 #include "joint/motion.hpp"
@@ -32,6 +33,9 @@ enum class LimitState {
   free,     // not reached up to the largest angle asked for: low and high are that angle
   blocked,  // impinged at the start, or below the threshold: low and high are 0
 };
+
+// "reached", "free", "blocked".
+std::string_view name(LimitState state);
 
 struct TurnLimit {
   LimitState state = LimitState::free;

@@ -22,18 +22,6 @@ TriangleMesh rotated(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
   return mesh;
 }
 
-const char* name_of(LimitState state) {
-  switch (state) {
-    case LimitState::reached:
-      return "reached";
-    case LimitState::free:
-      return "free";
-    case LimitState::blocked:
-      break;
-  }
-  return "blocked";
-}
-
 // A joint in the joint frame that turns about its origin, and where that is in the input frame.
 struct Turning {
   Eigen::Matrix3d axes;
@@ -44,7 +32,7 @@ struct Turning {
 
 json limit_json(const Turning& turning, const TurnLimit& limit) {
   json found{{"centre", turning.centre},
-             {"state", name_of(limit.state)},
+             {"state", name(limit.state)},
              {"low_deg", limit.low_deg},
              {"high_deg", limit.high_deg}};
   if (!limit.contact) return found;
