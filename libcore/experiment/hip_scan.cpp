@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "detection/gap_scan.hpp"
 #include "sampling/exact_raster.hpp"
 
 namespace impinge {
@@ -12,12 +11,11 @@ HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg) {
   const auto dial = clock_face(hip.socket);
   if (!dial) throw std::invalid_argument(hip.name + ": the socket has no dial: see joint/clock.hpp");
   const Rsid scheme = Rsid::with_precision(precision_deg);
-  return {hip,
-          *dial,
-          fill_exact(hip.ball, scheme, Layer::farthest),
-          fill_exact(hip.socket, scheme, Layer::nearest),
-          vertex_areas(hip.ball),
-          vertex_areas(hip.socket)};
+  return {
+      hip, *dial,
+      joint_lanes(lane_table<double>(fill_exact(hip.ball, scheme, Layer::farthest)),
+                  lane_table<double>(fill_exact(hip.socket, scheme, Layer::nearest)), hip.ball, hip.socket),
+      vertex_areas(hip.ball), vertex_areas(hip.socket)};
 }
 
 PosedHip scan(const HipScanner& scanner, const Pose& pose) {
@@ -25,8 +23,7 @@ PosedHip scan(const HipScanner& scanner, const Pose& pose) {
   PosedHip posed{pose,
                  {hip.ball.vertices, std::vector<double>(hip.ball.vertices.size()), scanner.ball_area},
                  {hip.socket.vertices, std::vector<double>(hip.socket.vertices.size()), scanner.socket_area}};
-  scan_ball(scanner.socket_table, hip.ball.vertices, pose, posed.ball.gap);
-  scan_socket(scanner.ball_table, hip.socket.vertices, pose, posed.socket.gap);
+  scan_joint(scanner.lanes, pose, posed.ball.gap, posed.socket.gap);
   for (Vec3& x : posed.ball.vertices) x = to_socket(pose, x);
   return posed;
 }

@@ -9,9 +9,8 @@
 #include "detection/pose.hpp"
 #include "joint/anatomy.hpp"
 #include "joint/close_zones.hpp"
+#include "kernels/joint_scan.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/radial_table.hpp"
-#include "sphere/schemes/rsid.hpp"
 
 namespace impinge {
 
@@ -27,8 +26,7 @@ struct ReplayedHip {
 struct HipScanner {
   const ReplayedHip& hip;
   ClockFace dial;
-  RadialTable<Rsid> ball_table;
-  RadialTable<Rsid> socket_table;
+  JointLanes<LaneTable<Rsid, double>> lanes;
   std::vector<double> ball_area;  // vertex_areas(), mm^2
   std::vector<double> socket_area;
 };

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both scans of a joint in many poses: the tables and the vertices as the kernels read them, made once.
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "kernels/gap_kernels.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// Each surface as the other one asks it, in its own centre frame.
+template <class Table>
+struct JointLanes {
+  using Real = typename Table::Real;
+
+  Table ball_table;
+  Table socket_table;
+  VertexLanes<Real> ball;
+  VertexLanes<Real> socket;
+};
+
+template <class Table>
+JointLanes<Table> joint_lanes(Table ball_table, Table socket_table, const TriangleMesh& ball,
+                              const TriangleMesh& socket) {
+  using Real = typename Table::Real;
+  return {std::move(ball_table), std::move(socket_table), vertex_lanes<Real>(ball.vertices),
+          vertex_lanes<Real>(socket.vertices)};
+}
+
+// Gaps of all vertices, mm, each of the size of its surface; as in kernels/gap_kernels.hpp.
+template <class Table>
+void scan_joint(const JointLanes<Table>& joint, const Pose& pose,
+                std::span<typename JointLanes<Table>::Real> ball_gap,
+                std::span<typename JointLanes<Table>::Real> socket_gap) {
+  scan_gaps(joint.socket_table, {joint.ball, pose, Scan::ball}, ball_gap);
+  scan_gaps(joint.ball_table, {joint.socket, pose, Scan::socket}, socket_gap);
+}
+
+}  // namespace impinge
