@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// consumer BALL SOCKET: the smallest gap at a vertex of the ball, mm. Both meshes have the centre as their origin.
+// consumer BALL SOCKET: the smallest gap at a vertex of the ball, mm. Both meshes have the centre as their
+// origin.
 #include <algorithm>
 #include <cstdio>
 
