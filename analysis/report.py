@@ -17,6 +17,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
+import explore
 
 MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
@@ -258,8 +259,8 @@ def heading(results: Path, jobs: list[Job]) -> str:
     )
 
 
-def page(results: Path, jobs: list[Job]) -> str:
-    """The whole document."""
+def page(results: Path, jobs: list[Job], library: str) -> str:
+    """The whole document; `library` draws the plot that the reader moves about in."""
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
     parts = [
         heading(results, jobs),
@@ -267,28 +268,32 @@ def page(results: Path, jobs: list[Job]) -> str:
         totals(verdicts),
         filters(verdicts),
         verdict_table(verdicts),
+        explore.section(results),
     ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
         parts += [element("h2", title), *(section(results, job) for job in jobs if job.kind == kind)]
-    style, script = ((common.HERE / f"report.{kind}").read_text() for kind in ("css", "js"))
+    style = (common.HERE / "report.css").read_text()
+    scripts = [library, *((common.HERE / name).read_text() for name in ("report.js", "explore.js"))]
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
         f"<title>impinge: results</title><style>{style}</style></head>\n<body><main>"
         + "\n".join(parts)
-        + f"</main><script>{script}</script></body></html>\n"
+        + "</main>"
+        + "".join(f"<script>{script}</script>" for script in scripts)
+        + "</body></html>\n"
     )
 
 
 def main() -> None:
     """Checks every CSV of the graph against its sidecar, then writes report.html."""
-    options = common.arguments(__doc__, "--jobs")
+    options = common.arguments(__doc__, "--jobs", "--plotly")
     jobs = load_jobs(Path(options.jobs))
     for job in jobs:
         for output in job.outputs:
             if output.startswith("data/") and output.endswith(".csv"):
                 common.sidecar(options.results / output)
-    common.write(options.out / "report.html", page(options.results, jobs))
+    common.write(options.out / "report.html", page(options.results, jobs, Path(options.plotly).read_text()))
 
 
 common.run(main)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash disable=SC2154 # root is set by whoever sources this: experiments/reproduce and tests/run.
 
-# missing_packages: the packages of experiments/packages that are not installed, on one line.
+# missing_packages: the packages of experiments/packages that are not installed, on one line. npm comes with Node.js where
+# that is not Debian's own.
 missing_packages() {
   local wanted
   wanted=$(sed 's/#.*//' "$root/experiments/packages")
+  command -v npm >/dev/null || wanted+=" npm"
   comm -23 <(tr -s ' \n' '\n' <<<"$wanted" | sed '/^$/d' | sort -u) \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p' | sort -u) | xargs
 }
@@ -26,4 +28,13 @@ install_packages() {
   "${as_root[@]}" apt-get update -q || return 1
   # shellcheck disable=SC2086 # one word a package
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+}
+
+# install_scripts: what the pages are bundled from, as analysis/package-lock.json pins it; nothing where that is done.
+install_scripts() {
+  local lock=$root/analysis/package-lock.json installed=$root/analysis/node_modules/installed-lock.json
+  cmp -s "$lock" "$installed" && return 0
+  echo "Installing the packages of analysis/package-lock.json"
+  npm ci --prefix "$root/analysis" --ignore-scripts --no-audit --no-fund --loglevel=error || return 1
+  cp "$lock" "$installed"
 }

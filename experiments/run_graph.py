@@ -20,6 +20,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import archive
+
 STATUS = "@@ "  # starts every status line of Ninja, see NINJA_STATUS
 
 
@@ -352,6 +354,25 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
     return 0
 
 
+def pack(build: Path, results: Path, jobs: dict[str, Job]) -> None:
+    """The results as one archive, which names no folder of this machine."""
+    source = Path(__file__).resolve().parent.parent
+    places = {
+        str(results): "results",
+        f"{build.relative_to(source) if build.is_relative_to(source) else build}/": "",
+    }
+    lines = []
+    for line in (build / "graph" / "jobs.tsv").read_text().splitlines():
+        fields = line.split("\t")
+        if fields[1] == "data":  # of another machine: its program and its meshes are not packed
+            fields[7] = ""
+            fields[8] = Path(fields[8].split()[0]).stem
+        lines.append(archive.relative("\t".join(fields), places))
+    outputs = [output for job in jobs.values() for output in job.outputs]
+    path = archive.write(results, outputs, "\n".join(lines) + "\n", lambda text: print(text, flush=True))
+    print(f"archive  {path}")
+
+
 def main() -> int:
     """The command line that experiments/reproduce gives."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -361,6 +382,7 @@ def main() -> int:
     parser.add_argument("--profile", required=True)
     parser.add_argument("--jobs", type=int, required=True)
     parser.add_argument("--name")
+    parser.add_argument("--archive", action="store_true")
     options = parser.parse_args()
     refresh(options.build)
     jobs = load_jobs(options.build, options.profile)
@@ -369,7 +391,10 @@ def main() -> int:
     elif options.action == "why":
         why(options.build, options.results, find(jobs, options.name))
     else:
-        return run(options.build, options.results, jobs, options.name, options.jobs)
+        code = run(options.build, options.results, jobs, options.name, options.jobs)
+        if code == 0 and options.archive:
+            pack(options.build, options.results, jobs)
+        return code
     return 0
 
 

@@ -14,6 +14,7 @@ import os
 import re
 import signal
 import subprocess
+import tarfile
 import tempfile
 import time
 import unittest
@@ -71,6 +72,12 @@ def command(*options: str) -> list[str]:
     """The command with the test's results folder."""
     bones = ["--bones", BONES] if BONES else []
     return [str(ROOT / "experiments" / "reproduce"), "--quick", "--results", str(RESULTS), *bones, *options]
+
+
+def recheck(archive: Path, *arguments: str) -> subprocess.CompletedProcess:
+    """Runs the script of an unpacked archive."""
+    command = ["/usr/bin/python3", "-B", str(archive / "recheck"), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def reproduce(*options: str, words: list[str] | None = None) -> subprocess.CompletedProcess:
@@ -207,6 +214,24 @@ class Reproduce(unittest.TestCase):
             sum("script" in line and "experiment" in line and "about" in line for line in lines),
             len(artefacts),
         )
+
+    def test_e_archive_stands_for_itself(self):
+        """Away from here it knows its files, makes a table and a figure again, and notices a changed byte."""
+        self.assertEqual(reproduce("--archive", "--only", "table-2").returncode, 2)
+        self.assertEqual(reproduce("--archive").returncode, 0)
+        with tempfile.TemporaryDirectory(prefix="impinge-archive-") as folder:
+            with tarfile.open(RESULTS / "impinge-results.tar.gz") as tar:
+                tar.extractall(folder)
+            unpacked = Path(folder) / "impinge-results"
+            for text in ("graph/jobs.tsv", "README"):
+                self.assertNotIn(str(RESULTS), (unpacked / text).read_text())
+            for name in ("table-2", "figure-47", "report"):
+                done = recheck(unpacked, "--only", name)
+                self.assertEqual((done.returncode, f"{name}: same" in done.stdout), (0, True), done.stdout)
+            (unpacked / "results" / "data" / "schemes.csv").write_text("")
+            done = recheck(unpacked, "--sums")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("schemes.csv is not the file that was packed", done.stdout)
 
     def test_f_why(self):
         """Up to date; or the file that is missing; or which names there are."""

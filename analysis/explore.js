@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error against cost of every method: scene and axes by choice, lines by the legend (Plotly).
+"use strict";
+{
+  const lines = JSON.parse(document.getElementById("explore-data").textContent);
+  const chosen = Object.fromEntries(
+    ["scene", "error", "cost"].map((name) => [name, document.getElementById(`explore-${name}`)]));
+  const place = document.getElementById("explore-plot");
+  const narrow = matchMedia("(max-width: 40rem)");
+  const titleOf = (select) => select.selectedOptions[0].textContent;
+
+  const traceOf = (line) => ({
+    x: line[chosen.error.value],
+    y: line[chosen.cost.value],
+    text: line.setting,
+    name: line.name,
+    mode: "lines+markers",
+    marker: { color: line.colour, symbol: line.marker, size: 8 },
+    line: { color: line.colour, width: 1, dash: line.kind === "library" ? "dot" : "solid" },
+    hovertemplate: `<b>%{fullData.name}</b> %{text}<br>%{x:.3~g}: ${titleOf(chosen.error)}` +
+      `<br>%{y:.3~g}: ${titleOf(chosen.cost)}<extra></extra>`,
+  });
+
+  const axis = (title) => ({ title: { text: title }, type: "log", exponentformat: "power", gridcolor: "#d8dee4" });
+
+  function draw() {
+    const shown = lines.filter((line) => line.scene === chosen.scene.value).map(traceOf)
+      .filter((trace) => trace.x.some((x, i) => x !== null && trace.y[i] !== null));
+    Plotly.react(place, shown, {
+      xaxis: axis(titleOf(chosen.error)),
+      yaxis: axis(titleOf(chosen.cost)),
+      height: narrow.matches ? 900 : 640,
+      margin: { l: 70, r: 10, t: 10, b: 60 },
+      font: { family: "system-ui, sans-serif", color: "#1b1f24" },
+      legend: narrow.matches ? { orientation: "h", y: -0.15 } : { font: { size: 11 } },
+      hovermode: "closest",
+      uirevision: chosen.scene.value, // what is hidden stays so when the axes change
+    }, { responsive: true, displaylogo: false });
+  }
+
+  Object.values(chosen).forEach((select) => select.addEventListener("change", draw));
+  narrow.addEventListener("change", draw);
+  draw();
+}
