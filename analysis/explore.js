@@ -21,16 +21,23 @@
       `<br>%{y:.3~g}: ${titleOf(chosen.cost)}<extra></extra>`,
   });
 
+  // Exact methods stand far to the left of all others: at first only the others are in view.
+  const EXACT = 1e-3;
+  function view(traces) {
+    const errors = traces.flatMap((trace) => trace.x.filter((x, i) => x > EXACT && trace.y[i] !== null));
+    return errors.length ? [Math.log10(Math.min(...errors)) - 0.2, Math.log10(Math.max(...errors)) + 0.2] : undefined;
+  }
+
   const axis = (title) => ({ title: { text: title }, type: "log", exponentformat: "power", gridcolor: "#d8dee4" });
 
   function draw() {
     const shown = lines.filter((line) => line.scene === chosen.scene.value).map(traceOf)
       .filter((trace) => trace.x.some((x, i) => x !== null && trace.y[i] !== null));
     Plotly.react(place, shown, {
-      xaxis: axis(titleOf(chosen.error)),
+      xaxis: { ...axis(titleOf(chosen.error)), range: view(shown) },
       yaxis: axis(titleOf(chosen.cost)),
       height: narrow.matches ? 900 : 640,
-      margin: { l: 70, r: 10, t: 10, b: 60 },
+      margin: { l: 70, r: 10, t: 40, b: 60 }, // at the top, of the buttons,
       font: { family: "system-ui, sans-serif", color: "#1b1f24" },
       legend: narrow.matches ? { orientation: "h", y: -0.15 } : { font: { size: 11 } },
       hovermode: "closest",

@@ -71,7 +71,8 @@ def section(results: Path) -> str:
     return (
         '<h2 id="explore">Error against cost, to explore</h2>'
         "<p>Lower left is better. Click a name to hide its line, double-click to see it alone; point at a marker for its"
-        " numbers; drag to look closer. Only methods that give the radius along a direction are here.</p>"
+        " numbers; drag to look closer, double-click the"
+        " plot to see everything, methods that are exact among it. Only methods that give the radius along a direction are here.</p>"
         f'<div class="filters">{choice("scene", "Scene", scenes)}{choice("error", "Across", ERRORS)}'
         f'{choice("cost", "Upwards", COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
         ' of every method"></div>'

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import base64
 import html
+import io
 import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import pandas as pd
+import PIL.Image
 
 import common
 import explore
@@ -27,6 +29,8 @@ MEANINGS = {
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }
+MOST_LINES = 250_000  # bytes of an SVG in the page
+WIDEST = 1600  # pixels of a picture in the page: main is 80 rem wide, on a screen of fine pixels
 PROVENANCE = {
     "question": "Question",
     "command": "Command",
@@ -186,11 +190,34 @@ def data_table(path: Path) -> str:
     return element("div", element("table", element("thead", head) + element("tbody", body)), class_="scroll")
 
 
+def lighter(path: Path) -> bytes:
+    """A PNG as WebP, no wider than a screen shows: a tenth of the bytes. The file itself stays beside the report."""
+    with PIL.Image.open(path) as picture:
+        if picture.width > WIDEST:
+            picture = picture.resize(
+                (WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS
+            )
+        webp = io.BytesIO()
+        picture.convert("RGB").save(webp, "WEBP", quality=82, method=4)
+    return webp.getvalue()
+
+
+def packed(path: Path) -> tuple[str, bytes]:
+    """Kind and bytes of a picture: drawn lines where they take little room, pixels where those take less."""
+    if path.suffix == ".gif":
+        return "image/gif", path.read_bytes()
+    if path.suffix == ".svg" and path.stat().st_size < MOST_LINES:
+        return "image/svg+xml", path.read_bytes()
+    return "image/webp", lighter(path.with_suffix(".png"))
+
+
 def image(path: Path, title: str) -> str:
     """The picture inside the page."""
-    kind = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}[path.suffix]
-    content = base64.b64encode(path.read_bytes()).decode("ascii")
-    return f'<img alt="{html.escape(title)}" src="data:{kind};base64,{content}">'
+    kind, content = packed(path)
+    content = base64.b64encode(content).decode("ascii")
+    return (
+        f'<img alt="{html.escape(title)}" loading="lazy" decoding="async" src="data:{kind};base64,{content}">'
+    )
 
 
 def provenance(results: Path, name: str) -> str:
@@ -249,13 +276,40 @@ def heading(results: Path, jobs: list[Job]) -> str:
         f"{record['profile']} profile, commit {record['commit'][:12]}{changes}, "
         f"{record['cpu']}, {record['cores']} cores, {record['compiler']}"
     )
-    links = " ".join(
-        element("a", job.name, href=f"#{job.name}") for job in jobs if job.kind in ("table", "figure")
-    )
     return (
         element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced")
         + element("p", html.escape(where), class_="soft")
-        + element("nav", links)
+        + contents(jobs)
+    )
+
+
+def contents(jobs: list[Job]) -> str:
+    """Links to every table and figure, folded by where they belong."""
+    names = {job.name for job in jobs}
+    groups: dict[str, list[str]] = {
+        title: []
+        for title in ("The thesis' tables", "The thesis' figures", "Beyond the thesis", "Real joints")
+    }
+    for job in jobs:
+        if job.kind not in ("table", "figure"):
+            continue
+        base, _, joint = job.name.rpartition("-")
+        if f"scene-{joint}" in names and (base in names or base == "joint"):
+            title = "Real joints" if base in names else "Beyond the thesis"
+        elif place(job) == (1,):
+            title = "Beyond the thesis"
+        else:
+            title = "The thesis' figures" if job.name.startswith("figure") else "The thesis' tables"
+        groups[title].append(element("a", job.name, href=f"#{job.name}"))
+    return element(
+        "nav",
+        element("a", "Verdicts", href="#verdicts-title")
+        + element("a", "Error against cost", href="#explore")
+        + "".join(
+            element("details", element("summary", f"{title} ({len(links)})") + " ".join(links))
+            for title, links in groups.items()
+            if links
+        ),
     )
 
 
@@ -264,7 +318,7 @@ def page(results: Path, jobs: list[Job], library: str) -> str:
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
     parts = [
         heading(results, jobs),
-        element("h2", "Verdicts"),
+        element("h2", "Verdicts", id="verdicts-title"),
         totals(verdicts),
         filters(verdicts),
         verdict_table(verdicts),

@@ -233,6 +233,14 @@ class Reproduce(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn("schemes.csv is not the file that was packed", done.stdout)
 
+    def test_e_report_works_in_a_browser(self):
+        """Filters, the plot to explore, no request, no error, on a desktop and on a phone."""
+        script = Path(__file__).resolve().parent / "report_page.cjs"
+        done = subprocess.run(
+            ["node", str(script), str(RESULTS / "report.html")], capture_output=True, text=True, check=False
+        )
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_f_why(self):
         """Up to date; or the file that is missing; or which names there are."""
         self.assertIn("up to date", reproduce("--why", "table-2").stdout)
