@@ -17,8 +17,8 @@ import finding
 # The thesis from front to back, then the note; those without a place stand between.
 FIRST, LATER = "findings_grid", ["findings_conchoid", "findings_claims", "findings_note"]
 
-HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{45mm}
-  >{\raggedright\arraybackslash}p{69mm}l@{}}
+HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{50mm}
+  >{\raggedright\arraybackslash}p{82mm}l@{}}
   \caption{Statements, and what was computed about them.}\label{tab:findings}\\
   \toprule
   & where & statement & computed & verdict \\
@@ -70,14 +70,13 @@ def mathematical(text: str) -> str:
 
 
 def latex(rows: pd.DataFrame) -> str:
-    """A table over several pages: its head is repeated."""
+    """What does not hold, as a table over several pages: its head is repeated. The CSV has all."""
     body = []
-    for row in rows.itertuples():
+    for row in rows[rows.verdict.isin(["wrong", "misprint"])].itertuples():
         source = f"~\\cite{{{row.source}}}" if row.source else ""
-        evidence = common.tex(row.evidence).replace("\\_", "\\_\\allowbreak{}")
         body.append(
-            f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & {mathematical(row.computed)}{source} "
-            f"{{\\scriptsize\\textcolor{{black!60}}{{[{evidence}]}}}} & {row.verdict} \\\\"
+            f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & "
+            f"{mathematical(row.computed)}{source} & {row.verdict} \\\\"
         )
     return "\n".join(
         [HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""]
