@@ -106,20 +106,24 @@ def close_zones(summary: dict) -> str:
 # Views. Right is the right of the picture.
 
 
-def towards(view: str, joint: Hip) -> tuple[np.ndarray, np.ndarray]:
-    """Where a camera of that name looks, and what is up in its picture."""
-    superior = np.array([0.0, 0.0, 1.0])
-    looks = {
+def looks(outwards: float) -> dict[str, tuple[float, float, float]]:
+    """Where the camera of each view looks; `outwards` is the way of x that is lateral, 1 for a right hip."""
+    return {
+        "superior": (0, 0, -1),
+        "inferior": (0, 0, 1),
         "anterior": (0, -1, 0),
         "posterior": (0, 1, 0),
-        "lateral": (-joint.outwards, 0, 0),
-        "medial": (joint.outwards, 0, 0),
-        "superior": (0, 0, -1),
-        "oblique": (-0.55 * joint.outwards, -0.7, -0.45),
+        "lateral": (-outwards, 0, 0),
+        "medial": (outwards, 0, 0),
+        "oblique": (-0.55 * outwards, -0.7, -0.45),
     }
-    look = np.array(looks[view], dtype=float)
+
+
+def towards(view: str, joint: Hip) -> tuple[np.ndarray, np.ndarray]:
+    """Where a camera of that name looks, and what is up in its picture."""
+    look = np.array(looks(joint.outwards)[view], dtype=float)
     look /= np.linalg.norm(look)
-    up = np.array([0.0, 1.0, 0.0]) if view == "superior" else superior
+    up = np.array([0.0, 1.0, 0.0] if abs(look[2]) == 1.0 else [0.0, 0.0, 1.0])
     return look, up - (up @ look) * look
 
 
