@@ -11,8 +11,10 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "kernels/exact_cells.hpp"
 #include "kernels/gap_kernels.hpp"
 #include "kernels/lane_fixture.hpp"
+#include "mesh/ball_socket_pair.hpp"
 
 namespace impinge {
 namespace {
@@ -57,6 +59,9 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   expect_same_bits(lane_table<double>(rsid), points);
   expect_same_bits(lane_table<float>(rsid), points);
   expect_same_bits(lane_table<std::uint16_t>(rsid), points);
+  const BallSocketPair pair = make_ball_socket_pair(1000);
+  expect_same_bits(exact_cells(pair.ball, Layer::farthest), points);
+  expect_same_bits(exact_cells(pair.socket, Layer::nearest), points);
 }
 
 TEST(InstructionSets, AnyNumberOfVertices) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/cells_met.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "sphere/cone_polygon.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kWiden = 1e-6;       // of a face of the cube, for places that rounding moves over its edge
+constexpr double kLeastDepth = 1e-3;  // of a clipped corner, for its place to be accurate
+constexpr std::size_t kMostCorners = 16;
+
+// In cells from the corner of a face of the cube.
+struct GridPoint {
+  double a;
+  double b;
+};
+
+// What of a cone one face of the cube sees; everything where its places are not accurate.
+struct Outline {
+  std::array<GridPoint, kMostCorners> corner{};
+  std::size_t count = 0;
+  bool everything = false;
+};
+
+// Depth, and the two others, of face 2 k and 2 k + 1 as in sphere/cube.hpp.
+constexpr std::array<std::array<Eigen::Index, 3>, 3> kAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
+
+Outline outline_on(std::size_t face, ConePolygon polygon, double divisions) {
+  const auto [depth_axis, a_axis, b_axis] = kAxes[face / 2];
+  const double sign = face % 2 == 0 ? 1.0 : -1.0;
+  Outline outline;
+  for (const Eigen::Index axis : {a_axis, b_axis}) {
+    for (const double side : {1.0, -1.0}) {
+      Vec3 plane = Vec3::Zero();
+      plane[depth_axis] = sign * (1.0 + kWiden);
+      plane[axis] = side;
+      polygon.clip(plane);
+      if (polygon.empty()) return outline;
+    }
+  }
+  for (const Vec3& x : polygon.corners()) {
+    const double depth = sign * x[depth_axis];
+    if (!(depth > kLeastDepth)) {  // an edge of the triangle passes close to the centre
+      outline.everything = true;
+      return outline;
+    }
+    outline.corner[outline.count++] = {0.5 * divisions * (x[a_axis] / depth + 1.0),
+                                       0.5 * divisions * (x[b_axis] / depth + 1.0)};
+  }
+  return outline;
+}
+
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// Where the outline is along a, of its points with b in [low, high].
+Span along_row(const Outline& outline, double low, double high) {
+  Span span;
+  for (std::size_t k = 0; k < outline.count; ++k) {
+    const GridPoint& from = outline.corner[k];
+    const GridPoint& to = outline.corner[k + 1 == outline.count ? 0 : k + 1];
+    if (from.b >= low && from.b <= high) span.take(from.a);
+    for (const double line : {low, high}) {
+      if ((from.b < line) == (to.b < line)) continue;
+      const double share = std::clamp((line - from.b) / (to.b - from.b), 0.0, 1.0);
+      span.take(from.a + share * (to.a - from.a));
+    }
+  }
+  return span;
+}
+
+// The cells that a span takes in, first to last; none where first > last.
+struct Cells {
+  std::ptrdiff_t first;
+  std::ptrdiff_t last;
+};
+Cells cells_of(const Span& span, const CellGrid& grid) {
+  const auto end = static_cast<double>(grid.divisions) - 1.0;
+  if (!(span.low <= span.high)) return {0, -1};
+  return {static_cast<std::ptrdiff_t>(std::clamp(std::floor(span.low - grid.margin), 0.0, end)),
+          static_cast<std::ptrdiff_t>(std::clamp(std::floor(span.high + grid.margin), 0.0, end))};
+}
+
+}  // namespace
+
+void add_cells_met(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells) {
+  const auto n = static_cast<double>(grid.divisions);
+  const ConePolygon triangle(cone);
+  for (std::size_t face = 0; face < 6; ++face) {
+    const Outline outline = outline_on(face, triangle, n);
+    Span rows;
+    for (std::size_t k = 0; k < outline.count; ++k) rows.take(outline.corner[k].b);
+    if (outline.everything) rows = {0.0, n};
+    const auto [first_row, last_row] = cells_of(rows, grid);
+    for (std::ptrdiff_t row = first_row; row <= last_row; ++row) {
+      const auto b = static_cast<double>(row);
+      const Span span =
+          outline.everything ? Span{0.0, n} : along_row(outline, b - grid.margin, b + 1.0 + grid.margin);
+      const auto [first, last] = cells_of(span, grid);
+      const std::size_t start =
+          (face * (grid.divisions + 1) + static_cast<std::size_t>(row)) * (grid.divisions + 1);
+      for (std::ptrdiff_t column = first; column <= last; ++column)
+        cells.push_back(static_cast<std::uint32_t>(start + static_cast<std::size_t>(column)));
+    }
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/exact_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "kernels/cells_met.hpp"
+#include "kernels/face_block.hpp"
+#include "kernels/face_order.hpp"
+#include "kernels/seen_planes.hpp"
+#include "mesh/jump_edges.hpp"
+#include "mesh/lengths.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kCellsAFace = 4.0;
+constexpr double kMostCells = 2048.0;  // along an edge of the cube
+
+// A place of a grid in float is off by 5 u cells of an edge (see gap_kernels.hpp).
+double place_error(std::size_t divisions) { return 1e-6 + 5.0 * 0x1p-24 * static_cast<double>(divisions); }
+
+// Share of the sphere that the faces cover, each by itself; the flat triangle between unit corners stands for
+// the round one.
+double covered_share(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 a = corner(mesh, face, 0).stableNormalized();
+    const Vec3 b = corner(mesh, face, 1).stableNormalized();
+    const Vec3 c = corner(mesh, face, 2).stableNormalized();
+    area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return std::clamp(area / (4.0 * kPi), 1.0 / 64.0, 1.0);
+}
+
+std::size_t divisions_for(const TriangleMesh& mesh) {
+  const double cells = kCellsAFace * static_cast<double>(mesh.faces.size()) / covered_share(mesh);
+  return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
+}
+
+// Faces of each cell, as places in the order of the blocks: those of cell c are place[first[c]] ...
+// place[first[c + 1] - 1], rising.
+struct CellFaces {
+  std::vector<std::uint32_t> first;
+  std::vector<std::uint32_t> place;
+
+  std::span<const std::uint32_t> of(std::size_t cell) const {
+    return std::span(place).subspan(first[cell], first[cell + 1] - first[cell]);
+  }
+};
+
+CellFaces faces_of_cells(const ExactCells& made, const CellGrid& grid) {
+  std::vector<std::uint32_t> met;
+  std::vector<std::size_t> end;  // of the cells of each face
+  for (const std::uint32_t f : made.face) {
+    add_cells_met(grid, cone_of(made.mesh, made.mesh.faces[f]), met);
+    end.push_back(met.size());
+  }
+  CellFaces faces;
+  faces.first.resize(made.cells.size() + 1);
+  for (const std::uint32_t cell : met) ++faces.first[cell + 1];
+  for (std::size_t c = 1; c < faces.first.size(); ++c) faces.first[c] += faces.first[c - 1];
+  std::vector<std::uint32_t> next(faces.first.begin(), faces.first.end() - 1);
+  faces.place.resize(met.size());
+  std::size_t k = 0;
+  for (std::uint32_t place = 0; place < end.size(); ++place)
+    for (; k < end[place]; ++k) faces.place[next[met[k]]++] = place;
+  return faces;
+}
+
+// Cells whose directions the surface may cover in part only.
+std::vector<bool> open_cells(const ExactCells& made, CellGrid grid) {
+  grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
+  const TriangleMesh& mesh = made.mesh;
+  std::vector<std::uint32_t> met;
+  for (const JumpEdge& edge : jump_edges(mesh)) {
+    const Vec3& to = mesh.vertices[edge.to];
+    add_cells_met(grid, TriangleCone(mesh.vertices[edge.from], to, to), met);
+  }
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    if (cone.edge_on()) add_cells_met(grid, cone, met);
+  }
+  std::vector<bool> open(made.cells.size());
+  for (const std::uint32_t cell : met) open[cell] = true;
+  return open;
+}
+
+void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
+                ExactCell& cell) {
+  cell.turn = static_cast<float>(turn);
+  for (std::size_t k = 0; k < ExactCell::kPlanes; ++k) {
+    const Vec3& plane = planes[faces[std::min(k, faces.size() - 1)]];
+    for (std::size_t i = 0; i < 3; ++i)
+      cell.plane[i][k] = static_cast<float>(turn * plane[static_cast<Eigen::Index>(i)]);
+  }
+}
+
+// The blocks of these places.
+void list_blocks(std::span<const std::uint32_t> places, ExactCell& cell, ExactCells& made) {
+  cell.turn = made.layer == Layer::nearest ? 1.0F : -1.0F;
+  cell.first = static_cast<std::uint32_t>(made.listed.size());
+  for (const std::uint32_t place : places) {
+    const auto block = static_cast<std::uint32_t>(place / FaceBlock::kFaces);
+    if (made.listed.size() == cell.first || made.listed.back() != block) made.listed.push_back(block);
+  }
+  cell.count = static_cast<std::uint32_t>(made.listed.size()) - cell.first;
+}
+
+}  // namespace
+
+ExactCells exact_cells(const TriangleMesh& mesh, Layer layer) {
+  require_lengths(mesh);
+  ExactCells made{mesh, layer, divisions_for(mesh), {}, {}, {}, faces_along_curve(mesh)};
+  const std::size_t lines = made.divisions + 1;
+  made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
+  const std::vector<Vec3> planes = seen_planes(mesh);
+  made.blocks = face_blocks({mesh, planes}, made.face, layer);
+  const CellGrid grid{made.divisions, place_error(made.divisions)};
+  const CellFaces faces = faces_of_cells(made, grid);
+  const std::vector<bool> open = open_cells(made, grid);
+  std::vector<std::uint32_t> few;
+  for (std::size_t c = 0; c < made.cells.size(); ++c) {
+    const auto places = faces.of(c);
+    if (places.empty()) continue;
+    few.clear();
+    if (places.size() <= ExactCell::kPlanes && !open[c])
+      for (const std::uint32_t place : places) few.push_back(made.face[place]);
+    const auto bend = bend_of({mesh, planes}, few);
+    if (!few.empty() && bend) {
+      set_planes(planes, few, *bend, made.cells[c]);
+    } else {
+      list_blocks(places, made.cells[c], made);
+    }
+  }
+  return made;
+}
+
+}  // namespace impinge

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "kernels/exact_cells.hpp"
+
+namespace impinge {
+
+double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Scan scan) {
+  if (!x.allFinite()) return kNoSurface;
+  const Vec3 u = x.stableNormalized();
+  const ExactCell& asked = cells.cells[cell];
+  double radius = kNoSurface;
+  for (std::size_t k = asked.first; k < asked.first + asked.count; ++k) {
+    const std::size_t begin = FaceBlock::kFaces * cells.listed[k];
+    const std::size_t end = std::min(begin + FaceBlock::kFaces, cells.face.size());
+    for (std::size_t place = begin; place < end; ++place) {
+      const TriangleCone cone = cone_of(cells.mesh, cells.mesh.faces[cells.face[place]]);
+      if (place_in_cone(cone.corners(), cone.side(), x) >= 0) keep(radius, cone.radius(u), cells.layer);
+    }
+  }
+  return scan == Scan::ball ? radius - x.norm() : x.norm() - radius;
+}
+
+}  // namespace impinge

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The planes of faces as a kernel uses them, m . p = 1, and where they answer without their edges.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// Of the faces of a mesh in the centre frame that are seen at 1 / cos psi of at most kSteepest anywhere; zero
+// for the others.
+inline constexpr double kSteepest = 4.0;
+std::vector<Vec3> seen_planes(const TriangleMesh& mesh);
+
+// A mesh with its planes.
+struct SeenMesh {
+  const TriangleMesh& mesh;
+  const std::vector<Vec3>& planes;
+};
+
+// +1 if no corner of these faces lies beyond the plane of one of them, -1 if none lies within one, up to
+// 2^-26 of its distance; none if both happen, and where a plane is zero.
+std::optional<int> bend_of(const SeenMesh& seen, std::span<const std::uint32_t> faces);
+
+}  // namespace impinge
