@@ -19,6 +19,7 @@ NAMES = {
     "rsid_scalar": "RSID, scalar",
     "rsid": "RSID kernel",
     "cube_gnomonic_mesh_exact": "cube kernel",
+    "cube_cells_exact": "exact cells",
 }
 
 

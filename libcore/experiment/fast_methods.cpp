@@ -5,6 +5,7 @@
 
 #include "contenders/embree_rays.hpp"
 #include "experiment/gap_methods.hpp"
+#include "kernels/exact_cells.hpp"
 #include "sampling/exact_raster.hpp"
 
 namespace impinge {
@@ -68,6 +69,8 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                       return std::make_unique<FloorScan>(
                           2 * CubeGnomonic::with_precision(90.0 / kFloorCells).size());
                     }});
+  makers.push_back({"cube_cells_exact", "mesh", "float", true,
+                    [surface] { return kernel(exact_cells(surface.mesh, surface.layer), surface.scan); }});
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
   for (const double precision : sizes.rsid_degrees) add_grids(surface, precision, makers);
   return makers;

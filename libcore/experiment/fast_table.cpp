@@ -33,7 +33,9 @@ std::vector<Column> fast_keys() {
       {"method", "",
        "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar: the library in double; "
        "others: kernels of that scheme"},
-      {"setting", "", "cells along an edge of the cube, degrees of the grid, or Embree's quality"},
+      {"setting", "",
+       "cells along an edge of the cube, degrees of the grid, Embree's quality, or mesh: no table but the "
+       "faces"},
       {"storage", "", "double, float, uint16 or none"},
       {"triangles", "1", "of each of the two models"},
       {"direction", "", "whose vertices are looked up -> in whose surface"},
