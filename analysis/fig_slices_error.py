@@ -26,7 +26,9 @@ def main() -> None:
         mine = table[table.stage == stage]
         axes.plot(mine.slice_mm, 1e3 * mine.added_rms_mm, label=label, **looks[stage])
     final = table[table.stage == "table"]
-    axes.plot(final.slice_mm, 1e3 * final.rms_mm, label="all together", color="black", linewidth=2.0, zorder=1)
+    axes.plot(
+        final.slice_mm, 1e3 * final.rms_mm, label="all together", color="black", linewidth=2.0, zorder=1
+    )
     axes.axvline(1.25, color=common.THESIS_GREY, linestyle=":", linewidth=1.2)
     axes.set(xscale="log", yscale="log", xlabel="distance of the slices, mm")
     axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])

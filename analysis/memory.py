@@ -48,19 +48,16 @@ def latex(groups: list[tuple[str, int]], rows: list[list[str]]) -> str:
         rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
         titles.append("thesis & here" if width == 2 else "here")
         column += width
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}l{'r' * (column - 2)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}",
-            "\\toprule",
             " & ".join(["", *spans]) + " \\\\",
             "".join(rules),
             " & ".join(["Precision", *titles]) + " \\\\",
-            "\\midrule",
+        ],
+        [
             *(" & ".join(row) + " \\\\" for row in rows),
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -160,17 +160,14 @@ def judged_table(verdicts: pd.DataFrame) -> str:
         + " \\\\"
         for row in judged.itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        "@{}llllll@{}",
         [
-            "\\begin{tabular}{@{}llllll@{}}",
-            "\\toprule",
             "table & row & what & thesis & here & verdict \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -56,17 +56,14 @@ def way(look: tuple[float, float, float]) -> str:
 def latex(rows: pd.DataFrame) -> str:
     """Names, then where the cameras look."""
     lines = [" & ".join(common.tex(value) for value in row) + r" \\" for row in rows.itertuples(index=False)]
-    return "\n".join(
+    return common.tabular(
+        r"@{}llll@{}",
         [
-            r"\begin{tabular}{@{}llll@{}}",
-            r"\toprule",
             r"anatomy & computer graphics & camera, right hip & camera, left hip \\",
-            r"\midrule",
+        ],
+        [
             *lines,
-            r"\bottomrule",
-            r"\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -55,20 +55,17 @@ def latex(lines: pd.DataFrame) -> str:
         f"{common.digits(1000 * line.radial_bound_mm)} \\\\"
         for line in lines.itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        "@{}lrrrrrrrr@{}",
         [
-            "\\begin{tabular}{@{}lrrrrrrrr@{}}",
-            "\\toprule",
             " & \\multicolumn{2}{c}{Eq.~7, mm} & \\multicolumn{2}{c}{Eq.~8, \\%} & along the & "
             "\\multicolumn{3}{c}{radius, \\textmu m} \\\\",
             "\\cmidrule(lr){2-3}\\cmidrule(lr){4-5}\\cmidrule(l){7-9}",
             "Precision & thesis & here & thesis & here & surface, mm & rms & largest & proven \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -41,20 +41,17 @@ def latex(lines: pd.DataFrame) -> str:
         f"{line.measured_equator_points:,} \\\\"
         for line in lines.astype({"measured_equator_points": int}).itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        "@{}lrrrrr@{}",
         [
-            "\\begin{tabular}{@{}lrrrrr@{}}",
-            "\\toprule",
             " & grid & \\multicolumn{2}{c}{turns $k$ of the helix} & "
             "\\multicolumn{2}{c}{its points at the equator} \\\\",
             "\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}",
             "Precision & points & thesis & here & thesis & here \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -40,20 +40,17 @@ def latex(lines: pd.DataFrame) -> str:
         f"${line.exact_adjustment_deg:.2f}$ \\\\"
         for line in lines.itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        "@{}lrrrrrrr@{}",
         [
-            "\\begin{tabular}{@{}lrrrrrrr@{}}",
-            "\\toprule",
             " & & \\multicolumn{3}{c}{adjusted $\\varphi$, \\textdegree} & "
             "\\multicolumn{3}{c}{adjustment, \\textdegree} \\\\",
             "\\cmidrule(lr){3-5}\\cmidrule(lr){6-8}",
             "$i$ & $\\varphi$, \\textdegree & thesis & Eq.~16 & exact & thesis & Eq.~16 & exact \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

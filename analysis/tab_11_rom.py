@@ -46,19 +46,16 @@ def latex(table: pd.DataFrame) -> str:
             cells += [row[f"{patient}_deg"], f"{gap:.2f}", row[f"{patient}_stand_in_clock"]]
             cells.append(row[f"{patient}_stand_in_limit_deg"])
         rows.append(" & ".join(cells) + r" \\")
-    return "\n".join(
+    return common.tabular(
+        r"@{}lrrrrrrrr@{}",
         [
-            r"\begin{tabular}{@{}lrrrrrrrr@{}}",
-            r"\toprule",
             r" & \multicolumn{4}{c}{patient A (right hip)} & \multicolumn{4}{c}{patient B (left hip)} \\",
             r"\cmidrule(lr){2-5}\cmidrule(lr){6-9}",
             r"motion & recorded & gap, mm & at & limit & recorded & gap, mm & at & limit \\",
-            r"\midrule",
+        ],
+        [
             *rows,
-            r"\bottomrule",
-            r"\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -48,19 +48,16 @@ def latex(table: pd.DataFrame) -> str:
         f"{row.red_zones.replace('-', '--')} & {float(row.red_mm2):.0f} & {float(row.within_4_mm_mm2):,.0f} \\\\"
         for row in table.itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        r"@{}lrrllrr@{}",
         [
-            r"\begin{tabular}{@{}lrrllrr@{}}",
-            r"\toprule",
             r" & & \multicolumn{2}{c}{smallest gap} & \multicolumn{2}{c}{red: within 2\,mm} & within 4\,mm \\",
             r"\cmidrule(lr){3-4}\cmidrule(lr){5-6}",
             r"motion & \textdegree & mm & at & clock & mm$^2$ & mm$^2$ \\",
-            r"\midrule",
+        ],
+        [
             *rows,
-            r"\bottomrule",
-            r"\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -48,17 +48,14 @@ def latex(table: pd.DataFrame) -> str:
         last = start
         rows.append(" & ".join(cell(name, line[name]) for name in columns) + " \\\\")
     kinds = "".join("l" if name in ("surface", "distance", "filling", "carried") else "r" for name in columns)
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}{kinds}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}{kinds}@{{}}}}",
-            "\\toprule",
             " & ".join(HEADS[name] for name in columns) + " \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -23,7 +23,9 @@ def main() -> None:
     rows["missed_touches"] = share(table.missed_touches, table.poses)
     rows["wrong_within_mm"] = table.wrong_within_mm.map(lambda value: f"{value:g}")
     rows["gives_distance"] = table.gives_distance
-    common.write_table(options.out, "baseline-comparison", rows, latex(rows[rows.joint == table.joint.iloc[0]]))
+    common.write_table(
+        options.out, "baseline-comparison", rows, latex(rows[rows.joint == table.joint.iloc[0]])
+    )
 
 
 def error(value: float) -> str:
@@ -38,13 +40,11 @@ def share(part: pd.Series, whole: pd.Series) -> pd.Series:
 
 def latex(rows: pd.DataFrame) -> str:
     """The rows of one joint."""
-    lines = [
-        r"\begin{tabular}{@{}llrrrrrrrrr@{}}",
-        r"\toprule",
+    head = [
         r" & & & fill & pose & \multicolumn{2}{c}{missed (\%)} & error & \multicolumn{2}{c}{wrong (\%)} & within \\",
         r"method & resolution & kB & (ms) & (µs) & triangles & vertices & (µm) & false & missed & (mm) \\",
     ]
-    before = None
+    lines, before = [], None
     for row in rows.itertuples():
         if row.method != before:
             lines.append(r"\midrule")
@@ -59,7 +59,7 @@ def latex(rows: pd.DataFrame) -> str:
         cells += [row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
         cells += [row.false_touches, row.missed_touches, row.wrong_within_mm]
         lines.append(" & ".join(cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    return common.tabular("@{}llrrrrrrrrr@{}", head, lines)
 
 
 common.run(main)

@@ -31,9 +31,7 @@ def readable(row) -> str:
 
 def latex(rows: pd.DataFrame) -> str:
     """One line a claim and setting: what was measured there, one after the other."""
-    lines = [r"\begin{tabular}{@{}p{0.23\textwidth}p{0.22\textwidth}p{0.5\textwidth}@{}}", r"\toprule"]
-    lines.append(r"claim & setting & measured \\")
-    before = None
+    lines, before = [], None
     for (claim, setting), group in rows.groupby(["claim", "setting"], sort=False):
         if claim != before:
             lines.append(r"\midrule")
@@ -43,7 +41,8 @@ def latex(rows: pd.DataFrame) -> str:
         name = claim if claim != before else ""
         before = claim
         lines.append(" & ".join(common.tex(text) for text in (name, setting, measured)) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    layout = r"@{}p{0.23\textwidth}p{0.22\textwidth}p{0.5\textwidth}@{}"
+    return common.tabular(layout, [r"claim & setting & measured \\"], lines)
 
 
 common.run(main)

@@ -35,17 +35,14 @@ def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
         cells = [common.digits(line[name], 2) for name in PROMISES]
         bold = [f"\\textbf{{{text}}}" if line[name] > 1 else text for name, text in zip(PROMISES, cells)]
         rows.append(f"{common.tex(labels[line['scheme']])} & {' & '.join(bold)} \\\\")
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}l{'r' * len(PROMISES)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}l{'r' * len(PROMISES)}@{{}}}}",
-            "\\toprule",
             f"Scheme & {' & '.join(PROMISES.values())} \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

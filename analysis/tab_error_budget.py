@@ -61,17 +61,14 @@ def latex(table: pd.DataFrame) -> str:
         + r" \\"
         for line in table.to_dict("records")
     ]
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}ll{'r' * len(shown)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}ll{'r' * len(shown)}@{{}}}}",
-            "\\toprule",
             f"Joint & Precision & {' & '.join(shown.values())} \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

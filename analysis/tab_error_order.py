@@ -52,17 +52,14 @@ def latex(lines: pd.DataFrame) -> str:
         cells = [f"{own.order_max[s]:.1f} / {own.order_rms[s]:.1f}" if s in own.index else "" for s in scenes]
         rows.append(f"{common.tex(common.label(method))} & {' & '.join(cells)} \\\\")
     titles = [common.tex(s.replace("_", " ").replace("generated", "").strip()) for s in scenes]
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}l{'r' * len(scenes)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}l{'r' * len(scenes)}@{{}}}}",
-            "\\toprule",
             f"Method & {' & '.join(titles)} \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -79,17 +79,14 @@ def latex(table: pd.DataFrame) -> str:
         ]
         rows.append(" & ".join(cells) + " \\\\")
         last = place
-    return "\n".join(
+    return common.tabular(
+        "@{}llrrrrrrr@{}",
         [
-            "\\begin{tabular}{@{}llrrrrrrr@{}}",
-            "\\toprule",
             " & ".join(heads) + " \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -79,19 +79,16 @@ def latex(lines: pd.DataFrame) -> str:
                 f"{common.digits(line.times_faster_than_thesis, 2)} \\\\"
             )
         rows.append("\\addlinespace")
-    return "\n".join(
+    return common.tabular(
+        "@{}llrrrr@{}",
         [
-            "\\begin{tabular}{@{}llrrrr@{}}",
-            "\\toprule",
             " & & & & \\multicolumn{2}{c}{times faster than} \\\\",
             "\\cmidrule(l){5-6}",
             "Error, \\textmu m & Method & query, ns & memory, KiB & Embree & thesis \\\\",
-            "\\midrule",
+        ],
+        [
             *rows[:-1],
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

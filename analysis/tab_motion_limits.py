@@ -36,19 +36,14 @@ def latex(table: pd.DataFrame) -> str:
     """A line a motion, a column a generated hip: limit and clock."""
     joints = [motion_limits.label(name) for name in motion_limits.GENERATED]
     names = [name.removeprefix("stand-in for ") for name in joints]
-    lines = [
-        r"\begin{tabular}{l" + "r" * len(joints) + "}",
-        r"\toprule",
-        "motion & " + " & ".join(names) + r" \\",
-    ]
-    lines.append(r"\midrule")
+    lines = []
     for motion in motion_limits.MOTIONS.values():
         cells = []
         for joint in joints:
             found = table[(table.joint == joint) & (table.motion == motion)]
             cells.append(" ".join(found.iloc[0][["limit_deg", "clock"]]).strip() if len(found) else "")
         lines.append(motion.replace("°", r"\textdegree") + " & " + " & ".join(cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    return common.tabular("l" + "r" * len(joints), ["motion & " + " & ".join(names) + r" \\"], lines)
 
 
 common.run(main)

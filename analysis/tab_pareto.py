@@ -32,17 +32,14 @@ def latex(points) -> str:
         + r" \\"
         for method, row in counts.iterrows()
     ]
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}l{'r' * len(pareto.COSTS)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}l{'r' * len(pareto.COSTS)}@{{}}}}",
-            "\\toprule",
             f"Method & {' & '.join(titles[cost] for cost in pareto.COSTS)} \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

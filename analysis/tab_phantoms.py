@@ -17,17 +17,13 @@ def main() -> None:
 
 def latex(phantoms: pd.DataFrame) -> str:
     """A line a quantity."""
-    lines = [
-        r"\begin{tabular}{llrrrr}",
-        r"\toprule",
-        r"phantom & quantity & closed form & measured & error & bound \\",
-        r"\midrule",
-    ]
+    head = [r"phantom & quantity & closed form & measured & error & bound \\"]
+    lines = []
     for row in phantoms.itertuples():
         cells = [common.tex(row.phantom), common.tex(row.quantity)]
         cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}", f"{row.bound:.5f}"]
         lines.append(" & ".join(cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    return common.tabular("llrrrr", head, lines)
 
 
 common.run(main)

@@ -39,19 +39,16 @@ def latex(lines: pd.DataFrame) -> str:
         times = group.set_index("method").loc[methods, ["thesis_ns", "measured_ns"]].to_numpy().ravel()
         cells = [common.digits(value) or "---" for value in times]
         rows.append(" & ".join([f"{triangles:,.0f}", f"{queries:,.0f}", *cells]) + " \\\\")
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}ll{'rr' * len(methods)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}ll{'rr' * len(methods)}@{{}}}}",
-            "\\toprule",
             " & ".join(["", "", *spans]) + " \\\\",
             "".join(rules),
             " & ".join(["Triangles a model", "queries", *["thesis & here"] * len(methods)]) + " \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

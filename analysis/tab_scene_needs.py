@@ -20,20 +20,16 @@ def main() -> None:
 
 def latex(rows) -> str:
     """Scene; memory and time of everything, of whole tables, of the plan; both ratios."""
-    lines = [
-        r"\begin{tabular}{lrrrrrrrr}",
-        r"\toprule",
+    head = [
         r" & \multicolumn{2}{c}{everything} & \multicolumn{2}{c}{whole tables} & \multicolumn{2}{c}{plan}"
         r" & \multicolumn{2}{c}{times less} \\",
         r"scene & MB & ms & MB & ms & MB & ms & memory & time \\",
-        r"\midrule",
     ]
+    lines = []
     for row in rows.itertuples():
         cells = [row.everything_MB, row.everything_ms, row.tables_MB, row.tables_ms, row.plan_MB, row.plan_ms]
-        lines.append(
-            " & ".join([common.tex(row.scene), *cells, row.bytes_ratio, row.time_ratio]) + r" \\"
-        )
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+        lines.append(" & ".join([common.tex(row.scene), *cells, row.bytes_ratio, row.time_ratio]) + r" \\")
+    return common.tabular("lrrrrrrrr", head, lines)
 
 
 common.run(main)

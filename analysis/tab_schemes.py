@@ -61,20 +61,17 @@ def latex(lines: pd.DataFrame) -> str:
         + r" \\"
         for line in lines.itertuples()
     ]
-    return "\n".join(
+    return common.tabular(
+        r"@{}llrrrrrrrr@{}",
         [
-            r"\begin{tabular}{@{}llrrrrrrrr@{}}",
-            r"\toprule",
             r" & & & \multicolumn{2}{c}{$N\rho^2$} & area & look-up & "
             r"\multicolumn{3}{c}{saved at equal, \%} \\",
             r"\cmidrule(lr){4-5}\cmidrule(l){8-10}",
             r"Scheme & Source & entries & all & off poles & ratio & ns & gap & $e_{99.99}$ & rms \\",
-            r"\midrule",
+        ],
+        [
             *body,
-            r"\bottomrule",
-            r"\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

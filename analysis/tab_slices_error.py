@@ -21,13 +21,11 @@ def main() -> None:
 
 def latex(rows: pd.DataFrame) -> str:
     """One line a stage."""
-    lines = [
-        r"\begin{tabular}{@{}rlrrrrr@{}}",
-        r"\toprule",
+    head = [
         r"slices & stage & triangles & adds & \multicolumn{3}{c}{off in all (µm)} \\",
         r"(mm) & & of the ball & (µm) & rms & mean & largest \\",
     ]
-    before = None
+    lines, before = [], None
     for row in rows.itertuples():
         if row.slice_mm != before:
             lines.append(r"\midrule")
@@ -35,7 +33,7 @@ def latex(rows: pd.DataFrame) -> str:
         before = row.slice_mm
         cells = [slice_mm, row.stage, f"{row.ball_triangles:,}", row.added_rms_um, row.rms_um, row.mean_um]
         lines.append(" & ".join([*cells, row.largest_um]) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    return common.tabular("@{}rlrrrrr@{}", head, lines)
 
 
 common.run(main)

@@ -67,19 +67,16 @@ def latex(lines: pd.DataFrame) -> str:
             f"{row.failures_of_others:,}",
         ]
         rows.append(" & ".join(cells) + " \\\\")
-    return "\n".join(
+    return common.tabular(
+        "@{}lrrrrrrrr@{}",
         [
-            "\\begin{tabular}{@{}lrrrrrrrr@{}}",
-            "\\toprule",
             " & & & \\multicolumn{4}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
             "\\cmidrule(lr){4-7}\\cmidrule(l){8-9}",
             "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Worst & Fail \\\\",
-            "\\midrule",
+        ],
+        [
             *rows,
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -33,17 +33,14 @@ def latex(table: pd.DataFrame) -> str:
         " & ".join(cell(name, value) for name, value in zip(table.columns, row))
         for row in table.itertuples(index=False)
     ]
-    return "\n".join(
+    return common.tabular(
+        f"@{{}}{'l' * len(heads)}@{{}}",
         [
-            f"\\begin{{tabular}}{{@{{}}{'l' * len(heads)}@{{}}}}",
-            "\\toprule",
             " & ".join(heads) + " \\\\",
-            "\\midrule",
+        ],
+        [
             *(row + " \\\\" for row in rows),
-            "\\bottomrule",
-            "\\end{tabular}",
-            "",
-        ]
+        ],
     )
 
 

@@ -86,8 +86,6 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
         titles.append("thesis & here" if width == 2 else "here")
         column += width
     head = [
-        f"\\begin{{tabular}}{{@{{}}l{'r' * (column - 2)}@{{}}}}",
-        "\\toprule",
         " & ".join(["", *spans]) + " \\\\",
         "".join(rules),
         " & ".join([table.row_title, *titles]) + " \\\\",
@@ -108,7 +106,7 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
                     _cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else "")
                 )
             body.append(" & ".join(cells) + " \\\\")
-    return "\n".join(head + body + ["\\bottomrule", "\\end{tabular}"]) + "\n"
+    return common.tabular(f"@{{}}l{'r' * (column - 2)}@{{}}", head, body)
 
 
 def _short(method: str) -> str:

@@ -19,7 +19,9 @@ def main() -> None:
     """Writes verdicts.csv, in the order of thesis_values.csv."""
     options = common.arguments(__doc__)
     modules = [importlib.import_module(path.stem) for path in sorted(common.HERE.glob("verdicts_*.py"))]
-    rows = pd.DataFrame([row for module in modules for row in module.rows(options.results)], columns=verdict.COLUMNS)
+    rows = pd.DataFrame(
+        [row for module in modules for row in module.rows(options.results)], columns=verdict.COLUMNS
+    )
     order = list(common.thesis().artefact.unique())
     rows = rows.sort_values("artefact", key=lambda names: names.map(order.index), kind="stable")
     common.write(options.out / "verdicts.csv", rows.to_csv(index=False, lineterminator="\n"))
