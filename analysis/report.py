@@ -20,6 +20,7 @@ import PIL.Image
 
 import common
 import explore
+import verdict
 
 MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
@@ -152,26 +153,30 @@ def explanation(row: dict[str, str]) -> str:
 
 def verdict_table(verdicts: pd.DataFrame) -> str:
     """Every row, with what the filters need."""
-    names = ["artefact", "row", "column", "thesis", "measured", "unit"]
+    names = [
+        name
+        for name in ("artefact", "row", "column", "thesis", "reference", "measured", "unit")
+        if name in verdicts
+    ]
     head = element(
         "thead", element("tr", "".join(element("th", name) for name in [*names, "verdict", "why"]))
     )
     rows = []
     for row in verdicts.to_dict("records"):
-        verdict = row["verdict"]
+        found = row["verdict"]
         cells = [cell(row[name], title=name, name=name == "row") for name in names]
         cells.append(
             element(
                 "td",
-                html.escape(verdict),
-                class_=f"verdict {verdict}",
-                data_mark=MARKS.get(verdict, ""),
+                html.escape(found),
+                class_=f"verdict {found}",
+                data_mark=MARKS.get(found, ""),
                 data_title="verdict",
             )
         )
         rows.append(
             element(
-                "tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=verdict
+                "tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found
             )
         )
     return element(
@@ -313,9 +318,10 @@ def contents(jobs: list[Job]) -> str:
     )
 
 
-def page(results: Path, jobs: list[Job], library: str) -> str:
+def page(results: Path, jobs: list[Job], library: str, reference: Path) -> str:
     """The whole document; `library` draws the plot that the reader moves about in."""
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = verdict.with_reference(verdicts, reference)
     parts = [
         heading(results, jobs),
         element("h2", "Verdicts", id="verdicts-title"),
@@ -341,13 +347,16 @@ def page(results: Path, jobs: list[Job], library: str) -> str:
 
 def main() -> None:
     """Checks every CSV of the graph against its sidecar, then writes report.html."""
-    options = common.arguments(__doc__, "--jobs", "--plotly")
+    options = common.arguments(__doc__, "--jobs", "--plotly", "--reference")
     jobs = load_jobs(Path(options.jobs))
     for job in jobs:
         for output in job.outputs:
             if output.startswith("data/") and output.endswith(".csv"):
                 common.sidecar(options.results / output)
-    common.write(options.out / "report.html", page(options.results, jobs, Path(options.plotly).read_text()))
+    common.write(
+        options.out / "report.html",
+        page(options.results, jobs, Path(options.plotly).read_text(), Path(options.reference)),
+    )
 
 
 common.run(main)

@@ -46,6 +46,9 @@ def members(outputs: Iterable[str], results: Path, jobs: str) -> dict[str, bytes
                 files[f"{folder}/{file.name}"] = file
     plotly = "analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js"
     files[plotly] = SOURCE / plotly
+    reference = SOURCE / "results" / "reference" / "verdicts.csv"
+    if reference.is_file():
+        files["results/reference/verdicts.csv"] = reference
     files["LICENSE"] = SOURCE / "LICENSE"
     files["recheck"] = SOURCE / "experiments" / "recheck.py"
     files["graph/jobs.tsv"] = jobs.encode()

@@ -175,6 +175,17 @@ class Verdict(unittest.TestCase):
 class Memory(unittest.TestCase):
     """A memory that does not round from the entries of its own row is a slip of the thesis."""
 
+    def test_beside_the_reference(self):
+        keys = ["artefact", "row", "column"]
+        ours = pd.DataFrame([["t", "a", "c", "1"], ["t", "b", "c", "2"]], columns=[*keys, "measured"])
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "verdicts.csv"
+            self.assertIs(verdict.with_reference(ours, file), ours)
+            file.write_text("artefact,row,column,measured,verdict\nt,b,c,3,differs\n")
+            both = verdict.with_reference(ours, file)
+        self.assertEqual(list(both.reference), ["", "3"])
+        self.assertEqual(list(both.measured), ["1", "2"])
+
     def test_contradiction(self):
         values = common.thesis("table-7")
         found = {value.row: verdicts_memory.contradiction(value, values) for value in values.itertuples()}
