@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/cap_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sampling/face_index.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kMostLevels = 9;      // 512 cells along an edge
+constexpr double kEntriesPerFace = 0.7;     // of the finest grid for caps
+constexpr double kResolution = 0.25;        // of c: nodes as narrow as that are taken whole
+constexpr double kSteepSlope = 1e4;         // see near_faces.cpp
+constexpr double kChordOfQuarter = 1.1108;  // an angle up to a quarter turn over its chord
+
+std::vector<CapItem> items_of(const TriangleMesh& mesh) {
+  std::vector<CapItem> items;
+  items.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    FaceIndex::SeenFace seen = see_face(cone.corners());
+    if (seen.side == 0 && cone.edge_on()) continue;
+    if (!(cone.largest_slope() <= kSteepSlope)) seen.range.low = 0.0;
+    if (!(seen.cap.radius < 0.5 * kPi)) seen.cap.radius = kPi;
+    items.push_back({seen.cap, seen.range});
+  }
+  return items;
+}
+
+// Directions of the entries of a grid.
+std::vector<Vec3> entries(std::size_t cells) {
+  std::vector<Vec3> found;
+  found.reserve(6 * (cells + 1) * (cells + 1));
+  const auto line = [&](std::size_t k) {
+    return -1.0 + 2.0 * static_cast<double>(k) / static_cast<double>(cells);
+  };
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (std::size_t j = 0; j <= cells; ++j) {
+      for (std::size_t i = 0; i <= cells; ++i)
+        found.push_back(cube_point(face, line(i), line(j)).normalized());
+    }
+  }
+  return found;
+}
+
+// A cap of directions about a unit axis, and the limit of what it meets so far.
+class CapSearch {
+ public:
+  CapSearch(const TriangleMesh& mesh, Layer layer)
+      : items_(items_of(mesh)), tree_(items_), nearest_(layer == Layer::nearest) {}
+
+  float limit(const DirectionCap& cap, double resolution) {
+    cap_ = cap;
+    resolution_ = resolution;
+    limit_ = nearest_ ? HUGE_VALF : -1.0F;
+    if (!tree_.nodes().empty()) visit(0);
+    return limit_;
+  }
+  float overall() const {
+    if (tree_.nodes().empty()) return nearest_ ? HUGE_VALF : -1.0F;
+    return nearest_ ? tree_.nodes()[0].low : tree_.nodes()[0].high;
+  }
+
+ private:
+  void visit(std::size_t n) {
+    const CapNode& node = tree_.nodes()[n];
+    if (nearest_ ? node.low >= limit_ : node.high <= limit_) return;
+    const double chord = (node.axis.cast<double>() - cap_.axis).norm();
+    if (chord > cap_.radius + node.angle) return;  // an angle is no less than its chord
+    const bool inside = chord < 1.4 && kChordOfQuarter * chord + node.angle <= cap_.radius;
+    if (inside || node.angle <= resolution_) {
+      limit_ = nearest_ ? node.low : node.high;
+    } else if (node.leaf != 0) {
+      for (std::uint32_t k = 0; k < node.count; ++k) include(items_[tree_.order()[node.first + k]]);
+    } else {
+      for (std::uint32_t k = 0; k < node.count; ++k) visit(node.first + k);
+    }
+  }
+
+  void include(const CapItem& item) {
+    if ((item.cap.axis - cap_.axis).norm() > cap_.radius + item.cap.radius) return;
+    if (nearest_) {
+      limit_ = std::min(limit_, std::nextafter(static_cast<float>(item.range.low), 0.0F));
+    } else {
+      limit_ = std::max(limit_, std::nextafter(static_cast<float>(item.range.high), HUGE_VALF));
+    }
+  }
+
+  std::vector<CapItem> items_;
+  CapTree tree_;
+  bool nearest_;
+  DirectionCap cap_;
+  double resolution_ = 0.0;
+  float limit_ = 0.0F;
+};
+
+}  // namespace
+
+CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
+  CapSearch search(mesh, layer);
+  overall_ = search.overall();
+  levels_.resize(2);
+  const double wanted = kEntriesPerFace * static_cast<double>(mesh.faces.size());
+  while (levels_.size() < kMostLevels && 6.0 * std::exp2(2 * (levels_.size() - 1)) < wanted)
+    levels_.emplace_back();
+  for (std::size_t k = 1; k < levels_.size(); ++k) {
+    levels_[k].cells = std::size_t{1} << k;
+    levels_[k].reach = 4.0 / static_cast<double>(levels_[k].cells);
+  }
+  single_ = {2 * levels_.back().cells, 0.0, {}};
+  const auto fill = [&](Level& level) {
+    const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(level.cells);
+    const double radius = nearest_entry + level.reach + margin + kNodeSlack;
+    for (const Vec3& axis : entries(level.cells))
+      level.limits.push_back(search.limit({axis, radius}, kResolution * nearest_entry));
+  };
+  std::for_each(levels_.begin() + 1, levels_.end(), fill);
+  fill(single_);
+}
+
+std::size_t CapLimits::bytes() const {
+  std::size_t entries = single_.limits.size();
+  for (const Level& level : levels_) entries += level.limits.size();
+  return entries * sizeof(float);
+}
+
+}  // namespace impinge

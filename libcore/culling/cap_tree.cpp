@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/cap_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "culling/cube_place.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kLeafItems = 8;
+constexpr double kQuarter = 0.5 * kPi;
+
+// Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
+struct Cell {
+  std::size_t level;
+  std::size_t prefix;
+};
+
+// What a node is made of, in double.
+struct Summary {
+  DirectionCap cap;
+  RadiusRange range;
+  double widest = 0.0;  // cap of an item
+};
+
+std::size_t cell_line(double coordinate, std::size_t lines) {
+  const double place = std::max(0.5 * (coordinate + 1.0) * static_cast<double>(lines), 0.0);
+  return std::min(static_cast<std::size_t>(place), lines - 1);
+}
+
+std::size_t cell_of(const Vec3& axis, std::size_t levels) {
+  const CubePlace at = cube_place(axis);
+  const std::size_t lines = std::size_t{1} << levels;
+  const std::size_t i = cell_line(at.a, lines);
+  const std::size_t j = cell_line(at.b, lines);
+  std::size_t cell = at.face;
+  for (std::size_t bit = levels; bit-- > 0;) cell = 4 * cell + 2 * ((j >> bit) & 1U) + ((i >> bit) & 1U);
+  return cell;
+}
+
+// Corners of a cell.
+std::array<Vec3, 4> corners_of(const Cell& cell) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  for (std::size_t bit = 0; bit < cell.level; ++bit) {
+    i |= ((cell.prefix >> (2 * bit)) & 1U) << bit;
+    j |= ((cell.prefix >> (2 * bit + 1)) & 1U) << bit;
+  }
+  const std::size_t face = cell.prefix >> (2 * cell.level);
+  const double width = 2.0 / static_cast<double>(std::size_t{1} << cell.level);
+  const auto at = [&](std::size_t k, std::size_t l) {
+    return cube_point(face, -1.0 + width * static_cast<double>(k), -1.0 + width * static_cast<double>(l));
+  };
+  return {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
+}
+
+float above(double number) { return std::nextafter(static_cast<float>(number), HUGE_VALF); }
+float below(double number) { return std::nextafter(static_cast<float>(number), 0.0F); }
+
+// The caps and ranges of several in one. The axis is as exact as a float.
+Summary summary_of(std::span<const Summary> parts) {
+  Summary all;
+  all.cap.axis = Vec3::Zero();
+  for (const Summary& part : parts) {
+    all.cap.axis += part.cap.axis;
+    all.range.include(part.range.low);
+    all.range.include(part.range.high);
+    all.widest = std::max(all.widest, part.widest);
+  }
+  if (all.cap.axis.norm() < 1e-3) all.cap.axis = Vec3::UnitZ();
+  all.cap.axis = all.cap.axis.normalized().cast<float>().cast<double>();
+  for (const Summary& part : parts)
+    all.cap.radius = std::max(all.cap.radius, angle_between(all.cap.axis, part.cap.axis) + part.cap.radius);
+  return all;
+}
+
+void keep_to(const Cell& cell, Summary& summary) {
+  double widest = 0.0;
+  for (const Vec3& corner : corners_of(cell))
+    widest = std::max(widest, angle_between(summary.cap.axis, corner));
+  if (widest < kQuarter) summary.cap.radius = std::min(summary.cap.radius, widest + summary.widest);
+}
+
+void write(const Summary& summary, CapNode& node) {
+  node.axis = summary.cap.axis.cast<float>();
+  node.angle = above(std::min(summary.cap.radius, kPi) + kNodeSlack);
+  node.low = below(summary.range.low * (1.0 - kNodeSlack));
+  node.high = above(summary.range.high * (1.0 + kNodeSlack));
+  const double low = node.low;
+  const double high = node.high;
+  node.mean = low > 0.0 ? static_cast<float>(2.0 * low * high / (low + high)) : 0.0F;
+  node.spread = above((high - low) / (2.0 * high) + kNodeSlack);
+}
+
+class CapTreeBuilder {
+ public:
+  CapTreeBuilder(std::span<const CapItem> items, std::vector<CapNode>& nodes,
+                 std::vector<std::uint32_t>& order)
+      : items_(items), nodes_(nodes), order_(order) {
+    while (levels_ < CapTree::kDeepest && (std::size_t{24} << (2 * levels_)) < items.size()) ++levels_;
+  }
+
+  void build() {
+    sort();
+    nodes_.resize(1);
+    std::vector<Cell> faces;
+    for (std::size_t face = 0; face < 6; ++face) {
+      if (count({0, face}) > 0) faces.push_back({0, face});
+    }
+    const Summary all = faces.size() == 1 ? fill(0, faces[0]) : fill_inner(0, faces);
+    write(all, nodes_[0]);
+  }
+
+ private:
+  // Counting sort by the cells of the last level.
+  void sort() {
+    std::vector<std::uint32_t> cell(items_.size());
+    start_.assign((std::size_t{6} << (2 * levels_)) + 2, 0);
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+      cell[k] = static_cast<std::uint32_t>(cell_of(items_[k].cap.axis, levels_));
+      ++start_[cell[k] + 2];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    order_.resize(items_.size());
+    for (std::size_t k = 0; k < items_.size(); ++k)
+      order_[start_[cell[k] + 1]++] = static_cast<std::uint32_t>(k);
+  }
+
+  std::uint32_t begin(const Cell& cell) const { return start_[cell.prefix << (2 * (levels_ - cell.level))]; }
+  std::uint32_t count(const Cell& cell) const { return begin({cell.level, cell.prefix + 1}) - begin(cell); }
+
+  std::vector<Cell> children(const Cell& cell) const {
+    std::vector<Cell> found;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Cell child{cell.level + 1, 4 * cell.prefix + k};
+      if (count(child) > 0) found.push_back(child);
+    }
+    return found;
+  }
+
+  // Makes the node of a cell; one with a single child is that of the child.
+  Summary fill(std::size_t node, Cell cell) {
+    for (;;) {
+      if (count(cell) <= kLeafItems || cell.level == levels_) return fill_leaf(node, cell);
+      const std::vector<Cell> parts = children(cell);
+      if (parts.size() == 1) {
+        cell = parts[0];
+        continue;
+      }
+      Summary summary = fill_inner(node, parts);
+      keep_to(cell, summary);
+      return summary;
+    }
+  }
+
+  Summary fill_inner(std::size_t node, std::span<const Cell> parts) {
+    const std::size_t first = nodes_.size();
+    nodes_.resize(first + parts.size());
+    nodes_[node].first = static_cast<std::uint32_t>(first);
+    nodes_[node].count = static_cast<std::uint32_t>(parts.size()) & 0x7FFFFFFFU;
+    nodes_[node].leaf = 0;
+    std::vector<Summary> summaries;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      summaries.push_back(fill(first + k, parts[k]));
+      write(summaries.back(), nodes_[first + k]);
+    }
+    return summary_of(summaries);
+  }
+
+  Summary fill_leaf(std::size_t node, const Cell& cell) {
+    nodes_[node].first = begin(cell);
+    nodes_[node].count = count(cell) & 0x7FFFFFFFU;
+    nodes_[node].leaf = 1;
+    std::vector<Summary> parts;
+    for (std::uint32_t k = 0; k < count(cell); ++k) {
+      const CapItem& item = items_[order_[begin(cell) + k]];
+      parts.push_back({item.cap, item.range, item.cap.radius});
+    }
+    return summary_of(parts);
+  }
+
+  std::span<const CapItem> items_;
+  std::vector<CapNode>& nodes_;
+  std::vector<std::uint32_t>& order_;
+  std::size_t levels_ = 0;
+  std::vector<std::uint32_t> start_;  // of each cell of the last level
+};
+
+}  // namespace
+
+CapTree::CapTree(std::span<const CapItem> items) {
+  if (!items.empty()) CapTreeBuilder(items, nodes_, order_).build();
+}
+
+}  // namespace impinge

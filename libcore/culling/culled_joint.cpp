@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/culled_joint.hpp"
+
+#include <algorithm>
+
+#include "detection/exact_side.hpp"
+#include "sphere/radial_table.hpp"
+
+namespace impinge {
+namespace {
+
+// Best first over both scans: the node that may hold the smallest gap is opened next.
+class LeastGapSearch {
+ public:
+  LeastGapSearch(const CulledJoint& joint, const Pose& pose)
+      : joint_(joint), moves_{CapMove(ScannedSurface::ball, pose), CapMove(ScannedSurface::socket, pose)} {
+    pending_.reserve(2 * CapTree::kMostPending);
+  }
+
+  std::optional<LeastGap> run() {
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      if (!joint_.scans()[k].tree().nodes().empty()) add(k, 0);
+    }
+    while (!pending_.empty()) {
+      const Pending next = pending_.front();
+      if (next.gap > limit()) break;
+      std::ranges::pop_heap(pending_, later);
+      pending_.pop_back();
+      open(next);
+    }
+    return best_;
+  }
+
+ private:
+  struct Pending {
+    double gap;
+    std::uint32_t scan;
+    std::uint32_t node;
+  };
+  static bool later(const Pending& a, const Pending& b) { return a.gap > b.gap; }
+
+  double limit() const { return best_ ? best_->gap_mm : kInfinity; }
+
+  void add(std::uint32_t scan, std::uint32_t node) {
+    const CulledScan& culled = joint_.scans()[scan];
+    const double gap = gap_bound(culled.tree().nodes()[node], moves_[scan], culled.limits()).gap;
+    if (gap > limit() || gap == kInfinity) return;
+    pending_.push_back({gap, scan, node});
+    std::ranges::push_heap(pending_, later);
+  }
+
+  void open(const Pending& next) {
+    const CulledScan& scan = joint_.scans()[next.scan];
+    const CapNode& node = scan.tree().nodes()[next.node];
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (node.leaf == 0) {
+        add(next.scan, k);
+      } else {
+        ask(scan, moves_[next.scan], k);
+      }
+    }
+  }
+
+  void ask(const CulledScan& scan, const CapMove& move, std::size_t item) {
+    const Vec3 x = move.place(scan.position(item));
+    if (vertex_bound(x, move, scan.limits()) > limit()) return;
+    const double gap = joint_.gap(scan.scanned(), x);
+    const ScannedVertex at{scan.scanned(), scan.vertex(item)};
+    const bool earlier = best_ && gap == best_->gap_mm && before(at, best_->at);
+    if (gap < limit() || earlier) best_ = LeastGap{gap, at};
+  }
+
+  static bool before(const ScannedVertex& a, const ScannedVertex& b) {
+    if (a.scanned != b.scanned) return a.scanned == ScannedSurface::ball;
+    return a.vertex < b.vertex;
+  }
+
+  const CulledJoint& joint_;
+  std::array<CapMove, 2> moves_;
+  std::vector<Pending> pending_;  // a heap, the least first
+  std::optional<LeastGap> best_;
+};
+
+}  // namespace
+
+CulledJoint::CulledJoint(const BallSocketPair& joint)
+    : joint_(joint),
+      ball_(joint.ball),
+      socket_(joint.socket),
+      scans_{CulledScan(ScannedSurface::ball, joint.ball, joint.socket),
+             CulledScan(ScannedSurface::socket, joint.socket, joint.ball)} {}
+
+bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const {
+  return scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, socket_, x)
+                                         : on_or_within(joint_.ball, ball_, x);
+}
+
+std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
+  const auto ignore = [](auto&&...) {};
+  for (const CulledScan& scan : scans_) {
+    const auto hit = [&](std::uint32_t, const Vec3& x) { return exactly_impinged(scan.scanned(), x); };
+    const CapMove move(scan.scanned(), pose);
+    if (const auto vertex = find_touching(scan, move, 0, hit, ignore, ignore))
+      return ScannedVertex{scan.scanned(), *vertex};
+  }
+  return std::nullopt;
+}
+
+std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {
+  return LeastGapSearch(*this, pose).run();
+}
+
+double CulledJoint::gap(ScannedSurface scanned, const Vec3& x) const {
+  const bool ball = scanned == ScannedSurface::ball;
+  const double length = x.norm();
+  if (!(length > 0.0)) return kNoSurface;
+  const Vec3 u = x / length;
+  const TriangleMesh& mesh = ball ? joint_.socket : joint_.ball;
+  const FaceIndex& index = ball ? socket_ : ball_;
+  double radius = kNoSurface;
+  for (const std::uint32_t f : index.near(u).faces) {
+    const DirectionCap& cap = index.face(f).cap;
+    if (cap.radius < 0.5 * kPi && (u - cap.axis).norm() > cap.radius) continue;
+    const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
+    if (cone.contains(u)) keep(radius, cone.radius(u), ball ? Layer::nearest : Layer::farthest);
+  }
+  return ball ? radius - length : length - radius;
+}
+
+std::size_t CulledJoint::bytes() const {
+  return ball_.bytes() + socket_.bytes() + scans_[0].bytes() + scans_[1].bytes();
+}
+
+}  // namespace impinge

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without asking most
+// vertices. Answers are those of asking all of them, in every pose.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "culling/culled_scan.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sampling/face_index.hpp"
+
+namespace impinge {
+
+struct ScannedVertex {
+  ScannedSurface scanned = ScannedSurface::ball;
+  std::size_t vertex = 0;
+  bool operator==(const ScannedVertex&) const = default;
+};
+
+// The first of the smallest gaps, in the order of scans and vertices.
+struct LeastGap {
+  double gap_mm = 0.0;
+  ScannedVertex at;
+  bool operator==(const LeastGap&) const = default;
+};
+
+class CulledJoint {
+ public:
+  // Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
+  explicit CulledJoint(const BallSocketPair& joint);
+
+  // A vertex of either surface with a gap of 0 or less, by exact signs (detection/exact_side.hpp); none
+  // exactly if there is none.
+  std::optional<ScannedVertex> impinged(const Pose& pose) const;
+
+  // Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
+  std::optional<LeastGap> least_gap(const Pose& pose) const;
+
+  // Is that vertex, which a pose has at x, impinged? Exact.
+  bool exactly_impinged(ScannedSurface scanned, const Vec3& x) const;
+  // Gap at x to the faces there, mm; NaN where there is none.
+  double gap(ScannedSurface scanned, const Vec3& x) const;
+
+  const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
+  const BallSocketPair& meshes() const { return joint_; }
+  std::size_t bytes() const;
+
+ private:
+  const BallSocketPair& joint_;
+  FaceIndex ball_;
+  FaceIndex socket_;
+  std::array<CulledScan, 2> scans_;
+};
+
+}  // namespace impinge

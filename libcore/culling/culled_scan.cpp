@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/culled_scan.hpp"
+
+namespace impinge {
+namespace {
+
+std::vector<std::uint32_t> vertices_of_faces(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) used[v] = true;
+  }
+  std::vector<std::uint32_t> found;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) found.push_back(static_cast<std::uint32_t>(v));
+  }
+  return found;
+}
+
+CapTree tree_of(const TriangleMesh& mesh) {
+  std::vector<CapItem> items;
+  for (const std::uint32_t v : vertices_of_faces(mesh)) {
+    const double length = mesh.vertices[v].norm();
+    CapItem item{{Vec3::UnitZ(), kPi}, {length, length}};  // the centre has any direction
+    if (length > 0.0) item.cap = {mesh.vertices[v].stableNormalized(), 0.0};
+    items.push_back(item);
+  }
+  return CapTree(items);
+}
+
+Layer layer_asked(ScannedSurface scanned) {
+  return scanned == ScannedSurface::ball ? Layer::nearest : Layer::farthest;
+}
+
+}  // namespace
+
+CulledScan::CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
+                       double margin)
+    : scanned_(scanned), tree_(tree_of(vertices_of)), limits_(asked, layer_asked(scanned), margin) {
+  const std::vector<std::uint32_t> used = vertices_of_faces(vertices_of);
+  for (const std::uint32_t item : tree_.order()) {
+    vertex_.push_back(used[item]);
+    position_.push_back(vertices_of.vertices[used[item]]);
+  }
+}
+
+std::size_t CulledScan::bytes() const {
+  return tree_.bytes() + limits_.bytes() + vertex_.size() * sizeof(std::uint32_t) +
+         position_.size() * sizeof(Vec3);
+}
+
+}  // namespace impinge

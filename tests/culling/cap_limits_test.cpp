@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What culling rests on:
+//   a node holds the directions and the radii of all its items
+//   within(x, angle): every radius of the surface along u, angle(u, x) <= angle + margin, is beyond the limit
+//   moved(): every vertex of a node is within `angle` of the middle, and |x| in [least, most]
+#include "culling/cap_limits.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "culling/culled_scan.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "sampling/pairwise.hpp"
+#include "support/directions.hpp"
+#include "support/poses.hpp"
+
+namespace impinge {
+namespace {
+
+TriangleMesh bumpy(std::size_t faces) {
+  return radial_body(
+      faces, [](const Vec3& u) { return 22.0 + std::sin(9.0 * u.x()) * std::cos(7.0 * u.y() + 1.0); });
+}
+
+// Items of the leaves below a node.
+std::vector<std::uint32_t> items_below(const CapTree& tree, std::size_t n) {
+  const CapNode& node = tree.nodes()[n];
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+    if (node.leaf != 0) {
+      found.push_back(k);
+    } else {
+      const auto below = items_below(tree, k);
+      found.insert(found.end(), below.begin(), below.end());
+    }
+  }
+  return found;
+}
+
+TEST(CapTree, EveryNodeHoldsItsItems) {
+  std::vector<CapItem> items;
+  for (const Vec3& u : test::random_directions(3000, 31)) {
+    const double low = 20.0 + u.x();
+    items.push_back({{u, 0.02 * (1.0 + u.y())}, {low, low + 0.1 * (1.0 + u.z())}});
+  }
+  const CapTree tree(items);
+  std::vector<std::uint32_t> all = items_below(tree, 0);
+  std::ranges::sort(all);
+  std::vector<std::uint32_t> every(items.size());
+  std::iota(every.begin(), every.end(), 0U);
+  EXPECT_EQ(all, every);
+  EXPECT_LT(tree.nodes().size(), items.size());
+  for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
+    const CapNode& node = tree.nodes()[n];
+    for (const std::uint32_t k : items_below(tree, n)) {
+      const CapItem& item = items[tree.order()[k]];
+      const double away = angle_between(node.axis.cast<double>(), item.cap.axis) + item.cap.radius;
+      EXPECT_LE(std::min(away, kPi), node.angle);
+      EXPECT_LE(node.low, item.range.low);
+      EXPECT_GE(node.high, item.range.high);
+    }
+  }
+}
+
+// Caps of children are no wider than their cell, and so get smaller by half a level.
+TEST(CapTree, CapsShrink) {
+  std::vector<CapItem> items;
+  for (const Vec3& u : test::random_directions(3000, 32)) items.push_back({{u, 0.0}, {20.0, 20.0}});
+  const CapTree tree(items);
+  for (const CapNode& node : tree.nodes()) EXPECT_LT(node.angle, node.leaf != 0 ? 0.2F : 4.0F);
+}
+
+class LimitsOf : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Faces, LimitsOf, ::testing::Values(8, 200, 1500));
+
+TEST_P(LimitsOf, AreKeptInEveryCap) {
+  const double margin = 0.01;
+  const TriangleMesh mesh = bumpy(GetParam());
+  const CapLimits low(mesh, Layer::nearest, margin);
+  const CapLimits high(mesh, Layer::farthest, margin);
+  const RayCaster rays(mesh);
+  const auto ways = test::random_directions(400, 33);
+  const auto asides = test::random_directions(400, 34);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const double angle = std::pow(10.0, -4.0 + 4.4 * static_cast<double>(k) / 400.0);
+    const Vec3 aside = (asides[k] - asides[k].dot(ways[k]) * ways[k]).normalized();
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const auto radius = [&](double way) {
+        return rays.cast((std::cos(way) * ways[k] + std::sin(way) * aside).normalized(), Layer::nearest);
+      };
+      const double wide = radius(share * (angle + margin));
+      EXPECT_LE(low.within(ways[k], angle).radius, wide);
+      EXPECT_GE(high.within(ways[k], angle).radius, wide);
+      EXPECT_GE(low.within(ways[k], angle).reach, angle);
+      const double narrow = radius(share * margin);
+      EXPECT_LE(low.beside(ways[k]), narrow);
+      EXPECT_GE(high.beside(ways[k]), narrow);
+    }
+  }
+}
+
+// Small caps of a fine mesh have limits that are worth something: a radius changes by 2 mm a radian, over the
+// cap, the way to an entry and a face.
+TEST(CapLimits, AreTightInSmallCaps) {
+  const TriangleMesh mesh = sphere(22.0, 3000, Vec3(2.0, 0.0, 0.0));
+  const CapLimits limits(mesh, Layer::nearest);
+  const RayCaster rays(mesh);
+  for (const Vec3& u : test::random_directions(200, 35)) {
+    const double radius = rays.cast(u, Layer::nearest);
+    EXPECT_GT(limits.within(u, 0.05).radius, radius - 2.0 * (0.125 + 0.0442 + 0.1));
+    EXPECT_GT(limits.beside(u), radius - 2.0 * (0.0221 + 0.1));
+  }
+}
+
+TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
+  const TriangleMesh mesh = cup(20.0, 30.0, 500);
+  const Vec3 away = -Vec3::UnitZ();
+  EXPECT_EQ(CapLimits(mesh, Layer::nearest).within(away, 0.2).radius, kInfinity);
+  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away, 0.2).radius, -1.0);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(away, 2.7).radius, 20.1);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Vec3::Zero(), 0.1).radius, 20.1);
+  EXPECT_EQ(CapLimits({}, Layer::nearest).beside(away), kInfinity);
+}
+
+TEST(MovedCaps, HoldTheirVertices) {
+  const BallSocketPair joint = make_ball_socket_pair(400);
+  for (const double shift : {0.0, 4.0, 19.0, 40.0}) {
+    for (const Pose& pose : test::random_poses(6, 3.0, shift, 36)) {
+      for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+        const bool ball = scanned == ScannedSurface::ball;
+        const CulledScan scan(scanned, ball ? joint.ball : joint.socket, ball ? joint.socket : joint.ball);
+        const CapMove move(scanned, pose);
+        for (std::size_t n = 0; n < scan.tree().nodes().size(); ++n) {
+          const MovedCap cap = moved(scan.tree().nodes()[n], move);
+          for (const std::uint32_t k : items_below(scan.tree(), n)) {
+            const Vec3 x = move.place(scan.position(k));
+            EXPECT_GE(x.norm(), cap.least);
+            EXPECT_LE(x.norm(), cap.most);
+            EXPECT_LE(cap.angle < kInfinity ? angle_between(cap.middle, x) : 0.0, cap.angle);
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impinge
