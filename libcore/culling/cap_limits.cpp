@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "culling/cube_place.hpp"
 #include "sampling/face_index.hpp"
 
 namespace impinge {
@@ -56,27 +57,29 @@ class CapSearch {
     cap_ = cap;
     resolution_ = resolution;
     limit_ = nearest_ ? HUGE_VALF : -1.0F;
-    if (!tree_.nodes().empty()) visit(0);
+    for (std::size_t block = 0; block < std::min(CapTree::kRoots, tree_.blocks().size()); ++block)
+      visit(block);
     return limit_;
-  }
-  float overall() const {
-    if (tree_.nodes().empty()) return nearest_ ? HUGE_VALF : -1.0F;
-    return nearest_ ? tree_.nodes()[0].low : tree_.nodes()[0].high;
   }
 
  private:
-  void visit(std::size_t n) {
-    const CapNode& node = tree_.nodes()[n];
-    if (nearest_ ? node.low >= limit_ : node.high <= limit_) return;
-    const double chord = (node.axis.cast<double>() - cap_.axis).norm();
-    if (chord > cap_.radius + node.angle) return;  // an angle is no less than its chord
-    const bool inside = chord < 1.4 && kChordOfQuarter * chord + node.angle <= cap_.radius;
-    if (inside || node.angle <= resolution_) {
-      limit_ = nearest_ ? node.low : node.high;
-    } else if (node.leaf != 0) {
-      for (std::uint32_t k = 0; k < node.count; ++k) include(items_[tree_.order()[node.first + k]]);
-    } else {
-      for (std::uint32_t k = 0; k < node.count; ++k) visit(node.first + k);
+  void visit(std::size_t at) {
+    const CapBlock& block = tree_.blocks()[at];
+    for (std::size_t k = 0; k < block.nodes; ++k) {
+      const auto lane = static_cast<Eigen::Index>(k);
+      if (nearest_ ? block.low[lane] >= limit_ : block.high[lane] <= limit_) continue;
+      const Vec3 axis(block.x[lane], block.y[lane], block.z[lane]);
+      const double chord = (axis - cap_.axis).norm();
+      const double angle = block.angle[lane];
+      if (chord > cap_.radius + angle) continue;  // an angle is no less than its chord
+      const bool inside = chord < 1.4 && kChordOfQuarter * chord + angle <= cap_.radius;
+      if (inside || angle <= resolution_) {
+        limit_ = nearest_ ? block.low[lane] : block.high[lane];
+      } else if (block.leaf(k)) {
+        for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
+      } else {
+        visit(block.first[k]);
+      }
     }
   }
 
@@ -101,16 +104,16 @@ class CapSearch {
 
 CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
   CapSearch search(mesh, layer);
-  overall_ = search.overall();
+  overall_ = search.limit({Vec3::UnitZ(), 4.0}, 0.0);
   levels_.resize(2);
   const double wanted = kEntriesPerFace * static_cast<double>(mesh.faces.size());
   while (levels_.size() < kMostLevels && 6.0 * std::exp2(2 * (levels_.size() - 1)) < wanted)
     levels_.emplace_back();
   for (std::size_t k = 1; k < levels_.size(); ++k) {
-    levels_[k].cells = std::size_t{1} << k;
-    levels_[k].reach = 4.0 / static_cast<double>(levels_[k].cells);
+    levels_[k].cells = 1U << k;
+    levels_[k].reach = 4.0F / static_cast<float>(levels_[k].cells);
   }
-  single_ = {2 * levels_.back().cells, 0.0, {}};
+  single_ = {2 * levels_.back().cells, 0.0F, {}};
   const auto fill = [&](Level& level) {
     const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(level.cells);
     const double radius = nearest_entry + level.reach + margin + kNodeSlack;

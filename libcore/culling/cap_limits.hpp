@@ -16,15 +16,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "culling/cap_tree.hpp"
-#include "culling/cube_place.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sampling/layer.hpp"
-#include "sphere/infinity.hpp"
 
 namespace impinge {
 
@@ -34,40 +33,49 @@ class CapLimits {
   // direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
 
+  // angle of 0 or more; NaN, like infinity, is any angle.
   struct Limit {
-    double radius;  // mm; infinite for the nearest, and -1 for the farthest, where there is no surface
-    double reach;   // radians: it holds for caps as wide as that
+    float radius;  // mm; infinite for the nearest, and -1 for the farthest, where there is no surface
+    float reach;   // radians: it holds for caps as wide as that
   };
-  // angle of 0 or more.
-  Limit within(const Vec3& x, double angle) const {
+  Limit within(const Eigen::Vector3f& x, float angle) const {
     // 2^e <= angle < 2^(e + 1), e from the bits of a float: the level whose reach is 2^(e + 1).
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(angle));
-    const int level = 1 - (static_cast<int>(bits >> 23U) - 127);
-    if (level < 1) return {overall_, kInfinity};
-    return at(levels_[std::min(static_cast<std::size_t>(level), levels_.size() - 1)], x);
+    const int level = 1 - (static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> 23U) - 127);
+    if (level < 1) return {overall_, HUGE_VALF};
+    const Level& at = levels_[std::min(static_cast<std::size_t>(level), levels_.size() - 1)];
+    return {look_up(at, x), at.reach};
   }
   // In the direction of x.
-  double beside(const Vec3& x) const { return at(single_, x).radius; }
+  float beside(const Vec3& x) const { return look_up(single_, x.cast<float>()); }
 
   std::size_t bytes() const;
 
  private:
   struct Level {
-    std::size_t cells = 1;
-    double reach = kInfinity;
+    std::uint32_t cells = 1;
+    float reach = HUGE_VALF;
     std::vector<float> limits;
   };
 
-  Limit at(const Level& level, const Vec3& x) const {
-    const CubePlace place = cube_place(x);
-    if (!(place.depth > 0.0)) return {overall_, kInfinity};
-    const double half = 0.5 * static_cast<double>(level.cells);
-    const auto column = static_cast<std::size_t>((place.a + 1.0) * half + 0.5);
-    const auto row = static_cast<std::size_t>((place.b + 1.0) * half + 0.5);
-    const std::size_t side = level.cells + 1;
-    return {level.limits[(place.face * side + row) * side + column], level.reach};
+  // At the entry nearest to x, without a branch on where that is; see cube_place.hpp.
+  float look_up(const Level& level, const Eigen::Vector3f& x) const {
+    const Eigen::Array3f size = x.array().abs();
+    const unsigned on_x =
+        static_cast<unsigned>(size[0] >= size[1]) & static_cast<unsigned>(size[0] >= size[2]);
+    const unsigned axis = (1U - on_x) * (1U + static_cast<unsigned>(size[1] < size[2]));
+    const float depth = size.maxCoeff();
+    if (!(depth > 0.0F)) return overall_;
+    const float cells = static_cast<float>(level.cells);
+    const float half = 0.5F * cells / depth;
+    const float middle = 0.5F * cells + 0.5F;
+    const auto column = static_cast<std::uint32_t>(x[axis == 0 ? 1 : 0] * half + middle);
+    const auto row = static_cast<std::uint32_t>(x[axis == 2 ? 1 : 2] * half + middle);
+    const std::uint32_t face = 2 * axis + static_cast<unsigned>(x[axis] < 0.0F);
+    const std::uint32_t side = level.cells + 1;
+    return level.limits[(face * side + row) * side + column];
   }
-  double overall_;
+
+  float overall_;
   std::vector<Level> levels_;  // the first is not used: all directions
   Level single_;
 };

@@ -85,34 +85,50 @@ void keep_to(const Cell& cell, Summary& summary) {
   if (widest < kQuarter) summary.cap.radius = std::min(summary.cap.radius, widest + summary.widest);
 }
 
-void write(const Summary& summary, CapNode& node) {
-  node.axis = summary.cap.axis.cast<float>();
-  node.angle = above(std::min(summary.cap.radius, kPi) + kNodeSlack);
-  node.low = below(summary.range.low * (1.0 - kNodeSlack));
-  node.high = above(summary.range.high * (1.0 + kNodeSlack));
-  const double low = node.low;
-  const double high = node.high;
-  node.mean = low > 0.0 ? static_cast<float>(2.0 * low * high / (low + high)) : 0.0F;
-  node.spread = above((high - low) / (2.0 * high) + kNodeSlack);
+// A node, before it is written into its block.
+struct Node {
+  Summary summary;
+  std::uint32_t first = 0;
+  std::uint32_t items = 0;
+};
+
+void write(const Node& node, std::size_t at, CapBlock& block) {
+  const auto lane = static_cast<Eigen::Index>(at);
+  const Summary& summary = node.summary;
+  const Eigen::Vector3f axis = summary.cap.axis.cast<float>();
+  block.x[lane] = axis.x();
+  block.y[lane] = axis.y();
+  block.z[lane] = axis.z();
+  block.angle[lane] = above(std::min(summary.cap.radius, kPi) + kNodeSlack);
+  block.low[lane] = below(summary.range.low * (1.0 - kNodeSlack));
+  block.high[lane] = above(summary.range.high * (1.0 + kNodeSlack));
+  const double low = block.low[lane];
+  const double high = block.high[lane];
+  block.mean[lane] = low > 0.0 ? static_cast<float>(2.0 * low * high / (low + high)) : 0.0F;
+  block.spread[lane] = high > 0.0 ? above((high - low) / (2.0 * high) + kNodeSlack) : 0.0F;
+  block.first[at] = node.first;
+  block.items[at] = node.items;
 }
 
 class CapTreeBuilder {
  public:
-  CapTreeBuilder(std::span<const CapItem> items, std::vector<CapNode>& nodes,
+  CapTreeBuilder(std::span<const CapItem> items, std::vector<CapBlock>& blocks,
                  std::vector<std::uint32_t>& order)
-      : items_(items), nodes_(nodes), order_(order) {
+      : items_(items), blocks_(blocks), order_(order) {
     while (levels_ < CapTree::kDeepest && (std::size_t{24} << (2 * levels_)) < items.size()) ++levels_;
   }
 
   void build() {
     sort();
-    nodes_.resize(1);
+    blocks_.resize(CapTree::kRoots);
     std::vector<Cell> faces;
     for (std::size_t face = 0; face < 6; ++face) {
       if (count({0, face}) > 0) faces.push_back({0, face});
     }
-    const Summary all = faces.size() == 1 ? fill(0, faces[0]) : fill_inner(0, faces);
-    write(all, nodes_[0]);
+    const std::span all(faces);
+    const std::size_t first = std::min(faces.size(), CapBlock::kLanes);
+    fill_block(0, all.first(first));
+    fill_block(1, all.subspan(first));
   }
 
  private:
@@ -142,49 +158,47 @@ class CapTreeBuilder {
     return found;
   }
 
-  // Makes the node of a cell; one with a single child is that of the child.
-  Summary fill(std::size_t node, Cell cell) {
+  // The node of a cell; one with a single child is that of the child.
+  Node make(Cell cell) {
     for (;;) {
-      if (count(cell) <= kLeafItems || cell.level == levels_) return fill_leaf(node, cell);
+      if (count(cell) <= kLeafItems || cell.level == levels_) return make_leaf(cell);
       const std::vector<Cell> parts = children(cell);
-      if (parts.size() == 1) {
-        cell = parts[0];
-        continue;
+      if (parts.size() > 1) {
+        const std::size_t block = blocks_.size();
+        blocks_.emplace_back();
+        Node node{fill_block(block, parts), static_cast<std::uint32_t>(block), 0};
+        keep_to(cell, node.summary);
+        return node;
       }
-      Summary summary = fill_inner(node, parts);
-      keep_to(cell, summary);
-      return summary;
+      cell = parts[0];
     }
   }
 
-  Summary fill_inner(std::size_t node, std::span<const Cell> parts) {
-    const std::size_t first = nodes_.size();
-    nodes_.resize(first + parts.size());
-    nodes_[node].first = static_cast<std::uint32_t>(first);
-    nodes_[node].count = static_cast<std::uint32_t>(parts.size()) & 0x7FFFFFFFU;
-    nodes_[node].leaf = 0;
-    std::vector<Summary> summaries;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      summaries.push_back(fill(first + k, parts[k]));
-      write(summaries.back(), nodes_[first + k]);
-    }
-    return summary_of(summaries);
-  }
-
-  Summary fill_leaf(std::size_t node, const Cell& cell) {
-    nodes_[node].first = begin(cell);
-    nodes_[node].count = count(cell) & 0x7FFFFFFFU;
-    nodes_[node].leaf = 1;
+  Node make_leaf(const Cell& cell) const {
     std::vector<Summary> parts;
     for (std::uint32_t k = 0; k < count(cell); ++k) {
       const CapItem& item = items_[order_[begin(cell) + k]];
       parts.push_back({item.cap, item.range, item.cap.radius});
     }
-    return summary_of(parts);
+    return {summary_of(parts), begin(cell), count(cell)};
+  }
+
+  Summary fill_block(std::size_t block, std::span<const Cell> parts) {
+    std::vector<Summary> summaries;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Node node = make(parts[k]);
+      summaries.push_back(node.summary);
+      if (k == 0) {  // in the places that stay empty, too: their numbers are worked on and not looked at
+        for (std::size_t lane = 0; lane < CapBlock::kLanes; ++lane) write(node, lane, blocks_[block]);
+      }
+      write(node, k, blocks_[block]);
+    }
+    blocks_[block].nodes = static_cast<std::uint32_t>(parts.size());
+    return summary_of(summaries);
   }
 
   std::span<const CapItem> items_;
-  std::vector<CapNode>& nodes_;
+  std::vector<CapBlock>& blocks_;
   std::vector<std::uint32_t>& order_;
   std::size_t levels_ = 0;
   std::vector<std::uint32_t> start_;  // of each cell of the last level
@@ -193,7 +207,7 @@ class CapTreeBuilder {
 }  // namespace
 
 CapTree::CapTree(std::span<const CapItem> items) {
-  if (!items.empty()) CapTreeBuilder(items, nodes_, order_).build();
+  if (!items.empty()) CapTreeBuilder(items, blocks_, order_).build();
 }
 
 }  // namespace impinge

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "detection/exact_side.hpp"
+#include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -18,8 +19,9 @@ class LeastGapSearch {
   }
 
   std::optional<LeastGap> run() {
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      if (!joint_.scans()[k].tree().nodes().empty()) add(k, 0);
+    for (std::uint32_t scan = 0; scan < 2; ++scan) {
+      const std::size_t roots = std::min(CapTree::kRoots, joint_.scans()[scan].tree().blocks().size());
+      for (std::uint32_t block = 0; block < roots; ++block) add(scan, block);
     }
     while (!pending_.empty()) {
       const Pending next = pending_.front();
@@ -35,30 +37,30 @@ class LeastGapSearch {
   struct Pending {
     double gap;
     std::uint32_t scan;
-    std::uint32_t node;
+    CapNode node;
   };
   static bool later(const Pending& a, const Pending& b) { return a.gap > b.gap; }
 
   double limit() const { return best_ ? best_->gap_mm : kInfinity; }
 
-  void add(std::uint32_t scan, std::uint32_t node) {
+  void add(std::uint32_t scan, std::uint32_t at) {
     const CulledScan& culled = joint_.scans()[scan];
-    const double gap = gap_bound(culled.tree().nodes()[node], moves_[scan], culled.limits()).gap;
-    if (gap > limit() || gap == kInfinity) return;
-    pending_.push_back({gap, scan, node});
-    std::ranges::push_heap(pending_, later);
+    const CapBlock& block = culled.tree().blocks()[at];
+    const GapBounds bounds = gap_bounds(block, moves_[scan], culled.limits());
+    for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
+      const double gap = bounds.gap[static_cast<Eigen::Index>(lane)];
+      if (gap > limit() || gap == kInfinity) continue;
+      pending_.push_back({gap, scan, {at, lane}});
+      std::ranges::push_heap(pending_, later);
+    }
   }
 
   void open(const Pending& next) {
     const CulledScan& scan = joint_.scans()[next.scan];
-    const CapNode& node = scan.tree().nodes()[next.node];
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      if (node.leaf == 0) {
-        add(next.scan, k);
-      } else {
-        ask(scan, moves_[next.scan], k);
-      }
-    }
+    const CapBlock& block = scan.tree().blocks()[next.node.block];
+    const std::uint32_t first = block.first[next.node.lane];
+    if (!block.leaf(next.node.lane)) return add(next.scan, first);
+    for (std::uint32_t k = 0; k < block.items[next.node.lane]; ++k) ask(scan, moves_[next.scan], first + k);
   }
 
   void ask(const CulledScan& scan, const CapMove& move, std::size_t item) {
@@ -98,9 +100,9 @@ bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
   const auto ignore = [](auto&&...) {};
   for (const CulledScan& scan : scans_) {
-    const auto hit = [&](std::uint32_t, const Vec3& x) { return exactly_impinged(scan.scanned(), x); };
+    const auto asked = [&](std::uint32_t, const Vec3& x) { return exactly_impinged(scan.scanned(), x); };
     const CapMove move(scan.scanned(), pose);
-    if (const auto vertex = find_touching(scan, move, 0, hit, ignore, ignore))
+    if (const auto vertex = TouchSearch(scan, move, asked, ignore, ignore).run())
       return ScannedVertex{scan.scanned(), *vertex};
   }
   return std::nullopt;

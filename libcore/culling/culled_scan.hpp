@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "culling/moved_caps.hpp"
@@ -39,49 +40,100 @@ class CulledScan {
   std::vector<Vec3> position_;
 };
 
-// The first vertex found that touches: hit(vertex, x), x being where the pose has it, says whether it does,
-// as a gap of 0 or less. cleared(node, bound) is told of each node none of whose vertices does, open(node) of
-// each leaf that was asked and did not.
-template <class Hit, class Cleared, class Open>
-std::optional<std::uint32_t> find_touching(const CulledScan& scan, const CapMove& move, std::size_t from,
-                                           Hit&& hit, Cleared&& cleared, Open&& open) {
+// Of the pending nodes of a search the nearest is opened first.
+class PendingNodes {
+ public:
   struct Pending {
-    double gap;
-    std::uint32_t node;
+    float gap;
+    CapNode node;
   };
-  std::array<Pending, CapTree::kMostPending> pending;
-  std::size_t count = 0;
-  const auto& nodes = scan.tree().nodes();
-  const auto test = [&](std::size_t n) {
-    const GapBound bound = gap_bound(nodes[n], move, scan.limits());
-    if (bound.gap > 0.0) {
-      cleared(n, bound);
-      return;
+
+  bool empty() const { return count_ == 0; }
+  void push(const Pending& pending) { nodes_[count_++] = pending; }
+  CapNode pop() { return nodes_[--count_].node; }
+  std::size_t size() const { return count_; }
+  // Those from `first` on, the nearest last.
+  void sort_from(std::size_t first) {
+    for (std::size_t i = first + 1; i < count_; ++i) {
+      for (std::size_t k = i; k > first && nodes_[k - 1].gap < nodes_[k].gap; --k)
+        std::swap(nodes_[k - 1], nodes_[k]);
     }
-    pending[count++] = {bound.gap, static_cast<std::uint32_t>(n)};
-  };
-  if (nodes.empty()) return std::nullopt;
-  test(from);
-  while (count > 0) {
-    const std::uint32_t n = pending[--count].node;
-    const CapNode& node = nodes[n];
-    if (node.leaf != 0) {
-      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-        const Vec3 x = move.place(scan.position(k));
-        if (vertex_bound(x, move, scan.limits()) > 0.0) continue;
-        if (hit(scan.vertex(k), x)) return scan.vertex(k);
-      }
-      open(n);
-      continue;
-    }
-    const std::size_t first = count;
-    for (std::uint32_t k = 0; k < node.count; ++k) test(node.first + k);
-    // The nearest last, to be opened first.
-    std::sort(pending.begin() + static_cast<std::ptrdiff_t>(first),
-              pending.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Pending& a, const Pending& b) { return a.gap > b.gap; });
   }
-  return std::nullopt;
-}
+
+ private:
+  std::array<Pending, CapTree::kMostPending> nodes_;
+  std::size_t count_ = 0;
+};
+
+// A search for a vertex that touches. asked(vertex, x), x being where the pose has it, says whether it does:
+// a gap of 0 or less. cleared(node, gap, spare) is told of each node none of whose vertices does;
+// opened(node) of each leaf whose vertices were asked.
+template <class Asked, class Cleared, class Opened>
+class TouchSearch {
+ public:
+  TouchSearch(const CulledScan& scan, const CapMove& move, Asked asked, Cleared cleared, Opened opened)
+      : scan_(scan), move_(move), asked_(asked), cleared_(cleared), opened_(opened) {}
+
+  // Among all vertices.
+  std::optional<std::uint32_t> run() {
+    const std::size_t roots = std::min(CapTree::kRoots, scan_.tree().blocks().size());
+    for (std::uint32_t block = 0; block < roots; ++block) test(block);
+    pending_.sort_from(0);
+    return search();
+  }
+
+  // Among those of a node that is known not to be clear.
+  std::optional<std::uint32_t> run(const CapNode& node) {
+    pending_.push({0.0F, node});
+    return search();
+  }
+
+ private:
+  void test(std::uint32_t at) {
+    const CapBlock& block = scan_.tree().blocks()[at];
+    const GapBounds bounds = gap_bounds(block, move_, scan_.limits());
+    for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
+      const auto k = static_cast<Eigen::Index>(lane);
+      if (bounds.gap[k] > 0.0F) {
+        cleared_(CapNode{at, lane}, bounds.gap[k], bounds.spare[k]);
+      } else {
+        pending_.push({bounds.gap[k], {at, lane}});
+      }
+    }
+  }
+
+  std::optional<std::uint32_t> search() {
+    while (!pending_.empty()) {
+      const CapNode node = pending_.pop();
+      const CapBlock& block = scan_.tree().blocks()[node.block];
+      if (!block.leaf(node.lane)) {
+        const std::size_t first = pending_.size();
+        test(block.first[node.lane]);
+        pending_.sort_from(first);
+      } else if (const auto vertex = ask(block.first[node.lane], block.items[node.lane])) {
+        return vertex;
+      } else {
+        opened_(node);
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::uint32_t> ask(std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t item = first; item < first + count; ++item) {
+      const Vec3 x = move_.place(scan_.position(item));
+      if (vertex_bound(x, move_, scan_.limits()) > 0.0) continue;
+      if (asked_(scan_.vertex(item), x)) return scan_.vertex(item);
+    }
+    return std::nullopt;
+  }
+
+  const CulledScan& scan_;
+  const CapMove& move_;
+  Asked asked_;
+  Cleared cleared_;
+  Opened opened_;
+  PendingNodes pending_;
+};
 
 }  // namespace impinge

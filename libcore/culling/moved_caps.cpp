@@ -4,14 +4,19 @@
 namespace impinge {
 
 CapMove::CapMove(ScannedSurface surface, const Pose& at)
-    : scanned(surface), pose(at), rotation(at.rotation), translation(at.translation) {
-  own = rotation.transpose() * translation;
-  shift = translation.norm();
-  if (scanned == ScannedSurface::ball) return;
-  rotation.transposeInPlace();
-  std::swap(own, translation);
-  own = -own;
-  translation = -translation;
+    : scanned(surface),
+      pose(at),
+      rotation(at.rotation.cast<float>()),
+      shift(static_cast<float>(at.translation.norm())) {
+  const Vec3 in_ball_frame = at.rotation.transpose() * at.translation;
+  if (scanned == ScannedSurface::ball) {
+    translation = at.translation.cast<float>();
+    own = in_ball_frame.cast<float>();
+  } else {
+    rotation.transposeInPlace();
+    translation = -in_ball_frame.cast<float>();
+    own = -at.translation.cast<float>();
+  }
 }
 
 }  // namespace impinge

@@ -2,21 +2,21 @@
 // Where a pose takes the vertices of a cap, and what gaps they can have at least.
 //
 // A scan takes vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t, and
-// with o = R^T t to |x| = |v + o|. Let T = |t| < low and k = low / (low - T), so that |R w + t / s| >= 1 / k
-// for all.
+// with o = R^T t to |x| = |v + o|. Let T = |t|.
 //
-// Direction. That of x is that of R w + t / s. As 1 / s goes to 1 / mean it turns by k T per unit, along a
-// way of spread / low at most; then, as w goes to a, by k per radian at most. So it is within
+// Direction, for T < low, k = low / (low - T): all |R w + t / s| >= 1 / k. The direction of x is that of R w
+// + t / s. As 1 / s goes to 1 / mean it turns by k T per unit, along a way of spread / low at most; then, as
+// w goes to a, by k per radian at most. So it is within
 //   (angle low + T spread) / (low - T)   of that of   R (mean a) + t
-// Length. |x|^2 = s^2 + 2 s (w.o) + T^2 grows with s, since w.o >= -T > -s. b being the angle between a and
-// o,
-//   cos(b + angle) <= w.o / T <= cos(b - angle), and cos(b -+ angle) is within angle sin(b) + angle^2 / 2 of
+// A longer translation allows any direction.
+// Length. |x|^2 = s^2 + 2 s g + T^2, g = w.o, a parabola in s whose least is at -g, if that is a radius of
+// the cap, and whose largest at low or high; it grows with g. b being the angle between a and o,
+//   cos(b + angle) <= g / T <= cos(b - angle), and cos(b -+ angle) is within angle sin(b) + angle^2 / 2 of
 //   cos b.
-// A translation as long as that allows any direction: T >= low leaves | |v| - T | <= |x| <= |v| + T.
 //
 // With the limit of the other surface over that cap (culling/cap_limits.hpp) the gap, S - |x| for vertices of
-// the ball and |x| - B for those of the socket, is bounded below. R is orthogonal to 1e-8, which kNodeSlack
-// covers.
+// the ball and |x| - B for those of the socket, is bounded below. Rounding: all in floats, 6e-8 of high + T
+// an operation, against kNodeSlack and kSquareSlack; R is orthogonal to 1e-7.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,8 @@
 
 namespace impinge {
 
+inline constexpr float kSquareSlack = 4e-6F;  // of a squared length
+
 // A pose as one of the scans sees it.
 struct CapMove {
   CapMove(ScannedSurface scanned, const Pose& pose);
@@ -38,56 +40,72 @@ struct CapMove {
 
   ScannedSurface scanned;
   Pose pose;
-  Eigen::Matrix3d rotation;  // R
-  Vec3 translation;          // t
-  Vec3 own;                  // o
-  double shift;              // T
+  Eigen::Matrix3f rotation;     // R
+  Eigen::Vector3f translation;  // t
+  Eigen::Vector3f own;          // o
+  float shift;                  // T
 };
 
-struct MovedCap {
-  Vec3 middle;   // mm; its direction is that of the cap
-  double angle;  // radians, infinite where any direction is possible
-  double least;  // mm, of the vertices' distances from the centre
-  double most;
+// Of the nodes of a block.
+struct MovedCaps {
+  CapLanes x, y, z;  // mm; in the direction of the middle of the cap
+  CapLanes angle;    // radians; infinite or NaN where any direction is possible
+  CapLanes least;    // mm, of the vertices' distances from the centre
+  CapLanes most;
 };
 
-inline MovedCap moved(const CapNode& node, const CapMove& move) {
-  const double low = node.low;
-  const double high = node.high;
-  const double rest = low - move.shift;
-  if (!(rest > kNodeSlack * low))
-    return {Vec3::Zero(), kInfinity, std::max({0.0, rest, move.shift - high}), high + move.shift};
-  const double wide = node.angle;
-  const Vec3 axis = node.axis.cast<double>();
-  const double along = axis.dot(move.own);
-  const double across = std::sqrt(std::max(0.0, move.shift * move.shift - along * along));
-  const double play = wide * (across + 0.5 * wide * move.shift);
-  const double square = move.shift * move.shift;
-  const double least = low * (low + 2.0 * std::max(along - play, -move.shift)) + square;
-  const double most = high * (high + 2.0 * std::min(along + play, move.shift)) + square;
-  return {move.rotation * (static_cast<double>(node.mean) * axis) + move.translation,
-          (wide * low + move.shift * node.spread) / rest, std::sqrt(std::max(0.0, least)), std::sqrt(most)};
+inline MovedCaps moved(const CapBlock& block, const CapMove& move) {
+  const float shift = move.shift;
+  const float square = shift * shift;
+  const CapLanes along = block.x * move.own.x() + block.y * move.own.y() + block.z * move.own.z();
+  const CapLanes across = (square - along * along).max(0.0F).sqrt();
+  const CapLanes play = block.angle * (across + 0.5F * shift * block.angle);
+  const CapLanes least_along = (along - play).max(-shift);
+  const CapLanes most_along = (along + play).min(shift);
+  const CapLanes nearest = (-least_along).max(block.low).min(block.high);
+  const CapLanes least =
+      nearest * (nearest + 2.0F * least_along) + square - kSquareSlack * (nearest * nearest + square);
+  const CapLanes most =
+      (block.low * (block.low + 2.0F * most_along)).max(block.high * (block.high + 2.0F * most_along)) +
+      square;
+  const CapLanes rest = (block.low - static_cast<float>(kNodeSlack) * block.low - shift).max(0.0F);
+  const auto& r = move.rotation;
+  const auto middle = [&](Eigen::Index k) -> CapLanes {
+    return block.mean * (r(k, 0) * block.x + r(k, 1) * block.y + r(k, 2) * block.z) + move.translation[k];
+  };
+  return {middle(0),
+          middle(1),
+          middle(2),
+          (block.angle * block.low + shift * block.spread) / rest,
+          least.max(0.0F).sqrt(),
+          (most * (1.0F + kSquareSlack)).sqrt()};
 }
 
-// No vertex of the cap has a smaller gap.
-struct GapBound {
-  double gap;    // mm, infinite where no vertex meets the other surface
-  double spare;  // radians that the directions may turn by without changing that
+// No vertex of the node has a smaller gap.
+struct GapBounds {
+  CapLanes gap;    // mm, infinite where no vertex meets the other surface
+  CapLanes spare;  // radians that the directions may turn by without changing that
 };
 
-inline GapBound gap_bound(const CapNode& node, const CapMove& move, const CapLimits& limits) {
-  const MovedCap cap = moved(node, move);
-  const CapLimits::Limit limit = limits.within(cap.middle, cap.angle);
-  const double spare = limit.reach == kInfinity ? kInfinity : limit.reach - cap.angle;
-  if (move.scanned == ScannedSurface::ball) return {limit.radius - cap.most, spare};
-  return {limit.radius < 0.0 ? kInfinity : cap.least - limit.radius, spare};
+inline GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits) {
+  const MovedCaps caps = moved(block, move);
+  GapBounds bounds;
+  const bool ball = move.scanned == ScannedSurface::ball;
+  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(block.nodes); ++k) {
+    const auto limit = limits.within({caps.x[k], caps.y[k], caps.z[k]}, caps.angle[k]);
+    bounds.spare[k] = limit.reach == HUGE_VALF ? HUGE_VALF : limit.reach - caps.angle[k];
+    bounds.gap[k] = ball                  ? limit.radius - caps.most[k]
+                    : limit.radius < 0.0F ? HUGE_VALF
+                                          : caps.least[k] - limit.radius;
+  }
+  return bounds;
 }
 
-// The same for a single vertex, moved to x.
+// The same for a single vertex, moved to x; in double, so that rounding does not matter.
 inline double vertex_bound(const Vec3& x, const CapMove& move, const CapLimits& limits) {
   const double limit = limits.beside(x);
   if (move.scanned == ScannedSurface::ball) return limit - x.norm();
-  return limit < 0.0 ? kInfinity : x.norm() - limit;
+  return limit < 0.0 ? static_cast<double>(HUGE_VALF) : x.norm() - limit;
 }
 
 }  // namespace impinge

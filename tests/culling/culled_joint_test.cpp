@@ -14,6 +14,7 @@
 #include "experiment/contact_poses.hpp"
 #include "mesh/bodies.hpp"
 #include "sampling/near_faces.hpp"
+#include "sphere/infinity.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {
