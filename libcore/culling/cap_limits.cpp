@@ -11,7 +11,10 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kMostLevels = 9;      // 512 cells along an edge
+constexpr double kMostCells = 256.0;
+constexpr float kCellsPerReach =
+    8.0F;  // at least: c is at most a sixth of the reach, where the grid is not too fine
+constexpr float kFinestReach = 2.0F;        // in cells of the finest grid
 constexpr double kEntriesPerFace = 0.7;     // of the finest grid for caps
 constexpr double kResolution = 0.25;        // of c: nodes as narrow as that are taken whole
 constexpr double kSteepSlope = 1e4;         // see near_faces.cpp
@@ -105,15 +108,15 @@ class CapSearch {
 CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
   CapSearch search(mesh, layer);
   overall_ = search.limit({Vec3::UnitZ(), 4.0}, 0.0);
-  levels_.resize(2);
-  const double wanted = kEntriesPerFace * static_cast<double>(mesh.faces.size());
-  while (levels_.size() < kMostLevels && 6.0 * std::exp2(2 * (levels_.size() - 1)) < wanted)
-    levels_.emplace_back();
-  for (std::size_t k = 1; k < levels_.size(); ++k) {
-    levels_[k].cells = 1U << k;
-    levels_[k].reach = 4.0F / static_cast<float>(levels_[k].cells);
+  const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
+  const auto cells = static_cast<std::uint32_t>(std::clamp(most, 4.0, kMostCells));
+  levels_.resize(1);
+  while (levels_.back().reach > kFinestReach / static_cast<float>(cells)) {
+    const auto bits = static_cast<unsigned>(kWidest - static_cast<int>(levels_.size()) + 1) << kHalfOctave;
+    const auto reach = std::bit_cast<float>(bits);
+    levels_.push_back({std::min(static_cast<std::uint32_t>(kCellsPerReach / reach), cells), reach, {}});
   }
-  single_ = {2 * levels_.back().cells, 0.0F, {}};
+  single_ = {2 * cells, 0.0F, {}};
   const auto fill = [&](Level& level) {
     const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(level.cells);
     const double radius = nearest_entry + level.reach + margin + kNodeSlack;

@@ -2,15 +2,15 @@
 // How near to the centre a surface comes, or how far from it, over a cap of directions of any size: one
 // look-up.
 //
-// A ladder of gnomonic cube grids, n = 2, 4, 8 ... cells along an edge. Each entry holds the limit of all
-// faces that have a direction within c + reach + margin of it, c = sqrt(2) / n being the farthest that a
-// direction is from the entry nearest to it on the grid (that way is along a straight line of the gnomonic
-// plane, and central projection makes no length longer), reach = 4 / n. So
+// A ladder of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
+// a direction within c + reach + margin of it, c = sqrt(2) / n being the farthest that a direction is from
+// the entry nearest to it on the grid (that way is along a straight line of the gnomonic plane, and central
+// projection makes no length longer); the reaches are 2, 1.5, 1, 0.75, 0.5 ... radians. So
 //
 //   within(x, angle), angle <= reach: no face has a smaller radius (a larger one for Layer::farthest) in any
 //   direction within `angle` of x, nor within the margin of such a direction
 //
-// The finest grid is there once more with a reach of 0, for single vertices. A table whose look-ups read
+// There is one grid more with a reach of 0, for single vertices. A table whose look-ups read
 // entries within the margin, and answer with a mean of them, keeps the limits too.
 #pragma once
 
@@ -39,18 +39,22 @@ class CapLimits {
     float reach;   // radians: it holds for caps as wide as that
   };
   Limit within(const Eigen::Vector3f& x, float angle) const {
-    // 2^e <= angle < 2^(e + 1), e from the bits of a float: the level whose reach is 2^(e + 1).
-    const int level = 1 - (static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> 23U) - 127);
+    // The exponent of a float and half of its octave, which a reach ends.
+    const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kHalfOctave);
     if (level < 1) return {overall_, HUGE_VALF};
     const Level& at = levels_[std::min(static_cast<std::size_t>(level), levels_.size() - 1)];
     return {look_up(at, x), at.reach};
   }
+  float overall() const { return overall_; }  // of all directions
   // In the direction of x.
   float beside(const Vec3& x) const { return look_up(single_, x.cast<float>()); }
 
   std::size_t bytes() const;
 
  private:
+  static constexpr unsigned kHalfOctave = 22;                                        // bits
+  static constexpr int kWidest = std::bit_cast<std::uint32_t>(2.0F) >> kHalfOctave;  // of the widest reach
+
   struct Level {
     std::uint32_t cells = 1;
     float reach = HUGE_VALF;

@@ -121,14 +121,13 @@ class CapTreeBuilder {
   void build() {
     sort();
     blocks_.resize(CapTree::kRoots);
-    std::vector<Cell> faces;
-    for (std::size_t face = 0; face < 6; ++face) {
-      if (count({0, face}) > 0) faces.push_back({0, face});
+    for (std::size_t block = 0; block < CapTree::kRoots; ++block) {
+      std::vector<Cell> faces;
+      for (std::size_t face = 4 * block; face < std::min<std::size_t>(4 * block + 4, 6); ++face) {
+        if (count({0, face}) > 0) faces.push_back({0, face});
+      }
+      if (!faces.empty()) fill_block(block, faces);
     }
-    const std::span all(faces);
-    const std::size_t first = std::min(faces.size(), CapBlock::kLanes);
-    fill_block(0, all.first(first));
-    fill_block(1, all.subspan(first));
   }
 
  private:
@@ -183,7 +182,7 @@ class CapTreeBuilder {
     return {summary_of(parts), begin(cell), count(cell)};
   }
 
-  Summary fill_block(std::size_t block, std::span<const Cell> parts) {
+  Summary fill_block(std::size_t block, const std::vector<Cell>& parts) {
     std::vector<Summary> summaries;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Node node = make(parts[k]);

@@ -46,7 +46,8 @@ class LeastGapSearch {
   void add(std::uint32_t scan, std::uint32_t at) {
     const CulledScan& culled = joint_.scans()[scan];
     const CapBlock& block = culled.tree().blocks()[at];
-    const GapBounds bounds = gap_bounds(block, moves_[scan], culled.limits());
+    const float enough = std::nextafter(static_cast<float>(limit()), HUGE_VALF);
+    const GapBounds bounds = gap_bounds(block, moves_[scan], culled.limits(), enough);
     for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
       const double gap = bounds.gap[static_cast<Eigen::Index>(lane)];
       if (gap > limit() || gap == kInfinity) continue;
@@ -87,14 +88,13 @@ class LeastGapSearch {
 
 CulledJoint::CulledJoint(const BallSocketPair& joint)
     : joint_(joint),
-      ball_(joint.ball),
-      socket_(joint.socket),
+      ball_(joint.ball, 0.0),
+      socket_(joint.socket, 0.0),
       scans_{CulledScan(ScannedSurface::ball, joint.ball, joint.socket),
              CulledScan(ScannedSurface::socket, joint.socket, joint.ball)} {}
 
 bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const {
-  return scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, socket_, x)
-                                         : on_or_within(joint_.ball, ball_, x);
+  return scanned == ScannedSurface::ball ? on_or_beyond(socket_, x) : on_or_within(ball_, x);
 }
 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
@@ -113,20 +113,9 @@ std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {
 }
 
 double CulledJoint::gap(ScannedSurface scanned, const Vec3& x) const {
-  const bool ball = scanned == ScannedSurface::ball;
-  const double length = x.norm();
-  if (!(length > 0.0)) return kNoSurface;
-  const Vec3 u = x / length;
-  const TriangleMesh& mesh = ball ? joint_.socket : joint_.ball;
-  const FaceIndex& index = ball ? socket_ : ball_;
-  double radius = kNoSurface;
-  for (const std::uint32_t f : index.near(u).faces) {
-    const DirectionCap& cap = index.face(f).cap;
-    if (cap.radius < 0.5 * kPi && (u - cap.axis).norm() > cap.radius) continue;
-    const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
-    if (cone.contains(u)) keep(radius, cone.radius(u), ball ? Layer::nearest : Layer::farthest);
-  }
-  return ball ? radius - length : length - radius;
+  if (x.isZero(0.0)) return kNoSurface;
+  if (scanned == ScannedSurface::ball) return socket_.radius(x.normalized(), Layer::nearest) - x.norm();
+  return x.norm() - ball_.radius(x.normalized(), Layer::farthest);
 }
 
 std::size_t CulledJoint::bytes() const {

@@ -8,7 +8,7 @@
 
 #include "culling/culled_scan.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/face_index.hpp"
+#include "sampling/near_faces.hpp"
 
 namespace impinge {
 
@@ -48,8 +48,8 @@ class CulledJoint {
 
  private:
   const BallSocketPair& joint_;
-  FaceIndex ball_;
-  FaceIndex socket_;
+  NearFaces ball_;
+  NearFaces socket_;
   std::array<CulledScan, 2> scans_;
 };
 

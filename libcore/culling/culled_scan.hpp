@@ -52,12 +52,13 @@ class PendingNodes {
   void push(const Pending& pending) { nodes_[count_++] = pending; }
   CapNode pop() { return nodes_[--count_].node; }
   std::size_t size() const { return count_; }
-  // Those from `first` on, the nearest last.
-  void sort_from(std::size_t first) {
-    for (std::size_t i = first + 1; i < count_; ++i) {
-      for (std::size_t k = i; k > first && nodes_[k - 1].gap < nodes_[k].gap; --k)
-        std::swap(nodes_[k - 1], nodes_[k]);
-    }
+  // Puts the nearest of those from `first` on last.
+  void nearest_last(std::size_t first) {
+    if (count_ < first + 2) return;
+    std::size_t nearest = first;
+    for (std::size_t i = first + 1; i < count_; ++i)
+      nearest = nodes_[i].gap < nodes_[nearest].gap ? i : nearest;
+    std::swap(nodes_[nearest], nodes_[count_ - 1]);
   }
 
  private:
@@ -78,7 +79,7 @@ class TouchSearch {
   std::optional<std::uint32_t> run() {
     const std::size_t roots = std::min(CapTree::kRoots, scan_.tree().blocks().size());
     for (std::uint32_t block = 0; block < roots; ++block) test(block);
-    pending_.sort_from(0);
+    pending_.nearest_last(0);
     return search();
   }
 
@@ -91,7 +92,7 @@ class TouchSearch {
  private:
   void test(std::uint32_t at) {
     const CapBlock& block = scan_.tree().blocks()[at];
-    const GapBounds bounds = gap_bounds(block, move_, scan_.limits());
+    const GapBounds bounds = gap_bounds(block, move_, scan_.limits(), 0.0F);
     for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
       const auto k = static_cast<Eigen::Index>(lane);
       if (bounds.gap[k] > 0.0F) {
@@ -109,7 +110,7 @@ class TouchSearch {
       if (!block.leaf(node.lane)) {
         const std::size_t first = pending_.size();
         test(block.first[node.lane]);
-        pending_.sort_from(first);
+        pending_.nearest_last(first);
       } else if (const auto vertex = ask(block.first[node.lane], block.items[node.lane])) {
         return vertex;
       } else {

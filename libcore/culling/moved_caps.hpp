@@ -50,35 +50,34 @@ struct CapMove {
 struct MovedCaps {
   CapLanes x, y, z;  // mm; in the direction of the middle of the cap
   CapLanes angle;    // radians; infinite or NaN where any direction is possible
-  CapLanes least;    // mm, of the vertices' distances from the centre
-  CapLanes most;
+  CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
 };
 
-inline MovedCaps moved(const CapBlock& block, const CapMove& move) {
+inline CapLanes moved_length(const CapBlock& block, const CapMove& move) {
   const float shift = move.shift;
   const float square = shift * shift;
   const CapLanes along = block.x * move.own.x() + block.y * move.own.y() + block.z * move.own.z();
   const CapLanes across = (square - along * along).max(0.0F).sqrt();
   const CapLanes play = block.angle * (across + 0.5F * shift * block.angle);
+  if (move.scanned == ScannedSurface::ball) {
+    const CapLanes twice = 2.0F * (along + play).min(shift);
+    const CapLanes most = (block.low * (block.low + twice)).max(block.high * (block.high + twice));
+    return ((most + square) * (1.0F + kSquareSlack)).sqrt();
+  }
   const CapLanes least_along = (along - play).max(-shift);
-  const CapLanes most_along = (along + play).min(shift);
   const CapLanes nearest = (-least_along).max(block.low).min(block.high);
-  const CapLanes least =
-      nearest * (nearest + 2.0F * least_along) + square - kSquareSlack * (nearest * nearest + square);
-  const CapLanes most =
-      (block.low * (block.low + 2.0F * most_along)).max(block.high * (block.high + 2.0F * most_along)) +
-      square;
-  const CapLanes rest = (block.low - static_cast<float>(kNodeSlack) * block.low - shift).max(0.0F);
+  const CapLanes least = nearest * (nearest + 2.0F * least_along) + square;
+  return (least - kSquareSlack * (nearest * nearest + square)).max(0.0F).sqrt();
+}
+
+inline MovedCaps moved(const CapBlock& block, const CapMove& move) {
+  const CapLanes rest = (block.low - static_cast<float>(kNodeSlack) * block.low - move.shift).max(0.0F);
   const auto& r = move.rotation;
   const auto middle = [&](Eigen::Index k) -> CapLanes {
     return block.mean * (r(k, 0) * block.x + r(k, 1) * block.y + r(k, 2) * block.z) + move.translation[k];
   };
-  return {middle(0),
-          middle(1),
-          middle(2),
-          (block.angle * block.low + shift * block.spread) / rest,
-          least.max(0.0F).sqrt(),
-          (most * (1.0F + kSquareSlack)).sqrt()};
+  return {middle(0), middle(1), middle(2), (block.angle * block.low + move.shift * block.spread) / rest,
+          moved_length(block, move)};
 }
 
 // No vertex of the node has a smaller gap.
@@ -87,20 +86,25 @@ struct GapBounds {
   CapLanes spare;  // radians that the directions may turn by without changing that
 };
 
-inline GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits) {
+// No closer than it takes to be above `enough`.
+inline GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
+                            float enough) {
   const MovedCaps caps = moved(block, move);
-  GapBounds bounds;
   const bool ball = move.scanned == ScannedSurface::ball;
+  const auto gap = [ball](float limit, float length) {
+    return ball ? limit - length : limit < 0.0F ? HUGE_VALF : length - limit;
+  };
+  GapBounds bounds;
   for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(block.nodes); ++k) {
+    bounds.gap[k] = gap(limits.overall(), caps.length[k]);
+    bounds.spare[k] = HUGE_VALF;
+    if (bounds.gap[k] > enough) continue;
     const auto limit = limits.within({caps.x[k], caps.y[k], caps.z[k]}, caps.angle[k]);
-    bounds.spare[k] = limit.reach == HUGE_VALF ? HUGE_VALF : limit.reach - caps.angle[k];
-    bounds.gap[k] = ball                  ? limit.radius - caps.most[k]
-                    : limit.radius < 0.0F ? HUGE_VALF
-                                          : caps.least[k] - limit.radius;
+    bounds.gap[k] = gap(limit.radius, caps.length[k]);
+    if (limit.reach < HUGE_VALF) bounds.spare[k] = limit.reach - caps.angle[k];
   }
   return bounds;
 }
-
 // The same for a single vertex, moved to x; in double, so that rounding does not matter.
 inline double vertex_bound(const Vec3& x, const CapMove& move, const CapLimits& limits) {
   const double limit = limits.beside(x);

@@ -10,6 +10,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "sampling/face_index.hpp"
+#include "sampling/near_faces.hpp"
 
 namespace impinge {
 
@@ -20,5 +21,9 @@ bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec
 // Is x on some face of the surface or on the near side of it? For a vertex of the socket, in the ball frame,
 // this is a gap of zero or less. Always at the centre, unless the surface has no faces.
 bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
+
+// The same with an index that is made sooner and looks at fewer faces.
+bool on_or_beyond(const NearFaces& surface, const Vec3& x);
+bool on_or_within(const NearFaces& surface, const Vec3& x);
 
 }  // namespace impinge

@@ -45,6 +45,16 @@ class NearFaces {
   // The same, for u within the margin of the direction that `near` was asked for.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
+  // Does test(face) hold for some face that may be met in the direction of x?
+  template <class Test>
+  bool any_met(const Vec3& x, Test&& test) const {
+    const Vec3 u = x.stableNormalized();
+    for (const std::uint32_t f : near(u).faces) {
+      if (caps_[f].axis.dot(u) >= caps_[f].cosine && test(f)) return true;
+    }
+    return false;
+  }
+
   const TriangleMesh& mesh() const { return mesh_; }
   double margin() const { return margin_; }
   const std::vector<JumpEdge>& jumps() const { return jumps_; }
