@@ -21,9 +21,10 @@
 namespace impinge {
 namespace {
 
-TriangleMesh bumpy(std::size_t faces) {
-  return radial_body(
-      faces, [](const Vec3& u) { return 22.0 + std::sin(9.0 * u.x()) * std::cos(7.0 * u.y() + 1.0); });
+TriangleMesh bumpy(std::size_t faces, double height = 1.0) {
+  return radial_body(faces, [height](const Vec3& u) {
+    return 22.0 + height * std::sin(9.0 * u.x()) * std::cos(7.0 * u.y() + 1.0);
+  });
 }
 
 // Items of the leaves below a node.
@@ -141,8 +142,8 @@ TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
 }
 
 TEST(MovedCaps, HoldTheirVertices) {
-  const BallSocketPair joint = make_ball_socket_pair(400);
-  for (const double shift : {0.0, 4.0, 19.0, 40.0}) {
+  const BallSocketPair joint{bumpy(400, 8.0), bumpy(400, 8.0)};
+  for (const double shift : {0.0, 4.0, 24.0, 60.0}) {
     for (const Pose& pose : test::random_poses(6, 3.0, shift, 36)) {
       for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
         const bool ball = scanned == ScannedSurface::ball;

@@ -93,10 +93,10 @@ Seen expect_all_alike(const BallSocketPair& joint, const std::vector<Pose>& pose
 }
 
 TEST(CulledJoint, AnswersAsEveryVertexDoesInRandomPoses) {
-  for (const std::size_t faces : {100U, 2000U}) {
+  for (const std::size_t faces : {100U, 1000U}) {
     const BallSocketPair joint = make_ball_socket_pair(faces, impinging_cam());
     for (const double shift : {0.0, 1.0, 5.0}) {
-      const Seen seen = expect_all_alike(joint, test::random_poses(faces < 1000 ? 60 : 12, 3.0, shift, 21));
+      const Seen seen = expect_all_alike(joint, test::random_poses(faces < 1000 ? 40 : 6, 3.0, shift, 21));
       EXPECT_GT(seen.free + (shift > 1.0 ? 1U : 0U), 0U);
       EXPECT_GT(seen.touching, 0U);
     }
@@ -108,13 +108,13 @@ TEST(CulledJoint, AnswersAsEveryVertexDoesCloseToContact) {
   const BallSocketPair joint = make_ball_socket_pair(300);
   const SurfaceOverlay overlay(joint.ball, joint.socket);
   ContactOptions options;
-  options.count = 80;
+  options.count = 40;
   options.seed = 22;
   std::vector<Pose> poses;
   for (const ContactPose& one : contact_poses(overlay, options)) poses.push_back(one.pose);
   const Seen seen = expect_all_alike(joint, poses);
-  EXPECT_GT(seen.free, 20U);
-  EXPECT_GT(seen.touching, 20U);
+  EXPECT_GT(seen.free, 10U);
+  EXPECT_GT(seen.touching, 10U);
 }
 
 // A translation as long as the vertices' distances leaves no caps to speak of.
