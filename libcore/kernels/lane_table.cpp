@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kHarmless = 1.0;  // in the place of a number that is not there
 
-void require_lane_entries(std::size_t entries) {
-  if (entries <= kMostLaneEntries) return;
-  throw std::invalid_argument("a kernel reads tables of up to " + std::to_string(kMostLaneEntries) +
-                              " entries, not of " + std::to_string(entries) + ": choose a coarser precision");
-}
-
 // Rows of `stride` entries, NaN where there is no surface; rows_of_cells says whose rows begin cells.
 struct Rows {
   std::vector<double> numbers;
@@ -70,6 +64,12 @@ void mask(const Rows& rows, const CellMask& rim, std::size_t cells, StartOf&& st
 }
 
 }  // namespace
+
+void require_lane_entries(std::size_t entries) {
+  if (entries <= kMostLaneEntries) return;
+  throw std::invalid_argument("a kernel reads tables of up to " + std::to_string(kMostLaneEntries) +
+                              " entries, not of " + std::to_string(entries) + ": choose a coarser precision");
+}
 
 template <LaneValue Value>
 LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table) {

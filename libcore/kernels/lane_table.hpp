@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "kernels/table_memory.hpp"
 #include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -35,7 +36,7 @@ struct LaneTable {
 
   std::size_t divisions = 0;  // cells along a side of the cube; rows of cells of the grid
   std::size_t stride = 0;     // entries of a row
-  std::vector<Value> values;  // entry e stands for smallest + step * values[e]
+  TableMemory<Value> values;  // entry e stands for smallest + step * values[e]
   double smallest = 0.0;      // mm or 1 / mm
   double step = 1.0;          // the same
   std::vector<Word> none;     // one bit an entry: its cell has no answer; empty where all have one
@@ -45,6 +46,9 @@ struct LaneTable {
 
 // Most entries of a table: their offsets in bytes have to fit into 32 bits.
 inline constexpr std::size_t kMostLaneEntries = std::size_t{1} << 28;
+
+// std::invalid_argument for more than that.
+void require_lane_entries(std::size_t entries);
 
 // std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold.
 template <LaneValue Value>

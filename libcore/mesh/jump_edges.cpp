@@ -17,19 +17,25 @@ double face_slope(const TriangleMesh& mesh, const Face& face) {
   return cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
 }
 
-const Vec3& corner_across(const TriangleMesh& mesh, HalfEdge h) {
-  return corner(mesh, mesh.faces[h.face], (h.side + 2) % 3);
+// Sides of the faces as the centre sees them, exact; 0 where a face has not three corners.
+std::vector<int> sides_of(const TriangleMesh& mesh) {
+  std::vector<int> sides;
+  sides.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const bool whole = has_three_corners(mesh, face);
+    sides.push_back(whole ? orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2))
+                          : 0);
+  }
+  return sides;
 }
 
-// Two faces that spread to opposite sides of the plane through the centre and their common edge.
-bool continues(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
-  if (sides.size() != 2) return false;
-  const auto [a, b] = ends(mesh, sides[0]);
-  const Vec3& from = mesh.vertices[a];
-  const Vec3& to = mesh.vertices[b];
-  return orientation(from, to, corner_across(mesh, sides[0])) *
-             orientation(from, to, corner_across(mesh, sides[1])) <
-         0;
+// Two faces that spread to opposite sides of the plane through the centre and their common edge: the third
+// corner of a face is on the side that the face turns to the centre, seen along its own direction of the
+// edge.
+bool continues(const TriangleMesh& mesh, const std::vector<int>& sides, std::span<const HalfEdge> uses) {
+  if (uses.size() != 2) return false;
+  const bool same_way = ends(mesh, uses[0]) == ends(mesh, uses[1]);
+  return sides[uses[0].face] * sides[uses[1].face] * (same_way ? 1 : -1) < 0;
 }
 
 }  // namespace
@@ -37,8 +43,9 @@ bool continues(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh) {
   std::vector<JumpEdge> jumps;
   const EdgeList list = edges(mesh);
+  const std::vector<int> sides = sides_of(mesh);
   for (std::size_t e = 0; e < list.size(); ++e) {
-    if (continues(mesh, list[e])) continue;
+    if (continues(mesh, sides, list[e])) continue;
     const auto [from, to] = ends(mesh, list[e].front());
     JumpEdge jump{from, to, 0.0};
     for (const HalfEdge h : list[e]) jump.slope = std::max(jump.slope, face_slope(mesh, mesh.faces[h.face]));

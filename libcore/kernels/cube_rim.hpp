@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rim of a surface, marked in the table that a kernel reads.
+#pragma once
+
+#include "kernels/lane_table.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sampling/layer.hpp"
+
+namespace impinge {
+
+// A surface and its table, whose cells without four corners are marked already.
+template <LaneValue Value>
+struct RimTask {
+  const TriangleMesh& mesh;
+  const CubeGnomonic& scheme;
+  Layer layer;
+  LaneTable<CubeGnomonic, Value>& table;
+};
+
+// As mask_rim() of sampling/rim.hpp. What is stored is taken for as near to a jump as its rounding allows, so
+// that no cell is left out that numbers in double would mark.
+template <LaneValue Value>
+void mark_rim(const RimTask<Value>& task);
+
+}  // namespace impinge

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The entries of a cube map in square tiles, each of which a core fills in its first cache.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace impinge {
+
+// Entries of a face from (first_column, first_row) on; of entries it keeps `columns` x `rows`, of which those
+// of its right and lower neighbours, where there are any, are seen too: the corners of its cells.
+struct CubeTile {
+  std::size_t face = 0;
+  std::size_t first_column = 0;
+  std::size_t first_row = 0;
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::size_t seen_columns = 0;
+  std::size_t seen_rows = 0;
+};
+
+// A part of the grid of a face: columns and rows from the first to the last, both included.
+struct GridWindow {
+  long first_column = 0;
+  long last_column = -1;
+  long first_row = 0;
+  long last_row = -1;
+
+  bool empty() const { return first_column > last_column || first_row > last_row; }
+};
+
+// No tile is empty: a face has more than kMostSeen - 1 entries for each of its tiles but one.
+class CubeTiling {
+ public:
+  // Entries that a tile sees along a side: a row of them has one bit each in 64.
+  static constexpr std::size_t kMostSeen = 64;
+
+  explicit CubeTiling(std::size_t divisions)
+      : side_(divisions + 1),
+        per_side_((side_ + kMostSeen - 2) / (kMostSeen - 1)),
+        size_((side_ + per_side_ - 1) / per_side_) {}
+
+  std::size_t size() const { return 6 * per_side_ * per_side_; }
+
+  CubeTile operator[](std::size_t tile) const {
+    const std::size_t row = tile / per_side_;  // of tiles, over all faces
+    CubeTile one;
+    one.face = row / per_side_;
+    one.first_column = tile % per_side_ * size_;
+    one.first_row = row % per_side_ * size_;
+    one.columns = kept(one.first_column);
+    one.rows = kept(one.first_row);
+    one.seen_columns = std::min(size_ + 1, side_ - one.first_column);
+    one.seen_rows = std::min(size_ + 1, side_ - one.first_row);
+    return one;
+  }
+
+  // Calls visit(tile) for those that see an entry of the window, which is on the grid.
+  template <class Visit>
+  void for_each_seeing(std::size_t face, const GridWindow& window, Visit&& visit) const {
+    if (window.empty()) return;
+    const std::size_t last_column = static_cast<std::size_t>(window.last_column) / size_;
+    const std::size_t last_row = static_cast<std::size_t>(window.last_row) / size_;
+    for (std::size_t j = first_seeing(window.first_row); j <= last_row; ++j)
+      for (std::size_t i = first_seeing(window.first_column); i <= last_column; ++i)
+        visit((face * per_side_ + j) * per_side_ + i);
+  }
+
+ private:
+  std::size_t kept(std::size_t first) const { return std::min(size_, side_ - first); }
+  // The tile before the one that keeps a line sees its first one.
+  std::size_t first_seeing(long line) const {
+    return static_cast<std::size_t>(std::max(line - 1, 0L)) / size_;
+  }
+
+  std::size_t side_;
+  std::size_t per_side_;
+  std::size_t size_;
+};
+
+}  // namespace impinge

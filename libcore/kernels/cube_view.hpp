@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The corners of a mesh as seen from the centre through the faces of a cube map.
+//
+// A corner v is seen through face f, whose axis is k and whose sign is s, at
+//   x = (v_a / d + 1) n / 2,  y = (v_b / d + 1) n / 2,  d = s v_k,
+// so that entry (i, j) of the face is at (i, j). A plane has an inverse depth q = 1 / d that is affine in
+// (x, y), and an edge is a straight line.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/cube_tiles.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+struct SeenCorner {
+  double x = 0.0;          // cells
+  double y = 0.0;          // cells
+  double q = 0.0;          // 1 / mm
+  std::uint32_t face = 0;  // through which it is seen
+};
+
+// How a face of the mesh is seen through a face of the cube.
+struct SeenFace {
+  std::array<SeenCorner, 3> corners;
+  GridWindow window;       // all entries that it can hold
+  bool projected = false;  // are the corners known? Not if one of them is beside or behind the centre
+};
+
+// All corners, each through the face that it is in front of. Corners at the centre are seen through none.
+class CubeView {
+ public:
+  CubeView(const TriangleMesh& mesh, std::size_t divisions);
+
+  // To be called for all corners before the rest; different threads may do different ones.
+  void see(std::size_t first_vertex, std::size_t end_vertex);
+
+  const TriangleMesh& mesh() const { return *mesh_; }
+  std::size_t divisions() const { return divisions_; }
+
+  // Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through.
+  bool inside_one(const Face& face) const {
+    return margin_face_[face[0]] != kNone && margin_face_[face[0]] == margin_face_[face[1]] &&
+           margin_face_[face[1]] == margin_face_[face[2]];
+  }
+  std::size_t cube_face(VertexIndex v) const { return corners_[v].face; }
+
+  // With the entries of the window up to `reach` cells beyond the face.
+  SeenFace seen(const Face& face, std::size_t through, double reach = kLeastReach) const;
+
+ private:
+  static constexpr std::uint8_t kNone = 255;
+  static constexpr double kLeastReach = 1e-6;  // far above rounding
+
+  SeenFace seen_across(const Face& face, std::size_t through, double reach) const;
+  GridWindow window_of(const std::array<SeenCorner, 3>& corners, double reach) const;
+
+  const TriangleMesh* mesh_;
+  std::size_t divisions_;
+  std::vector<SeenCorner> corners_;
+  std::vector<std::uint8_t> margin_face_;  // the same as corners_[v].face, kNone near the edges of the cube
+};
+
+}  // namespace impinge

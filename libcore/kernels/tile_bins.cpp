@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/tile_bins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kernels/thread_team.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kLeastPlane = 1e-12;  // of a corner's distance: nearer planes pass through the centre
+constexpr double kRimReach = 8.0;      // cells: a rim looks at faces within sqrt(2) cells of the middle one
+
+struct Meeting {
+  std::uint32_t tile;
+  std::uint32_t face;
+};
+
+// What one thread found.
+struct Found {
+  std::vector<Meeting> meetings;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+
+  void cover(const DepthRange& range) {
+    least = std::min(least, range.least);
+    most = std::max(most, range.most);
+  }
+};
+
+// Depths from that of the farthest corner down to that of the plane. A face seen edge-on has none.
+DepthRange unprojected_range(const TriangleMesh& mesh, const Face& face) {
+  const TriangleCone cone = cone_of(mesh, face);
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = 0.0;
+  for (const Vec3& corner : cone.corners()) {
+    nearest = std::min(nearest, corner.norm());
+    farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());
+  }
+  if (cone.edge_on()) return {std::numeric_limits<double>::infinity(), 0.0};
+  const double plane = cone.plane_distance();
+  return {1.0 / farthest, std::numbers::sqrt3 / (plane > kLeastPlane * nearest ? plane : nearest)};
+}
+
+// Calls visit(seen, through) for each face of the cube that a face of the mesh may be seen through.
+template <class Visit>
+void for_each_view(const CubeView& view, const Face& face, Visit&& visit) {
+  const bool one = view.inside_one(face);
+  const std::size_t first = one ? view.cube_face(face[0]) : 0;
+  for (std::size_t through = first; through < (one ? first + 1 : 6); ++through) {
+    const SeenFace seen = view.seen(face, through);
+    if (!seen.window.empty()) visit(seen, through);
+  }
+}
+
+DepthRange seen_range(const CubeView& view, const Face& face, const SeenFace& seen) {
+  if (!seen.projected) return unprojected_range(view.mesh(), face);
+  const SeenPlane plane = view.inside_one(face) ? SeenPlane{} : plane_of(seen, view.divisions());
+  return range_of(seen, plane);
+}
+
+void find_meetings(const CubeView& view, const CubeTiling& tiling, const Share& faces, Found& found) {
+  found.meetings.reserve((faces.end - faces.first) * 3 / 2);
+  for (std::size_t f = faces.first; f < faces.end; ++f) {
+    const Face& face = view.mesh().faces[f];
+    for_each_view(view, face, [&](const SeenFace& seen, std::size_t through) {
+      found.cover(seen_range(view, face, seen));
+      tiling.for_each_seeing(through, seen.window, [&](std::size_t tile) {
+        found.meetings.push_back({static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(f)});
+      });
+    });
+  }
+}
+
+}  // namespace
+
+TileBins tile_bins(const CubeView& view, const CubeTiling& tiling, std::size_t threads) {
+  std::vector<Found> found(threads);
+  on_threads(threads, [&](std::size_t thread) {
+    find_meetings(view, tiling, share_of(view.mesh().faces.size(), thread, threads), found[thread]);
+  });
+  TileBins bins;
+  bins.first.assign(tiling.size() + 1, 0);
+  Found all;
+  for (const Found& part : found) {
+    all.cover({part.least, part.most});
+    for (const Meeting& meeting : part.meetings) ++bins.first[meeting.tile + 1];
+  }
+  if (all.least <= all.most) bins.range = {all.least, all.most};
+  for (std::size_t tile = 0; tile < tiling.size(); ++tile) bins.first[tile + 1] += bins.first[tile];
+  bins.faces.resize(bins.first.back());
+  std::vector<std::size_t> next(bins.first.begin(), bins.first.end() - 1);
+  for (const Found& part : found)
+    for (const Meeting& meeting : part.meetings) bins.faces[next[meeting.tile]++] = meeting.face;
+  return bins;
+}
+
+void mark_tiles(const CubeView& view, const CubeTiling& tiling, std::span<const std::size_t> faces,
+                std::vector<bool>& marked) {
+  for (const std::size_t f : faces) {
+    for (std::size_t through = 0; through < 6; ++through) {
+      const GridWindow window = view.seen(view.mesh().faces[f], through, kRimReach).window;
+      tiling.for_each_seeing(through, window, [&](std::size_t tile) { marked[tile] = true; });
+    }
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filling one tile after the other of a table: what one thread does.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kernels/cube_view.hpp"
+#include "kernels/lane_table.hpp"
+#include "kernels/raster_tile.hpp"
+
+namespace impinge {
+
+// What all threads share. Tiles are theirs alone but for the words of the mask, which are set atomically, and
+// made once that one of them is needed.
+template <LaneValue Value>
+struct PaintTask {
+  const CubeView& view;
+  const CubeTiling& tiling;
+  const CubeGnomonic& scheme;
+  Layer layer;
+  LaneTable<CubeGnomonic, Value>& table;
+  std::once_flag& mask_made;
+};
+
+template <LaneValue Value>
+class TilePainter {
+ public:
+  explicit TilePainter(const PaintTask<Value>& task) : task_(task) {}
+
+  // `faces` of the mesh hold all that may be seen in the tile.
+  void paint(std::size_t tile, std::span<const std::uint32_t> faces);
+
+ private:
+  void draw_face(std::uint32_t face);
+  void draw_exactly(std::uint32_t face, const GridWindow& window);
+  void store();
+  void mark_cells(std::size_t row, std::uint64_t cells);
+  bool covers(std::uint32_t face, std::size_t column, std::size_t row);
+  const TriangleCone& cone(std::uint32_t face);
+  std::size_t entry(std::size_t column, std::size_t row) const;
+
+  const PaintTask<Value>& task_;
+  CubeTile tile_;
+  std::vector<TileTriangle> triangles_;
+  std::optional<TriangleCone> cone_;  // of the face that was asked last
+  std::uint32_t cone_face_ = 0;
+  TileCanvas canvas_;
+};
+
+}  // namespace impinge
