@@ -33,7 +33,7 @@ std::string read_bytes(const fs::path& file) {
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError(file, "cannot be opened, " + system_message(errno), "check its permissions");
-  std::string bytes(fs::file_size(file), '\0');
+  std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!in) throw FileError(file, "cannot be read to its end, " + system_message(errno), "check the disk");
   if (bytes.empty()) throw FileError(file, "is empty", "export or copy it again");

@@ -11,10 +11,10 @@
 #include <assimp/scene.h>
 
 #include "files/file_bytes.hpp"
-#include "mesh/collinear.hpp"
 #include "mesh/file_checks.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
+#include "mesh/raw_mesh.hpp"
 #include "mesh/weld.hpp"
 
 namespace impinge {
@@ -133,15 +133,6 @@ void triangulate(const fs::path& file, Assimp::Importer& importer) {
   }
 }
 
-void check_area(const fs::path& file, const TriangleMesh& mesh) {
-  const auto flat = [&mesh](const Face& f) {
-    return collinear(corner(mesh, f, 0), corner(mesh, f, 1), corner(mesh, f, 2));
-  };
-  if (std::ranges::all_of(mesh.faces, flat)) {
-    throw FileError(file, "none of its faces has an area", "export the surface again");
-  }
-}
-
 // A sparse file may declare more than any memory holds.
 void require_size(const fs::path& file) {
   std::error_code elsewhere;  // read_bytes() says what is wrong with a file that cannot be looked up
@@ -173,7 +164,7 @@ TriangleMesh parse_mesh(const fs::path& file, std::string bytes) {
   check_scene(file, *importer.GetScene(), content);
   triangulate(file, importer);
   TriangleMesh mesh = weld(gather(*importer.GetScene())).mesh;
-  check_area(file, mesh);
+  require_area(file, mesh);
   return mesh;
 }
 

@@ -12,6 +12,7 @@
 #include "experiment/csv.hpp"
 #include "files/file_set.hpp"
 #include "joint/close_zones.hpp"
+#include "joint/gap_files.hpp"
 #include "joint/gap_levels.hpp"
 #include "mesh/ply_writer.hpp"
 #include "scene/point_json.hpp"
@@ -271,18 +272,14 @@ json certificate_json(const std::optional<Certificate>& found) {
 }
 
 std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
-  Table table;
-  table.columns = {
-      {"surface", "", "ball or socket"}, {"vertex", "1", "index in the input mesh after welding"},
-      {"x", "mm", "position as posed"},  {"y", "mm", "position as posed"},
-      {"z", "mm", "position as posed"},  {"gap_mm", "mm", "socket radius minus ball radius"}};
-  for (const View* v : {&ball, &socket}) {
-    for (std::size_t i = 0; i < v->gaps.gap.size(); ++i) {
-      const Vec3 x = v->posed[i] + centre;
-      table.add_row({name(v->surface), i, x.x(), x.y(), x.z(), v->gaps.gap[i]});
-    }
-  }
-  return to_csv(table);
+  const auto in_input_frame = [&centre](std::vector<Vec3> places) {
+    for (Vec3& x : places) x += centre;
+    return places;
+  };
+  const std::vector<Vec3> ball_places = in_input_frame(ball.posed);
+  const std::vector<Vec3> socket_places = in_input_frame(socket.posed);
+  return gaps_csv({ball.surface, ball_places, ball.gaps.gap},
+                  {socket.surface, socket_places, socket.gaps.gap});
 }
 
 std::string distances_csv(const View& ball, const View& socket) {

@@ -46,7 +46,7 @@ class LatticePatches {
   }
 
  private:
-  using Triangle = std::array<std::uint64_t, 3>;
+  using Triangle = std::array<std::size_t, 3>;
 
   void find_from(const Stencil& stencil) {
     if (seen_[stencil.cell]) return;

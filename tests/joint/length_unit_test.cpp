@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: two reaches of which all of one is more than five times all of the other are in different units;
 // a ball of less than 0.1 mm or more than 1 m is doubtful.
-#include "scene/length_unit.hpp"
+#include "joint/length_unit.hpp"
 
 #include <gtest/gtest.h>
 

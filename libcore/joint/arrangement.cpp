@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/arrangement.hpp"
+#include "joint/arrangement.hpp"
 
 #include <cmath>
 #include <vector>

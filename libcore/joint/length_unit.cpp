@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/length_unit.hpp"
+#include "joint/length_unit.hpp"
 
 #include <algorithm>
 #include <limits>
