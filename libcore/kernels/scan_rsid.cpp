@@ -53,9 +53,11 @@ void scan_rsid_float(const LaneTable<Rsid, float>& table, const RawScan<float>& 
 void scan_rsid_uint16(const LaneTable<Rsid, std::uint16_t>& table, const RawScan<float>& scan) {
   scan_lanes<RsidLanes<float>>(table, scan);
 }
+#if !defined(__wasm__)  // whose vectors hold no doubles in Highway 1.0
 void scan_rsid_double(const LaneTable<Rsid, double>& table, const RawScan<double>& scan) {
   scan_lanes<RsidLanes<double>>(table, scan);
 }
+#endif
 
 }  // namespace
 }  // namespace impinge::HWY_NAMESPACE
@@ -67,7 +69,9 @@ namespace {
 
 HWY_EXPORT(scan_rsid_float);
 HWY_EXPORT(scan_rsid_uint16);
+#if !defined(__wasm__)
 HWY_EXPORT(scan_rsid_double);
+#endif
 
 }  // namespace
 
@@ -80,9 +84,11 @@ void scan_gaps(const LaneTable<Rsid, std::uint16_t>& table, const LaneScan<float
   HWY_DYNAMIC_DISPATCH(scan_rsid_uint16)(table, raw_scan(scan, gap));
 }
 
+#if !defined(__wasm__)
 void scan_gaps(const LaneTable<Rsid, double>& table, const LaneScan<double>& scan, std::span<double> gap) {
   HWY_DYNAMIC_DISPATCH(scan_rsid_double)(table, raw_scan(scan, gap));
 }
+#endif
 
 }  // namespace impinge
 #endif

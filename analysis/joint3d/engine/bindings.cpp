@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one function that JavaScript calls: ask(kind, request). The reply has `ok`, and `error` where it is
+// false; the joint and the tables are then as before. README.md beside has the kinds.
+#include <exception>
+#include <functional>
+#include <map>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "catalogue.hpp"
+#include "files/one_line.hpp"
+#include "replies.hpp"
+#include "requests.hpp"
+
+namespace impinge {
+namespace {
+
+Session& session() {
+  static Session only;
+  return only;
+}
+
+void require_joint() {
+  if (!session().joint) throw std::invalid_argument("there is no joint yet; choose one first");
+}
+
+val ask_joint(const val& request) {
+  if (request["source"].as<std::string>() == "preset") {
+    use_hip(session(), hip_request(request));
+  } else {
+    use_meshes(session(), meshes_request(request));
+  }
+  val reply = joint_reply(*session().joint);
+  reply.set("tables", tables_reply(session().tables));
+  return reply;
+}
+
+val ask_tables(const val& request) {
+  require_joint();
+  fill_tables(session(), table_request(request));
+  measure_tables(session());
+  return tables_reply(session().tables);
+}
+
+val ask_bound(const val& /*request*/) {
+  require_joint();
+  bound_tables(session());
+  return object(std::pair("bound_mm", or_null(session().tables.bound_mm)));
+}
+
+val ask_pose(const val& request) {
+  require_joint();
+  const PoseRequest pose = pose_request(request);
+  return pose_reply(*session().joint, session().tables, pose, answer_pose(session(), pose));
+}
+
+val ask_sweep(const val& request) {
+  require_joint();
+  return sweep_reply(answer_sweep(session(), sweep_request(request)));
+}
+
+val ask_export(const val& request) {
+  require_joint();
+  const PoseRequest pose = pose_request(request["pose"]);
+  const bool csv = request["format"].as<std::string>() == "csv";
+  const bool ball = csv || request["surface"].as<std::string>() == "ball";
+  const std::string bytes =
+      csv ? gaps_csv(session(), pose) : surface_ply(session(), pose, ball ? Surface::ball : Surface::socket);
+  const char* name = csv ? "gaps.csv" : ball ? "ball.ply" : "socket.ply";
+  return object(std::pair("name", name),
+                std::pair("bytes", typed_array(std::vector<std::uint8_t>(bytes.begin(), bytes.end()))));
+}
+
+val refusal(const std::string& why) {
+  return object(std::pair("ok", false), std::pair("error", one_line(why)));
+}
+
+val ask(const std::string& kind, const val& request) {
+  static const std::map<std::string, std::function<val(const val&)>> kKinds{
+      {"presets", [](const val&) { return catalogue(); }},
+      {"joint", ask_joint},
+      {"tables", ask_tables},
+      {"bound", ask_bound},
+      {"pose", ask_pose},
+      {"sweep", ask_sweep},
+      {"export", ask_export}};
+  try {
+    const auto found = kKinds.find(kind);
+    if (found == kKinds.end()) return refusal("unknown question '" + kind + "'");
+    val reply = found->second(request);
+    reply.set("ok", true);
+    return reply;
+  } catch (const std::bad_alloc&) {
+    return refusal("there is not enough memory; choose a coarser precision or smaller meshes");
+  } catch (const std::exception& error) {
+    return refusal(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace impinge
+
+EMSCRIPTEN_BINDINGS(joint3d) { emscripten::function("ask", &impinge::ask); }

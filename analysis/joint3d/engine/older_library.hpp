@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the standard library of emscripten 3.1.6 (libc++ 13) lacks of C++20 and libcore asks for, so that the
+// library compiles as it is. Each stands on its C++17 counterpart; a projection is applied to what is
+// compared. The compiler includes this file before every source of the WebAssembly build, and no other build
+// does.
+#pragma once
+
+#include <version>
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <utility>
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
+
+// The whole text or nothing: libcore refuses anything behind a number.
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  const string text(first, last);
+  const bool begins =
+      !text.empty() && (text[0] == '-' || text[0] == '.' || (text[0] >= '0' && text[0] <= '9'));
+  const bool hexadecimal = text.find_first_of("xX") != string::npos;
+  char* end = nullptr;
+  const double read = strtod(text.c_str(), &end);
+  if (!begins || hexadecimal || end == text.c_str()) return {first, errc::invalid_argument};
+  const char* stop = first + (end - text.c_str());
+  if (isinf(read)) return {stop, errc::result_out_of_range};
+  value = read;
+  return {stop, errc()};
+}
+
+// The shortest text that reads back as the same number, in fixed or scientific notation, whichever is
+// shorter.
+inline to_chars_result to_chars(char* first, char* last, double value) {
+  char text[40];
+  int digits = 0;
+  do {
+    snprintf(text, sizeof text, "%.*e", digits, value);
+  } while (++digits < 17 && strtod(text, nullptr) != value);
+  if (isfinite(value)) {
+    const int exponent = atoi(strchr(text, 'e') + 1);
+    char fixed[400];
+    snprintf(fixed, sizeof fixed, "%.*f", max(digits - 1 - exponent, 0), value);
+    if (strlen(fixed) <= strlen(text)) strcpy(text, fixed);
+  } else {
+    snprintf(text, sizeof text, "%g", value);
+  }
+  const size_t length = strlen(text);
+  if (static_cast<size_t>(last - first) < length) return {last, errc::value_too_large};
+  memcpy(first, text, length);
+  return {first + length, errc()};
+}
+
+namespace ranges {
+
+struct Itself {
+  template <class Value>
+  const Value& operator()(const Value& value) const {
+    return value;
+  }
+};
+
+template <class Less, class Projection>
+auto projected(Less less, Projection projection) {
+  return [less, projection](const auto& a, const auto& b) {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  };
+}
+
+template <class Range, class Predicate>
+bool all_of(Range&& range, Predicate predicate) {
+  return std::all_of(std::begin(range), std::end(range), std::ref(predicate));
+}
+template <class Range, class Predicate>
+bool any_of(Range&& range, Predicate predicate) {
+  return std::any_of(std::begin(range), std::end(range), std::ref(predicate));
+}
+template <class Range, class Predicate>
+bool none_of(Range&& range, Predicate predicate) {
+  return std::none_of(std::begin(range), std::end(range), std::ref(predicate));
+}
+template <class Range, class Value>
+auto count(Range&& range, const Value& value) {
+  return std::count(std::begin(range), std::end(range), value);
+}
+template <class Range, class Predicate>
+auto count_if(Range&& range, Predicate predicate) {
+  return std::count_if(std::begin(range), std::end(range), std::ref(predicate));
+}
+template <class Range, class Value>
+auto find(Range&& range, const Value& value) {
+  return std::find(std::begin(range), std::end(range), value);
+}
+template <class Range, class Predicate>
+auto find_if(Range&& range, Predicate predicate) {
+  return std::find_if(std::begin(range), std::end(range), std::ref(predicate));
+}
+template <class Range, class Value>
+auto lower_bound(Range&& range, const Value& value) {
+  return std::lower_bound(std::begin(range), std::end(range), value);
+}
+template <class Range, class Value>
+bool binary_search(Range&& range, const Value& value) {
+  return std::binary_search(std::begin(range), std::end(range), value);
+}
+template <class One, class Other, class Same>
+bool equal(One&& one, Other&& other, Same same) {
+  return std::equal(std::begin(one), std::end(one), std::begin(other), std::end(other), std::ref(same));
+}
+template <class Range>
+auto max(Range&& range) {
+  return *std::max_element(std::begin(range), std::end(range));
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+auto max_element(Range&& range, Less order = {}, Projection projection = {}) {
+  return std::max_element(std::begin(range), std::end(range), projected(order, projection));
+}
+template <class Range>
+auto min_element(Range&& range) {
+  return std::min_element(std::begin(range), std::end(range));
+}
+template <class Range, class Out, class Predicate>
+auto copy_if(Range&& range, Out out, Predicate predicate) {
+  return std::copy_if(std::begin(range), std::end(range), out, std::ref(predicate));
+}
+template <class Range, class Out, class Function>
+auto transform(Range&& range, Out out, Function function) {
+  return std::transform(std::begin(range), std::end(range), out, std::ref(function));
+}
+template <class Range, class Predicate, class Value>
+void replace_if(Range&& range, Predicate predicate, const Value& value) {
+  std::replace_if(std::begin(range), std::end(range), std::ref(predicate), value);
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+void sort(Range&& range, Less order = {}, Projection projection = {}) {
+  std::sort(std::begin(range), std::end(range), projected(order, projection));
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+void stable_sort(Range&& range, Less order = {}, Projection projection = {}) {
+  std::stable_sort(std::begin(range), std::end(range), projected(order, projection));
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+void make_heap(Range&& range, Less order = {}, Projection projection = {}) {
+  std::make_heap(std::begin(range), std::end(range), projected(order, projection));
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+void push_heap(Range&& range, Less order = {}, Projection projection = {}) {
+  std::push_heap(std::begin(range), std::end(range), projected(order, projection));
+}
+template <class Range, class Less = std::less<>, class Projection = Itself>
+void pop_heap(Range&& range, Less order = {}, Projection projection = {}) {
+  std::pop_heap(std::begin(range), std::end(range), projected(order, projection));
+}
+
+}  // namespace ranges
+
+_LIBCPP_END_NAMESPACE_STD
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "replies.hpp"
+
+#include "catalogue.hpp"
+#include "joint/rim_line.hpp"
+#include "requests.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kRimSectors = 96;
+
+val mesh_value(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> corners;
+  for (const Face& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
+  return object(std::pair("positions", float_array(mesh.vertices)), std::pair("faces", typed_array(corners)));
+}
+
+// Column by column, as WebGL has it.
+val matrix_value(const Eigen::Matrix3d& rotation, const Vec3& translation) {
+  std::vector<float> numbers(16, 0.0F);
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto i = static_cast<Eigen::Index>(row);
+      const double value = column < 3 ? rotation(i, static_cast<Eigen::Index>(column)) : translation[i];
+      numbers[4 * column + row] = static_cast<float>(value);
+    }
+  }
+  numbers[15] = 1.0F;
+  return typed_array(numbers);
+}
+
+val rim_value(const SessionJoint& joint, std::size_t sectors) {
+  std::vector<Vec3> places;
+  std::vector<double> hours;
+  if (joint.dial) {
+    TriangleMesh socket = joint.joint.socket.mesh;
+    for (Vec3& x : socket.vertices) x = joint.axes * x;
+    for (const RimPoint& at : rim_line(socket, *joint.dial, sectors)) {
+      places.emplace_back(joint.axes.transpose() * at.place);
+      hours.push_back(at.hours);
+    }
+  }
+  return object(std::pair("positions", float_array(places)), std::pair("hours", float_array(hours)));
+}
+
+val zones_value(const std::vector<ClockZone>& zones) {
+  return list(zones, [](const ClockZone& zone) {
+    return object(std::pair("from", clock_text(zone.from)), std::pair("to", clock_text(zone.to)),
+                  std::pair("from_hours", zone.from), std::pair("to_hours", zone.to),
+                  std::pair("area_mm2", zone.area));
+  });
+}
+
+val impinged_value(const GapSummary& summary, const std::vector<ClockZone>& zones) {
+  return object(std::pair("vertices", static_cast<double>(summary.impinged)),
+                std::pair("area_mm2", summary.impinged_area), std::pair("clock_zones", zones_value(zones)));
+}
+
+val levels_value(Surface surface, double cartilage_mm) {
+  return list(gap_levels(surface, cartilage_mm), [](const GapLevel& level) {
+    return object(std::pair("up_to_mm", number_or_null(level.up_to_mm)),
+                  std::pair("meaning", text(level.meaning)),
+                  std::pair("rgb", list(level.colour, [](std::uint8_t c) { return val(int{c}); })));
+  });
+}
+
+val surface_value(const SurfaceAnswer& answer) {
+  return object(std::pair("bone", impinged_value(answer.bone, answer.bone_zones)),
+                std::pair("cartilage", impinged_value(answer.cartilage, answer.cartilage_zones)),
+                std::pair("met", static_cast<double>(answer.bone.met)));
+}
+
+val smallest_value(const SessionJoint& joint, const std::optional<SmallestOfPose>& smallest) {
+  if (!smallest) return val::null();
+  return object(std::pair("gap_mm", smallest->gap_mm), std::pair("surface", text(name(smallest->surface))),
+                std::pair("vertex", static_cast<double>(smallest->vertex)),
+                std::pair("position", point(smallest->place + joint.joint.centre)),
+                std::pair("place", point(smallest->place)),
+                std::pair("clock", clock_or_null(smallest->hours)));
+}
+
+val histogram_value(const GapHistogram& ball, const GapHistogram& socket) {
+  std::vector<double> edges;
+  for (std::size_t k = 0; k <= ball.area.size(); ++k)
+    edges.push_back(ball.first + static_cast<double>(k) * ball.width);
+  std::vector<double> both;
+  for (std::size_t k = 0; k < ball.area.size(); ++k) both.push_back(ball.area[k] + socket.area[k]);
+  return object(std::pair("edges", float_array(edges)), std::pair("counts", float_array(both)),
+                std::pair("ball", float_array(ball.area)), std::pair("socket", float_array(socket.area)),
+                std::pair("below_mm2", ball.below + socket.below),
+                std::pair("beyond_mm2", ball.beyond + socket.beyond));
+}
+
+val first_zone(const std::vector<ClockZone>& zones) {
+  if (zones.empty()) return val::null();
+  return val::array(std::vector<std::string>{clock_text(zones[0].from), clock_text(zones[0].to)});
+}
+
+}  // namespace
+
+val joint_reply(const SessionJoint& joint) {
+  const Joint& found = joint.joint;
+  const val fit =
+      found.fit ? object(std::pair("residual_mm", found.fit->rms), std::pair("radius_mm", found.fit->radius),
+                         std::pair("points", static_cast<double>(found.fit->points)))
+                : val::null();
+  const val side = joint.side ? val(*joint.side == Side::left ? "left" : "right") : val::null();
+  const val rim = rim_value(joint, kRimSectors);
+  return object(std::pair("ball", mesh_value(found.ball.mesh)),
+                std::pair("socket", mesh_value(found.socket.mesh)), std::pair("centre", point(found.centre)),
+                std::pair("fit", fit), std::pair("side", side), std::pair("rim_clock", rim["positions"]),
+                std::pair("rim_hours", rim["hours"]), std::pair("clock_marks", rim_value(joint, 12)),
+                std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
+                std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
+                std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })));
+}
+
+val tables_reply(const SessionTables& tables) {
+  const TableSettings& settings = tables.settings;
+  const double bytes = static_cast<double>(tables.ball->bytes() + tables.socket->bytes());
+  return object(std::pair("scheme", settings.scheme), std::pair("precision_deg", settings.precision_deg),
+                std::pair("storage", text(storage_name(settings.storage))),
+                std::pair("entries", static_cast<double>(tables.ball->entries)), std::pair("bytes", bytes),
+                std::pair("fill_ms", tables.fill_ms), std::pair("bound_mm", or_null(tables.bound_mm)),
+                std::pair("error_mm", or_null(tables.error_mm)),
+                std::pair("points_ball", typed_array(tables.ball->points)),
+                std::pair("points_socket", typed_array(tables.socket->points)));
+}
+
+val pose_reply(const SessionJoint& joint, const SessionTables& tables, const PoseRequest& request,
+               const PoseAnswer& found) {
+  std::optional<double> undecided;
+  if (found.undecided) undecided = static_cast<double>(*found.undecided);
+  const double area = found.ball.bone.impinged_area + found.socket.bone.impinged_area;
+  const val colours =
+      object(std::pair("ball", levels_value(Surface::ball, request.cartilage_mm)),
+             std::pair("socket", levels_value(Surface::socket, request.cartilage_mm)),
+             std::pair("none", list(kNoGapColour, [](std::uint8_t c) { return val(int{c}); })));
+  val reply = object(
+      std::pair("ball_gap", float_array(found.ball.gap)),
+      std::pair("socket_gap", float_array(found.socket.gap)),
+      std::pair("matrix", matrix_value(found.pose.rotation, found.pose.translation)),
+      std::pair("ms", found.scan_ms), std::pair("smallest", smallest_value(joint, found.smallest)),
+      std::pair("ball", surface_value(found.ball)), std::pair("socket", surface_value(found.socket)),
+      std::pair("impinged_area_mm2", area), std::pair("impinged_clock", first_zone(found.socket.bone_zones)),
+      std::pair("undecided", or_null(undecided)), std::pair("bound_mm", or_null(tables.bound_mm)),
+      std::pair("histogram", histogram_value(found.ball.histogram, found.socket.histogram)),
+      std::pair("colours", colours));
+  return reply;
+}
+
+val sweep_reply(const SweepAnswer& found) {
+  const TurnLimit& limit = found.limit;
+  const bool reached = limit.state == LimitState::reached;
+  const val bracket =
+      object(std::pair("state", text(name(limit.state))), std::pair("low_deg", limit.low_deg),
+             std::pair("high_deg", limit.high_deg), std::pair("clock", clock_or_null(found.hours)),
+             std::pair("deg_per_mm", reached ? number_or_null(limit.deg_per_mm) : val::null()),
+             std::pair("certified", true));
+  return object(std::pair("angles", float_array(found.angles)),
+                std::pair("smallest", float_array(found.smallest)), std::pair("limit", bracket));
+}
+
+}  // namespace impinge

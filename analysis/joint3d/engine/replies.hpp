@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the session found, as the page reads it.
+#pragma once
+
+#include "js_values.hpp"
+#include "pose_answer.hpp"
+
+namespace impinge {
+
+val joint_reply(const SessionJoint& joint);
+val tables_reply(const SessionTables& tables);
+val pose_reply(const SessionJoint& joint, const SessionTables& tables, const PoseRequest& request,
+               const PoseAnswer& found);
+val sweep_reply(const SweepAnswer& found);
+
+}  // namespace impinge

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "requests.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+
+#include "joint/hip_presets.hpp"
+#include "limits/named_motion.hpp"
+#include "mesh/raw_mesh.hpp"
+
+namespace impinge {
+namespace {
+
+struct StorageName {
+  std::string_view name;
+  Storage storage;
+};
+constexpr std::array kStorages{StorageName{"uint16", Storage::sixteen_bits},
+                               StorageName{"float", Storage::single_precision},
+                               StorageName{"double", Storage::double_precision}};
+
+constexpr double kFinest = 0.2;  // degrees: 1.2 million entries and more a table
+
+NamedMesh mesh_request(const val& value) {
+  const auto name = value["name"].as<std::string>();
+  const auto positions = emscripten::convertJSArrayToNumberVector<double>(value["positions"]);
+  std::vector<std::uint32_t> corners;
+  if (is_given(value["faces"]))
+    corners = emscripten::convertJSArrayToNumberVector<std::uint32_t>(value["faces"]);
+  return {name, mesh_of(name, {positions, corners})};
+}
+
+Vec3 vector_request(const val& value) {
+  const auto x = emscripten::convertJSArrayToNumberVector<double>(value);
+  if (x.size() != 3 || !std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); }))
+    throw std::invalid_argument("a point is three numbers: x, y and z in mm");
+  return {x[0], x[1], x[2]};
+}
+
+double angle_of(const val& value, const char* name) {
+  const double angle = number_of(value, name, 0.0);
+  if (std::abs(angle) <= kLargestAngle) return angle;
+  throw std::invalid_argument(std::string(name) + " is no angle of a joint; give degrees from -180 to 180");
+}
+
+Motion motion_request(const val& value) {
+  return {angle_of(value, "flexion"), angle_of(value, "abduction"), angle_of(value, "internal_rotation")};
+}
+
+}  // namespace
+
+HipParameters hip_request(const val& request) {
+  HipParameters hip = hip_preset(request["name"].as<std::string>());
+  const val given = request["parameters"];
+  if (!is_given(given)) return hip;
+  if (is_given(given["side"])) hip.side = parse_side(given["side"].as<std::string>());
+  for (const HipParameter& parameter : hip_parameter_list())
+    hip.*parameter.value = number_of(given, std::string(parameter.name).c_str(), hip.*parameter.value);
+  require_in_range(hip);
+  return hip;
+}
+
+JointInput meshes_request(const val& request) {
+  JointInput input;
+  input.ball = mesh_request(request["ball"]);
+  input.socket = mesh_request(request["socket"]);
+  if (is_given(request["centre"])) input.centre = vector_request(request["centre"]);
+  if (is_given(request["side"])) input.side = parse_side(request["side"].as<std::string>());
+  if (is_given(request["axes"])) input.axes = request["axes"].as<std::string>();
+  input.wording = {"as X, Y, Z", "ball and socket", "side and axes"};
+  return input;
+}
+
+std::string_view storage_name(Storage storage) {
+  return std::ranges::find_if(kStorages, [storage](const StorageName& s) { return s.storage == storage; })
+      ->name;
+}
+
+TableSettings table_request(const val& request) {
+  TableSettings settings;
+  if (is_given(request["scheme"])) settings.scheme = request["scheme"].as<std::string>();
+  settings.precision_deg = number_of(request, "precision_deg", settings.precision_deg);
+  if (!(settings.precision_deg >= kFinest))
+    throw std::invalid_argument("a page keeps no tables finer than 0.2 degrees; choose a coarser precision");
+  if (!is_given(request["storage"])) return settings;
+  const auto name = request["storage"].as<std::string>();
+  const auto found =
+      std::ranges::find_if(kStorages, [&name](const StorageName& s) { return s.name == name; });
+  if (found == kStorages.end())
+    throw std::invalid_argument("unknown storage '" + name + "'; there are uint16, float, double");
+  settings.storage = found->storage;
+  return settings;
+}
+
+PoseRequest pose_request(const val& request) {
+  PoseRequest pose;
+  pose.motion = motion_request(request);
+  if (is_given(request["translation"])) pose.translation = vector_request(request["translation"]);
+  pose.cartilage_mm = number_of(request, "cartilage_mm", pose.cartilage_mm);
+  if (!(pose.cartilage_mm >= 0.0 && std::isfinite(pose.cartilage_mm)))
+    throw std::invalid_argument("cartilage has a thickness of 0 mm or more");
+  return pose;
+}
+
+SweepRequest sweep_request(const val& request) {
+  SweepRequest sweep;
+  const auto name = request["motion"].as<std::string>();
+  sweep.growing = name;
+  for (const NamedMotion& motion : named_motions()) {
+    if (motion.name != name) continue;
+    sweep.growing = motion.growing;
+    sweep.start = motion.start;
+  }
+  if (is_given(request["pose"])) sweep.start = motion_request(request["pose"]);
+  sweep.largest_deg = number_of(request, "largest_deg", sweep.largest_deg);
+  sweep.step_deg = number_of(request, "step_deg", sweep.step_deg);
+  if (!(sweep.step_deg >= 0.1) || !(sweep.largest_deg > 0.0))
+    throw std::invalid_argument("a sweep has steps of 0.1 degrees or more, up to an angle above 0");
+  return sweep;
+}
+
+}  // namespace impinge

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Requests of the page as the session takes them. std::invalid_argument, one line, for what is not there.
+#pragma once
+
+#include "js_values.hpp"
+#include "pose_answer.hpp"
+
+namespace impinge {
+
+HipParameters hip_request(const val& request);
+JointInput meshes_request(const val& request);
+TableSettings table_request(const val& request);
+PoseRequest pose_request(const val& request);
+SweepRequest sweep_request(const val& request);
+
+// "uint16", "float" or "double".
+std::string_view storage_name(Storage storage);
+
+}  // namespace impinge

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "joint/hip.hpp"
+#include "sampling/probe_directions.hpp"
+#include "sampling/surface_index.hpp"
+
+namespace impinge {
+namespace {
+
+std::vector<std::size_t> stray_vertices(const TriangleMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) used[v] = true;
+  }
+  std::vector<std::size_t> stray;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) stray.push_back(i);
+  }
+  return stray;
+}
+
+std::optional<ClockFace> dial_of(const TriangleMesh& socket, const Eigen::Matrix3d& axes) {
+  TriangleMesh in_joint_frame = socket;
+  for (Vec3& x : in_joint_frame.vertices) x = axes * x;
+  return clock_face(in_joint_frame);
+}
+
+std::unique_ptr<const ScannedVertices> probes_of(const TriangleMesh& mesh, Layer layer) {
+  constexpr double kReach = 1e-3;  // no cap is asked for
+  const SurfaceIndex surface(mesh, layer, kReach);
+  std::vector<Vec3> points;
+  for (const Vec3& u : feature_directions(mesh)) {
+    const double radius = surface.radius(u);
+    if (!std::isnan(radius)) points.emplace_back(radius * u);
+  }
+  return std::make_unique<const ScannedVertices>(points);
+}
+
+// The gap of a point of the surface from the table of the same surface is the error of the table.
+double measured_error(const ScannedVertices& probes, SurfaceTable& table) {
+  std::vector<double> error(probes.points.size());
+  table.scan(probes, Pose{}, Scan::ball, error);
+  double largest = 0.0;
+  for (const double e : error) largest = std::isnan(e) ? largest : std::max(largest, std::abs(e));
+  return largest;
+}
+
+SessionTables filled(const SessionJoint& joint, const TableSettings& settings) {
+  using Clock = std::chrono::steady_clock;
+  SessionTables tables;
+  tables.settings = settings;
+  const auto start = Clock::now();
+  tables.ball = fill_table(settings, joint.joint.ball.mesh, Layer::farthest);
+  tables.socket = fill_table(settings, joint.joint.socket.mesh, Layer::nearest);
+  tables.fill_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return tables;
+}
+
+// All of it is made before anything of the session changes.
+void use(Session& session, std::unique_ptr<SessionJoint> joint) {
+  session.tables = filled(*joint, session.tables.settings);
+  session.joint = std::move(joint);
+  session.limits.reset();
+}
+
+}  // namespace
+
+SessionPart::SessionPart(const TriangleMesh& mesh)
+    : vertices(mesh.vertices), area(vertex_areas(mesh)), stray(stray_vertices(mesh)) {}
+
+SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code)
+    : joint(std::move(put_together)),
+      side(of),
+      axes(input_to_joint(axis_code)),
+      dial(dial_of(joint.socket.mesh, axes)),
+      ball(joint.ball.mesh),
+      socket(joint.socket.mesh) {}
+
+void use_hip(Session& session, const HipParameters& parameters) {
+  Hip hip = make_hip(parameters);
+  JointInput input;
+  input.ball = {"ball", std::move(hip.ball)};
+  input.socket = {"socket", std::move(hip.socket)};
+  input.centre = Vec3::Zero();
+  input.side = parameters.side;
+  auto joint = std::make_unique<SessionJoint>(assemble_joint(std::move(input)), parameters.side, "RAS");
+  joint->parameters = parameters;
+  use(session, std::move(joint));
+}
+
+void use_meshes(Session& session, JointInput input) {
+  const std::optional<Side> side = input.side;
+  const std::string axes = input.axes;
+  use(session, std::make_unique<SessionJoint>(assemble_joint(std::move(input)), side, axes));
+}
+
+void fill_tables(Session& session, const TableSettings& settings) {
+  session.tables = filled(*session.joint, settings);
+}
+
+void measure_tables(Session& session) {
+  SessionJoint& joint = *session.joint;
+  if (!joint.ball_probes) {
+    joint.ball_probes = probes_of(joint.joint.ball.mesh, Layer::farthest);
+    joint.socket_probes = probes_of(joint.joint.socket.mesh, Layer::nearest);
+  }
+  session.tables.error_mm = std::max(measured_error(*joint.ball_probes, *session.tables.ball),
+                                     measured_error(*joint.socket_probes, *session.tables.socket));
+}
+
+}  // namespace impinge

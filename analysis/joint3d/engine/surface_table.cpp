@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_table.hpp"
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#include "kernels/gap_kernels.hpp"
+#include "sampling/exact_raster.hpp"
+#include "sphere/quantised_table.hpp"
+#include "sphere/scheme_choice.hpp"
+
+namespace impinge {
+namespace {
+
+// Vertex by vertex, as scan_ball() and scan_socket() of detection/gap_scan.hpp.
+class ScalarTable : public SurfaceTable {
+ public:
+  void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) final {
+    const bool ball = which == Scan::ball;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      const Vec3 x = ball ? to_socket(pose, vertices.points[i]) : to_ball(pose, vertices.points[i]);
+      const double radius = radius_at(x);
+      gap[i] = ball ? radius - x.norm() : x.norm() - radius;
+    }
+  }
+
+ private:
+  virtual double radius_at(const Vec3& x) const = 0;
+};
+
+// Kept is RadialTable, InverseDepthTable or one of sphere/quantised_table.hpp.
+template <class Kept>
+class KeptTable final : public ScalarTable {
+ public:
+  template <class Filled>
+  explicit KeptTable(Filled&& filled) : kept_(std::forward<Filled>(filled)) {}
+
+  std::size_t bytes() const override {
+    if constexpr (requires { kept_.bytes(); }) {
+      return kept_.bytes();
+    } else {
+      return Kept::bytes(kept_.scheme()) + kept_.rim_cells().bytes();
+    }
+  }
+
+ private:
+  double radius_at(const Vec3& x) const override { return kept_.radius_at(x); }
+
+  Kept kept_;
+};
+
+template <SamplingScheme S, class Value>
+class KernelTable final : public SurfaceTable {
+ public:
+  explicit KernelTable(LaneTable<S, Value> table) : table_(std::move(table)) {}
+
+  void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) override {
+    found_.resize(gap.size());
+    scan_gaps(table_, LaneScan<float>{vertices.lanes, pose, which}, found_);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
+  }
+  std::size_t bytes() const override { return table_.bytes(); }
+
+ private:
+  LaneTable<S, Value> table_;
+  std::vector<float> found_;
+};
+
+template <class Kept, class Filled>
+std::unique_ptr<SurfaceTable> kept(Filled&& filled) {
+  return std::make_unique<KeptTable<Kept>>(std::forward<Filled>(filled));
+}
+
+template <class Value, class Filled>
+std::unique_ptr<SurfaceTable> kernel(const Filled& filled) {
+  using S = std::remove_cvref_t<decltype(filled.scheme())>;
+  return std::make_unique<KernelTable<S, Value>>(lane_table<Value>(filled));
+}
+
+template <SamplingScheme S>
+std::unique_ptr<SurfaceTable> stored(RadialTable<S> filled, Storage storage) {
+  if constexpr (std::same_as<S, CubeGnomonic>) {
+    InverseDepthTable inverse(filled);
+    if (storage == Storage::double_precision) return kept<InverseDepthTable<S>>(std::move(inverse));
+    return storage == Storage::sixteen_bits ? kernel<std::uint16_t>(inverse) : kernel<float>(inverse);
+  } else {
+    if (storage == Storage::double_precision) return kept<RadialTable<S>>(std::move(filled));
+    const bool sixteen = storage == Storage::sixteen_bits;
+    if constexpr (std::same_as<S, Rsid>) {
+      return sixteen ? kernel<std::uint16_t>(filled) : kernel<float>(filled);
+    } else {
+      return sixteen ? kept<Uint16Table<S>>(filled) : kept<FloatTable<S>>(filled);
+    }
+  }
+}
+
+template <SamplingScheme S>
+std::vector<float> points_of(const RadialTable<S>& table) {
+  std::vector<float> points;
+  const S& scheme = table.scheme();
+  if (scheme.size() > SurfaceTable::kMostPoints) return points;
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    const double radius = table.radius_of(i);
+    if (std::isnan(radius)) continue;
+    const Vec3 x = radius * scheme.direction(i);
+    for (const double coordinate : {x.x(), x.y(), x.z()}) points.push_back(static_cast<float>(coordinate));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const TriangleMesh& mesh,
+                                         Layer layer) {
+  std::unique_ptr<SurfaceTable> table;
+  with_scheme(settings.scheme, [&]<class S>() {
+    RadialTable<S> filled = fill_exact(mesh, S::with_precision(settings.precision_deg), layer);
+    const std::size_t entries = filled.scheme().size();
+    std::vector<float> points = points_of(filled);
+    table = stored(std::move(filled), settings.storage);
+    table->entries = entries;
+    table->points = std::move(points);
+  });
+  return table;
+}
+
+}  // namespace impinge

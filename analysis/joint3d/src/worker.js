@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stands between the page and the library: questions come in as messages {id, kind, ...} and are answered one by one as
+// {id, ok: true, ...} or {id, ok: false, error}. Of the poses that wait only the newest is looked at; the others are answered
+// {id, ok: false, stale: true}. The script of the engine, which defines joint3dEngine, stands before this one.
+'use strict';
+
+// Every array of numbers in a reply, to be handed over instead of copied.
+function buffersOf(value, found = []) {
+  if (ArrayBuffer.isView(value)) {
+    found.push(value.buffer);
+  } else if (value !== null && typeof value === 'object') {
+    for (const member of Object.values(value)) buffersOf(member, found);
+  }
+  return found;
+}
+
+// serve(engine, post): a function that takes messages. `engine` is a promise of the engine; post(reply, transfer) sends.
+// `later` runs a function when the messages that have arrived have been taken in.
+function serve(engine, post, later) {
+  const waiting = [];
+  let busy = false;
+
+  function isStale(message) {
+    return message.kind === 'pose' && waiting.some((other) => other.kind === 'pose');
+  }
+
+  function reply(id, answer) {
+    const whole = { id, ...answer };
+    post(whole, buffersOf(answer));
+  }
+
+  async function answerNext() {
+    const message = waiting.shift();
+    if (message === undefined) {
+      busy = false;
+      return;
+    }
+    const { id, kind, ...request } = message;
+    try {
+      if (isStale(message)) {
+        reply(id, { ok: false, stale: true });
+      } else {
+        reply(id, (await engine).ask(kind, request));
+      }
+    } catch (error) {
+      reply(id, { ok: false, error: `the library stopped: ${error.message ?? error}` });
+    }
+    later(answerNext);
+  }
+
+  return (message) => {
+    waiting.push(message);
+    if (busy) return;
+    busy = true;
+    later(answerNext);
+  };
+}
+
+// As soon as the messages before it are through; a timer would wait for some milliseconds.
+function soon() {
+  const channel = new MessageChannel();
+  const tasks = [];
+  channel.port1.onmessage = () => tasks.shift()();
+  return (task) => {
+    tasks.push(task);
+    channel.port2.postMessage(null);
+  };
+}
+
+if (typeof importScripts === 'function') {
+  const receive = serve(joint3dEngine(), (reply, transfer) => self.postMessage(reply, transfer), soon());
+  self.onmessage = (event) => receive(event.data);
+} else if (typeof module === 'object') {
+  module.exports = { serve, soon };
+}
