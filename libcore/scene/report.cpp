@@ -271,7 +271,7 @@ json certificate_json(const std::optional<Certificate>& found) {
           {"deepest_at", deepest ? json(name(deepest->kind)) : json(nullptr)}};
 }
 
-std::string gaps_csv(const View& ball, const View& socket, const Vec3& centre) {
+std::string csv_of(const View& ball, const View& socket, const Vec3& centre) {
   const auto in_input_frame = [&centre](std::vector<Vec3> places) {
     for (Vec3& x : places) x += centre;
     return places;
@@ -400,7 +400,7 @@ void write_scene(const SceneOptions& options, const Joint& joint, const Measurem
       if (v->gaps.gap.empty()) continue;
       files.add(options.out / (std::string(name(v->surface)) + ".ply"), part_ply(*v, joint.centre));
     }
-    files.add(options.out / "gaps.csv", gaps_csv(ball, socket, joint.centre));
+    files.add(options.out / "gaps.csv", csv_of(ball, socket, joint.centre));
   }
   if (options.outputs.distances) files.add(options.out / "distances.csv", distances_csv(ball, socket));
   files.add(options.out / "summary.json", json_text(summary));
