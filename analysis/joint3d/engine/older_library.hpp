@@ -123,6 +123,10 @@ bool equal(One&& one, Other&& other, Same same) {
   return std::equal(std::begin(one), std::end(one), std::begin(other), std::end(other), std::ref(same));
 }
 template <class Range>
+auto min(Range&& range) {
+  return *std::min_element(std::begin(range), std::end(range));
+}
+template <class Range>
 auto max(Range&& range) {
   return *std::max_element(std::begin(range), std::end(range));
 }
