@@ -105,11 +105,16 @@ inline GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const Ca
   }
   return bounds;
 }
-// The same for a single vertex, moved to x; in double, so that rounding does not matter.
+// Gap of a vertex at that distance from the centre, whose radius of the other surface is beyond the limit,
+// mm.
+inline double gap_beyond(double limit, double length, const CapMove& move) {
+  if (move.scanned == ScannedSurface::ball) return limit - length;
+  return limit < 0.0 ? static_cast<double>(HUGE_VALF) : length - limit;
+}
+
+// A bound for a single vertex, moved to x; in double, so that rounding does not matter.
 inline double vertex_bound(const Vec3& x, const CapMove& move, const CapLimits& limits) {
-  const double limit = limits.beside(x);
-  if (move.scanned == ScannedSurface::ball) return limit - x.norm();
-  return limit < 0.0 ? static_cast<double>(HUGE_VALF) : x.norm() - limit;
+  return gap_beyond(limits.beside(x), x.norm(), move);
 }
 
 }  // namespace impinge

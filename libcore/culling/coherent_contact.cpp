@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/coherent_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sphere/infinity.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kKept = 1.0 - 1e-6;    // of what is to spare, for the rounding of the clock
+constexpr std::size_t kFewProofs = 32;  // no beginning anew for less
+constexpr float kNoWidth = 2e-6F;       // radians, of a vertex: the rounding of its direction
+
+double least_radius(const CapTree& tree) {
+  double least = kInfinity;
+  for (std::size_t at = 0; at < std::min(CapTree::kRoots, tree.blocks().size()); ++at) {
+    const CapBlock& block = tree.blocks()[at];
+    for (std::size_t k = 0; k < block.nodes; ++k)
+      least = std::min(least, static_cast<double>(block.low[static_cast<Eigen::Index>(k)]));
+  }
+  return least;
+}
+
+// o, in double.
+Vec3 own_shift(const CapMove& move) {
+  if (move.scanned == ScannedSurface::socket) return -move.pose.translation;
+  return move.pose.rotation.transpose() * move.pose.translation;
+}
+
+// When a proof is due that has so much to spare, mm and radians.
+double due_after(double clock, double gap, double angle) {
+  return clock + kKept * std::min(gap, CoherentContact::kLever * angle);
+}
+
+// The angle q from |R1 - R0| = 2 sqrt(2) sin(q / 2), Frobenius.
+double turn_between(const Pose& a, const Pose& b) {
+  const double half = (b.rotation - a.rotation).norm() / (2.0 * std::numbers::sqrt2);
+  return 2.0 * std::asin(std::min(half, 1.0));
+}
+
+}  // namespace
+
+CoherentContact::CoherentContact(const CulledJoint& joint) : joint_(joint) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    scans_[k].culled = &joint.scans()[k];
+    scans_[k].least_radius = least_radius(joint.scans()[k].tree());
+  }
+}
+
+std::optional<ScannedVertex> CoherentContact::impinged(const Pose& pose) {
+  if (impinging_) {
+    const bool ball = impinging_->scanned == ScannedSurface::ball;
+    const TriangleMesh& mesh = ball ? joint_.meshes().ball : joint_.meshes().socket;
+    const Vec3& v = mesh.vertices[impinging_->vertex];
+    if (joint_.exactly_impinged(impinging_->scanned, ball ? to_socket(pose, v) : to_ball(pose, v)))
+      return impinging_;
+  }
+  impinging_.reset();
+  const bool anew = !last_ || scans_[0].proofs.size() + scans_[1].proofs.size() > 2 * fresh_ + kFewProofs;
+  const double turn = anew ? kInfinity : turn_between(*last_, pose);
+  for (Scan& scan : scans_) {
+    const CapMove move(scan.culled->scanned(), pose);
+    advance(scan, move, turn);
+    if (const auto vertex = look_at_due(scan, move)) {
+      last_.reset();
+      return impinging_ = ScannedVertex{scan.culled->scanned(), *vertex};
+    }
+  }
+  if (anew) fresh_ = scans_[0].proofs.size() + scans_[1].proofs.size();
+  last_ = pose;
+  return std::nullopt;
+}
+
+double CoherentContact::certified_step() const {
+  if (!last_) return 0.0;
+  double step = kInfinity;
+  for (const Scan& scan : scans_) {
+    if (!scan.proofs.empty()) step = std::min(step, scan.proofs.front().due - scan.clock);
+  }
+  return std::max(step, 0.0);
+}
+
+void CoherentContact::advance(Scan& scan, const CapMove& move, double turn) {
+  const Vec3 own = own_shift(move);
+  const double way = (own - scan.own).norm();
+  const double room = scan.least_radius - std::max(own.norm(), scan.own.norm());
+  scan.own = own;
+  if (turn < kInfinity && room > 0.0) {
+    scan.clock += kLever * (turn + way / room) + way;
+  } else {
+    begin(scan);
+  }
+}
+
+void CoherentContact::begin(Scan& scan) {
+  scan.clock = 0.0;
+  scan.proofs.clear();
+  const std::size_t roots = std::min(CapTree::kRoots, scan.culled->tree().blocks().size());
+  for (std::uint32_t block = 0; block < roots; ++block) add(scan, {0.0, block, 0, false, 0});
+}
+
+void CoherentContact::add(Scan& scan, const Proof& proof) {
+  if (proof.due == kInfinity) return;
+  scan.proofs.push_back(proof);
+  std::ranges::push_heap(scan.proofs, later);
+}
+
+std::optional<std::uint32_t> CoherentContact::look_at_due(Scan& scan, const CapMove& move) const {
+  std::vector<Proof>& due = scan.due;
+  due.clear();
+  while (!scan.proofs.empty() && scan.proofs.front().due <= scan.clock) {
+    std::ranges::pop_heap(scan.proofs, later);
+    due.push_back(scan.proofs.back());
+    scan.proofs.pop_back();
+  }
+  while (!due.empty()) {
+    Proof proof = due.back();
+    due.pop_back();
+    if (proof.leaf) {
+      if (const auto vertex = prove_vertices(scan, move, proof)) return vertex;
+    } else {
+      prove_nodes(scan, move, proof);
+    }
+    add(scan, proof);
+  }
+  return std::nullopt;
+}
+
+// Opens what is not clear: it is due now.
+void CoherentContact::prove_nodes(Scan& scan, const CapMove& move, Proof& proof) {
+  const CapBlock& block = scan.culled->tree().blocks()[proof.block];
+  const GapBounds bounds = gap_bounds(block, move, scan.culled->limits(), 0.0F);
+  proof.due = kInfinity;
+  for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
+    if (((proof.open >> lane) & 1U) != 0) continue;
+    const auto k = static_cast<Eigen::Index>(lane);
+    if (bounds.gap[k] > 0.0F) {
+      proof.due = std::min(proof.due, due_after(scan.clock, bounds.gap[k], bounds.spare[k]));
+    } else {
+      proof.open |= 1U << lane;
+      const bool leaf = block.leaf(lane);
+      scan.due.push_back({scan.clock, leaf ? proof.block : block.first[lane], 0, leaf, lane});
+    }
+  }
+}
+
+std::optional<std::uint32_t> CoherentContact::prove_vertices(Scan& scan, const CapMove& move,
+                                                             Proof& proof) const {
+  const CulledScan& culled = *scan.culled;
+  const CapBlock& block = culled.tree().blocks()[proof.block];
+  proof.due = kInfinity;
+  for (std::uint32_t k = 0; k < block.items[proof.lane]; ++k) {
+    const std::uint32_t item = block.first[proof.lane] + k;
+    const Vec3 x = move.place(culled.position(item));
+    const CapLimits::Limit limit = culled.limits().within(x.cast<float>(), kNoWidth);
+    const double gap = gap_beyond(limit.radius, x.norm(), move);
+    if (gap > 0.0) {
+      proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach - kNoWidth));
+      continue;
+    }
+    proof.due = scan.clock;
+    if (vertex_bound(x, move, culled.limits()) > 0.0) continue;
+    if (joint_.exactly_impinged(culled.scanned(), x)) return culled.vertex(item);
+  }
+  return std::nullopt;
+}
+
+}  // namespace impinge
