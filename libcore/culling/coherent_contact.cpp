@@ -10,9 +10,10 @@
 namespace impinge {
 namespace {
 
-constexpr double kKept = 1.0 - 1e-6;    // of what is to spare, for the rounding of the clock
-constexpr std::size_t kFewProofs = 32;  // no beginning anew for less
-constexpr float kNoWidth = 2e-6F;       // radians, of a vertex: the rounding of its direction
+constexpr double kKept = 1.0 - 1e-6;   // of what is to spare, for the rounding of the clock
+constexpr std::size_t kFewProofs = 8;  // no beginning anew for so few more
+constexpr double kLongStep = 2.0;      // mm of the clock, after which little is left of any proof
+constexpr float kNoWidth = 2e-6F;      // radians, of a vertex: the rounding of its direction
 
 double least_radius(const CapTree& tree) {
   double least = kInfinity;
@@ -25,9 +26,9 @@ double least_radius(const CapTree& tree) {
 }
 
 // o, in double.
-Vec3 own_shift(const CapMove& move) {
-  if (move.scanned == ScannedSurface::socket) return -move.pose.translation;
-  return move.pose.rotation.transpose() * move.pose.translation;
+Vec3 own_shift(ScannedSurface scanned, const Pose& pose) {
+  if (scanned == ScannedSurface::socket) return -pose.translation;
+  return pose.rotation.transpose() * pose.translation;
 }
 
 // When a proof is due that has so much to spare, mm and radians.
@@ -59,37 +60,34 @@ std::optional<ScannedVertex> CoherentContact::impinged(const Pose& pose) {
       return impinging_;
   }
   impinging_.reset();
-  const bool anew = !last_ || scans_[0].proofs.size() + scans_[1].proofs.size() > 2 * fresh_ + kFewProofs;
+  const bool anew = !last_ || scans_[0].proofs.size() + scans_[1].proofs.size() > most_proofs_;
   const double turn = anew ? kInfinity : turn_between(*last_, pose);
   for (Scan& scan : scans_) {
-    const CapMove move(scan.culled->scanned(), pose);
-    advance(scan, move, turn);
-    if (const auto vertex = look_at_due(scan, move)) {
+    advance(scan, pose, turn);
+    if (scan.clock < scan.due) continue;
+    if (const auto vertex = look_at_due(scan, CapMove(scan.culled->scanned(), pose))) {
       last_.reset();
       return impinging_ = ScannedVertex{scan.culled->scanned(), *vertex};
     }
   }
-  if (anew) fresh_ = scans_[0].proofs.size() + scans_[1].proofs.size();
+  if (anew) most_proofs_ = kFewProofs + 3 * (scans_[0].proofs.size() + scans_[1].proofs.size()) / 2;
   last_ = pose;
   return std::nullopt;
 }
 
 double CoherentContact::certified_step() const {
   if (!last_) return 0.0;
-  double step = kInfinity;
-  for (const Scan& scan : scans_) {
-    if (!scan.proofs.empty()) step = std::min(step, scan.proofs.front().due - scan.clock);
-  }
-  return std::max(step, 0.0);
+  return std::max(std::min(scans_[0].due - scans_[0].clock, scans_[1].due - scans_[1].clock), 0.0);
 }
 
-void CoherentContact::advance(Scan& scan, const CapMove& move, double turn) {
-  const Vec3 own = own_shift(move);
+void CoherentContact::advance(Scan& scan, const Pose& pose, double turn) {
+  const Vec3 own = own_shift(scan.culled->scanned(), pose);
   const double way = (own - scan.own).norm();
   const double room = scan.least_radius - std::max(own.norm(), scan.own.norm());
   scan.own = own;
-  if (turn < kInfinity && room > 0.0) {
-    scan.clock += kLever * (turn + way / room) + way;
+  const double step = room > 0.0 ? kLever * (turn + way / room) + way : kInfinity;
+  if (step < kLongStep) {
+    scan.clock += step;
   } else {
     begin(scan);
   }
@@ -97,34 +95,25 @@ void CoherentContact::advance(Scan& scan, const CapMove& move, double turn) {
 
 void CoherentContact::begin(Scan& scan) {
   scan.clock = 0.0;
+  scan.due = 0.0;
   scan.proofs.clear();
   const std::size_t roots = std::min(CapTree::kRoots, scan.culled->tree().blocks().size());
-  for (std::uint32_t block = 0; block < roots; ++block) add(scan, {0.0, block, 0, false, 0});
-}
-
-void CoherentContact::add(Scan& scan, const Proof& proof) {
-  if (proof.due == kInfinity) return;
-  scan.proofs.push_back(proof);
-  std::ranges::push_heap(scan.proofs, later);
+  for (std::uint32_t block = 0; block < roots; ++block) scan.proofs.push_back({0.0, block, 0, false, 0});
 }
 
 std::optional<std::uint32_t> CoherentContact::look_at_due(Scan& scan, const CapMove& move) const {
-  std::vector<Proof>& due = scan.due;
-  due.clear();
-  while (!scan.proofs.empty() && scan.proofs.front().due <= scan.clock) {
-    std::ranges::pop_heap(scan.proofs, later);
-    due.push_back(scan.proofs.back());
-    scan.proofs.pop_back();
-  }
-  while (!due.empty()) {
-    Proof proof = due.back();
-    due.pop_back();
-    if (proof.leaf) {
-      if (const auto vertex = prove_vertices(scan, move, proof)) return vertex;
-    } else {
-      prove_nodes(scan, move, proof);
+  scan.due = kInfinity;
+  for (std::size_t k = 0; k < scan.proofs.size(); ++k) {  // new ones come at the end
+    if (scan.proofs[k].due <= scan.clock) {
+      Proof proof = scan.proofs[k];
+      if (!proof.leaf) {
+        prove_nodes(scan, move, proof);
+      } else if (const auto vertex = prove_vertices(scan, move, proof)) {
+        return vertex;
+      }
+      scan.proofs[k] = proof;
     }
-    add(scan, proof);
+    scan.due = std::min(scan.due, scan.proofs[k].due);
   }
   return std::nullopt;
 }
@@ -142,7 +131,7 @@ void CoherentContact::prove_nodes(Scan& scan, const CapMove& move, Proof& proof)
     } else {
       proof.open |= 1U << lane;
       const bool leaf = block.leaf(lane);
-      scan.due.push_back({scan.clock, leaf ? proof.block : block.first[lane], 0, leaf, lane});
+      scan.proofs.push_back({scan.clock, leaf ? proof.block : block.first[lane], 0, leaf, lane});
     }
   }
 }

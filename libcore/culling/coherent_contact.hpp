@@ -50,23 +50,21 @@ class CoherentContact {
     double least_radius;  // r
     Vec3 own;             // o of the last pose
     double clock = 0.0;
-    std::vector<Proof> proofs;  // a heap, the one that is due first in front
-    std::vector<Proof> due;     // taken from it
+    double due = 0.0;  // of the proof that is due first
+    std::vector<Proof> proofs;
   };
 
-  static bool later(const Proof& a, const Proof& b) { return a.due > b.due; }
-  static void advance(Scan& scan, const CapMove& move, double turn);
+  static void advance(Scan& scan, const Pose& pose, double turn);
   static void begin(Scan& scan);
   // Both return the vertex that impinges, if they come across one.
   std::optional<std::uint32_t> look_at_due(Scan& scan, const CapMove& move) const;
   std::optional<std::uint32_t> prove_vertices(Scan& scan, const CapMove& move, Proof& proof) const;
   static void prove_nodes(Scan& scan, const CapMove& move, Proof& proof);
-  static void add(Scan& scan, const Proof& proof);
 
   const CulledJoint& joint_;
   std::array<Scan, 2> scans_;
   std::optional<Pose> last_;                // whose proofs are kept; none after an impinged one
-  std::size_t fresh_ = 0;                   // proofs after the last beginning
+  std::size_t most_proofs_ = 0;             // with more it begins anew, with wide caps
   std::optional<ScannedVertex> impinging_;  // in the last pose
 };
 
