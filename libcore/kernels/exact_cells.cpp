@@ -9,8 +9,8 @@
 #include "kernels/cells_met.hpp"
 #include "kernels/face_block.hpp"
 #include "kernels/face_order.hpp"
+#include "kernels/open_cells.hpp"
 #include "kernels/seen_planes.hpp"
-#include "mesh/jump_edges.hpp"
 #include "mesh/lengths.hpp"
 
 namespace impinge {
@@ -18,9 +18,6 @@ namespace {
 
 constexpr double kCellsAFace = 4.0;
 constexpr double kMostCells = 2048.0;  // along an edge of the cube
-
-// A place of a grid in float is off by 5 u cells of an edge (see gap_kernels.hpp).
-double place_error(std::size_t divisions) { return 1e-6 + 5.0 * 0x1p-24 * static_cast<double>(divisions); }
 
 // Share of the sphere that the faces cover, each by itself; the flat triangle between unit corners stands for
 // the round one.
@@ -70,24 +67,6 @@ CellFaces faces_of_cells(const ExactCells& made, const CellGrid& grid) {
   return faces;
 }
 
-// Cells whose directions the surface may cover in part only.
-std::vector<bool> open_cells(const ExactCells& made, CellGrid grid) {
-  grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
-  const TriangleMesh& mesh = made.mesh;
-  std::vector<std::uint32_t> met;
-  for (const JumpEdge& edge : jump_edges(mesh)) {
-    const Vec3& to = mesh.vertices[edge.to];
-    add_cells_met(grid, TriangleCone(mesh.vertices[edge.from], to, to), met);
-  }
-  for (const Face& face : mesh.faces) {
-    const TriangleCone cone = cone_of(mesh, face);
-    if (cone.edge_on()) add_cells_met(grid, cone, met);
-  }
-  std::vector<bool> open(made.cells.size());
-  for (const std::uint32_t cell : met) open[cell] = true;
-  return open;
-}
-
 void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
                 ExactCell& cell) {
   cell.turn = static_cast<float>(turn);
@@ -118,9 +97,9 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer) {
   made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
   const std::vector<Vec3> planes = seen_planes(mesh);
   made.blocks = face_blocks({mesh, planes}, made.face, layer);
-  const CellGrid grid{made.divisions, place_error(made.divisions)};
+  const CellGrid grid = float_grid(made.divisions);
   const CellFaces faces = faces_of_cells(made, grid);
-  const std::vector<bool> open = open_cells(made, grid);
+  const std::vector<bool> open = open_cells(mesh, grid);
   std::vector<std::uint32_t> few;
   for (std::size_t c = 0; c < made.cells.size(); ++c) {
     const auto places = faces.of(c);

@@ -68,27 +68,37 @@ HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TF
   return hn::IfThenElse(met, gap, hn::Set(d, std::numeric_limits<T>::quiet_NaN()));
 }
 
-template <class Scheme, class T, class Table>
-void scan_lanes(const Table& table, const RawScan<T>& scan) {
+// gap = answer(vertices, place of the first of them), a vector at a time; the last one is filled up with
+// points at the centre.
+template <class T, class Answer>
+HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   using D = hn::ScalableTag<T>;
   const D d;
-  const Scheme scheme(table);
   const std::size_t lanes = hn::Lanes(d);
-  const auto answer = [&](const T* x, const T* y, const T* z) HWY_ATTR {
-    const Point<D> v{hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)};
-    return gaps(d, scheme, table, scan.sign, transformed(d, scan.transform, v));
+  const auto at = [&](const T* x, const T* y, const T* z, std::size_t i) HWY_ATTR {
+    return answer(Point<D>{hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)}, i);
   };
   std::size_t i = 0;
   for (; i + lanes <= scan.count; i += lanes)
-    hn::StoreU(answer(scan.x + i, scan.y + i, scan.z + i), d, scan.gap + i);
+    hn::StoreU(at(scan.x + i, scan.y + i, scan.z + i, i), d, scan.gap + i);
   if (i == scan.count) return;
   T rest[4][hn::MaxLanes(D())] = {};
   const std::size_t bytes = (scan.count - i) * sizeof(T);
   std::memcpy(rest[0], scan.x + i, bytes);
   std::memcpy(rest[1], scan.y + i, bytes);
   std::memcpy(rest[2], scan.z + i, bytes);
-  hn::StoreU(answer(rest[0], rest[1], rest[2]), d, rest[3]);
+  hn::StoreU(at(rest[0], rest[1], rest[2], i), d, rest[3]);
   std::memcpy(scan.gap + i, rest[3], bytes);
+}
+
+template <class Scheme, class T, class Table>
+void scan_lanes(const Table& table, const RawScan<T>& scan) {
+  using D = hn::ScalableTag<T>;
+  const D d;
+  const Scheme scheme(table);
+  for_each_vector(scan, [&](const Point<D>& v, std::size_t /*i*/) HWY_ATTR {
+    return gaps(d, scheme, table, scan.sign, transformed(d, scan.transform, v));
+  });
 }
 
 }  // namespace impinge::HWY_NAMESPACE

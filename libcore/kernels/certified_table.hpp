@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certified mode: the fast table where its proven bound decides, the exact cells where it does not.
+//
+// Asked is on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
+// table in 16 bits is off from what the exact cells answer by at most
+//   bound + storage + u (46 r + 5 n D + 28 |x|)
+// bound that of sampling/table_bound.hpp, storage that of sphere/quantised_table.hpp, and the rest the
+// roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|), r the largest radius of the
+// table. A vertex whose gap is nearer to the threshold, or whose cell the surface may cover in part only, is
+// undecided and goes to the exact cells. So the side is theirs for every vertex; what is decided keeps the
+// gap of the table.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/exact_cells.hpp"
+#include "kernels/lane_table.hpp"
+
+namespace impinge {
+
+// Plain data; make it with certified_table().
+struct CertifiedTable {
+  LaneTable<CubeGnomonic, std::uint16_t> table;
+  std::vector<std::uint32_t> open;  // one bit an entry: the surface may cover its cell in part only
+  double bound_mm = 0.0;            // of a gap, but for the part that grows with |x|
+  ExactCells exact;
+
+  std::size_t bytes() const { return table.bytes() + open.size() * sizeof(std::uint32_t) + exact.bytes(); }
+};
+
+// mesh in the centre frame; it must outlive the table. `divisions` cells along an edge of the cube.
+CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_t divisions);
+
+// What is asked and answered; its memory is used again by the next scan.
+struct CertifiedGaps {
+  float threshold = 0.0F;                // mm
+  std::vector<float> gap;                // mm, on its side of the threshold for sure; NaN where there is none
+  std::vector<std::uint32_t> undecided;  // vertices that went to the exact cells, rising
+  VertexLanes<float> asked;              // those vertices
+  std::vector<float> answered;           // and their gaps
+};
+void scan_gaps(const CertifiedTable& table, const LaneScan<float>& scan, CertifiedGaps& found);
+
+}  // namespace impinge

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/open_cells.hpp"
+
+#include <cstdint>
+
+#include "mesh/jump_edges.hpp"
+
+namespace impinge {
+
+std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid) {
+  grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
+  std::vector<std::uint32_t> met;
+  for (const JumpEdge& edge : jump_edges(mesh)) {
+    const Vec3& to = mesh.vertices[edge.to];
+    add_cells_met(grid, TriangleCone(mesh.vertices[edge.from], to, to), met);
+  }
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    if (cone.edge_on()) add_cells_met(grid, cone, met);
+  }
+  const std::size_t lines = grid.divisions + 1;
+  std::vector<bool> open(6 * lines * lines);
+  for (const std::uint32_t cell : met) open[cell] = true;
+  return open;
+}
+
+}  // namespace impinge

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: for every vertex the sign of gap - threshold, or that there is no gap, is that of the exact
+// cells; what they were not asked about is within the bound of what they say
+#include "kernels/certified_table.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "sphere/uniform_directions.hpp"
+#include "support/directions.hpp"
+#include "support/soup.hpp"
+
+namespace impinge {
+namespace {
+
+int side(float gap, float threshold) {
+  return std::isnan(gap) ? 2 : gap > threshold ? 1 : gap < threshold ? -1 : 0;
+}
+
+struct Asked {
+  const CertifiedTable& table;
+  const VertexLanes<float>& vertices;
+  Pose pose;
+  Scan scan;
+};
+
+// Returns how many vertices went to the exact cells.
+std::size_t expect_sides(const Asked& asked, float threshold) {
+  const LaneScan<float> scan{asked.vertices, asked.pose, asked.scan};
+  std::vector<float> exact(asked.vertices.size());
+  scan_gaps(asked.table.exact, scan, exact);
+  CertifiedGaps found;
+  found.threshold = threshold;
+  scan_gaps(asked.table, scan, found);
+  EXPECT_EQ(found.gap.size(), exact.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const bool asked_for = next < found.undecided.size() && found.undecided[next] == i;
+    next += asked_for ? 1U : 0U;
+    EXPECT_EQ(side(found.gap[i], threshold), side(exact[i], threshold)) << found.gap[i] << " " << exact[i];
+    if (asked_for) {
+      EXPECT_TRUE(found.gap[i] == exact[i] || std::isnan(exact[i]));
+    }
+    if (!asked_for && !std::isnan(exact[i])) {
+      EXPECT_NEAR(found.gap[i], exact[i], 1.01 * asked.table.bound_mm);
+    }
+  }
+  EXPECT_EQ(next, found.undecided.size());
+  return found.undecided.size();
+}
+
+// Thresholds at the gaps of the vertices themselves and a little beside them: the worst that can be asked.
+TEST(CertifiedTableTest, IsOnTheSideOfTheExactCells) {
+  const BallSocketPair pair = make_ball_socket_pair(1000, impinging_cam());
+  std::mt19937_64 random(8);
+  for (const Scan scan : {Scan::ball, Scan::socket}) {
+    const bool first = scan == Scan::ball;
+    const CertifiedTable table =
+        certified_table(first ? pair.socket : pair.ball, first ? Layer::nearest : Layer::farthest, 40);
+    const auto vertices = vertex_lanes<float>(first ? pair.ball.vertices : pair.socket.vertices);
+    std::size_t undecided = 0;
+    for (int k = 0; k < 40; ++k) {
+      Pose pose;
+      pose.rotation = Eigen::AngleAxisd(-2.0 * k * kDegree, Vec3::UnitY()).toRotationMatrix();
+      pose.translation = 0.5 * uniform_direction(random);
+      const auto threshold = static_cast<float>(k % 2 == 0 ? 0.0 : 4.0 * uniform(random));
+      undecided += expect_sides({table, vertices, pose, scan}, threshold);
+    }
+    EXPECT_GT(undecided, 0U);
+    EXPECT_LT(undecided, 40 * vertices.size() / 4);
+  }
+}
+
+// Where the table is worst a threshold next to the exact gap is on the wrong side of that of the table, by
+// more than half of the bound.
+TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  for (const TriangleMesh& mesh : {pair.ball, pair.socket}) {
+    const CertifiedTable table = certified_table(mesh, Layer::nearest, 21);
+    auto directions = test::random_directions(20000, 17);
+    for (const Vec3& u : test::feature_directions(mesh)) directions.push_back(u);
+    const auto points = vertex_lanes<float>(directions);
+    CertifiedGaps far;
+    far.threshold = -1e6F;
+    scan_gaps(table, {points, {}, Scan::ball}, far);
+    std::vector<float> exact(points.size());
+    scan_gaps(table.exact, {points, {}, Scan::ball}, exact);
+    std::size_t worst = 0;
+    const auto error = [&](std::size_t i) { return std::abs(far.gap[i] - exact[i]); };
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      if (error(i) > error(worst) || std::isnan(error(worst))) worst = i;
+    EXPECT_LE(error(worst), table.bound_mm);
+    EXPECT_GT(error(worst), 0.5 * table.bound_mm);
+    expect_sides({table, points, {}, Scan::ball}, std::nextafter(exact[worst], far.gap[worst]));
+    expect_sides({table, points, {}, Scan::ball}, exact[worst]);
+  }
+}
+
+TEST(CertifiedTableTest, LayersAndNumbersOfVertices) {
+  const TriangleMesh mesh = test::soup(60, 4);
+  const CertifiedTable table = certified_table(mesh, Layer::nearest, 10);
+  auto points = test::random_directions(70, 2);
+  for (Vec3& x : points) x *= 20.0;
+  for (std::size_t count = 0; count <= points.size(); ++count) {
+    const auto some = vertex_lanes<float>(std::span(points).first(count));
+    expect_sides({table, some, {}, Scan::ball}, 1.0F);
+  }
+}
+
+}  // namespace
+}  // namespace impinge
