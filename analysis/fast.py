@@ -20,6 +20,7 @@ NAMES = {
     "rsid": "RSID kernel",
     "cube_gnomonic_mesh_exact": "cube kernel",
     "cube_cells_exact": "exact cells",
+    "cube_certified": "certified cube",
 }
 
 

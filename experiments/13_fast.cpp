@@ -32,7 +32,7 @@ FastOptions full_options() {
                     {3000, few},
                     {12000, {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}}},
                     {100000, few},
-                    {400000, few}};
+                    {400000, {{kMainCells}, {0.5}, false}}};
   return options;
 }
 

@@ -35,10 +35,11 @@ FastProbes fast_probes(const AskedSurface& surface, std::size_t count, std::uint
 
 FastErrors fast_errors(GapMethod& method, const FastProbes& probes, const GapMethodMaker& maker) {
   FastErrors errors;
-  if (!method.answers()) return {kNoSurface, 0, 0, 0};
+  if (!method.answers()) return {kNoSurface};
   GapMethod::Scratch scratch;
   method.scan(probes.asked, {}, scratch);
   errors.probes = probes.truth.size();
+  errors.undecided = method.undecided(scratch);
   for (std::size_t i = 0; i < probes.truth.size(); ++i) {
     const double gap = method.gap(scratch, i);
     const double exact = probes.truth[i];

@@ -23,6 +23,7 @@ struct FastErrors {
   double largest_mm = 0.0;     // where both have an answer
   std::size_t misses = 0;      // no answer where there is a surface
   std::size_t false_hits = 0;  // an answer where there is none
+  std::size_t undecided = 0;   // answered by a slower way
   std::size_t probes = 0;
 };
 

@@ -71,6 +71,12 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                     }});
   makers.push_back({"cube_cells_exact", "mesh", "float", true,
                     [surface] { return kernel(exact_cells(surface.mesh, surface.layer), surface.scan); }});
+  if (sizes.certified) {
+    makers.push_back({"cube_certified", "n=" + std::to_string(kMainCells), "uint16", true, [surface] {
+                        return std::make_unique<CertifiedScan>(
+                            certified_table(surface.mesh, surface.layer, kMainCells), surface.scan);
+                      }});
+  }
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
   for (const double precision : sizes.rsid_degrees) add_grids(surface, precision, makers);
   return makers;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/certified_table.hpp"
 #include "kernels/vertex_lanes.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sampling/layer.hpp"
@@ -37,11 +38,13 @@ class GapMethod {
     std::vector<Vec3> moved;
     std::vector<double> doubles;
     std::vector<float> floats;
+    CertifiedGaps certified;
   };
   virtual void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) = 0;
 
   // Answer i of the scratch, mm; NaN where there is none.
   virtual double gap(const Scratch& scratch, std::size_t i) const = 0;
+  virtual std::size_t undecided(const Scratch& /*scratch*/) const { return 0; }  // answers by a slower way
   virtual double bytes() const = 0;
   virtual bool answers() const { return true; }  // does gap() mean something?
 };
@@ -66,10 +69,11 @@ struct GapMethodMaker {
 inline constexpr std::size_t kMainCells = 291;
 
 // All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, of RSID
-// at `rsid_degrees`.
+// at `rsid_degrees`. A certified table takes seconds to prove for 100,000 triangles.
 struct FastSizes {
   std::vector<std::size_t> cube_cells;
   std::vector<double> rsid_degrees;
+  bool certified = true;
 };
 std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes);
 

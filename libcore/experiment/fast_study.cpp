@@ -118,8 +118,8 @@ void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, 
       fast_probes(surface, static_cast<std::size_t>(asking.options.ray_tests / faces), asking.options.seed);
   const std::vector<Cell> where{joint.triangles, ball ? "ball->socket" : "socket->ball"};
   for (const GapMethodMaker& maker : fast_methods(surface, joint.sizes)) {
-    const bool widely =
-        maker.kernel && maker.storage == "uint16" && maker.setting == "n=" + std::to_string(kMainCells);
+    const bool widely = maker.kernel && maker.name != "cube_certified" && maker.storage == "uint16" &&
+                        maker.setting == "n=" + std::to_string(kMainCells);
     add_method(asking, maker, where, {nullptr, ball ? stage.ball : stage.socket, "", 1, 1}, probes, widely);
   }
 }

@@ -53,6 +53,7 @@ Table fast_table(const std::vector<FastCase>& cases, const TimingRun& run) {
       {"error_um", "um", "largest error of a gap against the exact mesh over the probes; none for the floor"},
       {"misses", "1", "probes without an answer where there is a surface: cells of the rim"},
       {"false_hits", "1", "probes with an answer where there is no surface"},
+      {"undecided", "1", "probes that a certified table has sent to its exact cells"},
       {"probes", "1", "directions in which errors were measured"},
       {"bytes", "B", "of table and mask, or of Embree's tree"},
       {"times_embree", "1", "median of the fastest Embree variant over this one"}};
@@ -65,7 +66,7 @@ Table fast_table(const std::vector<FastCase>& cases, const TimingRun& run) {
     const double rays = fastest.at(text_of(timing.key, 3) + text_of(timing.key, 4));
     row.insert(row.end(), {kNanoseconds * timing.summary.median, kNanoseconds * timing.summary.iqr,
                            timing.summary.count, 1e3 * errors.largest_mm, errors.misses, errors.false_hits,
-                           errors.probes, cases[i].bytes, rays / timing.summary.median});
+                           errors.undecided, errors.probes, cases[i].bytes, rays / timing.summary.median});
     table.add_row(std::move(row));
   }
   return table;

@@ -40,6 +40,25 @@ class KernelScan final : public GapMethod {
   Scan scan_;
 };
 
+// On which side of a gap of 0 each vertex is, for sure.
+class CertifiedScan final : public GapMethod {
+ public:
+  CertifiedScan(CertifiedTable table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    scan_gaps(table_, {asked.floats, pose, scan_}, scratch.certified);
+  }
+  double gap(const Scratch& scratch, std::size_t i) const override {
+    return static_cast<double>(scratch.certified.gap[i]);
+  }
+  std::size_t undecided(const Scratch& scratch) const override { return scratch.certified.undecided.size(); }
+  double bytes() const override { return static_cast<double>(table_.bytes()); }
+
+ private:
+  CertifiedTable table_;
+  Scan scan_;
+};
+
 // The library's scan in double, one vertex at a time.
 class ScalarScan final : public GapMethod {
  public:
