@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/file_error.hpp"
 #include "joint/arrangement.hpp"
 #include "joint/length_unit.hpp"
 
@@ -77,8 +78,8 @@ void check_units(const JointInput& input, Joint& joint) {
 
 void check_arrangement(const JointInput& input, Joint& joint) {
   if (look_swapped(joint.ball.mesh, joint.socket.mesh)) {
-    refuse_mesh(input.ball, "lies outside of the socket and does not close about the centre; check that " +
-                                input.wording.meshes + " are not swapped");
+    throw FileError(input.ball.name, "lies outside of the socket and does not close about the centre",
+                    "check that " + input.wording.meshes + " are not swapped");
   }
   if (!input.side) return;
   TriangleMesh socket = joint.socket.mesh;

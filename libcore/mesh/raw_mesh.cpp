@@ -39,7 +39,7 @@ void require_area(const std::filesystem::path& file, const TriangleMesh& mesh) {
 
 TriangleMesh mesh_of(const std::filesystem::path& file, const RawMesh& raw) {
   TriangleMesh mesh = gathered(file, raw);
-  if (mesh.faces.empty()) throw FileError(file, "has no faces", "export the surface, not points alone");
+  if (mesh.faces.empty()) throw FileError(file, "has no faces, only points", "triangulate the surface first");
   const auto there = [&mesh](VertexIndex v) { return v < mesh.vertices.size(); };
   if (!std::ranges::all_of(mesh.faces, [&](const Face& face) { return std::ranges::all_of(face, there); }))
     throw FileError(file, "a face names a vertex that is not there, it is damaged", "export it again");
