@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "detection/formatted.hpp"
-#include "scene/point_json.hpp"
+#include "scene/json_values.hpp"
 
 namespace impinge {
 namespace {
