@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was aimed at in speed, and what was measured. From data/fast.csv."""
+"""What was aimed at in speed, and what was measured. From data/fast.csv
+and data/fill.csv."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ import pandas as pd
 
 import common
 import fast
+import fill
 
 KERNELS = ["rsid", "cube_gnomonic_mesh_exact"]
 MIB = 2**20
@@ -21,7 +23,6 @@ OPEN = {
     "USID with polynomials against USID with libm": 7,
     "boolean against FCL, 12k": 200,
     "all gaps against FCL's distance": 100,
-    "fill against Embree's build and rays": 5,
 }
 
 
@@ -48,6 +49,10 @@ def main() -> None:
     """Writes tables/fast-targets.csv and .tex."""
     options = common.arguments(__doc__)
     targets = measured(fast.load(options.results))
+    ratio = fill.target(fill.load(options.results))
+    targets.append(
+        Target("fill", "fill against Embree's tree and rays, 3k to 100k, from 256 cells", 5, ratio)
+    )
     targets += [
         Target(f"open{k}", what, least, math.nan, open=True) for k, (what, least) in enumerate(OPEN.items())
     ]

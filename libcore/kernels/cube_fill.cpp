@@ -54,15 +54,19 @@ void set_up(const CubeFill& fill, LaneTable<CubeGnomonic, Value>& table) {
   table.none.clear();
 }
 
-// The tiles for which `wanted` says so.
+// Paints the tiles for which `wanted` says so, and then the rim, whose edges the first thread finds before it
+// takes its share of the tiles.
 template <class Value, class Wanted>
 void paint(const PaintTask<Value>& task, const TileBins& bins, int threads, const Wanted& wanted) {
+  std::vector<JumpEdge> jumps;
   std::atomic<std::size_t> next{0};
-  on_threads(static_cast<std::size_t>(threads), [&](std::size_t) {
+  on_threads(static_cast<std::size_t>(threads), [&](std::size_t thread) {
+    if (thread == 0) jumps = jump_edges(task.view.mesh());
     TilePainter<Value> painter(task);
     for (std::size_t tile = next++; tile < task.tiling.size(); tile = next++)
       if (wanted(tile)) painter.paint(tile, bins[tile]);
   });
+  mark_rim(RimTask<Value>{task.view.mesh(), task.scheme, task.layer, task.table}, jumps);
 }
 
 // Takes the marks from the cells of these tiles; says how many entries they keep.
@@ -95,7 +99,6 @@ void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, LaneTable<CubeGno
   std::once_flag made;
   paint(PaintTask<Value>{view, tiling, fill.scheme, fill.layer, table, made}, bins, fill.threads,
         [](std::size_t) { return true; });
-  mark_rim(RimTask<Value>{mesh, fill.scheme, fill.layer, table});
 }
 
 template <LaneValue Value>
@@ -122,7 +125,6 @@ std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, c
   std::once_flag made;
   paint(PaintTask<Value>{view, tiling, fill.scheme, fill.layer, table, made}, bins, fill.threads,
         [&marked](std::size_t tile) { return marked[tile]; });
-  mark_rim(RimTask<Value>{after, fill.scheme, fill.layer, table});
   if (std::ranges::none_of(table.none, [](auto word) { return word != 0; })) table.none.clear();
   return worked_out;
 }

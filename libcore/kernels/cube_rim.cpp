@@ -51,12 +51,12 @@ class StoredRim {
 }  // namespace
 
 template <LaneValue Value>
-void mark_rim(const RimTask<Value>& task) {
+void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   StoredRim<Value> rim(task);
-  mask_rim(task.mesh, task.layer, rim);
+  mask_rim_along(edges, task.mesh, task.layer, rim);
 }
 
-template void mark_rim(const RimTask<float>&);
-template void mark_rim(const RimTask<std::uint16_t>&);
+template void mark_rim(const RimTask<float>&, const std::vector<JumpEdge>&);
+template void mark_rim(const RimTask<std::uint16_t>&, const std::vector<JumpEdge>&);
 
 }  // namespace impinge

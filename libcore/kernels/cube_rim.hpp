@@ -2,8 +2,10 @@
 // The rim of a surface, marked in the table that a kernel reads.
 #pragma once
 
+#include <vector>
+
 #include "kernels/lane_table.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/jump_edges.hpp"
 #include "sampling/layer.hpp"
 
 namespace impinge {
@@ -17,9 +19,9 @@ struct RimTask {
   LaneTable<CubeGnomonic, Value>& table;
 };
 
-// As mask_rim() of sampling/rim.hpp. What is stored is taken for as near to a jump as its rounding allows, so
-// that no cell is left out that numbers in double would mark.
+// Along the jump edges of the mesh, as mask_rim_along() of sampling/rim.hpp. What is stored is taken for as
+// near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
 template <LaneValue Value>
-void mark_rim(const RimTask<Value>& task);
+void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges);
 
 }  // namespace impinge

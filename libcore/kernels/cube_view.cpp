@@ -70,11 +70,13 @@ void CubeView::see(std::size_t first_vertex, std::size_t end_vertex) {
 GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners, double reach) const {
   const auto [a, b, c] = corners;
   const double most = static_cast<double>(divisions_);
-  const auto first = [=](double x, double y, double z) {
-    return static_cast<long>(std::ceil(std::clamp(std::min({x, y, z}) - reach, 0.0, most + 1.0)));
+  const auto first = [=](double x, double y, double z) {  // rounded up
+    const double from = std::clamp(std::min({x, y, z}) - reach, 0.0, most + 1.0);
+    const auto line = static_cast<long>(from);
+    return static_cast<double>(line) < from ? line + 1 : line;
   };
-  const auto last = [=](double x, double y, double z) {
-    return static_cast<long>(std::floor(std::clamp(std::max({x, y, z}) + reach, -1.0, most)));
+  const auto last = [=](double x, double y, double z) {  // rounded down, from -1 on
+    return static_cast<long>(std::clamp(std::max({x, y, z}) + reach, -1.0, most) + 1.0) - 1;
   };
   return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
 }

@@ -2,7 +2,9 @@
 #include "mesh/edges.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 
 namespace impinge {
 
@@ -13,16 +15,18 @@ bool has_three_corners(const TriangleMesh& mesh, const Face& face) {
 
 namespace {
 
-// A half-edge at the smaller of its ends.
+// A half-edge at the smaller of its ends, in few bytes: the system takes its time for fresh memory.
 struct Spoke {
   VertexIndex larger;
-  HalfEdge half_edge;
+  std::uint32_t place;  // 3 times the face, and the side
+
+  HalfEdge half_edge() const { return {place / 3, place % 3}; }
 };
 
 // Those of vertex v are spokes[first[v]] .. spokes[first[v + 1] - 1], in the order of the faces.
 struct Spokes {
   std::vector<Spoke> spokes;
-  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> first;
 };
 
 template <class Visit>
@@ -35,6 +39,8 @@ void for_each_half_edge(const TriangleMesh& mesh, Visit&& visit) {
 
 // A counting sort, so that the time is linear.
 Spokes spokes_of(const TriangleMesh& mesh) {
+  if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max() / 3)
+    throw std::invalid_argument("a mesh of more than 1,431,655,765 faces: decimate it");
   Spokes all;
   all.first.assign(mesh.vertices.size() + 2, 0);
   for_each_half_edge(mesh, [&](HalfEdge h) { ++all.first[std::ranges::min(ends(mesh, h)) + 2]; });
@@ -42,30 +48,38 @@ Spokes spokes_of(const TriangleMesh& mesh) {
   all.spokes.resize(all.first.back());
   for_each_half_edge(mesh, [&](HalfEdge h) {
     const Edge edge = ends(mesh, h);
-    all.spokes[all.first[std::ranges::min(edge) + 1]++] = {std::ranges::max(edge), h};
+    all.spokes[all.first[std::ranges::min(edge) + 1]++] = {std::ranges::max(edge),
+                                                           static_cast<std::uint32_t>(3 * h.face + h.side)};
   });
   return all;
 }
 
 }  // namespace
 
-EdgeList edges(const TriangleMesh& mesh) {
+void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit) {
   Spokes all = spokes_of(mesh);
-  EdgeList list;
-  list.half_edges.reserve(all.spokes.size());
+  std::vector<HalfEdge> uses;
   for (std::size_t v = 0; v + 1 < all.first.size(); ++v) {
     const std::span own = std::span(all.spokes).subspan(all.first[v], all.first[v + 1] - all.first[v]);
     std::ranges::sort(own, [](const Spoke& a, const Spoke& b) {
-      const auto key = [](const Spoke& s) {
-        return std::tuple(s.larger, s.half_edge.face, s.half_edge.side);
-      };
-      return key(a) < key(b);
+      return a.larger != b.larger ? a.larger < b.larger : a.place < b.place;
     });
     for (std::size_t i = 0; i < own.size(); ++i) {
-      if (i == 0 || own[i].larger != own[i - 1].larger) list.first.push_back(list.half_edges.size());
-      list.half_edges.push_back(own[i].half_edge);
+      uses.push_back(own[i].half_edge());
+      if (i + 1 < own.size() && own[i + 1].larger == own[i].larger) continue;
+      visit(uses);
+      uses.clear();
     }
   }
+}
+
+EdgeList edges(const TriangleMesh& mesh) {
+  EdgeList list;
+  list.half_edges.reserve(3 * mesh.faces.size());
+  for_each_edge(mesh, [&list](std::span<const HalfEdge> uses) {
+    list.first.push_back(list.half_edges.size());
+    list.half_edges.insert(list.half_edges.end(), uses.begin(), uses.end());
+  });
   list.first.push_back(list.half_edges.size());
   return list;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -18,13 +19,14 @@ double face_slope(const TriangleMesh& mesh, const Face& face) {
 }
 
 // Sides of the faces as the centre sees them, exact; 0 where a face has not three corners.
-std::vector<int> sides_of(const TriangleMesh& mesh) {
-  std::vector<int> sides;
+std::vector<std::int8_t> sides_of(const TriangleMesh& mesh) {
+  std::vector<std::int8_t> sides;
   sides.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) {
     const bool whole = has_three_corners(mesh, face);
-    sides.push_back(whole ? orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2))
-                          : 0);
+    const int side =
+        whole ? orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)) : 0;
+    sides.push_back(static_cast<std::int8_t>(side));
   }
   return sides;
 }
@@ -32,7 +34,8 @@ std::vector<int> sides_of(const TriangleMesh& mesh) {
 // Two faces that spread to opposite sides of the plane through the centre and their common edge: the third
 // corner of a face is on the side that the face turns to the centre, seen along its own direction of the
 // edge.
-bool continues(const TriangleMesh& mesh, const std::vector<int>& sides, std::span<const HalfEdge> uses) {
+bool continues(const TriangleMesh& mesh, const std::vector<std::int8_t>& sides,
+               std::span<const HalfEdge> uses) {
   if (uses.size() != 2) return false;
   const bool same_way = ends(mesh, uses[0]) == ends(mesh, uses[1]);
   return sides[uses[0].face] * sides[uses[1].face] * (same_way ? 1 : -1) < 0;
@@ -42,15 +45,14 @@ bool continues(const TriangleMesh& mesh, const std::vector<int>& sides, std::spa
 
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh) {
   std::vector<JumpEdge> jumps;
-  const EdgeList list = edges(mesh);
-  const std::vector<int> sides = sides_of(mesh);
-  for (std::size_t e = 0; e < list.size(); ++e) {
-    if (continues(mesh, sides, list[e])) continue;
-    const auto [from, to] = ends(mesh, list[e].front());
+  const std::vector<std::int8_t> sides = sides_of(mesh);
+  for_each_edge(mesh, [&](std::span<const HalfEdge> uses) {
+    if (continues(mesh, sides, uses)) return;
+    const auto [from, to] = ends(mesh, uses.front());
     JumpEdge jump{from, to, 0.0};
-    for (const HalfEdge h : list[e]) jump.slope = std::max(jump.slope, face_slope(mesh, mesh.faces[h.face]));
+    for (const HalfEdge h : uses) jump.slope = std::max(jump.slope, face_slope(mesh, mesh.faces[h.face]));
     jumps.push_back(jump);
-  }
+  });
   return jumps;
 }
 
