@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Joint3D as one file: page, style, script and the library in WebAssembly. It asks for nothing beyond itself, and a
+policy in its head forbids that it could.
+
+Scripts are bundled by esbuild; three.js comes from analysis/node_modules.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import hashlib
+import subprocess
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+
+def bundle(esbuild: Path) -> str:
+    """The page's own modules and what they use of three.js, as one script."""
+    form = ["--bundle", "--minify", "--format=iife", "--target=es2020", "--charset=utf8", "--legal-comments=inline"]
+    command = [str(esbuild), "src/main.js", *form, "--log-level=warning"]
+    done = subprocess.run(command, cwd=HERE, check=True, stdout=subprocess.PIPE)
+    return done.stdout.decode()
+
+
+def embedded(script: str) -> str:
+    """A script as it may stand between the tags of an HTML file."""
+    return script.replace("</script", "<\\/script").replace("<!--", "<\\!--").strip()
+
+
+def policy(script: str) -> str:
+    """What the page may do: run this very script, its own workers and WebAssembly, and show what it holds."""
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    rules = [
+        "default-src 'none'",
+        f"script-src 'sha256-{digest}' 'wasm-unsafe-eval'",
+        "worker-src blob:",
+        "style-src 'unsafe-inline'",
+        "img-src data: blob:",
+        "connect-src 'none'",
+        "base-uri 'none'",
+        "form-action 'none'",
+    ]
+    return "; ".join(rules)
+
+
+def main() -> None:
+    """Writes the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--esbuild", type=Path, default=Path("/usr/bin/esbuild"), help="the bundler")
+    parser.add_argument("--engine", type=Path, required=True, help="the library, compiled by emscripten into one script")
+    parser.add_argument("--out", type=Path, required=True, help="the page")
+    options = parser.parse_args()
+    script = embedded(bundle(options.esbuild))
+    engine = embedded(options.engine.read_text() + "\n" + (HERE / "src" / "worker.js").read_text())
+    page = (HERE / "index.html").read_text()
+    parts = {"@CSP@": policy(script), "@STYLE@": (HERE / "style.css").read_text(), "@ENGINE@": engine, "@SCRIPT@": script}
+    for mark, text in parts.items():
+        page = page.replace(mark, text, 1)
+    options.out.write_text(page)
+
+
+main()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps to colours. The thesis' five levels come from the library (joint/gap_levels.hpp); the other scale is a ramp from
+// dark blue to yellow whose lightness grows steadily, so that no kind of colour vision and no grey print loses it.
+
+const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120], [166, 157, 117], [209, 192, 96], [255, 234, 70]];
+const BEYOND = { ball: [226, 230, 222], socket: [221, 227, 234] };
+export const RANGE = { low: -1, high: 15, steps: 2048 }; // mm
+
+const mix = (a, b, share) => a.map((value, k) => Math.round(value + (b[k] - value) * share));
+
+function ramp(share) {
+  const place = Math.min(Math.max(share, 0), 1) * (RAMP.length - 1);
+  const k = Math.min(Math.floor(place), RAMP.length - 2);
+  return mix(RAMP[k], RAMP[k + 1], place - k);
+}
+
+/** A colour of a gap in mm, [red, green, blue] to 255. levels: those of the surface, from the library. */
+export function colourOf(gap, scale, surface, levels) {
+  if (scale === "levels") return (levels.find((level) => level.up_to_mm === null || gap <= level.up_to_mm) ?? levels.at(-1)).rgb;
+  const cartilage = levels.at(-2).up_to_mm;
+  if (gap > cartilage) return BEYOND[surface];
+  return cartilage > 0 ? ramp(gap / cartilage) : RAMP[0];
+}
+
+/** Colours of RANGE in equal steps, as bytes of red, green, blue, 255. */
+export function colourTable(scale, surface, levels) {
+  const bytes = new Uint8Array(4 * RANGE.steps);
+  for (let k = 0; k < RANGE.steps; k += 1) {
+    const gap = RANGE.low + ((k + 0.5) / RANGE.steps) * (RANGE.high - RANGE.low);
+    bytes.set([...colourOf(gap, scale, surface, levels), 255], 4 * k);
+  }
+  return bytes;
+}
+
+const mm = (value) => Number(value.toFixed(1));
+export const css = (rgb) => `rgb(${rgb.join(" ")})`;
+
+/** Rows of the legend: { colour or gradient, text }, from contact outwards. */
+export function legendRows(scale, colours) {
+  const [ball, socket] = [colours.ball, colours.socket];
+  const limit = ball.at(-2).up_to_mm;
+  const rows = [];
+  if (scale === "levels") {
+    ball.slice(0, -1).forEach((level, k) => rows.push({
+      fill: css(level.rgb), text: k ? `${mm(ball[k - 1].up_to_mm)} to ${mm(level.up_to_mm)} mm` : "bones touch or overlap" }));
+  } else {
+    rows.push({ fill: css(RAMP[0]), text: "bones touch or overlap" });
+    if (limit > 0) rows.push({ fill: `linear-gradient(90deg, ${RAMP.map(css).join()})`, text: `0 to ${mm(limit)} mm`, wide: true });
+  }
+  const beyond = (surface, levels) => css(scale === "levels" ? levels.at(-1).rgb : BEYOND[surface]);
+  rows.push({ fill: beyond("ball", ball), text: `ball, over ${mm(limit)} mm` });
+  rows.push({ fill: beyond("socket", socket), text: `socket, over ${mm(limit)} mm` });
+  rows.push({ fill: css(colours.none), text: "no surface opposite" });
+  return rows;
+}

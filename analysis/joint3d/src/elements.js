@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small helpers for the page's elements.
+
+export const byId = (id) => document.getElementById(id);
+
+/** An element with properties and children; properties with "-" are attributes. */
+export function make(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.includes("-") || name === "role" || name === "list") element.setAttribute(name, value);
+    else element[name] = value;
+  }
+  element.append(...children);
+  return element;
+}
+
+/** An SVG element with attributes. */
+export function drawn(tag, attributes = {}, text = null) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  if (text !== null) element.textContent = text;
+  return element;
+}
+
+/** The options of a choice, from { value, text } or groups { label, options }. */
+export function fillChoice(select, entries) {
+  const option = ({ value, text }) => make("option", { value, textContent: text });
+  select.replaceChildren(...entries.map((entry) =>
+    entry.options ? make("optgroup", { label: entry.label }, ...entry.options.map(option)) : option(entry)));
+}
+
+/** Buttons of which one is pressed. onChoose(value) is called when a reader presses another. */
+export function oneOfButtons(group, onChoose) {
+  const buttons = [...group.querySelectorAll("button")];
+  const show = (value) => buttons.forEach((button) =>
+    button.setAttribute("aria-pressed", String(button.value === value)));
+  buttons.forEach((button) => button.addEventListener("click", () => { show(button.value); onChoose(button.value); }));
+  return show;
+}
+
+/** A slider with a number beside it for one value. Returns a function that shows a value without telling. */
+export function sliderRow(place, { key, label, unit, least, most, step, ends }, onChange) {
+  const id = `value-${key}`;
+  const range = make("input", { type: "range", id: `slide-${key}`, min: least, max: most, step, "aria-label": `${label}, ${unit}` });
+  const number = make("input", { type: "number", id, min: least, max: most, step, "aria-label": `${label}, ${unit}, as a number` });
+  const unitText = make("span", { className: "unit", textContent: unit });
+  const row = make("div", { className: "slider" }, make("label", { htmlFor: range.id, textContent: label }),
+    make("span", { className: "typed" }, number, unitText), range);
+  if (ends) row.append(make("span", { className: "ends", "aria-hidden": "true" },
+    make("span", { textContent: ends[0] }), make("span", { textContent: ends[1] })));
+  place.append(row);
+  const show = (value) => {
+    const text = String(Math.round(value * 100) / 100);
+    range.value = text;
+    if (document.activeElement !== number || Number(number.value) !== value) number.value = text;
+  };
+  range.addEventListener("input", () => { number.value = range.value; onChange(Number(range.value)); });
+  number.addEventListener("input", () => {
+    if (number.value === "" || !number.validity.valid && !number.validity.stepMismatch) return;
+    range.value = number.value;
+    onChange(Number(number.value));
+  });
+  number.addEventListener("change", () => { // out of range: the nearest that is allowed
+    const value = Math.min(Math.max(Number(number.value) || 0, least), most);
+    show(value);
+    onChange(value);
+  });
+  return show;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which hip: a preset of the library, its side, and each of its parameters.
+import { byId, fillChoice, make, sliderRow } from "./elements.js";
+
+const GROUPS = [
+  ["Cam", ["cam_"]],
+  ["Head and neck", ["head_", "neck_", "femoral_", "shaft_", "conchoid_"]],
+  ["Socket", ["joint_space", "inclination", "version", "half_opening", "lateral_", "wall_"]],
+  ["Pincer", ["pincer_"]],
+  ["Fossa and centre", ["fossa_", "shift_"]],
+];
+const UNITS = { deg: "°", h: "h", mm: "mm", 1: "" };
+const WAIT = 120; // ms without a change before a joint is built again
+
+export class JointPanel {
+  /** onChange() when another joint is asked for. */
+  constructor(app, onChange) {
+    Object.assign(this, { app, onChange, shows: new Map(), timer: 0 });
+    byId("preset").addEventListener("change", () => this.choose(byId("preset").value));
+    byId("side").addEventListener("change", () => { app.state.joint.side = byId("side").value; this.onChange(); });
+    byId("reset-parameters").addEventListener("click", () => this.choose(app.state.joint.name));
+  }
+
+  setCatalogue({ presets, parameters }) {
+    this.presets = presets;
+    fillChoice(byId("preset"), presets.map(({ name, label }) => ({ value: name, text: label })));
+    GROUPS.forEach(([title, beginnings], k) => {
+      const rows = make("div");
+      byId("parameters").append(make("details", { open: k === 0 }, make("summary", { textContent: title }), rows));
+      parameters.filter(({ key }) => beginnings.some((beginning) => key.startsWith(beginning))).forEach((parameter) => {
+        const row = { ...parameter, key: `parameter-${parameter.key}`, unit: UNITS[parameter.unit] ?? parameter.unit };
+        this.shows.set(parameter.key, sliderRow(rows, row, (value) => this.set(parameter.key, value)));
+      });
+    });
+  }
+
+  preset() {
+    return this.presets.find(({ name }) => name === this.app.state.joint.name);
+  }
+
+  choose(name) {
+    const preset = this.presets.find((each) => each.name === name);
+    this.app.state.joint = { name, side: preset.side, parameters: {} };
+    this.show();
+    this.onChange();
+  }
+
+  set(key, value) {
+    this.app.state.joint.parameters[key] = value;
+    clearTimeout(this.timer);
+    byId("stage").setAttribute("aria-busy", "true");
+    this.timer = setTimeout(() => this.onChange(), WAIT);
+  }
+
+  /** Brings the controls up to the state. */
+  show() {
+    const { joint } = this.app.state;
+    byId("preset").value = joint.name;
+    byId("side").value = joint.side;
+    const values = { ...this.preset()?.parameters, ...joint.parameters };
+    this.shows.forEach((show, key) => { if (key in values) show(values[key]); });
+  }
+
+  /** The question to the library. */
+  request() {
+    const { name, side, parameters } = this.app.state.joint;
+    return { source: "preset", name, parameters: { ...parameters, side } };
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the joint is drawn: view, filled or lines or blended, colours, what is shown, and the legend.
+import { legendRows } from "./colours.js";
+import { byId, make, oneOfButtons } from "./elements.js";
+
+const TURN = 8; // degrees a key press
+const KEYS = {
+  ArrowLeft: [-TURN, 0], ArrowRight: [TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN],
+  "+": [0, 0, 0.9], "=": [0, 0, 0.9], "-": [0, 0, 1 / 0.9],
+};
+
+/** onLook() when something about the drawing has changed. Returns show(). */
+export function lookBar(app, view, onLook) {
+  const changed = (set) => (value) => { set(value, app.state.look); onLook(); };
+  const showView = oneOfButtons(byId("views"), (value) => { app.state.look.view = value; view.lookFrom(value); });
+  const showDrawing = oneOfButtons(byId("drawings"), changed((value, look) => { look.drawing = value; }));
+  const showDrag = oneOfButtons(byId("drags"), (value) => app.setDrag(value));
+  byId("colours").addEventListener("change", (event) => changed((value, look) => { look.colours = value; })(event.target.value));
+  const boxes = [...document.querySelectorAll("#shown input")];
+  boxes.forEach((box) => box.addEventListener("change", () => {
+    app.state.look.shown = boxes.filter((each) => each.checked).map((each) => each.value);
+    onLook();
+  }));
+  view.onTurned = () => {
+    if (app.state.look.view === "free") return;
+    app.state.look.view = "free";
+    showView("free");
+  };
+  view.canvas.addEventListener("keydown", (event) => {
+    const turn = KEYS[event.key];
+    if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    view.orbit(...turn);
+  });
+  return () => {
+    showView(app.state.look.view);
+    showDrawing(app.state.look.drawing);
+    showDrag(app.drag);
+    byId("colours").value = app.state.look.colours;
+    boxes.forEach((box) => { box.checked = app.state.look.shown.includes(box.value); });
+  };
+}
+
+let written = "";
+
+/** colours: of the library's reply to `pose`. */
+export function showLegend(scale, colours) {
+  const rows = legendRows(scale, colours);
+  const key = JSON.stringify(rows);
+  if (key === written) return;
+  written = key;
+  byId("legend-rows").replaceChildren(...rows.map(({ fill, text, wide }) => {
+    const swatch = make("span", { className: `swatch ${wide ? "wide" : ""}`, "aria-hidden": "true" });
+    swatch.style.background = fill;
+    return make("li", {}, swatch, make("span", { textContent: text }));
+  }));
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes from a reader's files: PLY, STL, OBJ. Only corners and faces are taken; what they are worth, the library judges.
+import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
+import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
+import { STLLoader } from "three/addons/loaders/STLLoader.js";
+
+const LARGEST = 200e6; // bytes: above it a page runs out of memory
+
+export class BadFile extends Error {}
+
+const fail = (file, why, cure) => { throw new BadFile(`${file.name}: ${why}; ${cure}`); };
+
+function fromGeometry(file, geometry) {
+  const positions = geometry?.getAttribute?.("position");
+  if (!positions || positions.count < 3) fail(file, "there are no triangles in it", "give a surface mesh");
+  const faces = geometry.index ? Uint32Array.from(geometry.index.array) : null;
+  return { name: file.name, positions: Float64Array.from(positions.array), faces };
+}
+
+/** All objects of the file as one. */
+function fromObj(file, bytes) {
+  const parts = [];
+  new OBJLoader().parse(new TextDecoder().decode(bytes)).traverse((node) => { if (node.isMesh) parts.push(node.geometry); });
+  if (!parts.length) fail(file, "there are no faces in it", "give a surface mesh");
+  const meshes = parts.map((geometry) => fromGeometry(file, geometry.toNonIndexed?.() ?? geometry));
+  return { name: file.name, positions: Float64Array.from(meshes.flatMap((mesh) => [...mesh.positions])), faces: null };
+}
+
+const READERS = {
+  ply: (file, bytes) => fromGeometry(file, new PLYLoader().parse(bytes)),
+  stl: (file, bytes) => fromGeometry(file, new STLLoader().parse(bytes)),
+  obj: fromObj,
+};
+
+/** { name, positions, faces } of a File. A BadFile names the file, the reason and the cure. */
+export async function readMesh(file) {
+  const reader = READERS[file.name.split(".").pop().toLowerCase()];
+  if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ");
+  if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program scene");
+  const bytes = await file.arrayBuffer();
+  try {
+    const mesh = reader(file, bytes);
+    if (!mesh.positions.every(Number.isFinite)) fail(file, "it has corners that are no numbers", "save it again");
+    return mesh;
+  } catch (error) {
+    if (error instanceof BadFile) throw error;
+    return fail(file, "it cannot be read as a mesh", `save it again (${error.message})`);
+  }
+}
+
+const BALLS = /femur|femor|head|ball|humer|caput/i;
+const SOCKETS = /acetab|socket|pelvi|glenoid|scapul|hip_?bone|cup/i;
+
+/** Which of one or two files is the ball and which the socket, by their names: { ball, socket }, or what is left out. */
+export function sortFiles(files) {
+  const sorted = {};
+  const rest = [];
+  files.forEach((file) => {
+    const part = SOCKETS.test(file.name) ? "socket" : BALLS.test(file.name) ? "ball" : null;
+    if (part && !sorted[part]) sorted[part] = file;
+    else rest.push(file);
+  });
+  rest.forEach((file) => { sorted[sorted.ball ? "socket" : "ball"] ??= file; });
+  return sorted;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two plots in SVG: the area over the gaps, and the smallest gap along a motion.
+import { colourOf, css } from "./colours.js";
+import { drawn } from "./elements.js";
+
+const [WIDTH, HEIGHT] = [320, 170];
+const AREA = { left: 40, right: 8, top: 10, bottom: 34 };
+
+const scale = (low, high, from, to) => (value) => from + ((value - low) / (high - low)) * (to - from);
+
+/** Round steps, about `count` of them. */
+function ticks(low, high, count) {
+  const rough = (high - low) / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((value) => value >= rough);
+  const first = Math.ceil(low / step);
+  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, k) => (first + k) * step);
+}
+
+function frame(svg, x, y, { xs, ys, xTitle, yTitle }) {
+  const bottom = HEIGHT - AREA.bottom;
+  const parts = [];
+  ys.forEach((value) => parts.push(
+    drawn("line", { x1: AREA.left, x2: WIDTH - AREA.right, y1: y(value), y2: y(value), class: "grid" }),
+    drawn("text", { x: AREA.left - 4, y: y(value) + 3.5, class: "tick end" }, String(Number(value.toPrecision(4))))));
+  xs.forEach((value) => parts.push(
+    drawn("line", { x1: x(value), x2: x(value), y1: bottom, y2: bottom + 3, class: "axis" }),
+    drawn("text", { x: x(value), y: bottom + 14, class: "tick middle" }, String(Number(value.toPrecision(4))))));
+  parts.push(
+    drawn("line", { x1: AREA.left, x2: WIDTH - AREA.right, y1: bottom, y2: bottom, class: "axis" }),
+    drawn("text", { x: (AREA.left + WIDTH - AREA.right) / 2, y: HEIGHT - 4, class: "title middle" }, xTitle),
+    drawn("text", { transform: `translate(10 ${(AREA.top + bottom) / 2}) rotate(-90)`, class: "title middle" }, yTitle));
+  svg.replaceChildren(...parts);
+}
+
+/** histogram and colours: of the library's reply to `pose`. */
+export function drawHistogram(svg, { histogram, colours }, colourScale) {
+  const { edges, ball, socket } = histogram;
+  const shown = [...edges.keys()].filter((k) => k < ball.length && edges[k] >= -3 && edges[k] < 12);
+  const most = Math.max(1, ...shown.map((k) => ball[k] + socket[k]));
+  const x = scale(-3, 12, AREA.left, WIDTH - AREA.right);
+  const y = scale(0, most * 1.05, HEIGHT - AREA.bottom, AREA.top);
+  frame(svg, x, y, { xs: [-3, 0, 3, 6, 9, 12], ys: ticks(0, most, 3), xTitle: "gap, mm", yTitle: "area, mm²" });
+  shown.forEach((k) => {
+    const middle = (edges[k] + edges[k + 1]) / 2;
+    const bar = (from, to, surface) => drawn("rect", {
+      x: x(edges[k]) + 0.4, width: x(edges[k + 1]) - x(edges[k]) - 0.8, y: y(to), height: Math.max(y(from) - y(to), 0),
+      fill: css(colourOf(middle, colourScale, surface, colours[surface])), class: "bar" });
+    svg.append(bar(0, ball[k], "ball"), bar(ball[k], ball[k] + socket[k], "socket"));
+  });
+  svg.append(drawn("line", { x1: x(0), x2: x(0), y1: AREA.top, y2: HEIGHT - AREA.bottom, class: "zero" }));
+}
+
+/** The widest stretch that is worth a look: to 15 degrees beyond the limit, and what the pose has now. */
+function lastAngle({ angles, limit }, at) {
+  const wanted = limit.state === "reached" ? limit.high_deg + 15 : angles.at(-1);
+  return Math.min(Math.max(wanted, 30, at ?? 0), angles.at(-1));
+}
+
+/**
+ * sweep: the library's reply; look: { title, cartilage, at } with the angle of the pose now, or null. Returns the angle
+ * under a place of the plot, as a share of its width.
+ */
+export function drawSweep(svg, sweep, { title, cartilage, at }) {
+  const end = lastAngle(sweep, at);
+  const seen = [...sweep.angles.keys()].filter((k) => sweep.angles[k] <= end + 1e-6 && !Number.isNaN(sweep.smallest[k]));
+  const values = seen.map((k) => sweep.smallest[k]);
+  const [low, high] = [Math.max(Math.min(-0.5, ...values), -2.5), Math.max(cartilage, ...values) * 1.08 + 0.1];
+  const x = scale(0, end, AREA.left, WIDTH - AREA.right);
+  const y = scale(low, high, HEIGHT - AREA.bottom, AREA.top);
+  const inside = (value) => Math.min(Math.max(value, low), high);
+  frame(svg, x, y, { xs: ticks(0, end, 5), ys: ticks(low, high, 4), xTitle: `${title}, °`, yTitle: "smallest gap, mm" });
+  const across = (value, name) => drawn("line", { x1: AREA.left, x2: WIDTH - AREA.right, y1: y(value), y2: y(value), class: name });
+  svg.append(across(0, "zero"));
+  if (cartilage > 0) svg.append(across(cartilage, "cartilage"));
+  svg.append(drawn("polyline", { points: seen.map((k) => `${x(sweep.angles[k])},${y(inside(sweep.smallest[k]))}`).join(" "), class: "curve" }));
+  if (sweep.limit.state === "reached") {
+    const place = x(sweep.limit.low_deg);
+    const right = place > WIDTH - 90;
+    svg.append(drawn("line", { x1: place, x2: place, y1: AREA.top, y2: HEIGHT - AREA.bottom, class: "limit" }),
+      drawn("text", { x: place + (right ? -4 : 4), y: AREA.top + 9, class: `limit-text ${right ? "end" : ""}` },
+        `limit ${sweep.limit.low_deg.toFixed(2)}°`));
+  }
+  if (at !== null && at >= 0 && at <= end) {
+    const k = seen.reduce((best, each) => (Math.abs(sweep.angles[each] - at) < Math.abs(sweep.angles[best] - at) ? each : best), seen[0] ?? 0);
+    svg.append(drawn("circle", { cx: x(at), cy: y(inside(sweep.smallest[k])), r: 4, class: "now" }));
+  }
+  return (share) => Math.min(Math.max(((share * WIDTH - AREA.left) / (WIDTH - AREA.left - AREA.right)) * end, 0), end);
+}
