@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tests of Joint3D share: a browser that asks nobody for anything, and a page that is watched for faults.
+"use strict";
+const assert = require("node:assert/strict");
+const path = require("node:path");
+const { pathToFileURL } = require("node:url");
+const { chromium } = require("../../analysis/node_modules/playwright-core");
+
+const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic",
+  "--no-first-run", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const PATIENCE = 40000; // ms: of a machine that does other things, too
+
+/** A page at that size: { page, faults }. fragment: the state in its address. */
+async function open(browser, [width, height], fragment = "") {
+  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  const faults = [];
+  page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) faults.push(`asks for ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(path.resolve(process.argv[2])).href + fragment);
+  await page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
+  return { page, faults, close: () => context.close() };
+}
+
+/** Does something and waits until the poses that follow from it have been shown. */
+async function posed(page, action) {
+  const before = await page.evaluate(() => Number(document.body.dataset.poses));
+  await action();
+  await page.waitForFunction((count) => Number(document.body.dataset.poses) > count, before);
+  await page.evaluate(async () => {
+    let count;
+    do {
+      count = document.body.dataset.poses;
+      await new Promise((done) => setTimeout(done, 60));
+    } while (count !== document.body.dataset.poses || document.querySelector('#stage[aria-busy="true"]'));
+  });
+}
+
+const value = (page, id) => page.inputValue(`#${id}`).then(Number);
+const text = (page, id) => page.textContent(`#${id}`);
+const smallest = (page) => text(page, "smallest-gap").then((words) => Number(words.replace("−", "-")));
+
+/** Types a number into the field of a value. */
+const type = (page, key, number) => posed(page, () => page.fill(`#value-${key}`, String(number)));
+
+/** The picture, coarsely: [red, green, blue] of 160 by 100 places. */
+const picture = (page) => page.evaluate(async () => {
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [160, 100];
+  const pen = canvas.getContext("2d");
+  pen.drawImage(document.getElementById("view"), 0, 0, 160, 100);
+  const { data } = pen.getImageData(0, 0, 160, 100);
+  return Array.from({ length: 16000 }, (_, k) => [...data.slice(4 * k, 4 * k + 3)]);
+});
+
+/** The share of places at which two pictures differ. */
+function difference(one, other) {
+  const differs = (rgb, k) => rgb.some((colour, c) => Math.abs(colour - other[k][c]) > 24);
+  return one.filter(differs).length / one.length;
+}
+
+/** Fails after a while: a page that never answers must not hold up the other tests. */
+const overdue = () => new Promise((_, reject) => setTimeout(() => reject(new Error("takes too long")), 6 * PATIENCE).unref());
+
+/** Runs the tests, each with the browser, and says which failed and why. Names after that of the page: these tests alone. */
+async function run(tests) {
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
+  let failed = 0;
+  const [, , , ...names] = process.argv;
+  const chosen = tests.filter(({ name }) => !names.length || names.includes(name));
+  for (const test of chosen) {
+    const began = Date.now();
+    try {
+      await Promise.race([test(browser), overdue()]);
+    } catch (error) {
+      failed += 1;
+      process.exitCode = 1;
+      console.log(`FAILED ${test.name}: ${error.stack}`);
+    }
+    console.log(`${test.name} ${((Date.now() - began) / 1000).toFixed(1)} s`);
+  }
+  await browser.close();
+  console.log(`${chosen.length - failed} passed, ${failed} failed`);
+}
+
+module.exports = { assert, difference, open, picture, posed, run, smallest, text, type, value };
