@@ -6,9 +6,14 @@
 // entry. What is stored is radii of `rsid` (the `smooth` interpolant) and inverse depths of `cube_gnomonic`
 // (`mesh_exact`), in double, float or 16 bits as in sphere/stored_values.hpp.
 //
-// Entries without surface hold a harmless number, since zeros would become denormal on the way and take a
-// hundred times as long; their cells answer "none", as the cells of the rim do. The scalar look-up says the
-// same but on a grid line that has surface at both ends: it answers there even when the cell beside has none.
+// `usid` keeps its entries as they follow each other along the helix, four more at the end so that a gather
+// may reach beyond the last, and its places are worked out in double whatever is stored. Entries without
+// surface are NaN there, or stored_values.hpp's code for it; cells have the numbers of sphere/spiral.hpp.
+//
+// Entries of the others without surface hold a harmless number, since zeros would become denormal on the way
+// and take a hundred times as long; their cells answer "none", as the cells of the rim do. The scalar look-up
+// says the same but on a grid line that has surface at both ends: it answers there even when the cell beside
+// has none.
 #pragma once
 
 #include <concepts>
@@ -21,6 +26,7 @@
 #include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/schemes/usid.hpp"
 
 namespace impinge {
 
@@ -31,15 +37,16 @@ concept LaneValue =
 // Plain data; make it with the functions below. Value is what is stored.
 template <SamplingScheme S, LaneValue Value>
 struct LaneTable {
-  using Real = std::conditional_t<std::same_as<Value, double>, double, float>;  // that a kernel works in
-  using Word = std::conditional_t<std::same_as<Value, double>, std::uint64_t, std::uint32_t>;
+  static constexpr bool kDouble = std::same_as<Value, double> || std::same_as<S, Usid>;
+  using Real = std::conditional_t<kDouble, double, float>;  // that a kernel works in
+  using Word = std::conditional_t<kDouble, std::uint64_t, std::uint32_t>;
 
-  std::size_t divisions = 0;  // cells along a side of the cube; rows of cells of the grid
-  std::size_t stride = 0;     // entries of a row
+  std::size_t divisions = 0;  // cells along a side of the cube; rows of cells of the grid; turns of the helix
+  std::size_t stride = 0;     // entries of a row; 0 of the helix
   TableMemory<Value> values;  // entry e stands for smallest + step * values[e]
   double smallest = 0.0;      // mm or 1 / mm
   double step = 1.0;          // the same
-  std::vector<Word> none;     // one bit an entry: its cell has no answer; empty where all have one
+  std::vector<Word> none;     // one bit an entry (a cell of the helix): no answer there; empty where all have
 
   std::size_t bytes() const { return values.size() * sizeof(Value) + none.size() * sizeof(Word); }
 };
@@ -55,5 +62,7 @@ template <LaneValue Value>
 LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table);
 template <LaneValue Value>
 LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table);
+template <LaneValue Value>
+LaneTable<Usid, Value> lane_table(const RadialTable<Usid>& table);
 
 }  // namespace impinge

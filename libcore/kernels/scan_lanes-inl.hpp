@@ -49,22 +49,37 @@ HWY_INLINE hn::Vec<D> length(const Point<D>& p) {
   return hn::Sqrt(hn::Add(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)), hn::Mul(p.z, p.z)));
 }
 
-// Gaps of the vertices in one vector.
+// What is stored at a place, and where there is nothing.
+template <class D>
+struct Found {
+  hn::Vec<D> stored;
+  hn::Mask<D> none;
+};
+
+template <class D, class Table>
+HWY_INLINE Found<D> look_up(D d, const Table& table, const Place<D>& place) {
+  const auto entry = first_entry(d, place.row, place.along_row.below, table.stride);
+  const auto stored =
+      between(d, table.values.data(), table.stride, entry, place.along_row, place.along_column);
+  const auto none = table.none.empty() ? hn::Lt(stored, stored) : has_none(d, table.none.data(), entry);
+  return {stored, none};
+}
+
+// Gaps of the vertices in one vector. A scheme says where a point is; look_up() of what it says, what is
+// there.
 template <class Scheme, class D, class Table>
 HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TFromD<D> sign,
                            const Point<D>& p) {
   using T = hn::TFromD<D>;
   const auto size = length(p);
-  const Place<D> place = scheme.place(d, p);
-  const auto entry = first_entry(d, place.row, place.along_row.below, table.stride);
-  auto stored = between(d, table.values.data(), table.stride, entry, place.along_row, place.along_column);
+  const Found<D> found = look_up(d, table, scheme.place(d, p));
+  auto stored = found.stored;
   if constexpr (sizeof(*table.values.data()) == 2) {
     stored = hn::Add(hn::Set(d, static_cast<T>(table.smallest)),
                      hn::Mul(hn::Set(d, static_cast<T>(table.step)), stored));
   }
   const auto gap = hn::Mul(hn::Set(d, sign), hn::Sub(scheme.radius(d, p, size, stored), size));
-  auto met = hn::Gt(size, hn::Zero(d));
-  if (!table.none.empty()) met = hn::AndNot(has_none(d, table.none.data(), entry), met);
+  const auto met = hn::AndNot(found.none, hn::Gt(size, hn::Zero(d)));
   return hn::IfThenElse(met, gap, hn::Set(d, std::numeric_limits<T>::quiet_NaN()));
 }
 

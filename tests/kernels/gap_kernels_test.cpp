@@ -32,7 +32,13 @@ struct Kind {
   using Real = typename Lanes::Real;
   static constexpr bool kCube = std::same_as<S, CubeGnomonic>;
   static constexpr double kUnit = sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53;
-  static constexpr double kPlace = kCube ? 5.0 : 28.0;  // c
+  static constexpr bool kHelix = std::same_as<S, Usid>;
+
+  // c, m being the cells of a quarter turn
+  static double place(const S& scheme) {
+    const double m = 0.25 * static_cast<double>(scheme.equator_points());
+    return kCube ? 5.0 : kHelix ? 10.0 + 52.0 * m : 28.0;
+  }
 
   static auto exact(const RadialTable<S>& table) {
     if constexpr (kCube) {
@@ -46,7 +52,8 @@ using Kinds =
     testing::Types<Kind<CubeGnomonic, float, FloatInverseDepthTable<CubeGnomonic>>,
                    Kind<CubeGnomonic, std::uint16_t, Uint16InverseDepthTable<CubeGnomonic>>,
                    Kind<Rsid, float, FloatTable<Rsid>>, Kind<Rsid, std::uint16_t, Uint16Table<Rsid>>,
-                   Kind<Rsid, double, RadialTable<Rsid>>>;
+                   Kind<Rsid, double, RadialTable<Rsid>>, Kind<Usid, float, FloatTable<Usid>>,
+                   Kind<Usid, std::uint16_t, Uint16Table<Usid>>, Kind<Usid, double, RadialTable<Usid>>>;
 
 template <class K>
 std::vector<typename K::Real> kernel_gaps(const typename K::Lanes& table, const std::vector<Vec3>& vertices,
@@ -122,8 +129,9 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
         EXPECT_TRUE((said_close_by<K>(scalar, points[i], std::isnan(gap[i])))) << points[i].transpose();
       }
       if (std::isnan(gap[i]) || std::isnan(radius)) continue;
-      ASSERT_NEAR(gap[i], radius - length,
-                  K::kUnit * (20.0 * (radius + length) + K::kPlace * steps_at<K>(radii, points[i])))
+      ASSERT_NEAR(
+          gap[i], radius - length,
+          K::kUnit * (20.0 * (radius + length) + K::place(radii.scheme()) * steps_at<K>(radii, points[i])))
           << points[i].transpose();
     }
     EXPECT_GT(none, 100U);
@@ -159,7 +167,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
         if (std::isnan(gap[i]) != std::isnan(radius)) ++otherwise;
         if (std::isnan(gap[i]) || std::isnan(radius)) continue;
         const double moved = 10.4 * (vertices[i].norm() + pose.translation.norm());
-        const double bound = K::kUnit * (20.0 * (radius + x.norm()) + K::kPlace * slope +
+        const double bound = K::kUnit * (20.0 * (radius + x.norm()) + K::place(scheme) * slope +
                                          moved * (1.0 + 2.0 * slope / x.norm()));
         ASSERT_NEAR(gap[i], expected, bound);
       }
@@ -172,8 +180,10 @@ TYPED_TEST(GapKernels, TakesTheBytesOfItsEntriesAndMask) {
   using K = TypeParam;
   const auto radii = test::bumpy_table<typename K::S>(3.0);
   const auto table = lane_table<typename K::Value>(K::exact(radii));
-  const std::size_t entries = radii.scheme().size() + (K::kCube ? 0 : radii.scheme().size() / 120);
-  const std::size_t words = entries / (8 * sizeof(typename K::Lanes::Word)) + 1;
+  const std::size_t more = K::kCube ? 0 : K::kHelix ? 4 : radii.scheme().size() / 120;
+  const std::size_t entries = radii.scheme().size() + more;
+  const std::size_t cells = K::kHelix ? radii.scheme().cells() : entries;
+  const std::size_t words = cells / (8 * sizeof(typename K::Lanes::Word)) + 1;
   EXPECT_EQ(table.bytes(), entries * sizeof(typename K::Value) + words * sizeof(typename K::Lanes::Word));
 }
 

@@ -59,6 +59,10 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   expect_same_bits(lane_table<double>(rsid), points);
   expect_same_bits(lane_table<float>(rsid), points);
   expect_same_bits(lane_table<std::uint16_t>(rsid), points);
+  const auto helix = test::bumpy_table<Usid>(1.5);
+  expect_same_bits(lane_table<double>(helix), points);
+  expect_same_bits(lane_table<float>(helix), points);
+  expect_same_bits(lane_table<std::uint16_t>(helix), points);
   const BallSocketPair pair = make_ball_socket_pair(1000);
   expect_same_bits(exact_cells(pair.ball, Layer::farthest), points);
   expect_same_bits(exact_cells(pair.socket, Layer::nearest), points);
@@ -93,15 +97,19 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
                               {huge, huge, huge}, {-0.0, 0, -0.0}};
   const auto table = lane_table<std::uint16_t>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
   const auto grid = lane_table<double>(test::bumpy_table<Rsid>(3.0));
+  const auto helix = lane_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
     scan_gaps(table, {vertex_lanes<float>(odd), {}, Scan::ball}, gap);
     std::vector<double> wide(odd.size());
     scan_gaps(grid, {vertex_lanes<double>(odd), {}, Scan::ball}, wide);
+    std::vector<double> wound(odd.size());
+    scan_gaps(helix, {vertex_lanes<double>(odd), {}, Scan::ball}, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(wide[i])) << set << " " << i;
+      EXPECT_TRUE(std::isnan(wound[i])) << set << " " << i;
     }
     for (const float value : gap) EXPECT_FALSE(std::isfinite(value)) << set;
   }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where on the helix of USID a point is, and what is stored there; see sphere/spiral.hpp for the stencil and
+// sphere/height_steps.hpp for the helix. In double: a place is a number of up to 2^28 entries and a fraction.
+// Included once for each instruction set, hence no #pragma once.
+#if defined(IMPINGE_HELIX_LANES) == defined(HWY_TARGET_TOGGLE)
+#ifdef IMPINGE_HELIX_LANES
+#undef IMPINGE_HELIX_LANES
+#else
+#define IMPINGE_HELIX_LANES
+#endif
+
+#include <array>
+
+#include <hwy/highway.h>
+
+#include "kernels/angle_lanes-inl.hpp"
+#include "kernels/helix_pairs-inl.hpp"
+#include "kernels/scan_lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+
+// The polynomial of sphere/haversine.hpp.
+inline constexpr std::array<double, 9> kHaversine{0.25,
+                                                  -0.020833333333333332,
+                                                  0.0006944444444444408,
+                                                  -1.2400793650778323e-05,
+                                                  1.3778659608796522e-07,
+                                                  -1.0438378119385112e-09,
+                                                  5.735347005437413e-12,
+                                                  -2.388702444845624e-14,
+                                                  7.584583483408685e-17};
+
+// hav(angle) = (1 - cos angle) / 2 of an angle in [0, pi].
+template <class D>
+HWY_INLINE hn::Vec<D> haversine_lanes(D d, hn::Vec<D> angle) {
+  const auto obtuse = hn::Gt(angle, hn::Set(d, 0.5 * kPi));
+  const auto x = hn::IfThenElse(obtuse, hn::Sub(hn::Set(d, kPi), angle), angle);
+  const auto y = hn::Mul(x, x);
+  auto series = hn::Set(d, kHaversine.back());
+  for (std::size_t k = kHaversine.size() - 1; k-- > 0;)
+    series = hn::Add(hn::Mul(series, y), hn::Set(d, kHaversine[k]));
+  const auto share = hn::Mul(y, series);
+  return hn::IfThenElse(obtuse, hn::Sub(hn::Set(d, 1.0), share), share);
+}
+
+// On the turn above a point and on the one below, and how far down between them it is.
+template <class D>
+struct HelixPlace {
+  Line<D> above;
+  Line<D> below;
+  hn::Vec<D> down;
+  hn::Vec<D> cell;
+};
+
+class HelixLanes {
+ public:
+  template <class Value>
+  explicit HelixLanes(const LaneTable<Usid, Value>& table)
+      : turns_(static_cast<double>(table.divisions)), last_(turns_ * turns_ - 1.0) {}
+
+  // A pole stands for the turn that is missing above the first one and below the last one.
+  template <class D>
+  HWY_INLINE HelixPlace<D> place(D d, const Point<D>& p) const {
+    const auto zero = hn::Zero(d);
+    const auto one = hn::Set(d, 1.0);
+    const auto turns = hn::Set(d, turns_);
+    const auto across = hn::Sqrt(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)));
+    const auto half = hn::Mul(half_turn_angle(d, p.y, p.x), hn::Set(d, 0.5 / kPi));
+    const auto azimuth = hn::IfThenElse(hn::Lt(p.y, zero), hn::Sub(one, half), half);
+    const auto turn = hn::Mul(half_turn_angle(d, across, p.z), hn::Set(d, turns_ / kPi));
+    const auto whole = hn::Floor(hn::Sub(turn, azimuth));
+    const auto turn_a = hn::Max(hn::Add(whole, azimuth), zero);
+    const auto turn_b = hn::Min(hn::Add(hn::Add(whole, azimuth), one), turns);
+    const auto apart = hn::Sub(turn_b, turn_a);
+    const auto safe = hn::IfThenElse(hn::Gt(apart, zero), apart, one);
+    const auto down = hn::Min(hn::Max(hn::Div(hn::Sub(turn, turn_a), safe), zero), one);
+    const auto last = hn::Set(d, last_);
+    const Line<D> above = on_turn(d, turn_a);
+    const Line<D> below = on_turn(d, turn_b);
+    const auto a_after = hn::IfThenElseZero(hn::Ge(whole, zero), hn::Add(above.below, one));
+    const auto b = hn::IfThenElse(hn::Ge(hn::Add(hn::Add(whole, azimuth), one), turns), last, below.below);
+    return {above, below, down, hn::Add(a_after, b)};
+  }
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> radius(D /*d*/, const Point<D>& /*p*/, hn::Vec<D> /*length*/, hn::Vec<D> r) const {
+    return r;
+  }
+
+ private:
+  // Between which entries the helix is after so many turns.
+  template <class D>
+  HWY_INLINE Line<D> on_turn(D d, hn::Vec<D> turn) const {
+    const auto phi = hn::Min(hn::Mul(turn, hn::Set(d, kPi / turns_)), hn::Set(d, kPi));
+    const auto last = hn::Set(d, last_);
+    return line_below(d, hn::Mul(last, haversine_lanes(d, phi)), last);
+  }
+
+  double turns_;
+  double last_;  // place of the south pole
+};
+
+template <class D, class Value>
+HWY_INLINE Found<D> look_up(D d, const LaneTable<Usid, Value>& table, const HelixPlace<D>& place) {
+  const Whole<D> whole;
+  const Pair<D> a = helix_pair(d, table.values.data(), hn::ConvertTo(whole, place.above.below));
+  const Pair<D> b = helix_pair(d, table.values.data(), hn::ConvertTo(whole, place.below.below));
+  const auto above = hn::Add(a.left, hn::Mul(place.above.share, hn::Sub(a.right, a.left)));
+  const auto below = hn::Add(b.left, hn::Mul(place.below.share, hn::Sub(b.right, b.left)));
+  const auto stored = hn::Add(above, hn::Mul(place.down, hn::Sub(below, above)));
+  auto none = hn::Ne(stored, stored);
+  if (!table.none.empty())
+    none = hn::Or(none, has_none(d, table.none.data(), hn::ConvertTo(whole, place.cell)));
+  return {stored, none};
+}
+
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/gap_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/scan_usid.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "kernels/helix_lanes-inl.hpp"
+#include "kernels/scan_lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+namespace {
+
+void scan_usid_float(const LaneTable<Usid, float>& table, const RawScan<double>& scan) {
+  scan_lanes<HelixLanes>(table, scan);
+}
+void scan_usid_uint16(const LaneTable<Usid, std::uint16_t>& table, const RawScan<double>& scan) {
+  scan_lanes<HelixLanes>(table, scan);
+}
+void scan_usid_double(const LaneTable<Usid, double>& table, const RawScan<double>& scan) {
+  scan_lanes<HelixLanes>(table, scan);
+}
+
+}  // namespace
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace impinge {
+namespace {
+
+HWY_EXPORT(scan_usid_float);
+HWY_EXPORT(scan_usid_uint16);
+HWY_EXPORT(scan_usid_double);
+
+}  // namespace
+
+void scan_gaps(const LaneTable<Usid, float>& table, const LaneScan<double>& scan, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_float)(table, raw_scan(scan, gap));
+}
+
+void scan_gaps(const LaneTable<Usid, std::uint16_t>& table, const LaneScan<double>& scan,
+               std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_uint16)(table, raw_scan(scan, gap));
+}
+
+void scan_gaps(const LaneTable<Usid, double>& table, const LaneScan<double>& scan, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_double)(table, raw_scan(scan, gap));
+}
+
+}  // namespace impinge
+#endif
