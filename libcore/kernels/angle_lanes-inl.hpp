@@ -13,6 +13,8 @@
 
 #include <hwy/highway.h>
 
+#include "kernels/polynomial_lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -38,10 +40,8 @@ constexpr const auto& arctangent_terms() {
 
 template <class D>
 HWY_INLINE hn::Vec<D> small_arctangent(D d, hn::Vec<D> t) {
-  const auto& terms = arctangent_terms<hn::TFromD<D>>();
   const auto s = hn::Mul(t, t);
-  auto sum = hn::Set(d, terms.back());
-  for (std::size_t k = terms.size() - 1; k-- > 0;) sum = hn::Add(hn::Mul(sum, s), hn::Set(d, terms[k]));
+  const auto sum = polynomial(d, arctangent_terms<hn::TFromD<D>>(), s);
   return hn::Add(t, hn::Mul(hn::Mul(t, s), sum));
 }
 

@@ -37,10 +37,7 @@ HWY_INLINE hn::Vec<D> haversine_lanes(D d, hn::Vec<D> angle) {
   const auto obtuse = hn::Gt(angle, hn::Set(d, 0.5 * kPi));
   const auto x = hn::IfThenElse(obtuse, hn::Sub(hn::Set(d, kPi), angle), angle);
   const auto y = hn::Mul(x, x);
-  auto series = hn::Set(d, kHaversine.back());
-  for (std::size_t k = kHaversine.size() - 1; k-- > 0;)
-    series = hn::Add(hn::Mul(series, y), hn::Set(d, kHaversine[k]));
-  const auto share = hn::Mul(y, series);
+  const auto share = hn::Mul(y, polynomial(d, kHaversine, y));
   return hn::IfThenElse(obtuse, hn::Sub(hn::Set(d, 1.0), share), share);
 }
 
@@ -70,16 +67,22 @@ class HelixLanes {
     const auto azimuth = hn::IfThenElse(hn::Lt(p.y, zero), hn::Sub(one, half), half);
     const auto turn = hn::Mul(half_turn_angle(d, across, p.z), hn::Set(d, turns_ / kPi));
     const auto whole = hn::Floor(hn::Sub(turn, azimuth));
-    const auto turn_a = hn::Max(hn::Add(whole, azimuth), zero);
-    const auto turn_b = hn::Min(hn::Add(hn::Add(whole, azimuth), one), turns);
-    const auto apart = hn::Sub(turn_b, turn_a);
-    const auto safe = hn::IfThenElse(hn::Gt(apart, zero), apart, one);
-    const auto down = hn::Min(hn::Max(hn::Div(hn::Sub(turn, turn_a), safe), zero), one);
-    const auto last = hn::Set(d, last_);
+    const auto here = hn::Add(whole, azimuth);  // turns of the helix above the point, at its azimuth
+    const auto next = hn::Add(here, one);
+    const auto turn_a = hn::Max(here, zero);
+    const auto turn_b = hn::Min(next, turns);
+    auto down = hn::Sub(turn, turn_a);
+    const auto polar = hn::Or(hn::Lt(here, zero), hn::Gt(next, turns));
+    if (!hn::AllFalse(d, polar)) {
+      const auto apart = hn::Sub(turn_b, turn_a);
+      const auto divided = hn::Div(down, hn::IfThenElse(hn::Gt(apart, zero), apart, one));
+      down = hn::IfThenElse(polar, divided, down);
+    }
+    down = hn::Min(hn::Max(down, zero), one);
     const Line<D> above = on_turn(d, turn_a);
     const Line<D> below = on_turn(d, turn_b);
     const auto a_after = hn::IfThenElseZero(hn::Ge(whole, zero), hn::Add(above.below, one));
-    const auto b = hn::IfThenElse(hn::Ge(hn::Add(hn::Add(whole, azimuth), one), turns), last, below.below);
+    const auto b = hn::IfThenElse(hn::Gt(next, turns), hn::Set(d, last_), below.below);
     return {above, below, down, hn::Add(a_after, b)};
   }
 
