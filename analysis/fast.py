@@ -18,6 +18,8 @@ NAMES = {
     "floor": "floor",
     "rsid_scalar": "RSID, scalar",
     "rsid": "RSID kernel",
+    "usid_scalar": "USID, scalar",
+    "usid": "USID kernel",
     "cube_gnomonic_mesh_exact": "cube kernel",
     "cube_cells_exact": "exact cells",
     "cube_certified": "certified cube",

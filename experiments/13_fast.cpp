@@ -2,7 +2,7 @@
 // @question  How fast are all gaps of a pose found, beside Embree's rays and beside the machine's limit?
 // @writes    fast fast_samples
 // @timing    yes
-// @seconds   12 100
+// @seconds   13 130
 // @links     experiment_fast
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
@@ -19,7 +19,7 @@ using namespace impinge;
 
 FastOptions quick_options() {
   FastOptions options;
-  options.joints = {{12000, {{kMainCells, 1100}, {0.5}}}};
+  options.joints = {{12000, {{kMainCells, 1100}, {0.5}, {0.5}}}};
   options.rounds = 7;
   options.ray_tests = 5e7;
   return options;
@@ -30,9 +30,9 @@ FastOptions full_options() {
   const FastSizes few{{kMainCells}, {0.5}};
   options.joints = {{300, few},
                     {3000, few},
-                    {12000, {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}}},
+                    {12000, {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}}},
                     {100000, few},
-                    {400000, {{kMainCells}, {0.5}, false}}};
+                    {400000, {{kMainCells}, {0.5}, {}, false}}};
   return options;
 }
 

@@ -39,17 +39,20 @@ void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMa
       {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
 }
 
-void add_grids(const AskedSurface& s, double precision, std::vector<GapMethodMaker>& makers) {
-  const auto filled = [s, precision] { return fill_exact(s.mesh, Rsid::with_precision(precision), s.layer); };
+// A grid of radii: the library's scan and the kernels.
+template <SamplingScheme S>
+void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMaker>& makers) {
+  const auto filled = [s, precision] { return fill_exact(s.mesh, S::with_precision(precision), s.layer); };
+  const std::string name(S::name);
   const std::string setting = degrees(precision);
-  makers.push_back({"rsid_scalar", setting, "double", false,
-                    [=] { return std::make_unique<ScalarScan>(filled(), s.scan); }});
+  makers.push_back({name + "_scalar", setting, "double", false,
+                    [=] { return std::make_unique<ScalarScan<S>>(filled(), s.scan); }});
   makers.push_back(
-      {"rsid", setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scan); }});
+      {name, setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scan); }});
   makers.push_back(
-      {"rsid", setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
+      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
   makers.push_back(
-      {"rsid", setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
+      {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
 }
 
 }  // namespace
@@ -69,8 +72,11 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                       return std::make_unique<FloorScan>(
                           2 * CubeGnomonic::with_precision(90.0 / kFloorCells).size());
                     }});
-  makers.push_back({"cube_cells_exact", "mesh", "float", true,
-                    [surface] { return kernel(exact_cells(surface.mesh, surface.layer), surface.scan); }});
+  for (const int cells : {4, 1}) {
+    makers.push_back({"cube_cells_exact", std::to_string(cells) + "/face", "float", true, [surface, cells] {
+                        return kernel(exact_cells(surface.mesh, surface.layer, cells), surface.scan);
+                      }});
+  }
   if (sizes.certified) {
     makers.push_back({"cube_certified", "n=" + std::to_string(kMainCells), "uint16", true, [surface] {
                         return std::make_unique<CertifiedScan>(
@@ -78,7 +84,8 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                       }});
   }
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
-  for (const double precision : sizes.rsid_degrees) add_grids(surface, precision, makers);
+  for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, precision, makers);
+  for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, precision, makers);
   return makers;
 }
 

@@ -69,10 +69,12 @@ struct GapMethodMaker {
 inline constexpr std::size_t kMainCells = 291;
 
 // All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, of RSID
-// at `rsid_degrees`. A certified table takes seconds to prove for 100,000 triangles.
+// at `rsid_degrees` and of USID at `usid_degrees`. A certified table takes seconds to prove for 100,000
+// triangles.
 struct FastSizes {
   std::vector<std::size_t> cube_cells;
   std::vector<double> rsid_degrees;
+  std::vector<double> usid_degrees = {};
   bool certified = true;
 };
 std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes);

@@ -29,18 +29,17 @@ std::map<std::string, double> fastest_rays(const TimingRun& run) {
 }  // namespace
 
 std::vector<Column> fast_keys() {
-  return {
-      {"method", "",
-       "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar: the library in double; "
-       "others: kernels of that scheme"},
-      {"setting", "",
-       "cells along an edge of the cube, degrees of the grid, Embree's quality, or mesh: no table but the "
-       "faces"},
-      {"storage", "", "double, float, uint16 or none"},
-      {"triangles", "1", "of each of the two models"},
-      {"direction", "", "whose vertices are looked up -> in whose surface"},
-      {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},
-      {"threads", "1", "that ask at the same time"}};
+  return {{"method", "",
+           "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar, usid_scalar: the "
+           "library in double; "
+           "others: kernels of that scheme"},
+          {"setting", "",
+           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality"},
+          {"storage", "", "double, float, uint16 or none"},
+          {"triangles", "1", "of each of the two models"},
+          {"direction", "", "whose vertices are looked up -> in whose surface"},
+          {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},
+          {"threads", "1", "that ask at the same time"}};
 }
 
 Table fast_table(const std::vector<FastCase>& cases, const TimingRun& run) {

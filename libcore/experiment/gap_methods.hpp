@@ -60,9 +60,10 @@ class CertifiedScan final : public GapMethod {
 };
 
 // The library's scan in double, one vertex at a time.
+template <SamplingScheme S>
 class ScalarScan final : public GapMethod {
  public:
-  ScalarScan(RadialTable<Rsid> table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+  ScalarScan(RadialTable<S> table, Scan scan) : table_(std::move(table)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.doubles.resize(asked.points.size());
@@ -76,7 +77,7 @@ class ScalarScan final : public GapMethod {
   double bytes() const override { return static_cast<double>(table_bytes(table_)); }
 
  private:
-  RadialTable<Rsid> table_;
+  RadialTable<S> table_;
   Scan scan_;
 };
 

@@ -16,7 +16,6 @@
 namespace impinge {
 namespace {
 
-constexpr double kCellsAFace = 4.0;
 constexpr double kMostCells = 2048.0;  // along an edge of the cube
 
 // Share of the sphere that the faces cover, each by itself; the flat triangle between unit corners stands for
@@ -32,8 +31,8 @@ double covered_share(const TriangleMesh& mesh) {
   return std::clamp(area / (4.0 * kPi), 1.0 / 64.0, 1.0);
 }
 
-std::size_t divisions_for(const TriangleMesh& mesh) {
-  const double cells = kCellsAFace * static_cast<double>(mesh.faces.size()) / covered_share(mesh);
+std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
+  const double cells = cells_a_face * static_cast<double>(mesh.faces.size()) / covered_share(mesh);
   return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
 }
 
@@ -90,9 +89,9 @@ void list_blocks(std::span<const std::uint32_t> places, ExactCell& cell, ExactCe
 
 }  // namespace
 
-ExactCells exact_cells(const TriangleMesh& mesh, Layer layer) {
+ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face) {
   require_lengths(mesh);
-  ExactCells made{mesh, layer, divisions_for(mesh), {}, {}, {}, faces_along_curve(mesh)};
+  ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, faces_along_curve(mesh)};
   const std::size_t lines = made.divisions + 1;
   made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
   const std::vector<Vec3> planes = seen_planes(mesh);
