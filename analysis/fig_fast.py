@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree and the floor. From data/fast.csv."""
+"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree and the floor.
+From data/fast.csv."""
 
 import matplotlib.pyplot as plt
 import pandas as pd
