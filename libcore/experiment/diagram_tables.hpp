@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the diagrams of the thesis' sampling draw (Figures 25, 26 and 28 to 35): faces on the chart, the
+// entries that they fill, and sections of bodies. Angles in degrees, lengths in mm; points and angles are
+// rounded to 1e-4.
+#pragma once
+
+#include <string_view>
+
+#include "experiment/csv.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/schemes/rsid.hpp"
+
+namespace impinge {
+
+// Columns alone, and the rows of one named mesh in the centre frame.
+Table corner_table();  // the corners of every face
+void add_corners(std::string_view name, const TriangleMesh& mesh, Table& corners);
+
+Table chart_table();  // the flat triangles that stand for every face (sampling/chart.hpp)
+void add_chart(std::string_view name, const TriangleMesh& mesh, Table& chart);
+
+Table coverage_table();  // which entries the faces fill (sampling/chart_coverage.hpp)
+void add_coverage(std::string_view name, const TriangleMesh& mesh, const Rsid& scheme, Table& coverage);
+
+Table section_table();  // the surface in the plane y = 0
+void add_section(std::string_view name, const TriangleMesh& mesh, Table& section);
+
+Table ray_table();  // its nearest and farthest radius along rays of that plane, evenly spread
+void add_rays(std::string_view name, const TriangleMesh& mesh, double step_deg, Table& rays);
+
+}  // namespace impinge
