@@ -19,6 +19,8 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
+import diagram_chart  # noqa: E402
+import diagram_section  # noqa: E402
 import finding  # noqa: E402
 import hip  # noqa: E402
 import log_plot  # noqa: E402
@@ -329,6 +331,36 @@ class Ply(unittest.TestCase):
         for order, style in (("<", "binary_little_endian 1.0"), (">", "binary_big_endian 1.0")):
             body = b"".join(struct.pack(order + "fffd", *point) for point in self.POINTS)
             self.check(body + struct.pack(order + "Biii", 3, 0, 1, 2), style)
+
+
+class Diagrams(unittest.TestCase):
+    """Sections are closed before they are filled, and a table's image gives its radii back."""
+
+    def test_loops(self):
+        square = [(0, 0), (2, 0), (2, 1), (0, 1)]
+        away = [(5, 5), (6, 5), (5, 6)]
+        segments = [(loop[k - 1], loop[k]) for loop in (square, away) for k in range(len(loop))]
+        segments += [((2, 0), (2, 0))]  # of no length: a face that touches the plane with a corner
+        shuffled = [segments[k][:: 1 - 2 * (k % 2)] for k in (6, 0, 3, 5, 1, 7, 4, 2)]
+        loops = diagram_section.loops(np.array(shuffled, float))
+        self.assertEqual(sorted(map(len, loops)), [3, 4])
+        for loop in loops:
+            corners = square if len(loop) == 4 else away
+            at = [corners.index(tuple(map(int, point))) for point in loop]
+            steps = {(b - a) % len(at) for a, b in zip(at, at[1:])}
+            self.assertIn(steps, ({1}, {len(at) - 1}))
+
+    def test_image(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "t.pgm"
+            path.write_bytes(b"P5\n3 2\n255\n" + bytes([0, 1, 255, 128, 10, 0]))
+            radii = diagram_chart.read_image(path, (20.0, 30.0))
+            self.assertTrue(np.isnan([radii[0, 0], radii[1, 2]]).all())
+            np.testing.assert_allclose(radii[0, 1:], [20.0, 30.0])
+            self.assertAlmostEqual(radii[1, 0], 25.0)
+            path.write_bytes(path.read_bytes()[:-1])
+            with self.assertRaisesRegex(common.Refused, "t.pgm"):
+                diagram_chart.read_image(path, (20.0, 30.0))
 
 
 if __name__ == "__main__":
