@@ -3,6 +3,9 @@
 
 export const byId = (id) => document.getElementById(id);
 
+/** A small length in mm, as one reads it. */
+export const length = (mm) => (mm < 0.1 ? `${Number((1000 * mm).toPrecision(3))} µm` : `${mm.toPrecision(3)} mm`);
+
 /** An element with properties and children; properties with "-" are attributes. */
 export function make(tag, properties = {}, ...children) {
   const element = document.createElement(tag);

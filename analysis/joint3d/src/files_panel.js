@@ -9,7 +9,7 @@ export class FilesPanel {
   /** onJoint(request) with the question to the library; onFault(message). */
   constructor(onJoint, onFault) {
     Object.assign(this, { onJoint, onFault, files: {}, meshes: {} });
-    PARTS.forEach((part) => byId(`file-${part}`).addEventListener("change", (event) => this.take({ [part]: event.target.files[0] })));
+    PARTS.forEach((part) => byId(`file-${part}`).addEventListener("change", (event) => this.take({ [part]: event.target.files[0] }, false)));
     byId("use-files").addEventListener("click", () => this.use());
     byId("centre-typed").addEventListener("change", () => { byId("centre").disabled = !byId("centre-typed").checked; });
     this.listenForDrops(document.body);
@@ -28,17 +28,18 @@ export class FilesPanel {
         this.onFault(`${files.length} files were dropped; drop two meshes, the ball and the socket`);
         return;
       }
-      await this.take(sortFiles(files));
+      this.take(sortFiles(files), true);
       if (this.files.ball && this.files.socket) this.use();
     });
   }
 
   /** Keeps files for the parts they are given for. */
-  async take(chosen) {
+  take(chosen, dropped) {
     PARTS.filter((part) => chosen[part]).forEach((part) => {
       this.files[part] = chosen[part];
       delete this.meshes[part];
-      byId(`name-${part}`).textContent = chosen[part].name;
+      byId(`name-${part}`).textContent = dropped ? chosen[part].name : ""; // a dialog shows it by itself
+      if (dropped) byId(`file-${part}`).value = "";
     });
     byId("use-files").disabled = !(this.files.ball && this.files.socket);
     const missing = PARTS.find((part) => !this.files[part]);

@@ -144,8 +144,10 @@ function start() {
     if (other) view.lookFrom(app.state.look.view);
     tables.filled(joint.tables, true);
     showJoint(joint);
+    sweep.forget();
     follow({ joint: request });
-    if (files) say(joint.warnings.join(" "), "warning");
+    const remarks = joint.warnings.length;
+    if (files && remarks) say(`${files}: ${remarks === 1 ? "one remark" : `${remarks} remarks`} under “About the meshes”.`, "warning");
     else if (!starts) say("");
     pose();
   }
@@ -157,7 +159,8 @@ function start() {
     byId("centre-say").textContent = joint.fit
       ? `Centre fitted at ${centre} mm: radius ${joint.fit.radius_mm.toFixed(2)} mm, residual ${joint.fit.residual_mm.toFixed(2)} mm.`
       : `Centre at ${centre} mm.`;
-    byId("remarks").textContent = joint.warnings.join(" ") || "Nothing to remark.";
+    byId("remarks").textContent = joint.warnings.join("\n") || "Nothing to remark.";
+    if (app.files) byId("remarks").parentElement.open = joint.warnings.length > 0;
     byId("faces").textContent = `${(joint.ball.faces.length / 3).toLocaleString("en")} + ${(joint.socket.faces.length / 3).toLocaleString("en")}`;
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A schematic hip bone about a generated socket, so that a reader sees which way is up. It is drawn, never scanned.
 import {
-  BufferGeometry, CatmullRomCurve3, DoubleSide, Float32BufferAttribute, Group, Mesh, MeshLambertMaterial, TubeGeometry, Vector3,
+  BufferGeometry, CatmullRomCurve3, DoubleSide, Float32BufferAttribute, Group, Mesh, MeshLambertMaterial, SphereGeometry, TubeGeometry, Vector3,
 } from "three";
 
 // In head radii, right side: x lateral, y anterior, z superior, about the centre of the head.
@@ -35,9 +35,10 @@ function wing(root, crest) {
 /** The bone for a head of that radius, mm; a left one is the mirror image. */
 export function schematicPelvis(side, radius) {
   const curve = (points) => new CatmullRomCurve3(points.map((x) => new Vector3(...x)));
-  const material = new MeshLambertMaterial({ color: "#c9c2b4", side: DoubleSide, transparent: true, opacity: 0.55, depthWrite: false });
-  const tube = (points, thickness) => new TubeGeometry(curve(points), 48, thickness, 14);
-  const shapes = [wing(curve(ROOT), curve(CREST)), tube(CREST, 0.2), tube(PUBIS, 0.36), tube(ISCHIUM, 0.38), tube(BACK, 0.34)];
+  const material = new MeshLambertMaterial({ color: "#d8d1c3", side: DoubleSide, transparent: true, opacity: 0.6 });
+  const end = (point, thickness) => new SphereGeometry(thickness, 14, 10).translate(...point);
+  const tube = (points, thickness) => [new TubeGeometry(curve(points), 48, thickness, 14), end(points[0], thickness), end(points.at(-1), thickness)];
+  const shapes = [wing(curve(ROOT), curve(CREST)), ...tube(CREST, 0.16), ...tube(PUBIS, 0.27), ...tube(ISCHIUM, 0.29), ...tube(BACK, 0.27)];
   const bone = new Group();
   bone.add(...shapes.map((shape) => new Mesh(shape, material)));
   bone.scale.set(side === "left" ? -radius : radius, radius, radius);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of a pose.
-import { byId } from "./elements.js";
+import { byId, length } from "./elements.js";
 
 const SPOKEN = 1200; // ms of rest before a screen reader is told
 
 const area = (mm2) => `${mm2 < 10 ? mm2.toFixed(1) : Math.round(mm2)} mm²`;
 const zone = ({ from, to }) => (from === to ? "all round" : `${from} to ${to}`);
 const zones = (list) => (list.length ? list.slice(0, 3).map(zone).join(", ") : "–");
+const signed = (gap) => gap.toFixed(2).replace("-", "−");
 const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
 
 let timer = 0;
@@ -14,11 +15,11 @@ let timer = 0;
 /** pose: the library's reply; took: ms from asking to the answer. */
 export function showReadouts(pose, took, bound) {
   const { smallest, ball, socket } = pose;
-  put("smallest-gap", smallest ? smallest.gap_mm.toFixed(2) : "–");
+  put("smallest-gap", smallest ? signed(smallest.gap_mm) : "–");
   put("smallest-where", smallest
     ? `on the ${smallest.surface}${smallest.clock ? `, at ${smallest.clock} o’clock` : ""}`
     : "the surfaces do not face each other");
-  put("stage-gap", smallest ? `${smallest.gap_mm.toFixed(2)} mm` : "no gap");
+  put("stage-gap", smallest ? `${signed(smallest.gap_mm)} mm` : "no gap");
   byId("stage-state").textContent = smallest && smallest.gap_mm <= 0 ? "bones overlap" : "smallest gap";
   byId("stage-readout").classList.toggle("impinged", Boolean(smallest && smallest.gap_mm <= 0));
   put("bone-area", area(pose.impinged_area_mm2));
@@ -26,7 +27,7 @@ export function showReadouts(pose, took, bound) {
   put("cartilage-area", area(ball.cartilage.area_mm2 + socket.cartilage.area_mm2));
   put("cartilage-clock", zones(socket.cartilage.clock_zones));
   put("met", `${(ball.met + socket.met).toLocaleString("en")} of ${(pose.ball_gap.length + pose.socket_gap.length).toLocaleString("en")}`);
-  put("bound", bound === undefined ? "working …" : bound === null ? "none proven" : `± ${(1000 * bound).toPrecision(3)} µm`);
+  put("bound", bound === undefined ? "working …" : bound === null ? "none proven" : `± ${length(bound)}`);
   put("scan-ms", `${pose.ms.toFixed(2)} ms`);
   put("round-ms", `${took.toFixed(1)} ms`);
   put("undecided", String(undecided(pose, bound)));

@@ -2,7 +2,7 @@
 // The joint in three dimensions. Vertices come about the centre of rotation in the frame of the input; the root turns that
 // into the joint frame, in which cameras and light stand. Drawn when something changes, never in a loop.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Line, LineBasicMaterial, Mesh,
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments, Mesh,
   MeshBasicMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -12,6 +12,7 @@ import { drawCompass, wordSprite } from "./labels.js";
 import { schematicPelvis } from "./pelvis.js";
 
 const REGION = 1.45; // head radii: what belongs to the joint, as in the real joints' region files
+const WIDER = 2.2; // how much farther off one sees a pelvis
 const REACH = 3.2; // head radii: what a picture must show
 const INK = "#26323d";
 
@@ -65,7 +66,7 @@ export class SceneView {
     this.points = { ball: cloud("#0b3d2a"), socket: cloud("#0d2b52") };
     this.clock = new Group();
     this.rims = [[true, 1], [false, 0.2]].map(([depthTest, opacity]) => { // what is behind shows faintly
-      const rim = new Line(new BufferGeometry(), new LineBasicMaterial({ color: INK, depthTest, transparent: true, opacity }));
+      const rim = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: INK, depthTest, transparent: true, opacity }));
       rim.renderOrder = 9;
       return rim;
     });
@@ -78,6 +79,7 @@ export class SceneView {
       this.nearest.add(dot);
     });
     this.pelvis = new Group();
+    this.pelvis.visible = false;
     this.root.add(this.ball.mesh, this.socket.mesh, this.points.ball, this.points.socket, this.clock, this.nearest, this.pelvis);
   }
 
@@ -99,6 +101,14 @@ export class SceneView {
     this.draw();
   }
 
+  /** The pieces of the rim that are near the joint: that of a whole pelvis runs far from it. */
+  rimPieces(rim) {
+    const places = Array.from({ length: rim.length / 3 }, (_, k) => [...rim.slice(3 * k, 3 * k + 3)]);
+    const near = (x) => Math.hypot(...x) < REGION * this.radius;
+    const pieces = places.map((x, k) => [x, places[(k + 1) % places.length]]).filter((ends) => ends.every(near));
+    return new Float32Array(pieces.flat(2));
+  }
+
   /** A shift given in the joint frame, in that of the input. */
   fromJointFrame(shift) {
     return new Vector3(...shift).applyMatrix4(this.root.matrix.clone().invert()).toArray();
@@ -110,13 +120,12 @@ export class SceneView {
       material.dispose();
     });
     this.hours.clear();
-    const closed = rim.length ? new Float32Array([...rim, ...rim.slice(0, 3)]) : rim;
-    const line = new BufferGeometry().setAttribute("position", new BufferAttribute(closed, 3));
+    const line = new BufferGeometry().setAttribute("position", new BufferAttribute(this.rimPieces(rim), 3));
     this.rims[0].geometry.dispose();
     this.rims.forEach((each) => { each.geometry = line; });
     for (let hour = 1; hour <= 12 && hours.length; hour += 1) {
       const sprite = wordSprite(String(hour), INK, 0.021);
-      sprite.position.fromArray(rim, 3 * nearestHour(hours, hour)).multiplyScalar(1.06);
+      sprite.position.fromArray(rim, 3 * nearestHour(hours, hour)).multiplyScalar(1.06).clampLength(0, REGION * this.radius);
       this.hours.add(sprite);
     }
   }
@@ -160,11 +169,19 @@ export class SceneView {
     });
     this.ball.showWhole(true);
     this.socket.showWhole(this.generated || has("pelvis"));
+    if (has("pelvis") !== this.pelvis.visible) this.widen(has("pelvis"));
     this.pelvis.visible = has("pelvis");
     this.clock.visible = has("clock");
     this.marked = has("smallest");
     this.nearest.visible = this.marked && this.met;
     this.draw();
+  }
+
+  /** From farther off, or back. */
+  widen(farther) {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    this.camera.position.copy(this.controls.target).addScaledVector(arm, farther ? WIDER : 1 / WIDER);
+    this.controls.update();
   }
 
   /** Puts the camera at a view, far enough for the joint. */
@@ -173,7 +190,7 @@ export class SceneView {
     const { centre, radius } = this.subject;
     const half = (this.camera.fov / 2) * (Math.PI / 180);
     const narrow = Math.atan(Math.tan(half) * Math.min(this.camera.aspect, 1));
-    const distance = (0.93 * radius) / Math.sin(narrow);
+    const distance = ((this.pelvis.visible ? WIDER : 1) * 0.93 * radius) / Math.sin(narrow);
     this.controls.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towardsCamera(view, this.side), distance);
     this.camera.far = distance + 20 * radius;

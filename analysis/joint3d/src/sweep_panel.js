@@ -49,6 +49,14 @@ export class SweepPanel {
     byId("sweep-motion").value = this.motion().name;
   }
 
+  /** Of another joint: what is shown no longer holds. */
+  forget() {
+    this.sweep = null;
+    byId("sweep-plot").replaceChildren();
+    byId("sweep-say").textContent = "Working …";
+    byId("sweep-go").disabled = true;
+  }
+
   /** Sweeps again after a rest; what is shown is then of the joint before. */
   again(wait = WAIT) {
     clearTimeout(this.timer);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scheme, precision and storage of the tables, switched live, and what that changes in size, time and error.
-import { byId, fillChoice, make } from "./elements.js";
+import { byId, fillChoice, length, make } from "./elements.js";
 
 const bytesText = (bytes) => (bytes >= 1e6 ? `${(bytes / 1e6).toFixed(2)} MB` : `${(bytes / 1e3).toFixed(1)} kB`);
-const micro = (value) => (value === null || value === undefined ? "–" : value < 0.1 ? `${(1000 * value).toPrecision(3)} µm` : `${value.toPrecision(3)} mm`);
 const ROWS = [
   ["Entries a table", (t) => t.entries.toLocaleString("en"), (t) => t.entries],
   ["Memory, both tables", (t) => bytesText(t.bytes), (t) => t.bytes],
   ["Time to fill both", (t) => `${t.fill_ms.toFixed(1)} ms`, (t) => t.fill_ms],
-  ["Largest error measured", (t) => micro(t.error_mm), (t) => t.error_mm],
-  ["Proven bound", (t) => (t.bound_mm === undefined ? "working …" : t.bound_mm === null ? "none for this scheme" : micro(t.bound_mm)), (t) => t.bound_mm],
+  ["Largest error measured", (t) => t.error_mm === null ? "–" : length(t.error_mm), (t) => t.error_mm],
+  ["Proven bound", (t) => (t.bound_mm === undefined ? "working …" : t.bound_mm === null ? "none for this scheme" : length(t.bound_mm)), (t) => t.bound_mm],
 ];
 
 /** "×1.9" where both are known and differ. */
