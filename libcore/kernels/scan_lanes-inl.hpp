@@ -84,26 +84,27 @@ HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TF
 }
 
 // gap = answer(vertices, place of the first of them), a vector at a time; the last one is filled up with
-// points at the centre.
+// points at the centre. Called at one place alone, so that compilers put it into the loop.
 template <class T, class Answer>
 HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   using D = hn::ScalableTag<T>;
   const D d;
   const std::size_t lanes = hn::Lanes(d);
-  const auto at = [&](const T* x, const T* y, const T* z, std::size_t i) HWY_ATTR {
-    return answer(Point<D>{hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)}, i);
-  };
-  std::size_t i = 0;
-  for (; i + lanes <= scan.count; i += lanes)
-    hn::StoreU(at(scan.x + i, scan.y + i, scan.z + i, i), d, scan.gap + i);
-  if (i == scan.count) return;
+  const std::size_t whole = scan.count - scan.count % lanes;
+  const std::size_t bytes = (scan.count - whole) * sizeof(T);
   T rest[4][hn::MaxLanes(D())] = {};
-  const std::size_t bytes = (scan.count - i) * sizeof(T);
-  std::memcpy(rest[0], scan.x + i, bytes);
-  std::memcpy(rest[1], scan.y + i, bytes);
-  std::memcpy(rest[2], scan.z + i, bytes);
-  hn::StoreU(at(rest[0], rest[1], rest[2], i), d, rest[3]);
-  std::memcpy(scan.gap + i, rest[3], bytes);
+  if (bytes > 0) {
+    std::memcpy(rest[0], scan.x + whole, bytes);
+    std::memcpy(rest[1], scan.y + whole, bytes);
+    std::memcpy(rest[2], scan.z + whole, bytes);
+  }
+  for (std::size_t i = 0; i < scan.count; i += lanes) {
+    const bool full = i < whole;
+    const Point<D> v{hn::LoadU(d, full ? scan.x + i : rest[0]), hn::LoadU(d, full ? scan.y + i : rest[1]),
+                     hn::LoadU(d, full ? scan.z + i : rest[2])};
+    hn::StoreU(answer(v, i), d, full ? scan.gap + i : rest[3]);
+  }
+  if (bytes > 0) std::memcpy(scan.gap + whole, rest[3], bytes);
 }
 
 template <class Scheme, class T, class Table>
