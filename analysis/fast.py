@@ -11,10 +11,14 @@ import common
 
 TRIANGLES = 12000  # of each model of the joint that is shown
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
+PEERS = ["cgal_first_hit", "cgal_closest", "embree_closest"]  # asked point by point; not in the figure
 NAMES = {
     "embree_ray1": "Embree, 1 ray",
     "embree_ray8": "Embree, 8 rays",
     "embree_ray16": "Embree, 16 rays",
+    "embree_closest": "Embree, closest point (Euclidean)",
+    "cgal_first_hit": "CGAL, first hit",
+    "cgal_closest": "CGAL, closest point (Euclidean)",
     "floor": "floor",
     "rsid_scalar": "RSID, scalar",
     "rsid": "RSID kernel",
@@ -26,9 +30,10 @@ NAMES = {
 }
 
 
-def load(results: Path) -> pd.DataFrame:
-    """data/fast.csv with a readable `line` for each method and storage."""
+def load(results: Path, state: str = "warm") -> pd.DataFrame:
+    """The warm or the cold rows of data/fast.csv with a readable `line` for each method and storage."""
     table = common.load(results, "fast")
+    table = table[table.state == state].copy()
     storage = table.storage.map({"uint16": ", 16 bits", "float": ", float", "double": ", double"}).fillna("")
     table["line"] = table.method.map(NAMES) + storage.where(table.method != "floor", "")
     return table

@@ -13,7 +13,8 @@ def main() -> None:
     """Writes figures/fast-gaps.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     table = fast.load(options.results)
-    rows = with_one_embree(of_16_bits(fast.plain_rows(table)))
+    rows = of_16_bits(fast.plain_rows(table))
+    rows = with_one_embree(rows[~rows.method.isin(fast.PEERS)])
     looks = common.look([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
     common.style()
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.8), sharey=True)

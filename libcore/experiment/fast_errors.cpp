@@ -3,18 +3,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "mesh/triangle_distance.hpp"
 #include "sampling/pairwise.hpp"
 #include "sampling/probe_directions.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kDistance = 25.0;       // mm, of the points
-constexpr double kMostError = 1.0;       // mm, of the coarsest table here
-constexpr double kMostFalseHits = 0.01;  // of the points: those on the rim itself, in float
+constexpr double kDistance = 25.0;           // mm, of the points
+constexpr double kMostError = 1.0;           // mm, of the coarsest table here
+constexpr double kMostFalseHits = 0.01;      // of the points: those on the rim itself, in float
+constexpr std::size_t kEuclideanShare = 16;  // a distance takes so many times as long as a ray
 constexpr const char* kCure = ": its time means nothing until its answers are right";
+
+void require_good(const FastErrors& errors, const GapMethodMaker& maker) {
+  const double false_share = static_cast<double>(errors.false_hits) / static_cast<double>(errors.probes);
+  if (errors.largest_mm > kMostError || false_share > kMostFalseHits) {
+    throw std::runtime_error(maker.name + " " + maker.setting + " " + maker.storage + " is off by " +
+                             std::to_string(errors.largest_mm) + " mm, with " +
+                             std::to_string(errors.false_hits) + " false hits" + kCure);
+  }
+}
+
+// From all triangles.
+double distance_of(const TriangleMesh& mesh, const Vec3& x) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (const Face& face : mesh.faces)
+    squared = std::min(squared, squared_distance_to_triangle(x, corner(mesh, face, 0), corner(mesh, face, 1),
+                                                             corner(mesh, face, 2)));
+  return std::sqrt(squared);
+}
+
+FastErrors distance_errors(GapMethod& method, const FastProbes& probes) {
+  FastErrors errors;
+  GapMethod::Scratch scratch;
+  method.scan(probes.asked, {}, scratch);
+  errors.probes = probes.distances.size();
+  for (std::size_t k = 0; k < probes.distances.size(); ++k) {
+    const double off = std::abs(method.gap(scratch, k * kEuclideanShare) - probes.distances[k]);
+    errors.largest_mm = std::max(errors.largest_mm, off);
+  }
+  return errors;
+}
 
 }  // namespace
 
@@ -30,12 +63,20 @@ FastProbes fast_probes(const AskedSurface& surface, std::size_t count, std::uint
     truth.push_back(sign * (caster.cast(x, surface.layer) - kDistance));
     x *= kDistance;
   }
-  return {AskedPoints(std::move(points)), std::move(truth)};
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < points.size() / kEuclideanShare; ++k)
+    distances.push_back(distance_of(surface.mesh, points[k * kEuclideanShare]));
+  return {AskedPoints(std::move(points)), std::move(truth), std::move(distances)};
 }
 
 FastErrors fast_errors(GapMethod& method, const FastProbes& probes, const GapMethodMaker& maker) {
   FastErrors errors;
   if (!method.answers()) return {kNoSurface};
+  if (method.measure() == Measure::euclidean) {
+    errors = distance_errors(method, probes);
+    require_good(errors, maker);
+    return errors;
+  }
   GapMethod::Scratch scratch;
   method.scan(probes.asked, {}, scratch);
   errors.probes = probes.truth.size();
@@ -47,12 +88,7 @@ FastErrors fast_errors(GapMethod& method, const FastProbes& probes, const GapMet
     if (std::isnan(gap) || std::isnan(exact)) continue;
     errors.largest_mm = std::max(errors.largest_mm, std::abs(gap - exact));
   }
-  const double false_share = static_cast<double>(errors.false_hits) / static_cast<double>(errors.probes);
-  if (errors.largest_mm > kMostError || false_share > kMostFalseHits) {
-    throw std::runtime_error(maker.name + " " + maker.setting + " " + maker.storage + " is off by " +
-                             std::to_string(errors.largest_mm) + " mm, with " +
-                             std::to_string(errors.false_hits) + " false hits" + kCure);
-  }
+  require_good(errors, maker);
   return errors;
 }
 

@@ -13,7 +13,8 @@ namespace impinge {
 // Points as far from the centre as the joint space is, with the exact gaps there.
 struct FastProbes {
   AskedPoints asked;
-  std::vector<double> truth;  // gaps, mm, NaN where there is no surface
+  std::vector<double> truth;      // gaps, mm, NaN where there is no surface
+  std::vector<double> distances;  // Euclidean ones, mm, of the first few
 };
 
 // Half of them in uniform directions, half through vertices and edges, where a table is worst.

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "contenders/cgal_distances.hpp"
+#include "contenders/embree_closest.hpp"
 #include "contenders/embree_rays.hpp"
 #include "experiment/gap_methods.hpp"
 #include "kernels/exact_cells.hpp"
@@ -55,6 +57,17 @@ void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMa
       {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
 }
 
+// Trees that are asked point by point.
+void add_peers(const AskedSurface& s, std::vector<GapMethodMaker>& makers) {
+  makers.push_back({"cgal_first_hit", "tree", "none", false,
+                    [s] { return std::make_unique<RayScan>(make_cgal_first_hit(s.mesh), s.scan); }, true});
+  makers.push_back({"cgal_closest", "tree", "none", false,
+                    [s] { return std::make_unique<ClosestScan>(make_cgal_closest(s.mesh), s.scan); }, true});
+  makers.push_back({"embree_closest", "robust", "none", false,
+                    [s] { return std::make_unique<ClosestScan>(make_embree_closest(s.mesh), s.scan); },
+                    true});
+}
+
 }  // namespace
 
 AskedPoints::AskedPoints(std::vector<Vec3> asked)
@@ -86,6 +99,7 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
   for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, precision, makers);
   for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, precision, makers);
+  add_peers(surface, makers);
   return makers;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "contenders/radius_method.hpp"
 #include "kernels/certified_table.hpp"
 #include "kernels/vertex_lanes.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -47,6 +48,7 @@ class GapMethod {
   virtual std::size_t undecided(const Scratch& /*scratch*/) const { return 0; }  // answers by a slower way
   virtual double bytes() const = 0;
   virtual bool answers() const { return true; }  // does gap() mean something?
+  virtual Measure measure() const { return Measure::radial; }
 };
 
 // The surface that is asked, and by whom. The mesh outlives the methods.
@@ -62,6 +64,7 @@ struct GapMethodMaker {
   std::string storage;  // double, float, uint16 or none
   bool kernel = false;  // does its time depend on the instruction set?
   std::function<std::unique_ptr<GapMethod>()> make;
+  bool few = false;  // so slow that few points are asked
 };
 
 // Cells along an edge of a cube map of which 16 bits an entry take just less than 1 MiB, and than half of

@@ -17,6 +17,7 @@ namespace impinge {
 struct FastJoint {
   std::size_t triangles = 0;
   FastSizes sizes;
+  bool cold = false;  // are its methods asked cold, too?
 };
 
 struct FastOptions {

@@ -14,9 +14,10 @@ struct FastCase {
   TimedCase timed;
   FastErrors errors;
   double bytes = 0.0;
+  Measure measure = Measure::radial;
 };
 
-// method, setting, storage, triangles, direction, instruction_set, threads.
+// method, setting, storage, triangles, direction, instruction_set, threads, state.
 std::vector<Column> fast_keys();
 
 // A row a case, in their order, which is that of the timings.

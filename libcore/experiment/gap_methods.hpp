@@ -107,6 +107,31 @@ class RayScan final : public GapMethod {
   Scan scan_;
 };
 
+// Distances of points from the surface: Euclidean, and without a sign.
+class ClosestScan final : public GapMethod {
+ public:
+  ClosestScan(std::unique_ptr<RadiusMethod> distances, Scan scan)
+      : distances_(std::move(distances)), scan_(scan) {}
+
+  void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
+    const std::size_t count = asked.points.size();
+    scratch.moved.resize(count);
+    scratch.doubles.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3& v = asked.points[i];
+      scratch.moved[i] = scan_ == Scan::ball ? to_socket(pose, v) : to_ball(pose, v);
+    }
+    distances_->answer(scratch.moved, scratch.doubles);
+  }
+  double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
+  double bytes() const override { return distances_->bytes(); }
+  Measure measure() const override { return Measure::euclidean; }
+
+ private:
+  std::unique_ptr<RadiusMethod> distances_;
+  Scan scan_;
+};
+
 // The least that a look-up does.
 class FloorScan final : public GapMethod {
  public:
