@@ -72,7 +72,7 @@ def main() -> None:
 def levels(posed: hip.Hip) -> tuple[str, str, str, str]:
     """What the colours of the simulated pose mean."""
     red, orange, yellow = gap_colours.colours_of(posed.summary, "socket").upper[1:4]
-    text = f"IMPINGEMENT DETECTION\nred to {red:g}, orange to {orange:g}, yellow to {yellow:g} mm of gap"
+    text = f"IMPINGEMENT DETECTION, by gaps:\nred to {red:g}, orange to {orange:g}, yellow to {yellow:g} mm"
     return "3  Motion simulation", text, OURS, "-"
 
 

@@ -91,14 +91,15 @@ def write_equations(axes: plt.Axes, corner: pd.Series) -> None:
         (f"φ = arccos(z / d) = {corner.phi_deg:.2f}°", "normal"),
         ("", "normal"),
         ("In the table", "bold"),
+        ("LUT[row][column], at 1°", "normal"),
         (f"row φ / 1° = {corner.phi_deg:.2f}", "normal"),
         (f"column θ / 1° = {corner.theta_deg:.2f}", "normal"),
-        ("LUT[row][column] = d", "normal"),
+        ("so it lies between four entries", "normal"),
     ]
     for k, (text, weight) in enumerate(lines):
         axes.text(
             0.06,
-            0.95 - 0.068 * k,
+            0.96 - 0.065 * k,
             text.replace("-", "−"),
             transform=axes.transAxes,
             fontsize=9.5,
