@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long it takes to say whether a joint touches, and how far it is from that: culled, pose by pose or
+// along a motion, by scans of all vertices, and by FCL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "experiment/csv.hpp"
+#include "experiment/timing.hpp"
+
+namespace impinge {
+
+struct ContactOptionsTimed {
+  std::vector<std::size_t> triangles;  // of each model, ever more
+  int rounds = 15;
+  std::uint64_t seed = 0;
+  TimingOptions timing;
+};
+
+struct ContactTables {
+  Table table;
+  TimingRun timing;
+};
+
+// method, gap_case, triangles.
+std::vector<Column> contact_keys();
+
+// Every culled answer that is timed is compared with the exact test of all vertices first, or one of several
+// where there are many. std::runtime_error where one differs.
+ContactTables contact_tables(const ContactOptionsTimed& options, Progress& progress);
+
+}  // namespace impinge
