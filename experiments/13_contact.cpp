@@ -36,8 +36,8 @@ void body(DriverRun& run) {
   ContactOptionsTimed options;
   options.triangles = {3000, 12000};
   if (!run.quick()) options.triangles = {300, 3000, 12000, 100000, 400000};
-  options.rounds = run.quick() ? 7 : 15;
-  options.timing.min_round_ms = 10.0;
+  options.rounds = run.quick() ? 5 : 11;
+  options.timing.min_round_ms = 5.0;
   options.seed = run.record.seed;
   ContactTables tables = contact_tables(options, run.progress);
   Result result;

@@ -59,7 +59,7 @@ class CapSearch {
   float limit(const DirectionCap& cap, double resolution) {
     cap_ = cap;
     resolution_ = resolution;
-    limit_ = nearest_ ? HUGE_VALF : -1.0F;
+    limit_ = nearest_ ? HUGE_VALF : -HUGE_VALF;
     for (std::size_t block = 0; block < std::min(CapTree::kRoots, tree_.blocks().size()); ++block)
       visit(block);
     return limit_;
@@ -111,11 +111,13 @@ CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
   const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
   const auto cells = static_cast<std::uint32_t>(std::clamp(most, 4.0, kMostCells));
   levels_.resize(1);
+  levels_[0].limits.assign(6 * 4, overall_);
   while (levels_.back().reach > kFinestReach / static_cast<float>(cells)) {
     const auto bits = static_cast<unsigned>(kWidest - static_cast<int>(levels_.size()) + 1) << kHalfOctave;
     const auto reach = std::bit_cast<float>(bits);
     levels_.push_back({std::min(static_cast<std::uint32_t>(kCellsPerReach / reach), cells), reach, {}});
   }
+  finest_ = static_cast<int>(levels_.size()) - 1;
   single_ = {2 * cells, 0.0F, {}};
   const auto fill = [&](Level& level) {
     const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(level.cells);

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "culling/cap_tree.hpp"
@@ -33,21 +34,20 @@ class CapLimits {
   // direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
 
-  // angle of 0 or more; NaN, like infinity, is any angle.
+  // angle of 0 or more; NaN, like infinity, is any angle. x may be 0 then, and only then.
   struct Limit {
-    float radius;  // mm; infinite for the nearest, and -1 for the farthest, where there is no surface
+    float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
     float reach;   // radians: it holds for caps as wide as that
   };
   Limit within(const Eigen::Vector3f& x, float angle) const {
     // The exponent of a float and half of its octave, which a reach ends.
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kHalfOctave);
-    if (level < 1) return {overall_, HUGE_VALF};
-    const Level& at = levels_[std::min(static_cast<std::size_t>(level), levels_.size() - 1)];
+    const Level& at = levels_[static_cast<std::size_t>(std::clamp(level, 0, finest_))];
     return {look_up(at, x), at.reach};
   }
   float overall() const { return overall_; }  // of all directions
   // In the direction of x.
-  float beside(const Vec3& x) const { return look_up(single_, x.cast<float>()); }
+  float beside(const Vec3& x) const { return x.isZero(0.0) ? overall_ : look_up(single_, x.cast<float>()); }
 
   std::size_t bytes() const;
 
@@ -67,8 +67,7 @@ class CapLimits {
     const unsigned on_x =
         static_cast<unsigned>(size[0] >= size[1]) & static_cast<unsigned>(size[0] >= size[2]);
     const unsigned axis = (1U - on_x) * (1U + static_cast<unsigned>(size[1] < size[2]));
-    const float depth = size.maxCoeff();
-    if (!(depth > 0.0F)) return overall_;
+    const float depth = std::max(size.maxCoeff(), std::numeric_limits<float>::min());
     const float cells = static_cast<float>(level.cells);
     const float half = 0.5F * cells / depth;
     const float middle = 0.5F * cells + 0.5F;
@@ -80,7 +79,8 @@ class CapLimits {
   }
 
   float overall_;
-  std::vector<Level> levels_;  // the first is not used: all directions
+  std::vector<Level> levels_;  // the first is of all directions
+  int finest_ = 0;
   Level single_;
 };
 

@@ -125,9 +125,8 @@ void CoherentContact::prove_nodes(Scan& scan, const CapMove& move, Proof& proof)
   proof.due = kInfinity;
   for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
     if (((proof.open >> lane) & 1U) != 0) continue;
-    const auto k = static_cast<Eigen::Index>(lane);
-    if (bounds.gap[k] > 0.0F) {
-      proof.due = std::min(proof.due, due_after(scan.clock, bounds.gap[k], bounds.spare[k]));
+    if (bounds.gap[lane] > 0.0F) {
+      proof.due = std::min(proof.due, due_after(scan.clock, bounds.gap[lane], bounds.spare[lane]));
     } else {
       proof.open |= 1U << lane;
       const bool leaf = block.leaf(lane);
@@ -144,8 +143,9 @@ std::optional<std::uint32_t> CoherentContact::prove_vertices(Scan& scan, const C
   for (std::uint32_t k = 0; k < block.items[proof.lane]; ++k) {
     const std::uint32_t item = block.first[proof.lane] + k;
     const Vec3 x = move.place(culled.position(item));
-    const CapLimits::Limit limit = culled.limits().within(x.cast<float>(), kNoWidth);
-    const double gap = gap_beyond(limit.radius, x.norm(), move);
+    const float width = x.isZero(0.0) ? HUGE_VALF : kNoWidth;
+    const CapLimits::Limit limit = culled.limits().within(x.cast<float>(), width);
+    const double gap = gap_beyond(static_cast<double>(limit.radius), x.norm(), move);
     if (gap > 0.0) {
       proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach - kNoWidth));
       continue;

@@ -49,7 +49,7 @@ class LeastGapSearch {
     const float enough = std::nextafter(static_cast<float>(limit()), HUGE_VALF);
     const GapBounds bounds = gap_bounds(block, moves_[scan], culled.limits(), enough);
     for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
-      const double gap = bounds.gap[static_cast<Eigen::Index>(lane)];
+      const double gap = bounds.gap[lane];
       if (gap > limit() || gap == kInfinity) continue;
       pending_.push_back({gap, scan, {at, lane}});
       std::ranges::push_heap(pending_, later);
@@ -98,11 +98,10 @@ bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const 
 }
 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
-  const auto ignore = [](auto&&...) {};
   for (const CulledScan& scan : scans_) {
     const auto asked = [&](std::uint32_t, const Vec3& x) { return exactly_impinged(scan.scanned(), x); };
     const CapMove move(scan.scanned(), pose);
-    if (const auto vertex = TouchSearch(scan, move, asked, ignore, ignore).run())
+    if (const auto vertex = TouchSearch(scan, move, asked).run())
       return ScannedVertex{scan.scanned(), *vertex};
   }
   return std::nullopt;

@@ -43,15 +43,14 @@ class CulledScan {
 // Of the pending nodes of a search the nearest is opened first.
 class PendingNodes {
  public:
-  struct Pending {
-    float gap;
-    CapNode node;
-  };
-
   bool empty() const { return count_ == 0; }
-  void push(const Pending& pending) { nodes_[count_++] = pending; }
   CapNode pop() { return nodes_[--count_].node; }
   std::size_t size() const { return count_; }
+  // Kept if its gap is 0 or less; without a branch, which could not be foreseen.
+  void push(float gap, CapNode node) {
+    nodes_[count_] = {gap, node};
+    count_ += gap > 0.0F ? 0U : 1U;
+  }
   // Puts the nearest of those from `first` on last.
   void nearest_last(std::size_t first) {
     if (count_ < first + 2) return;
@@ -62,48 +61,26 @@ class PendingNodes {
   }
 
  private:
-  std::array<Pending, CapTree::kMostPending> nodes_;
+  struct Pending {
+    float gap;
+    CapNode node;
+  };
+  std::array<Pending, CapTree::kMostPending + 1> nodes_;
   std::size_t count_ = 0;
 };
 
 // A search for a vertex that touches. asked(vertex, x), x being where the pose has it, says whether it does:
-// a gap of 0 or less. cleared(node, gap, spare) is told of each node none of whose vertices does;
-// opened(node) of each leaf whose vertices were asked.
-template <class Asked, class Cleared, class Opened>
+// a gap of 0 or less.
+template <class Asked>
 class TouchSearch {
  public:
-  TouchSearch(const CulledScan& scan, const CapMove& move, Asked asked, Cleared cleared, Opened opened)
-      : scan_(scan), move_(move), asked_(asked), cleared_(cleared), opened_(opened) {}
+  TouchSearch(const CulledScan& scan, const CapMove& move, Asked asked)
+      : scan_(scan), move_(move), asked_(asked) {}
 
-  // Among all vertices.
   std::optional<std::uint32_t> run() {
     const std::size_t roots = std::min(CapTree::kRoots, scan_.tree().blocks().size());
     for (std::uint32_t block = 0; block < roots; ++block) test(block);
     pending_.nearest_last(0);
-    return search();
-  }
-
-  // Among those of a node that is known not to be clear.
-  std::optional<std::uint32_t> run(const CapNode& node) {
-    pending_.push({0.0F, node});
-    return search();
-  }
-
- private:
-  void test(std::uint32_t at) {
-    const CapBlock& block = scan_.tree().blocks()[at];
-    const GapBounds bounds = gap_bounds(block, move_, scan_.limits(), 0.0F);
-    for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
-      const auto k = static_cast<Eigen::Index>(lane);
-      if (bounds.gap[k] > 0.0F) {
-        cleared_(CapNode{at, lane}, bounds.gap[k], bounds.spare[k]);
-      } else {
-        pending_.push({bounds.gap[k], {at, lane}});
-      }
-    }
-  }
-
-  std::optional<std::uint32_t> search() {
     while (!pending_.empty()) {
       const CapNode node = pending_.pop();
       const CapBlock& block = scan_.tree().blocks()[node.block];
@@ -113,11 +90,16 @@ class TouchSearch {
         pending_.nearest_last(first);
       } else if (const auto vertex = ask(block.first[node.lane], block.items[node.lane])) {
         return vertex;
-      } else {
-        opened_(node);
       }
     }
     return std::nullopt;
+  }
+
+ private:
+  void test(std::uint32_t at) {
+    const CapBlock& block = scan_.tree().blocks()[at];
+    const GapBounds bounds = gap_bounds(block, move_, scan_.limits(), 0.0F);
+    for (std::uint32_t lane = 0; lane < block.nodes; ++lane) pending_.push(bounds.gap[lane], {at, lane});
   }
 
   std::optional<std::uint32_t> ask(std::uint32_t first, std::uint32_t count) {
@@ -132,8 +114,6 @@ class TouchSearch {
   const CulledScan& scan_;
   const CapMove& move_;
   Asked asked_;
-  Cleared cleared_;
-  Opened opened_;
   PendingNodes pending_;
 };
 

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "culling/cap_limits.hpp"
@@ -82,39 +83,39 @@ inline MovedCaps moved(const CapBlock& block, const CapMove& move) {
 
 // No vertex of the node has a smaller gap.
 struct GapBounds {
-  CapLanes gap;    // mm, infinite where no vertex meets the other surface
-  CapLanes spare;  // radians that the directions may turn by without changing that
+  std::array<float, CapBlock::kLanes> gap;  // mm, infinite where no vertex meets the other surface
+  // Radians that the directions may turn by without changing that; infinite or NaN: by any angle.
+  std::array<float, CapBlock::kLanes> spare;
 };
+
+// Gap of vertices at those distances from the centre, whose radii of the other surface are beyond the limit,
+// mm.
+template <class Number>
+Number gap_beyond(Number limit, Number length, const CapMove& move) {
+  return move.scanned == ScannedSurface::ball ? limit - length : length - limit;
+}
 
 // No closer than it takes to be above `enough`.
 inline GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
                             float enough) {
   const MovedCaps caps = moved(block, move);
-  const bool ball = move.scanned == ScannedSurface::ball;
-  const auto gap = [ball](float limit, float length) {
-    return ball ? limit - length : limit < 0.0F ? HUGE_VALF : length - limit;
-  };
   GapBounds bounds;
-  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(block.nodes); ++k) {
-    bounds.gap[k] = gap(limits.overall(), caps.length[k]);
+  for (std::size_t k = 0; k < block.nodes; ++k) {
+    const auto lane = static_cast<Eigen::Index>(k);
+    const float length = caps.length[lane];
+    bounds.gap[k] = gap_beyond(limits.overall(), length, move);
     bounds.spare[k] = HUGE_VALF;
     if (bounds.gap[k] > enough) continue;
-    const auto limit = limits.within({caps.x[k], caps.y[k], caps.z[k]}, caps.angle[k]);
-    bounds.gap[k] = gap(limit.radius, caps.length[k]);
-    if (limit.reach < HUGE_VALF) bounds.spare[k] = limit.reach - caps.angle[k];
+    const auto limit = limits.within({caps.x[lane], caps.y[lane], caps.z[lane]}, caps.angle[lane]);
+    bounds.gap[k] = gap_beyond(limit.radius, length, move);
+    bounds.spare[k] = limit.reach - caps.angle[lane];
   }
   return bounds;
-}
-// Gap of a vertex at that distance from the centre, whose radius of the other surface is beyond the limit,
-// mm.
-inline double gap_beyond(double limit, double length, const CapMove& move) {
-  if (move.scanned == ScannedSurface::ball) return limit - length;
-  return limit < 0.0 ? static_cast<double>(HUGE_VALF) : length - limit;
 }
 
 // A bound for a single vertex, moved to x; in double, so that rounding does not matter.
 inline double vertex_bound(const Vec3& x, const CapMove& move, const CapLimits& limits) {
-  return gap_beyond(limits.beside(x), x.norm(), move);
+  return gap_beyond(static_cast<double>(limits.beside(x)), x.norm(), move);
 }
 
 }  // namespace impinge

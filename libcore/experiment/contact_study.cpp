@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kCubePrecision =
     90.0 / 291.0;  // degrees, of the kernels' tables: the main ones of experiment 13_fast
-constexpr std::size_t kSlowStride = 8;  // FCL measures distances in one pose of so many
-constexpr double kExactTests = 2e6;     // vertices looked at for each joint and case, to compare
+constexpr std::size_t kSlowStride = 16;  // FCL measures distances in one pose of so many
+constexpr double kExactTests = 2e6;      // vertices looked at for each joint and case, to compare
 
 using CubeTable = LaneTable<CubeGnomonic, std::uint16_t>;
 

@@ -135,9 +135,9 @@ TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
   const TriangleMesh mesh = cup(20.0, 30.0, 500);
   const Vec3 away = -Vec3::UnitZ();
   EXPECT_EQ(CapLimits(mesh, Layer::nearest).within(away.cast<float>(), 0.2F).radius, HUGE_VALF);
-  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away.cast<float>(), 0.2F).radius, -1.0F);
+  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away.cast<float>(), 0.2F).radius, -HUGE_VALF);
   EXPECT_LT(CapLimits(mesh, Layer::nearest).within(away.cast<float>(), 2.7F).radius, 20.1F);
-  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Eigen::Vector3f::Zero(), 0.1F).radius, 20.1);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Eigen::Vector3f::Zero(), HUGE_VALF).radius, 20.1);
   EXPECT_EQ(CapLimits({}, Layer::nearest).beside(away), HUGE_VALF);
 }
 
