@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What was aimed at in speed, and what was measured. From data/fast.csv
-and data/fill.csv."""
+"""What was aimed at in speed, and what was measured. From data/fast.csv,
+data/fill.csv and data/contact.csv."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import pandas as pd
 
 import common
+import contact
 import fast
 import fill
 
@@ -17,11 +18,6 @@ KERNELS = ["rsid", "cube_gnomonic_mesh_exact"]
 MIB = 2**20
 # Triangles of a model, and what is aimed at there.
 EXACT = {3000: 12, 12000: 12, 100000: 5, 400000: 5}
-# Not measured yet: what it is, and at least how many times faster it has to be.
-OPEN = {
-    "boolean against FCL, 12k": 200,
-    "all gaps against FCL's distance": 100,
-}
 
 
 @dataclass(frozen=True)
@@ -33,7 +29,7 @@ class Target:
     target: float
     measured: float
     most: bool = False
-    open: bool = False  # not measured yet
+    open: bool = False  # not measured in this profile
 
     def verdict(self) -> str:
         """yes, no (also where nothing is as accurate and as small as asked), or not measured."""
@@ -56,9 +52,7 @@ def main() -> None:
     targets.append(
         Target("fill", "fill against Embree's tree and rays, 3k to 100k, from 256 cells", 5, ratio)
     )
-    targets += [
-        Target(f"open{k}", what, least, math.nan, open=True) for k, (what, least) in enumerate(OPEN.items())
-    ]
+    targets += of_contact(contact.load(options.results))
     rows = pd.DataFrame(
         {
             "key": [one.key for one in targets],
@@ -117,6 +111,22 @@ def exact(table: pd.DataFrame, triangles: int) -> Target:
     kept = (rows.method == "cube_cells_exact") & (rows.error_um <= 0.05)
     what = f"socket to ball, exact (0.05 µm), {triangles // 1000}k triangles"
     return Target(f"exact{triangles}", what, EXACT[triangles], rows[kept].times_embree.max(), open=rows.empty)
+
+
+def of_contact(table: pd.DataFrame) -> list[Target]:
+    """Those of experiment 13_contact: the least ratio of the three gaps, at every size that was measured."""
+    targets = []
+    for triangles, least in contact.TOUCH.items():
+        if triangles not in set(table.triangles):
+            continue
+        for method, how in {"culled": "any pose", "coherent": "along a motion"}.items():
+            ratio = contact.least(table, method, triangles, "fcl_collide")
+            what = f"touch against FCL, {triangles // 1000}k, {how}"
+            targets.append(Target(f"{method}{triangles}", what, least, ratio))
+    for method, what in {"all_vertices": "all gaps", "culled_least_gap": "smallest gap, culled"}.items():
+        ratio = contact.least(table, method, contact.TRIANGLES, "fcl_distance")
+        targets.append(Target(method, f"{what} against FCL's distance, 12k", contact.DISTANCE, ratio))
+    return targets
 
 
 def fastest(rows: pd.DataFrame, error_um: float, most_bytes: float) -> float:

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "culling/cube_place.hpp"
+#include "culling/cube_cell.hpp"
 
 namespace impinge {
 namespace {
@@ -14,49 +14,12 @@ namespace {
 constexpr std::size_t kLeafItems = 8;
 constexpr double kQuarter = 0.5 * kPi;
 
-// Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
-struct Cell {
-  std::size_t level;
-  std::size_t prefix;
-};
-
 // What a node is made of, in double.
 struct Summary {
   DirectionCap cap;
   RadiusRange range;
   double widest = 0.0;  // cap of an item
 };
-
-std::size_t cell_line(double coordinate, std::size_t lines) {
-  const double place = std::max(0.5 * (coordinate + 1.0) * static_cast<double>(lines), 0.0);
-  return std::min(static_cast<std::size_t>(place), lines - 1);
-}
-
-std::size_t cell_of(const Vec3& axis, std::size_t levels) {
-  const CubePlace at = cube_place(axis);
-  const std::size_t lines = std::size_t{1} << levels;
-  const std::size_t i = cell_line(at.a, lines);
-  const std::size_t j = cell_line(at.b, lines);
-  std::size_t cell = at.face;
-  for (std::size_t bit = levels; bit-- > 0;) cell = 4 * cell + 2 * ((j >> bit) & 1U) + ((i >> bit) & 1U);
-  return cell;
-}
-
-// Corners of a cell.
-std::array<Vec3, 4> corners_of(const Cell& cell) {
-  std::size_t i = 0;
-  std::size_t j = 0;
-  for (std::size_t bit = 0; bit < cell.level; ++bit) {
-    i |= ((cell.prefix >> (2 * bit)) & 1U) << bit;
-    j |= ((cell.prefix >> (2 * bit + 1)) & 1U) << bit;
-  }
-  const std::size_t face = cell.prefix >> (2 * cell.level);
-  const double width = 2.0 / static_cast<double>(std::size_t{1} << cell.level);
-  const auto at = [&](std::size_t k, std::size_t l) {
-    return cube_point(face, -1.0 + width * static_cast<double>(k), -1.0 + width * static_cast<double>(l));
-  };
-  return {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
-}
 
 float above(double number) { return std::nextafter(static_cast<float>(number), HUGE_VALF); }
 float below(double number) { return std::nextafter(static_cast<float>(number), 0.0F); }
@@ -80,7 +43,7 @@ Summary summary_of(std::span<const Summary> parts) {
 
 void keep_to(const Cell& cell, Summary& summary) {
   double widest = 0.0;
-  for (const Vec3& corner : corners_of(cell))
+  for (const Vec3& corner : cell_corners(cell))
     widest = std::max(widest, angle_between(summary.cap.axis, corner));
   if (widest < kQuarter) summary.cap.radius = std::min(summary.cap.radius, widest + summary.widest);
 }

@@ -27,6 +27,7 @@ lut_memory sampling_time sampling_time_samples detection_time detection_time_pre
 sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds error_budget
 slices slice_band_limit spectrum band_limit error_against_time error_against_time_spread error_against_time_samples
 certified certified_poses euclidean fast fast_samples fill fill_samples
+contact contact_samples contact_agreement
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 schemes scheme_covering scheme_errors scheme_savings scheme_points lookup_time stencil_time
@@ -53,7 +54,7 @@ TABLES = [
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
-error-against-time error-against-time-scenes certified-verdicts euclidean-distances fast-gaps fill-time
+error-against-time error-against-time-scenes certified-verdicts euclidean-distances fast-gaps fill-time contact-time
 table-12-pictures table-13-pictures
 """.split()
 HIP_FIGURES = (36, 38, 39, 40, 42, 44, 49, 50, 60, 62)  # of each real joint, too

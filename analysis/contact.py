@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the targets, the figure and the paper share of experiment 13_contact."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+NAMES = {
+    "fcl_distance": "FCL, distance",
+    "all_vertices": "all gaps, kernels",
+    "fcl_collide": "FCL, touch",
+    "culled_least_gap": "smallest gap, culled",
+    "culled": "touch, culled",
+    "coherent": "touch, culled, from pose to pose",
+}
+CASES = {"over 2 mm": "gap over 2 mm", "0.5 mm": "gap 0.5 mm", "touching": "touching in most poses"}
+TOUCH = {3000: 250, 12000: 200, 100000: 75, 400000: 25}  # triangles of a model, and what is aimed at there
+DISTANCE = 100  # aimed at, against FCL's distance
+TRIANGLES = 12000  # of each model of the joint of the paper's numbers
+
+
+def load(results: Path) -> pd.DataFrame:
+    """data/contact.csv with a readable `line` for each method."""
+    table = common.load(results, "contact")
+    table["line"] = table.method.map(NAMES)
+    return table
+
+
+def least(table: pd.DataFrame, method: str, triangles: int, over: str) -> float:
+    """Least ratio over the three gaps of how many times faster a method is than `over`, fcl_collide or fcl_distance."""
+    return table[(table.method == method) & (table.triangles == triangles)][f"times_{over}"].min()

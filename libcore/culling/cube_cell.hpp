@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells of a quadtree on the faces of a cube, in which those of one cell are neighbours.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
+struct Cell {
+  std::size_t level;
+  std::size_t prefix;
+};
+
+// Number of the cell of a level that holds the direction.
+std::size_t cell_of(const Vec3& axis, std::size_t level);
+
+// Corners of a cell, of any length.
+std::array<Vec3, 4> cell_corners(const Cell& cell);
+
+}  // namespace impinge
