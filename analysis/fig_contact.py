@@ -18,7 +18,7 @@ def main() -> None:
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)
         panel.set_title(title)
-    axes[0].set_ylabel("time of a pose, µs")
+    axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.13, 1, 1))
@@ -30,7 +30,10 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
     for line, look in looks.items():
         own = rows[rows.line == line].sort_values("triangles")
         axes.errorbar(own.triangles, own.us_pose, yerr=own.iqr_us / 2, label=line, capsize=2, **look)
+    sizes = sorted(rows.triangles.unique())
     axes.set(xscale="log", yscale="log", xlabel="triangles of each model")
+    axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])
+    axes.minorticks_off()
 
 
 common.run(main)
