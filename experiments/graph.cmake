@@ -51,7 +51,7 @@ function(impinge_program target variable)
   set(${variable} "${copy}" PARENT_SCOPE)
 endfunction()
 
-# impinge_job(NAME name KIND data|table|figure|text|verdicts|report|paper [TIMING] [TALKS]
+# impinge_job(NAME name KIND data|table|figure|text|verdicts|page|report|paper [TIMING] [TALKS]
 #   OUTPUTS file...        relative to the results folder; ARTEFACTS names what a reader calls them
 #   DEPENDS file...        absolute, or relative to the results folder
 #   COMMAND word...        runs in a fresh folder laid out as the results folder, and writes there

@@ -61,6 +61,7 @@ HIP_FIGURES = (36, 38, 39, 40, 42, 44, 49, 50, 60, 62)  # of each real joint, to
 JUDGED = [*THESIS_TABLES[1:], "figure-42", "section-3.5.2", "section-4.4", "section-5.1"]
 PROMISED = [
     "report.html",
+    "joint3d.html",
     "paper.pdf",
     "verdicts.csv",
     *(f"tables/{name}.{kind}" for name in TABLES for kind in ("csv", "tex")),
