@@ -27,7 +27,7 @@ async function startsColoured(page) {
   await page.focus("#slide-flexion");
   await posed(page, async () => { for (let k = 0; k < 15; k += 1) await page.keyboard.press("PageUp"); });
   assert.ok(await value(page, "value-flexion") > 50);
-  assert.ok(difference(before, await picture(page)) > 0.02, "the slider changes nothing");
+  assert.ok(difference(before, await picture(page)) > 0.05, "the slider moves nothing");
   assert.match(await text(page, "motion"), /extension/);
 }
 
@@ -312,7 +312,7 @@ async function lostGraphics(browser) {
   await page.waitForSelector("#message", { state: "hidden" });
   assert.ok(difference(before, await picture(page)) < 0.01, "the picture is another");
   await type(page, "flexion", 60);
-  assert.ok(difference(before, await picture(page)) > 0.01, "the picture stands still");
+  assert.ok(difference(before, await picture(page)) > 0.05, "the picture stands still");
   assert.deepEqual(faults.filter((fault) => !/context/i.test(fault)), []);
   await close();
 }

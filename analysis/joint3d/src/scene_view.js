@@ -190,7 +190,7 @@ export class SceneView {
     const { centre, radius } = this.subject;
     const half = (this.camera.fov / 2) * (Math.PI / 180);
     const narrow = Math.atan(Math.tan(half) * Math.min(this.camera.aspect, 1));
-    const distance = ((this.pelvis.visible ? WIDER : 1) * 0.93 * radius) / Math.sin(narrow);
+    const distance = ((this.pelvis.visible ? WIDER : 1) * radius) / Math.sin(narrow);
     this.controls.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(towardsCamera(view, this.side), distance);
     this.camera.far = distance + 20 * radius;
