@@ -35,7 +35,7 @@ class CartesianField final : public Contender {
 
   // Of the ball's vertices in the last pose, mm.
   const std::vector<double>& distances() const { return distance_; }
-  std::size_t bytes() const { return socket_.bytes(); }
+  std::size_t bytes() const { return socket_.bytes(); }  // of the grid
 
  private:
   std::vector<Vec3> ball_;

@@ -11,6 +11,7 @@ namespace impinge {
 
 // mesh in the centre frame; its triangles are copied. Bytes are those of the heap, see heap_use.hpp.
 std::unique_ptr<RadiusMethod> make_cgal_first_hit(const TriangleMesh& mesh);
+// Distances from the nearest point of the surface.
 std::unique_ptr<RadiusMethod> make_cgal_closest(const TriangleMesh& mesh);
 
 }  // namespace impinge

@@ -22,7 +22,7 @@ std::shared_ptr<const TablePair<S>> make_tables(const BallSocketPair& pair, doub
 }
 
 struct DetectionRace {
-  std::vector<NamedPose> poses;
+  std::vector<NamedPose> poses;                        // that all of them are asked
   std::unique_ptr<Contender> oracle;                   // exact predicates
   std::vector<std::unique_ptr<Contender>> contenders;  // pairwise, fcl_obb, rsid, usid
 

@@ -11,8 +11,8 @@
 namespace impinge {
 
 struct EmbreeRays {
-  int width = 1;  // 1, 8 or 16
-  EmbreeQuality quality = EmbreeQuality::fast;
+  int width = 1;                                // 1, 8 or 16
+  EmbreeQuality quality = EmbreeQuality::fast;  // of the intersections
 };
 
 // Throws std::invalid_argument for another width.

@@ -22,7 +22,7 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  RTCScene get() const { return scene_; }
+  RTCScene get() const { return scene_; }  // to ask, while this object lives
 
   // What Embree's memory monitor counted: tree, vertices and triangles.
   double bytes() const { return static_cast<double>(bytes_); }

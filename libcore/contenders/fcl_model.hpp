@@ -22,6 +22,7 @@ void fill_fcl_model(fcl::BVHModel<Volume>& model, const TriangleMesh& mesh) {
   model.endModel();
 }
 
+// From the ball's frame to the socket's.
 inline fcl::Transform3<double> fcl_transform(const Pose& pose) {
   fcl::Transform3<double> placed = fcl::Transform3<double>::Identity();
   placed.linear() = pose.rotation;

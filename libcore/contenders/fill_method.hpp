@@ -16,30 +16,34 @@ namespace impinge {
 // One way of filling the table of a scheme.
 template <SamplingScheme S>
 struct FillMethod {
-  std::string_view name;
-  RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);
+  std::string_view name;                                         // in the results
+  RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);  // mesh in the centre frame
   // Proven bound on the error of an entry, mm, at a precision in degrees. None: the way is the oracle itself,
   // and needs no check.
   double (*tolerance)(const TriangleMesh&, double) = nullptr;
   bool same_cover = false;  // does it fill the entries of the surface exactly, along its rim too?
 };
 
+// Of exact rasterisation: far above its rounding, mm.
 inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   double radius = 0.0;
   for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
   return 1e-9 * radius;
 }
 
+// Of the thesis' raster, whatever the precision, mm.
 inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   return thesis_raster_bound(mesh);
 }
 
-inline constexpr FillMethod<Rsid> kPairwise{"pairwise", fill_pairwise<Rsid>};
+inline constexpr FillMethod<Rsid> kPairwise{"pairwise", fill_pairwise<Rsid>};  // Tables 3 and 8
+// Tables 3 and 8, as described.
 inline constexpr FillMethod<Rsid> kRsidThesis{"rsid_thesis", fill_thesis, raster_tolerance};
-inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};
-inline constexpr FillMethod<Usid> kUsidPairwise{"usid_pairwise", fill_pairwise<Usid>};
+inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};  // our exact raster
+inline constexpr FillMethod<Usid> kUsidPairwise{"usid_pairwise", fill_pairwise<Usid>};     // Table 8
+// Section 4.2.2.
 inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
-inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};
+inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};  // our exact raster
 
 // Calls visit(table, mesh, layer) for the tables of ball and socket, each filled and released in its turn.
 template <SamplingScheme S, class Visit>

@@ -13,11 +13,13 @@
 
 namespace impinge {
 
+// A cube of nodes.
 struct DistanceGridShape {
   double half_width = 0.0;  // mm, of the cube about the centre
   std::size_t nodes = 0;    // along each side, 2 or more
 };
 
+// Distance of neighbouring nodes, mm.
 inline double spacing_of(const DistanceGridShape& shape) {
   return 2.0 * shape.half_width / static_cast<double>(shape.nodes - 1);
 }
@@ -66,7 +68,7 @@ class GridField {
     return (1.0 - t[2]) * along_y(low[2]) + t[2] * along_y(low[2] + 1);
   }
 
-  std::size_t bytes() const { return values_.size() * sizeof(float); }
+  std::size_t bytes() const { return values_.size() * sizeof(float); }  // of the values
 
  private:
   double coordinate(std::size_t i) const { return -shape_.half_width + static_cast<double>(i) / scale_; }

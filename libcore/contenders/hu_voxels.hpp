@@ -34,8 +34,8 @@ class HuVoxels final : public Contender {
   // Middles of the ball's voxels that hit, in the socket's frame, mm.
   const std::vector<Vec3>& collided(const Pose& pose);
 
-  const VoxelTable& table() const { return socket_; }
-  std::size_t ball_voxels() const { return ball_.size(); }
+  const VoxelTable& table() const { return socket_; }       // of the socket
+  std::size_t ball_voxels() const { return ball_.size(); }  // number of voxels that are looked up
   // Of the table and of the ball's voxels.
   std::size_t bytes() const { return socket_.occupied.size() + ball_.size() * sizeof(Vec3); }
 

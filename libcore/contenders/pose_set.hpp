@@ -10,9 +10,10 @@
 
 namespace impinge {
 
+// A pose, and what the results call it.
 struct NamedPose {
   std::string name;  // clear, near or touching, and the rotation
-  Pose pose;
+  Pose pose;         // of the ball in the socket
 };
 
 // Six poses: the ball as given and turned by 10 degrees about an axis across the socket's, each of them

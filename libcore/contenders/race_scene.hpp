@@ -13,13 +13,13 @@
 namespace impinge {
 
 struct RaceScene {
-  std::string name;
+  std::string name;     // in the results
   BallSocketPair pair;  // centre frames, mm
   Pose pose;            // of the ball, fixed
 
   // The surface that is asked, and the layer of it that faces the ball.
   const TriangleMesh& surface() const { return pair.socket; }
-  static constexpr Layer kLayer = Layer::nearest;
+  static constexpr Layer kLayer = Layer::nearest;  // of the socket
 
   // The points that are asked: vertices of the ball in the socket's frame, mm.
   std::vector<Vec3> queries() const {

@@ -21,7 +21,7 @@ enum class Measure {
   euclidean,  // distance of the surface from the point
   pose        // one answer for all points: smallest distance between ball and socket, 0 where they touch
 };
-std::string_view name_of(Measure measure);
+std::string_view name_of(Measure measure);  // "radial", "euclidean" or "pose"
 
 class RadiusMethod {
  public:
@@ -43,7 +43,7 @@ class RadiusMethod {
 
 // What is proven of a method's error, mm; NaN where nothing is.
 struct MethodBound {
-  double bound_mm = std::numeric_limits<double>::quiet_NaN();
+  double bound_mm = std::numeric_limits<double>::quiet_NaN();     // no answer is off by more
   double attained_mm = std::numeric_limits<double>::quiet_NaN();  // largest error that the proof met
 };
 
@@ -56,7 +56,7 @@ struct MethodMaker {
   double precision_deg = std::numeric_limits<double>::quiet_NaN();  // of a table
   std::string interpolant = "none";                                 // smooth, mesh_exact or none
   std::string storage = "none";                                     // double, float, uint16 or none
-  Measure measure = Measure::radial;
+  Measure measure = Measure::radial;                                // what the answers are
   // Everything that is done once for a surface. The scene outlives maker and method.
   std::function<std::unique_ptr<RadiusMethod>()> make;
   // Empty where nothing is proven but the rounding.

@@ -35,7 +35,7 @@ class KeepsRadii {
   KeepsRadii& operator=(const KeepsRadii&) = delete;
   virtual ~KeepsRadii() = default;
 
-  virtual StoredRadii stored() const = 0;
+  virtual StoredRadii stored() const = 0;  // every entry of the table
 };
 
 // Radius along direction(i), mm.
@@ -53,7 +53,7 @@ double entry_radius(const Table& table, std::size_t i) {
 template <class Table>
 class TableMethod final : public RadiusMethod, public KeepsRadii {
  public:
-  explicit TableMethod(Table table) : table_(std::move(table)) {}
+  explicit TableMethod(Table table) : table_(std::move(table)) {}  // takes a table that has been filled
 
   void answer(std::span<const Vec3> points, std::span<double> out) override {
     for (std::size_t i = 0; i < points.size(); ++i) out[i] = table_.radius_at(points[i]);

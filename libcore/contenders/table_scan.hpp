@@ -24,8 +24,8 @@ namespace impinge {
 // Tables of one joint at one precision.
 template <SamplingScheme S>
 struct TablePair {
-  RadialTable<S> ball;
-  RadialTable<S> socket;
+  RadialTable<S> ball;    // its farthest layer
+  RadialTable<S> socket;  // its nearest layer
 };
 
 template <SamplingScheme S>

@@ -17,18 +17,18 @@
 
 namespace impinge {
 
-inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();  // no triangle is met
 
 struct TriangleTable {
-  std::size_t side = 0;
+  std::size_t side = 0;             // rays along a side of the square of rays
   std::vector<std::uint32_t> face;  // of each ray, row by row; kNoFace where none is met
 
-  std::size_t bytes() const { return face.size() * sizeof(std::uint32_t); }
+  std::size_t bytes() const { return face.size() * sizeof(std::uint32_t); }  // of the face numbers
 };
 
 // Unit vector of ray i of a table of this side, and the ray in whose patch a nonzero x is.
 Vec3 ray_direction(std::size_t side, std::size_t ray);
-std::size_t ray_of(std::size_t side, const Vec3& x);
+std::size_t ray_of(std::size_t side, const Vec3& x);  // the latter
 
 // Radius along x (any length above zero) of a face, mm, boundary included; kNoSurface where x does not meet
 // it: r = det(a, b, c) / (det(u, b, c) + det(a, u, c) + det(a, b, u)) with all three of one sign.

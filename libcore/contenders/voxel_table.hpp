@@ -15,7 +15,7 @@
 
 namespace impinge {
 
-using Voxel = std::array<long, 3>;
+using Voxel = std::array<long, 3>;  // numbers along x, y and z
 
 // The box of voxels about an object A.
 struct VoxelBox {
@@ -23,16 +23,16 @@ struct VoxelBox {
   Voxel min{};        // Min_A
   Voxel extent{};     // Dim_A, largest minus smallest: Dim_A + 1 voxels along each axis
 
-  std::size_t count() const;
-  bool contains(const Voxel& voxel) const;
+  std::size_t count() const;                // voxels of the box
+  bool contains(const Voxel& voxel) const;  // Is the voxel in the box?
   // Eq. 1. The voxel is in the box.
   std::size_t id(const Voxel& voxel) const;
   // Eq. 2-4, the inverse.
   Voxel voxel(std::size_t id) const;
 };
 
-Voxel voxel_at(const Vec3& point, double size);
-Vec3 centre_of(const Voxel& voxel, double size);
+Voxel voxel_at(const Vec3& point, double size);   // the voxel that holds a point; size in mm
+Vec3 centre_of(const Voxel& voxel, double size);  // its middle, mm
 
 // Voxels that some face meets, each once, in the order of x, y, z: a closed cube and a triangle that share a
 // point (separating axes, Akenine-Moller 2001). std::invalid_argument for a size that is no positive length,
@@ -40,9 +40,10 @@ Vec3 centre_of(const Voxel& voxel, double size);
 std::vector<Voxel> surface_voxels(const TriangleMesh& mesh, double size);
 
 struct VoxelTable {
-  VoxelBox box;
+  VoxelBox box;                        // of all voxels that are occupied
   std::vector<std::uint8_t> occupied;  // by id
 
+  // Is the voxel occupied?
   bool holds(const Voxel& voxel) const { return box.contains(voxel) && occupied[box.id(voxel)] != 0; }
 };
 

@@ -34,11 +34,13 @@ class CapLimits {
   // direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
 
-  // angle of 0 or more; NaN, like infinity, is any angle. x may be 0 then, and only then.
+  // The limit of a cap.
   struct Limit {
     float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
     float reach;   // radians: it holds for caps as wide as that
   };
+  // The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
+  // infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
   Limit within(const Eigen::Vector3f& x, float angle) const {
     // The exponent of a float and half of its octave, which a reach ends.
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kHalfOctave);
@@ -49,7 +51,7 @@ class CapLimits {
   // In the direction of x.
   float beside(const Vec3& x) const { return x.isZero(0.0) ? overall_ : look_up(single_, x.cast<float>()); }
 
-  std::size_t bytes() const;
+  std::size_t bytes() const;  // of memory
 
  private:
   static constexpr unsigned kHalfOctave = 22;                                        // bits

@@ -27,7 +27,7 @@ namespace impinge {
 
 // A vertex (a cap of no width) or a face.
 struct CapItem {
-  DirectionCap cap;
+  DirectionCap cap;   // its directions
   RadiusRange range;  // mm
 };
 
@@ -36,8 +36,9 @@ inline constexpr double kNodeSlack = 1e-5;  // of a radius; radians
 // A number of each node of a block.
 using CapLanes = Eigen::Array4f;
 
+// Up to four nodes that are siblings.
 struct CapBlock {
-  static constexpr std::size_t kLanes = 4;
+  static constexpr std::size_t kLanes = 4;  // nodes that a block has room for
 
   CapLanes x, y, z;  // unit axis
   CapLanes angle;    // radians; pi where nothing is known
@@ -50,13 +51,13 @@ struct CapBlock {
   std::array<std::uint32_t, kLanes> items{};  // of a leaf; 0 in other nodes
   std::uint32_t nodes = 0;                    // of the four, the first so many are there
 
-  bool leaf(std::size_t lane) const { return items[lane] > 0; }
+  bool leaf(std::size_t lane) const { return items[lane] > 0; }  // Has this node items, and no children?
 };
 
 // Node `lane` of block `block`.
 struct CapNode {
-  std::uint32_t block;
-  std::uint32_t lane;
+  std::uint32_t block;  // place among the blocks
+  std::uint32_t lane;   // place in the block
 };
 
 class CapTree {
@@ -66,12 +67,13 @@ class CapTree {
   // Nodes that a search has at most which opens one at a time, the last that it found.
   static constexpr std::size_t kMostPending = 6 + 3 * (kDeepest + 1);
 
-  explicit CapTree(std::span<const CapItem> items);
+  explicit CapTree(std::span<const CapItem> items);  // sorts the items, which are copied
 
-  const std::vector<CapBlock>& blocks() const& { return blocks_; }
-  const std::vector<CapBlock>& blocks() const&& = delete;  // they would be gone before they are read
+  const std::vector<CapBlock>& blocks() const& { return blocks_; }  // the roots first
+  const std::vector<CapBlock>& blocks() const&& = delete;           // they would be gone before they are read
   // Numbers of the items, those of a leaf one after the other.
   const std::vector<std::uint32_t>& order() const { return order_; }
+  // Memory of blocks and order.
   std::size_t bytes() const {
     return blocks_.size() * sizeof(CapBlock) + order_.size() * sizeof(std::uint32_t);
   }

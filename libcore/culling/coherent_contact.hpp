@@ -28,6 +28,7 @@ class CoherentContact {
   // The joint must outlive this.
   explicit CoherentContact(const CulledJoint& joint);
 
+  // As CulledJoint::impinged(); which vertex is found may differ.
   std::optional<ScannedVertex> impinged(const Pose& pose);
 
   // The clock may go on by so many mm before anything has to be looked at again: a certified step. 0 where

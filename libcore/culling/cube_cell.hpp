@@ -11,8 +11,8 @@ namespace impinge {
 
 // Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
 struct Cell {
-  std::size_t level;
-  std::size_t prefix;
+  std::size_t level;   // 0 is the face
+  std::size_t prefix;  // see above
 };
 
 // Number of the cell of a level that holds the direction.

@@ -12,12 +12,13 @@ namespace impinge {
 // Face and gnomonic coordinates, -1 <= a, b <= 1 but for rounding. depth is 0 at the centre alone, where
 // there is no direction.
 struct CubePlace {
-  std::size_t face;
-  double a;
-  double b;
-  double depth;
+  std::size_t face;  // 0 to 5, as the faces of CubeMap
+  double a;          // the first of the other two coordinates, in the order x, y, z, over depth
+  double b;          // the second of them over depth
+  double depth;      // largest coordinate in size, in the unit of the point
 };
 
+// Of the face that the direction of x passes through.
 inline CubePlace cube_place(const Vec3& x) {
   const Vec3 size = x.cwiseAbs();
   if (size.x() >= size.y() && size.x() >= size.z())

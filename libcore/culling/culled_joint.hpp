@@ -12,16 +12,17 @@
 
 namespace impinge {
 
+// A vertex of one of the surfaces.
 struct ScannedVertex {
-  ScannedSurface scanned = ScannedSurface::ball;
-  std::size_t vertex = 0;
+  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
+  std::size_t vertex = 0;                         // place among the vertices of its mesh
   bool operator==(const ScannedVertex&) const = default;
 };
 
 // The first of the smallest gaps, in the order of scans and vertices.
 struct LeastGap {
-  double gap_mm = 0.0;
-  ScannedVertex at;
+  double gap_mm = 0.0;  // radial
+  ScannedVertex at;     // where it is
   bool operator==(const LeastGap&) const = default;
 };
 
@@ -43,8 +44,8 @@ class CulledJoint {
   double gap(ScannedSurface scanned, const Vec3& x) const;
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
-  const BallSocketPair& meshes() const { return joint_; }
-  std::size_t bytes() const;
+  const BallSocketPair& meshes() const { return joint_; }            // as given
+  std::size_t bytes() const;  // of everything that was made, without the meshes
 
  private:
   const BallSocketPair& joint_;

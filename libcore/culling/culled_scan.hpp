@@ -24,13 +24,14 @@ class CulledScan {
   CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
              double margin = 0.0);
 
-  ScannedSurface scanned() const { return scanned_; }
-  const CapTree& tree() const { return tree_; }
-  const CapLimits& limits() const { return limits_; }
+  ScannedSurface scanned() const { return scanned_; }  // whose vertices are scanned
+  const CapTree& tree() const { return tree_; }        // of these vertices
+  const CapLimits& limits() const { return limits_; }  // of the other surface
   // Item of the tree's order: a vertex of the mesh.
   std::uint32_t vertex(std::size_t item) const { return vertex_[item]; }
+  // Where that vertex is in its mesh, mm.
   const Vec3& position(std::size_t item) const { return position_[item]; }
-  std::size_t bytes() const;
+  std::size_t bytes() const;  // of tree, limits and positions
 
  private:
   ScannedSurface scanned_;
@@ -43,9 +44,9 @@ class CulledScan {
 // Of the pending nodes of a search the nearest is opened first.
 class PendingNodes {
  public:
-  bool empty() const { return count_ == 0; }
-  CapNode pop() { return nodes_[--count_].node; }
-  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }       // nothing is left to be opened
+  CapNode pop() { return nodes_[--count_].node; }  // the last one, which is taken out
+  std::size_t size() const { return count_; }      // number of them
   // Kept if its gap is 0 or less; without a branch, which could not be foreseen.
   void push(float gap, CapNode node) {
     nodes_[count_] = {gap, node};
@@ -74,9 +75,11 @@ class PendingNodes {
 template <class Asked>
 class TouchSearch {
  public:
+  // Keeps references to scan and move.
   TouchSearch(const CulledScan& scan, const CapMove& move, Asked asked)
       : scan_(scan), move_(move), asked_(asked) {}
 
+  // Among all vertices: one that touches, if one does.
   std::optional<std::uint32_t> run() {
     const std::size_t roots = std::min(CapTree::kRoots, scan_.tree().blocks().size());
     for (std::uint32_t block = 0; block < roots; ++block) test(block);

@@ -33,14 +33,15 @@ inline constexpr float kSquareSlack = 4e-6F;  // of a squared length
 
 // A pose as one of the scans sees it.
 struct CapMove {
-  CapMove(ScannedSurface scanned, const Pose& pose);
+  CapMove(ScannedSurface scanned, const Pose& pose);  // of the vertices of that surface
 
+  // Where the pose has a vertex, in the frame of the other surface, mm.
   Vec3 place(const Vec3& vertex) const {
     return scanned == ScannedSurface::ball ? to_socket(pose, vertex) : to_ball(pose, vertex);
   }
 
-  ScannedSurface scanned;
-  Pose pose;
+  ScannedSurface scanned;       // whose vertices are moved
+  Pose pose;                    // of the ball in the socket
   Eigen::Matrix3f rotation;     // R
   Eigen::Vector3f translation;  // t
   Eigen::Vector3f own;          // o
@@ -54,6 +55,7 @@ struct MovedCaps {
   CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
 };
 
+// Bounds on |x| of the vertices of each node, mm: the most for those of the ball, the least for the socket's.
 inline CapLanes moved_length(const CapBlock& block, const CapMove& move) {
   const float shift = move.shift;
   const float square = shift * shift;
@@ -71,6 +73,7 @@ inline CapLanes moved_length(const CapBlock& block, const CapMove& move) {
   return (least - kSquareSlack * (nearest * nearest + square)).max(0.0F).sqrt();
 }
 
+// Where the pose takes the caps of a block.
 inline MovedCaps moved(const CapBlock& block, const CapMove& move) {
   const CapLanes rest = (block.low - static_cast<float>(kNodeSlack) * block.low - move.shift).max(0.0F);
   const auto& r = move.rotation;

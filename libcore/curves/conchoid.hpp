@@ -28,7 +28,7 @@ double conchoid_radius(const ConchoidShape& shape, double phi);
 
 // Of the point at phi: its height along the axis, r cos(phi), and its distance from the axis, r sin(phi).
 double conchoid_height(const ConchoidShape& shape, double phi);
-double conchoid_width(const ConchoidShape& shape, double phi);
+double conchoid_width(const ConchoidShape& shape, double phi);  // r sin(phi)
 
 // ds / dphi = sqrt(r^2 + r'^2) = sqrt(a^2 + b^2 + 2 a b cos phi), mm per radian.
 double conchoid_speed(const ConchoidShape& shape, double phi);

@@ -10,9 +10,10 @@
 
 namespace impinge {
 
+// A point of the axis, mm above the conchoid's origin.
 struct SamplingOrigin {
-  std::string_view name;
-  double height = 0.0;  // mm
+  std::string_view name;  // in tables of results
+  double height = 0.0;    // mm
 };
 
 // The conchoid's origin, and what "the center of the model" may mean for the arc from apex to rim ("cap") or
@@ -22,11 +23,11 @@ std::vector<SamplingOrigin> sampling_origins(const ConchoidShape& shape);
 
 // The sphere about a point of the axis that fits the cap's surface best in the sense of least squares.
 struct AxialSphere {
-  double height = 0.0;           // mm
-  double radius = 0.0;           // mm
-  double lowest_residual = 0.0;  // mm, of distance from the centre minus radius over the cap
-  double highest_residual = 0.0;
+  double height = 0.0;            // mm
+  double radius = 0.0;            // mm
+  double lowest_residual = 0.0;   // mm, of distance from the centre minus radius over the cap
+  double highest_residual = 0.0;  // likewise
 };
-AxialSphere fit_axial_sphere(const ConchoidShape& shape);
+AxialSphere fit_axial_sphere(const ConchoidShape& shape);  // that sphere of the cap
 
 }  // namespace impinge

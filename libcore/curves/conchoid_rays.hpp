@@ -18,8 +18,8 @@ namespace impinge {
 //   p(phi) = 4 sqrt(a b) sin(phi / 2) = factor * b * sin(phi / 2),
 // with p = quarter * b at 90 degrees.
 struct ConchoidClosedForm {
-  double factor = 4.29;
-  double quarter = 3.03;
+  double factor = 4.29;   // 4 sqrt(a b) / b
+  double quarter = 3.03;  // p at 90 degrees, over b
 };
 
 // As the thesis rounds them for a = 1.15 b: the defaults.

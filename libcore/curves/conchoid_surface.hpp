@@ -28,19 +28,20 @@ std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count)
 std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Vec3> points,
                                   std::size_t pieces_per_point);
 
+// How finely areas are counted, and in how many bands.
 struct AreaBandOptions {
-  std::size_t pieces_per_point = 400;
-  std::size_t bands = 9;
+  std::size_t pieces_per_point = 400;  // of the area of the cap
+  std::size_t bands = 9;               // of equal angle, from apex to rim
 };
 
 // Areas (mm^2) of the points with from_deg <= phi < to_deg.
 struct AreaBand {
-  double from_deg = 0.0;
-  double to_deg = 0.0;
-  std::size_t points = 0;
-  double smallest = 0.0;
-  double mean = 0.0;
-  double largest = 0.0;
+  double from_deg = 0.0;   // where the band begins
+  double to_deg = 0.0;     // where it ends
+  std::size_t points = 0;  // that count in the band
+  double smallest = 0.0;   // mm^2
+  double mean = 0.0;       // mm^2
+  double largest = 0.0;    // mm^2
 };
 
 // nearest_areas() in bands of equal angle from apex to rim. Points nearer to the rim than sqrt(area /

@@ -19,7 +19,7 @@ class GslCallback {
   GslCallback(const GslCallback&) = delete;  // GSL keeps the address
   GslCallback& operator=(const GslCallback&) = delete;
 
-  gsl_function* get() { return &wrapped_; }
+  gsl_function* get() { return &wrapped_; }  // to hand to GSL, as long as this object lives
 
   // Throws what the function threw, else what GSL's status says.
   void require(int status, const char* what) const {

@@ -11,7 +11,7 @@ namespace impinge {
 // Entries 0 ... count - 1 on the helix of k turns, one on each pole. k >= 2 and count >= 2, else
 // std::invalid_argument from any function here.
 struct HelixEntries {
-  double turns = 229.0;
+  double turns = 229.0;       // k
   std::size_t count = 52441;  // the thesis: k^2
 };
 
@@ -35,6 +35,7 @@ enum class HelixSpacing { true_arc, travelled };
 // by Eq. 10 is off at phi when entries stand at equal true arc length.
 double index_mismatch(const HelixEntries& entries, HelixSpacing spacing, double phi);
 
+// By how much an index is off, and where.
 struct Mismatch {
   double phi = 0.0;    // radians
   double index = 0.0;  // entries, signed

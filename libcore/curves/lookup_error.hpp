@@ -13,8 +13,8 @@ namespace impinge {
 
 // Of interpolated minus true radius, mm.
 struct LookupError {
-  double largest = 0.0;  // in size
-  double root_mean_square = 0.0;
+  double largest = 0.0;           // in size
+  double root_mean_square = 0.0;  // over the directions
 };
 
 // Interpolates the radii of the entries with stencil(u) -> Stencil in each direction u (unit vectors, at

@@ -10,6 +10,7 @@ namespace impinge {
 // Which surface the vertices of a scan are of; the table is the other one's.
 enum class ScannedSurface { ball, socket };
 
+// How many vertices of a scan either comparison calls impinged.
 struct ScanVerdicts {
   std::size_t met = 0;         // vertices that meet the other surface
   std::size_t by_gap = 0;      // of these, with a gap of 0 or less

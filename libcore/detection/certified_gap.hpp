@@ -24,22 +24,25 @@
 
 namespace impinge {
 
+// What is proven about a vertex, or a pose: clear, impinged, or neither.
 enum class Verdict { clear, impinged, undecided };
 
 // low and high in mm, of the gap if there is one: a surface may be missing unless the cover is `whole`, and
 // the interval is empty (low > high) where it is `none`.
 struct CertifiedGap {
-  double low = 0.0;
-  double high = 0.0;
-  Cover cover = Cover::none;
-  Verdict verdict = Verdict::clear;
+  double low = 0.0;                  // the least that the gap can be
+  double high = 0.0;                 // the most that it can be
+  Cover cover = Cover::none;         // whether there is a surface in the vertex' direction
+  Verdict verdict = Verdict::clear;  // follows from the three
 };
 
+// What the ends of a gap and the cover prove.
 inline Verdict verdict_of(double low, double high, Cover cover) {
   if (cover == Cover::none || low > 0.0) return Verdict::clear;
   return cover == Cover::whole && high <= 0.0 ? Verdict::impinged : Verdict::undecided;
 }
 
+// These ends of a gap, with their verdict.
 inline CertifiedGap certified(double low, double high, Cover cover) {
   return {low, high, cover, verdict_of(low, high, cover)};
 }
@@ -81,10 +84,11 @@ void certify_socket(const RangeTable<S>& ball, std::span<const Vec3> vertices, c
 
 // How many vertices have each verdict.
 struct VerdictCount {
-  std::size_t clear = 0;
-  std::size_t impinged = 0;
-  std::size_t undecided = 0;
+  std::size_t clear = 0;      // proven to have no gap of 0 or less
+  std::size_t impinged = 0;   // proven to have one
+  std::size_t undecided = 0;  // neither
 
+  // Adds those of another scan.
   VerdictCount& operator+=(const VerdictCount& other) {
     clear += other.clear;
     impinged += other.impinged;
@@ -99,7 +103,7 @@ struct VerdictCount {
   }
 };
 
-VerdictCount count_verdicts(std::span<const CertifiedGap> gaps);
+VerdictCount count_verdicts(std::span<const CertifiedGap> gaps);  // of the vertices of one scan
 
 // Gives every undecided vertex of the first scan (ball vertices, against the socket's mesh) its exact
 // verdict; intervals stay. Returns how many there were.

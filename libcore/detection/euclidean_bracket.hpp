@@ -41,8 +41,8 @@ namespace impinge {
 
 // Ends of a Euclidean distance, and what they were made of. Lengths in mm; infinite where there is none.
 struct DistanceBracket {
-  double lower_mm = 0.0;
-  double upper_mm = 0.0;
+  double lower_mm = 0.0;                                     // d is no less
+  double upper_mm = 0.0;                                     // d is no more
   double gap_mm = std::numeric_limits<double>::infinity();   // least of |g_1|, |g_2|, ...
   double slope = 0.0;                                        // tan psi where that gap ends
   double edge_mm = std::numeric_limits<double>::infinity();  // e

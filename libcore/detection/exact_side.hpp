@@ -24,6 +24,6 @@ bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec
 
 // The same with an index that is made sooner and looks at fewer faces.
 bool on_or_beyond(const NearFaces& surface, const Vec3& x);
-bool on_or_within(const NearFaces& surface, const Vec3& x);
+bool on_or_within(const NearFaces& surface, const Vec3& x);  // Likewise.
 
 }  // namespace impinge

@@ -21,18 +21,19 @@ namespace impinge {
 
 // Corners in a centre frame, mm, and their orientation, which is not zero.
 struct OverlayFace {
-  std::array<Vec3, 3> corner;
-  int side = 0;
+  std::array<Vec3, 3> corner;  // as the face has them
+  int side = 0;                // orientation of the corners
 };
 
+// Which of the three directions above it is.
 enum class OverlayKind { ball_corner, socket_corner, crossing };
 
 // A direction at which the gap over two faces may be smallest.
 struct OverlayPoint {
-  OverlayKind kind = OverlayKind::crossing;
+  OverlayKind kind = OverlayKind::crossing;  // says what `ball` and `socket` are
   int order = 0;  // +1 if the ball is beyond the socket there, 0 if they touch, -1 if the ball is nearer
-  std::size_t ball = 0;  // corner, or side from this corner to the next
-  std::size_t socket = 0;
+  std::size_t ball = 0;    // corner, or side from this corner to the next
+  std::size_t socket = 0;  // likewise of the socket's face
 };
 
 // Calls visit(point) for each of them until it returns true; returns whether it did.

@@ -34,10 +34,11 @@ namespace impinge {
 
 // The deepest place of an impinged pose.
 struct OverlayContact {
-  double depth = 0.0;  // mm, ball radius minus socket radius, in floating point
-  OverlayKind kind = OverlayKind::crossing;
+  double depth = 0.0;                        // mm, ball radius minus socket radius, in floating point
+  OverlayKind kind = OverlayKind::crossing;  // corner or crossing of edges
 };
 
+// Two meshes made ready to be compared in many poses.
 class SurfaceOverlay {
  public:
   // Meshes in their centre frames, mm; they are kept.
@@ -49,10 +50,10 @@ class SurfaceOverlay {
   // The deepest of all places of (1) and (2) that are impinged; none exactly if none is.
   std::optional<OverlayContact> deepest(const Pose& pose) const;
 
-  const TriangleMesh& ball() const { return ball_; }
-  const TriangleMesh& socket() const { return socket_; }
-  const FaceIndex& ball_index() const { return ball_index_; }
-  const FaceIndex& socket_index() const { return socket_index_; }
+  const TriangleMesh& ball() const { return ball_; }               // in its centre frame
+  const TriangleMesh& socket() const { return socket_; }           // in its centre frame
+  const FaceIndex& ball_index() const { return ball_index_; }      // of the ball's faces by direction
+  const FaceIndex& socket_index() const { return socket_index_; }  // of the socket's faces by direction
 
  private:
   TriangleMesh ball_;

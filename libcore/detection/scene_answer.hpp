@@ -14,16 +14,16 @@ namespace impinge {
 
 // Gaps of all vertices in one pose, mm; NaN where the other surface is not met.
 struct PoseGaps {
-  std::vector<double> ball;
-  std::vector<double> socket;
+  std::vector<double> ball;    // by vertex of the ball; empty where it is not scanned
+  std::vector<double> socket;  // by vertex of the socket, likewise
 };
 
 // The first of the smallest gaps, in the order of scans, poses and vertices.
 struct SmallestGap {
-  double gap_mm = 0.0;
-  ScannedSurface scanned = ScannedSurface::ball;
-  std::size_t pose = 0;  // of the needs
-  std::size_t vertex = 0;
+  double gap_mm = 0.0;                            // of the vertex
+  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
+  std::size_t pose = 0;                           // of the needs
+  std::size_t vertex = 0;                         // place among the vertices of its mesh
   bool operator==(const SmallestGap&) const = default;
 };
 
@@ -34,12 +34,13 @@ struct SceneCost {
   std::size_t look_ups = 0;  // at most: a touch is certain after one gap of 0 or less
 };
 
+// What was asked, and what it took.
 struct SceneAnswer {
   std::vector<bool> touches;            // of each pose, for `touch`
   std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
   std::vector<PoseGaps> gaps;           // for `all_gaps`, of the poses that were looked at
   std::vector<std::size_t> gaps_of;     // place of the gaps of each pose
-  SceneCost cost;
+  SceneCost cost;                       // in memory and look-ups
 };
 
 // Fills the whole table of a surface, for a plan that does not leave any of it out.

@@ -28,15 +28,15 @@ namespace impinge {
 
 // One thing that is not done.
 struct LeftOut {
-  Omission what;
+  Omission what;             // what it is
   std::string reason;        // one clause, with the numbers that it rests on
   double bytes_saved = 0.0;  // of memory, against doing it; less than 0 where the way round it takes more
 };
 
 // One scan: vertices of `scanned` against the other surface.
 struct ScanPlan {
-  ScannedSurface scanned = ScannedSurface::ball;
-  bool wanted = true;  // asked for, and not dropped
+  ScannedSurface scanned = ScannedSurface::ball;  // whose vertices
+  bool wanted = true;                             // asked for, and not dropped
   // Those to look up in each of the plan's poses; none given: all.
   std::optional<std::vector<std::vector<std::uint32_t>>> vertices;
   std::unique_ptr<NearFaces> faces;  // of the other surface, where something is left out because of it
@@ -46,21 +46,21 @@ struct ScanPlan {
 // What is looked up: a table, and with an accuracy the faces themselves where that is cheaper or the table is
 // not proven to keep it.
 struct TableChoice {
-  AnyScheme scheme;
-  Storage storage = Storage::double_precision;
+  AnyScheme scheme;                                  // of the table
+  Storage storage = Storage::double_precision;       // of the numbers in the table
   std::optional<double> accuracy_mm = std::nullopt;  // given where the table was chosen for it
   bool rays_only = false;                            // there are too few look-ups for any table to pay
 };
 
 struct ScenePlan {
-  explicit ScenePlan(const AnyScheme& given) : table{given} {}
+  explicit ScenePlan(const AnyScheme& given) : table{given} {}  // of everything, with that table
 
   std::vector<std::size_t> poses;    // of the needs, those that are looked at
   std::vector<std::size_t> same_as;  // for each pose of the needs its place in `poses`
-  TableChoice table;
-  std::array<ScanPlan, 2> scans;  // ball, socket
-  double limit_mm = 0.0;          // gaps above it do not matter; infinite for all_gaps
-  std::vector<LeftOut> left_out;
+  TableChoice table;                 // what both scans look up
+  std::array<ScanPlan, 2> scans;     // ball, socket
+  double limit_mm = 0.0;             // gaps above it do not matter; infinite for all_gaps
+  std::vector<LeftOut> left_out;     // what is not done, and why
 
   // Memory of the plan itself, which the answer needs.
   std::size_t bytes() const;
@@ -76,12 +76,15 @@ inline Vec3 placed(ScannedSurface scanned, const Pose& pose, const Vec3& vertex)
   return scanned == ScannedSurface::ball ? to_socket(pose, vertex) : to_ball(pose, vertex);
 }
 
+// The surface whose vertices a scan goes through.
 inline const TriangleMesh& scanned_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
   return scanned == ScannedSurface::ball ? joint.ball : joint.socket;
 }
+// The other one, whose radii are looked up.
 inline const TriangleMesh& asked_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
   return scanned == ScannedSurface::ball ? joint.socket : joint.ball;
 }
+// Where that has several layers, the one that counts: the one that faces the scanned surface.
 inline Layer asked_layer(ScannedSurface scanned) {
   return scanned == ScannedSurface::ball ? Layer::nearest : Layer::farthest;
 }

@@ -21,10 +21,10 @@ struct BaselinePoints {
 
 // What a method answered.
 struct BaselineAnswers {
-  std::size_t points = 0;
-  std::size_t missed = 0;  // got no answer, though the surface is there
-  double largest_mm = std::numeric_limits<double>::quiet_NaN();
-  double rms_mm = std::numeric_limits<double>::quiet_NaN();
+  std::size_t points = 0;                                        // that it was asked about
+  std::size_t missed = 0;                                        // got no answer, though the surface is there
+  double largest_mm = std::numeric_limits<double>::quiet_NaN();  // largest error in size
+  double rms_mm = std::numeric_limits<double>::quiet_NaN();      // root mean square of the errors
 };
 
 // At most `most` vertices of each surface, evenly chosen, in a pose whose rotation lines nothing up. Exact.

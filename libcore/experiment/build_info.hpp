@@ -15,6 +15,6 @@ struct BuildInfo {
   std::map<std::string, std::string> libraries;  // name to version, of those found by the build
 };
 
-const BuildInfo& build_info();
+const BuildInfo& build_info();  // of this program
 
 }  // namespace impinge

@@ -22,7 +22,7 @@ namespace impinge {
 
 // A pose and what the oracle (reference/shadow.hpp) says about it.
 struct JudgedPose {
-  Pose pose;
+  Pose pose;                 // of the ball in the socket
   std::vector<bool> ball;    // vertices that impinge
   std::vector<bool> socket;  // the same
   bool surfaces = false;     // seen from either centre
@@ -30,10 +30,11 @@ struct JudgedPose {
   bool vertices() const;  // is some vertex impinged?
 };
 
+// A joint with poses that the oracle has judged.
 struct CertifiedJoint {
-  std::string name;
-  SurfaceOverlay overlay;
-  std::vector<JudgedPose> poses;
+  std::string name;                  // in the results
+  SurfaceOverlay overlay;            // the library's own exact answer
+  std::vector<JudgedPose> poses;     // judged
   std::size_t crossings_matter = 0;  // poses with all vertices clear and the surfaces impinged
   double largest_missed = 0.0;       // mm, the deepest of those
 };
@@ -41,12 +42,12 @@ struct CertifiedJoint {
 // What judging leaves in certified.csv and certified_poses.csv. A pose that refutes a verdict is kept in
 // folder/certified_witness.json, the first one only.
 struct CertifiedStudy {
-  std::filesystem::path folder;
-  Table schemes;
-  Table poses;
-  std::size_t wrong = 0;  // refuted verdicts, of vertices and surfaces
+  std::filesystem::path folder;  // of the results
+  Table schemes;                 // certified.csv
+  Table poses;                   // certified_poses.csv
+  std::size_t wrong = 0;         // refuted verdicts, of vertices and surfaces
 };
-CertifiedStudy make_certified_study(const std::filesystem::path& folder);
+CertifiedStudy make_certified_study(const std::filesystem::path& folder);  // without a row
 
 // Throws std::runtime_error, one line that says how many verdicts were wrong and where the pose is, unless
 // none was.
@@ -60,7 +61,7 @@ CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSo
 
 // What one scheme decides.
 struct SchemeVerdicts {
-  std::size_t poses = 0;
+  std::size_t poses = 0;  // that were judged
   VerdictCount vertices;  // before undecided ones are resolved
   std::size_t wrong = 0;  // before and after
   double seconds = 0.0;   // both scans, undecided vertices resolved
@@ -73,8 +74,8 @@ std::size_t count_wrong(CertifiedStudy& study, const CertifiedJoint& joint, cons
 
 // Which poses of a joint: every `step`-th from `first` on.
 struct PosePart {
-  std::size_t first = 0;
-  std::size_t step = 1;
+  std::size_t first = 0;  // place of the first
+  std::size_t step = 1;   // from one to the next
 };
 
 // Poses of a joint with the ranges of one scheme: the verdicts as the ranges give them, and again with

@@ -11,26 +11,28 @@
 
 namespace impinge {
 
+// One row of the table: a number that speaks for or against a claim.
 struct Claim {
-  std::string claim;
-  std::string setting;
-  std::string quantity;
-  double value = 0.0;
-  std::string unit;
+  std::string claim;     // of the thesis, in words
+  std::string setting;   // such as the precision
+  std::string quantity;  // what the number is
+  double value = 0.0;    // the number
+  std::string unit;      // of it
 };
 
 struct ClaimsStudy {
-  std::vector<Claim> rows;
+  std::vector<Claim> rows;       // what was measured without timing
   std::vector<TimedCase> cases;  // key: claim, setting, quantity; they own what they work on
 };
 
+// Sizes of what is tried.
 struct ClaimsOptions {
-  std::size_t faces = 12000;  // of each surface
-  double precision_deg = 0.5;
+  std::size_t faces = 12000;                                 // of each surface
+  double precision_deg = 0.5;                                // of the tables
   std::vector<double> collision_precisions{1.0, 0.5, 0.25};  // degrees
   std::vector<double> caps{5.0, 10.0, 20.0, 45.0};           // degrees, of the part that moves
   std::vector<std::size_t> pairs{1, 2, 4, 8};                // in a scene
-  int rounds = 9;
+  int rounds = 9;                                            // of each timed case
 };
 
 // A cap of the ball moves in and out again: the table is brought up to date in place, or filled anew. The two
@@ -47,11 +49,13 @@ void add_layers(ClaimsStudy& study, const ClaimsOptions& options);
 // Several joints in one scene: memory and time, and the same gaps as one by one (else std::runtime_error).
 void add_pairs(ClaimsStudy& study, const ClaimsOptions& options);
 
+// The result and its times.
 struct ClaimsTables {
-  Table table;
-  TimingRun timing;
+  Table table;       // rows and times
+  TimingRun timing;  // of the cases
 };
-std::vector<Column> claims_keys();
+std::vector<Column> claims_keys();  // claim, setting, quantity
+// Times the cases and puts them below the rows.
 ClaimsTables claims_tables(const ClaimsStudy& study, Progress& progress);
 
 }  // namespace impinge

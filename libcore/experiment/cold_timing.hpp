@@ -12,16 +12,18 @@
 
 namespace impinge {
 
+// One thing to be timed.
 struct ColdCase {
-  std::vector<Cell> key;
+  std::vector<Cell> key;      // method and settings
   std::function<void()> run;  // once untimed, then once a round
   double units = 1.0;         // pieces of work in one run
 };
 
+// How often, and what is written in between.
 struct ColdOptions {
-  int rounds = 15;
-  std::size_t flush_bytes = std::size_t{96} << 20;
-  std::uint64_t seed = 0;  // of the order within a round
+  int rounds = 15;                                  // samples of each case
+  std::size_t flush_bytes = std::size_t{96} << 20;  // written before each sample
+  std::uint64_t seed = 0;                           // of the order within a round
 };
 
 // In the order of the cases.

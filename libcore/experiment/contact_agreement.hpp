@@ -10,14 +10,16 @@
 
 namespace impinge {
 
+// What is asked how often.
 struct AgreementOptions {
-  std::size_t triangles = 3000;
-  std::size_t poses = 10000;
-  std::uint64_t seed = 0;
+  std::size_t triangles = 3000;  // of each surface
+  std::size_t poses = 10000;     // of the ball
+  std::uint64_t seed = 0;        // of ways and places on them
 };
 
+// How many poses the ways differ in.
 struct Agreement {
-  std::size_t poses = 0;
+  std::size_t poses = 0;           // that were asked
   std::size_t impinged = 0;        // by the exact test of every vertex
   std::size_t culled_wrong = 0;    // against that
   std::size_t coherent_wrong = 0;  // against that
@@ -33,6 +35,6 @@ struct Agreement {
 // the first contact of a vertex; see contact_poses.hpp.
 Agreement contact_agreement(const BallSocketPair& joint, const AgreementOptions& options);
 
-Table agreement_table(const AgreementOptions& options, const Agreement& agreement);
+Table agreement_table(const AgreementOptions& options, const Agreement& agreement);  // One row.
 
 }  // namespace impinge

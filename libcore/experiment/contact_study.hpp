@@ -12,16 +12,18 @@
 
 namespace impinge {
 
+// What is timed and how often.
 struct ContactOptionsTimed {
   std::vector<std::size_t> triangles;  // of each model, ever more
-  int rounds = 15;
-  std::uint64_t seed = 0;
-  TimingOptions timing;
+  int rounds = 15;                     // of each case
+  std::uint64_t seed = 0;              // of the motions
+  TimingOptions timing;                // of the rounds
 };
 
+// The result and its times.
 struct ContactTables {
-  Table table;
-  TimingRun timing;
+  Table table;       // a row a case
+  TimingRun timing;  // of all cases
 };
 
 // method, gap_case, triangles.

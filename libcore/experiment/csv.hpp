@@ -14,9 +14,9 @@ namespace impinge {
 
 // What a column holds. The unit is "1" for counts and ratios and "" for text.
 struct Column {
-  std::string name;
-  std::string unit;
-  std::string meaning;
+  std::string name;     // of the header line
+  std::string unit;     // such as "mm"
+  std::string meaning;  // one clause
 };
 
 // A value, or nothing (an empty cell). Construct it from text, any integer, a floating-point number or a
@@ -24,11 +24,12 @@ struct Column {
 class Cell {
  public:
   Cell() = default;
-  Cell(std::string text) : value_(std::move(text)) {}
-  Cell(std::string_view text) : value_(std::string(text)) {}
-  Cell(const char* text) : value_(std::string(text)) {}
-  Cell(double number) : value_(number) {}
-  Cell(bool flag) : value_(std::string(flag ? "yes" : "no")) {}
+  Cell(std::string text) : value_(std::move(text)) {}            // text
+  Cell(std::string_view text) : value_(std::string(text)) {}     // text
+  Cell(const char* text) : value_(std::string(text)) {}          // text
+  Cell(double number) : value_(number) {}                        // a number; empty for NaN
+  Cell(bool flag) : value_(std::string(flag ? "yes" : "no")) {}  // yes or no
+  // A whole number that fits into 64 bits with its sign.
   template <std::integral I>
   Cell(I number) : value_(static_cast<std::int64_t>(number)) {}
 
@@ -39,9 +40,10 @@ class Cell {
   std::variant<std::monostate, std::string, std::int64_t, double> value_;
 };
 
+// Columns and the rows below them.
 struct Table {
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::vector<Column> columns;          // in the order of the cells
+  std::vector<std::vector<Cell>> rows;  // each with a cell for every column
 
   // Throws std::invalid_argument when the number of cells is not that of the columns.
   void add_row(std::vector<Cell> row);

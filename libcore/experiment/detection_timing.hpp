@@ -15,7 +15,7 @@ struct RaceJoint {
   std::vector<Cell> before;  // key cells before the method: the subject, say
   std::vector<Cell> after;   // key cells after it: numbers of triangles
   double pairs = 0.0;        // of triangles
-  DetectionRace race;
+  DetectionRace race;        // contenders, poses and oracle
 };
 
 // Meshes in their centre frames; the precision, degrees, is that of all tables.
@@ -26,6 +26,7 @@ RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, 
 // must outlive the case.
 TimedCase race_case(std::vector<Cell> key, Contender& contender, const DetectionRace& race);
 
+// What of the slowest contender is measured, and what scaled.
 struct RaceOptions {
   // Pairs of triangles up to which `pairwise` is measured; beyond, its time is scaled by the pairs.
   double most_pairs = 0.0;

@@ -13,9 +13,10 @@
 
 namespace impinge {
 
+// A body, and what the diagrams call it.
 struct NamedBody {
-  std::string_view name;
-  TriangleMesh mesh;  // closed, centre frame
+  std::string_view name;  // its kind
+  TriangleMesh mesh;      // closed, centre frame
 };
 
 // The kinds that the thesis tells apart, from what the library makes: `sphere`, `near_spherical` (a ball with
@@ -25,7 +26,7 @@ std::vector<NamedBody> bodies_by_shape(HipParameters shape, std::size_t faces);
 
 // Columns alone, and the row of a closed mesh in the centre frame.
 Table body_table();
-void add_body(std::string_view name, const TriangleMesh& mesh, Table& bodies);
+void add_body(std::string_view name, const TriangleMesh& mesh, Table& bodies);  // Its row.
 
 // The mesh moved across the z axis, by less than a face, so that the middle of an edge lies on +z exactly;
 // its corners are rounded to 2^-20 mm first, which makes the sums exact. Chosen among the edges of the face

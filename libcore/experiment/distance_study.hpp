@@ -17,16 +17,17 @@ namespace impinge {
 // Where the ray of a point ends: on a face that it meets at an angle of less than `below_deg` to the normal,
 // or, where a jump edge is nearer than that face, at a rim.
 struct DistanceZone {
-  std::string_view name;
-  double below_deg;
+  std::string_view name;  // in the results
+  double below_deg;       // largest angle to the normal, degrees; infinite for the last zone
 };
+// From faces that look at the centre to those seen obliquely.
 inline constexpr std::array<DistanceZone, 3> kFacingZones{
     {{"facing", 20.0}, {"oblique", 45.0}, {"steep", std::numeric_limits<double>::infinity()}}};
-inline constexpr std::string_view kRimZone = "rim";
+inline constexpr std::string_view kRimZone = "rim";  // the zone of points that end at a rim
 
 // The points of one zone.
 struct DistanceShare {
-  std::string_view zone;
+  std::string_view zone;      // its name
   std::vector<double> gap;    // |gap| over the exact distance
   std::vector<double> lower;  // lower end over it
   std::vector<double> upper;  // upper end over it

@@ -17,21 +17,22 @@
 
 namespace impinge {
 
+// What a driver is, for its options and messages.
 struct DriverInfo {
-  std::string name;     // of the program
-  std::string purpose;  // one sentence for --help
-  bool takes_bones = false;
-  bool takes_cache = false;
+  std::string name;          // of the program
+  std::string purpose;       // one sentence for --help
+  bool takes_bones = false;  // has it the option --bones?
+  bool takes_cache = false;  // has it the option --cache?
 };
 
 // What the body of a driver gets.
 struct DriverRun {
-  RunRecord record;
+  RunRecord record;                            // for the sidecars of the results
   std::optional<std::filesystem::path> bones;  // folder with one folder a subject
   std::filesystem::path cache;                 // of exact distances; empty for none
-  Progress progress;
+  Progress progress;                           // to say how far the work is
 
-  bool quick() const { return record.profile == "quick"; }
+  bool quick() const { return record.profile == "quick"; }  // is it the quick profile?
   // Writes the result and says where.
   void write(const Result& result);
 };

@@ -26,8 +26,9 @@
 
 namespace impinge {
 
+// A joint whose gaps are taken apart.
 struct BudgetJoint {
-  std::string name;
+  std::string name;                  // in the results
   BallSocketPair meshes;             // about the true centre, mm
   Vec3 wrong_centre = Vec3::Zero();  // that the table is filled about, in the same frame
   // Radius of the true socket along a unit vector, mm; empty where nobody knows it.
@@ -37,8 +38,8 @@ struct BudgetJoint {
 // Gaps of the ball's vertices against the socket in the pose as given, mm, one list a stage: the first is the
 // truth that is known, each further one has one source of error more. NaN where there is no gap.
 struct Stage {
-  std::string_view adds;  // the name of the stage that leads here; empty for the first
-  std::vector<double> gap;
+  std::string_view adds;    // the name of the stage that leads here; empty for the first
+  std::vector<double> gap;  // mm, by vertex
 };
 
 // The exact stages: truth, mesh and centre, which no table has a part in.
@@ -46,14 +47,15 @@ std::vector<Stage> exact_stages(const BudgetJoint& joint);
 
 // The stages of one table after the exact ones, for each way to store it.
 struct StoredStages {
-  std::string_view storage;
-  std::vector<Stage> stages;
+  std::string_view storage;   // double, float or uint16
+  std::vector<Stage> stages;  // from the table on
 };
 
 // Vertices of the ball seen from the centre that the table is filled about, mm.
 std::vector<Vec3> seen_from_wrong_centre(const BudgetJoint& joint);
-TriangleMesh socket_about_wrong_centre(const BudgetJoint& joint);
+TriangleMesh socket_about_wrong_centre(const BudgetJoint& joint);  // the socket's mesh in the same frame, mm
 
+// Of those vertices, mm, looked up in extended precision with the stencil and the entries as doubles.
 template <SamplingScheme S>
 std::vector<double> extended_gaps(const RadialTable<S>& table, const std::vector<Vec3>& vertices) {
   std::vector<double> gaps;
@@ -73,6 +75,7 @@ std::vector<double> extended_gaps(const RadialTable<S>& table, const std::vector
   return gaps;
 }
 
+// Of those vertices, mm, in double, from any kind of table.
 template <class AnyTable>
 std::vector<double> computed_gaps(const AnyTable& table, const std::vector<Vec3>& vertices) {
   std::vector<double> gaps;
@@ -81,6 +84,7 @@ std::vector<double> computed_gaps(const AnyTable& table, const std::vector<Vec3>
   return gaps;
 }
 
+// The stages of the tables of one scheme, filled exactly: in double, in float and in 16 bits.
 template <SamplingScheme S>
 std::vector<StoredStages> table_stages(const BudgetJoint& joint, const S& scheme) {
   const std::vector<Vec3> vertices = seen_from_wrong_centre(joint);
@@ -96,11 +100,12 @@ std::vector<StoredStages> table_stages(const BudgetJoint& joint, const S& scheme
 // The columns of error_budget.csv, without any row.
 Table budget_table();
 
+// Key columns of the rows of one table.
 struct BudgetCase {
-  std::string_view joint;
-  std::string_view scheme;
-  double precision_deg = 0.0;
-  std::string_view storage;
+  std::string_view joint;      // its name
+  std::string_view scheme;     // its name
+  double precision_deg = 0.0;  // of the scheme
+  std::string_view storage;    // of the entries
 };
 
 // Adds one row a stage, one of the total (last gap minus first) and one of the sums of what the stages have

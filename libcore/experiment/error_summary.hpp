@@ -7,8 +7,9 @@
 
 namespace impinge {
 
-struct ErrorSummary {  // in the unit of the errors, which are not negative
-  double max = 0.0;
+// In the unit of the errors, which are not negative.
+struct ErrorSummary {
+  double max = 0.0;    // the largest
   double rms = 0.0;    // root mean square
   double p9999 = 0.0;  // all but one in ten thousand are below
 };

@@ -12,7 +12,7 @@ namespace impinge {
 
 // Points as far from the centre as the joint space is, with the exact gaps there.
 struct FastProbes {
-  AskedPoints asked;
+  AskedPoints asked;              // the points
   std::vector<double> truth;      // gaps, mm, NaN where there is no surface
   std::vector<double> distances;  // Euclidean ones, mm, of the first few
 };
@@ -25,7 +25,7 @@ struct FastErrors {
   std::size_t misses = 0;      // no answer where there is a surface
   std::size_t false_hits = 0;  // an answer where there is none
   std::size_t undecided = 0;   // answered by a slower way
-  std::size_t probes = 0;
+  std::size_t probes = 0;      // points that were asked
 };
 
 // std::runtime_error, which names the method, for an error or a share of false hits that no right method has.

@@ -15,22 +15,24 @@ namespace impinge {
 
 // One generated pair, of so many triangles a model, and the tables that are tried on it.
 struct FastJoint {
-  std::size_t triangles = 0;
-  FastSizes sizes;
-  bool cold = false;  // are its methods asked cold, too?
+  std::size_t triangles = 0;  // of each surface
+  FastSizes sizes;            // of the tables
+  bool cold = false;          // are its methods asked cold, too?
 };
 
+// What is tried and how often.
 struct FastOptions {
-  std::vector<FastJoint> joints;
-  int rounds = 15;
-  double ray_tests = 4e8;  // triangles that the truth of the errors may look at, for each surface
-  TimingOptions timing;
-  std::uint64_t seed = 0;
+  std::vector<FastJoint> joints;  // one after the other
+  int rounds = 15;                // of each case
+  double ray_tests = 4e8;         // triangles that the truth of the errors may look at, for each surface
+  TimingOptions timing;           // of the rounds
+  std::uint64_t seed = 0;         // of the probes
 };
 
+// The result and its times.
 struct FastTables {
-  Table table;
-  TimingRun timing;
+  Table table;       // as fast_table() makes it
+  TimingRun timing;  // of all cases
 };
 
 // Errors first. std::runtime_error for a method that is too far off to be timed.

@@ -11,10 +11,10 @@ namespace impinge {
 
 // What is said of a case beside its time.
 struct FastCase {
-  TimedCase timed;
-  FastErrors errors;
-  double bytes = 0.0;
-  Measure measure = Measure::radial;
+  TimedCase timed;                    // its key is fast_keys()
+  FastErrors errors;                  // of the same method
+  double bytes = 0.0;                 // of table or tree
+  Measure measure = Measure::radial;  // what the errors are of
 };
 
 // method, setting, storage, triangles, direction, instruction_set, threads, state.

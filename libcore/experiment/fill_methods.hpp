@@ -15,12 +15,13 @@ namespace impinge {
 
 // A surface and the directions in which it is asked for.
 struct FilledSurface {
-  const TriangleMesh& mesh;  // centre frame; outlives the methods
-  Layer layer;
-  CubeGnomonic scheme;
+  const TriangleMesh& mesh;                         // centre frame; outlives the methods
+  Layer layer;                                      // that counts where there are several
+  CubeGnomonic scheme;                              // whose entries are filled
   std::shared_ptr<const RayDirections> directions;  // of the entries
 };
 
+// One way to fill the table of one surface.
 class TableFilling {
  public:
   TableFilling() = default;
@@ -28,20 +29,22 @@ class TableFilling {
   TableFilling& operator=(const TableFilling&) = delete;
   virtual ~TableFilling() = default;
 
-  virtual void fill() = 0;
+  virtual void fill() = 0;                             // everything from the mesh to the table; what is timed
   virtual void forget() = 0;                           // gives the memory of the table back
   virtual double radius(std::size_t entry) const = 0;  // of the table that was filled, mm
   virtual double tolerance() const = 0;                // mm, of a radius; infinite: is it there?
 };
 
+// How a way comes to be, and what the results call it.
 struct FillingMaker {
-  std::string name;
-  std::string storage;
-  int threads = 1;
+  std::string name;       // in the results
+  std::string storage;    // double, float or uint16
+  int threads = 1;        // that fill one table
   double most_off = 0.0;  // share of the entries that may be off: rays in float slip past edges
+  // The surface outlives it.
   std::unique_ptr<TableFilling> (*make)(const FilledSurface& surface, int threads) = nullptr;
 };
 
-std::vector<FillingMaker> filling_methods();
+std::vector<FillingMaker> filling_methods();  // all of them
 
 }  // namespace impinge

@@ -10,11 +10,12 @@
 
 namespace impinge {
 
+// What is filled and how often.
 struct FillOptions {
   std::vector<std::size_t> triangles;  // of each model
   std::vector<std::size_t> cells;      // along an edge of the cube
-  int rounds = 9;
-  TimingOptions timing;
+  int rounds = 9;                      // of each case
+  TimingOptions timing;                // of the rounds
 };
 
 // method, storage, memory, threads, triangles, cells, entries (of both tables).

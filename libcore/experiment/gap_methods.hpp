@@ -18,6 +18,7 @@ namespace impinge {
 template <class Table>
 class KernelScan final : public GapMethod {
  public:
+  // table: that of the other surface; scan: whose vertices ask.
   KernelScan(Table table, Scan scan) : table_(std::move(table)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
@@ -43,6 +44,7 @@ class KernelScan final : public GapMethod {
 // On which side of a gap of 0 each vertex is, for sure.
 class CertifiedScan final : public GapMethod {
  public:
+  // Table: of the other surface; scan: whose vertices ask.
   CertifiedScan(CertifiedTable table, Scan scan) : table_(std::move(table)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
@@ -63,6 +65,7 @@ class CertifiedScan final : public GapMethod {
 template <SamplingScheme S>
 class ScalarScan final : public GapMethod {
  public:
+  // table: that of the other surface; scan: whose vertices ask.
   ScalarScan(RadialTable<S> table, Scan scan) : table_(std::move(table)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
@@ -84,6 +87,7 @@ class ScalarScan final : public GapMethod {
 // Rays in the frame of the surface; the points are moved there first.
 class RayScan final : public GapMethod {
  public:
+  // rays: that meet the other surface; scan: whose vertices ask.
   RayScan(std::unique_ptr<RadiusMethod> rays, Scan scan) : rays_(std::move(rays)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
@@ -110,6 +114,7 @@ class RayScan final : public GapMethod {
 // Distances of points from the surface: Euclidean, and without a sign.
 class ClosestScan final : public GapMethod {
  public:
+  // distances: from the surface that is asked; scan: whose vertices ask.
   ClosestScan(std::unique_ptr<RadiusMethod> distances, Scan scan)
       : distances_(std::move(distances)), scan_(scan) {}
 
@@ -135,7 +140,7 @@ class ClosestScan final : public GapMethod {
 // The least that a look-up does.
 class FloorScan final : public GapMethod {
  public:
-  explicit FloorScan(std::size_t bytes) : table_(bytes, kReach) {}
+  explicit FloorScan(std::size_t bytes) : table_(bytes, kReach) {}  // of a table of so many bytes
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.floats.resize(asked.points.size());

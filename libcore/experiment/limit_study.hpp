@@ -17,8 +17,8 @@ namespace impinge {
 
 // Meshes in the joint frame, mm, the centre of the head as origin.
 struct StudiedJoint {
-  std::string name;
-  BallSocketPair meshes;
+  std::string name;          // in the results
+  BallSocketPair meshes;     // mm
   std::optional<Side> side;  // without one flexion and extension alone are known
 };
 
@@ -29,15 +29,16 @@ enum class CentreStrategy {
            // space is even (the static form of Puls et al. 2010)
 };
 
+// One motion of one joint, to contact or to a gap.
 struct LimitCase {
-  std::string joint;
-  const NamedMotion* motion = nullptr;
-  CentreStrategy centre = CentreStrategy::head;
-  double shift_mm = 0.0;         // of the head from the pose of the scan
-  std::optional<double> gap_mm;  // the threshold; contact without one
-  TurnLimit limit;
-  std::string clock;                   // of the contact on the socket; empty where there is none
-  std::optional<double> smallest_gap;  // of a vertex, mm, at the lower end of the bracket
+  std::string joint;                             // its name
+  const NamedMotion* motion = nullptr;           // one of named_motions()
+  CentreStrategy centre = CentreStrategy::head;  // that the joint turns about
+  double shift_mm = 0.0;                         // of the head from the pose of the scan
+  std::optional<double> gap_mm;                  // the threshold; contact without one
+  TurnLimit limit;                               // the bracket
+  std::string clock;                             // of the contact on the socket; empty where there is none
+  std::optional<double> smallest_gap;            // of a vertex, mm, at the lower end of the bracket
 };
 
 // All motions up to contact, and about the head's centre up to each of these gaps, mm.
@@ -45,9 +46,10 @@ std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<do
 
 // The tables motion_limits and motion_limit_details.
 Table limit_table(const std::vector<LimitCase>& cases);
+// Brackets, places and what half a millimetre changes.
 Table limit_detail_table(const std::vector<LimitCase>& cases);
 
-Table phantom_table(const std::vector<PhantomRow>& rows);
+Table phantom_table(const std::vector<PhantomRow>& rows);  // the table of validation (limits/phantom.hpp)
 
 // What the error of a centre or a surface is taken to be, mm: residuals of sphere fits to real heads are 0.4
 // to 0.7.

@@ -16,7 +16,7 @@ struct Machine {
   std::string system = "unknown";    // name and release of the operating system, processor family
 };
 
-Machine this_machine();
+Machine this_machine();  // as it is now
 
 // Bytes that a program may still take before the machine swaps (MemAvailable of Linux); the physical memory
 // where that is not known.

@@ -15,10 +15,11 @@ namespace impinge {
 
 // One motion to its end; names as in joint/motion.hpp, degrees.
 struct RecordedMotion {
-  std::string motion;
-  double angle_deg = 0.0;
+  std::string motion;      // one of motion_names()
+  double angle_deg = 0.0;  // at its end
 };
 
+// How finely a motion is followed, and what is kept of it.
 struct ReplayOptions {
   double precision_deg = 0.5;  // of the tables, RSID
   double step_deg = 1.0;       // at most, between the poses of a motion: they are evenly spread
@@ -31,10 +32,10 @@ struct ReplayOptions {
 
 // Rows joint,motion,angle_deg,... of every pose, and of every zone of every pose.
 struct ReplayTables {
-  Table frames;
-  Table zones;
+  Table frames;  // a row a pose
+  Table zones;   // a row a zone of a pose
 };
-ReplayTables replay_tables();
+ReplayTables replay_tables();  // with their columns, and no row
 
 // Adds the poses of a hip to the tables, and writes NAME-ball.ply and NAME-socket.ply (mesh/ply_series.hpp)
 // into the folder: both meshes in the pose as modelled, with the gaps of each kept pose as property gap_K, K

@@ -17,24 +17,25 @@ namespace impinge {
 
 // A joint and what is asked about it.
 struct NeedsScene {
-  std::string name;
+  std::string name;                             // in the results
   std::shared_ptr<const BallSocketPair> joint;  // centre frames, mm
-  SceneNeeds needs;
+  SceneNeeds needs;                             // what is asked
 };
 
+// What everything is done with, and how often it is timed.
 struct NeedsOptions {
   double precision_deg = 0.1;  // of the RSID tables that everything is done with
-  int rounds = 5;
+  int rounds = 5;              // of each case
 };
 
 // One way to do the work of a scene.
 struct NeedsCase {
-  std::string scene;
-  std::string left_out;       // the omission that is on, "nothing" or "all"
-  std::function<void()> run;  // what is timed
-  double bytes = 0.0;         // of memory, of one run
-  bool identical = true;      // its answer to that of the case that leaves nothing out, see cases_of()
-  double difference_mm = 0.0;
+  std::string scene;           // its name
+  std::string left_out;        // the omission that is on, "nothing" or "all"
+  std::function<void()> run;   // what is timed
+  double bytes = 0.0;          // of memory, of one run
+  bool identical = true;       // its answer to that of the case that leaves nothing out, see cases_of()
+  double difference_mm = 0.0;  // largest, of a gap, from the answer it is compared with
 };
 
 // The questions of one joint that turns about the axis: all gaps in one pose, the smallest gap in it, touch
@@ -58,10 +59,11 @@ std::vector<NeedsCase> local_change_of(const std::string& name, const BallSocket
 // Times all cases and makes scene_needs.csv, and scene_needs_totals.csv of every scene's everything beside
 // its plan. The outputs of a joint count as part of everything in its scenes of one pose.
 struct NeedsTables {
-  Table needs;
-  Table totals;
-  TimingRun timing;
+  Table needs;       // scene_needs.csv
+  Table totals;      // scene_needs_totals.csv
+  TimingRun timing;  // of all cases
 };
+// Those tables, of the cases of all scenes.
 NeedsTables time_needs(const std::vector<NeedsCase>& cases, const NeedsOptions& options, Progress& progress);
 
 }  // namespace impinge

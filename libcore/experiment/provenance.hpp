@@ -21,21 +21,21 @@ namespace impinge {
 
 // What is written: one file and what a reader must know about it.
 struct Result {
-  std::string name;      // of the file, without .csv
-  std::string question;  // that the rows answer
-  Table table;
+  std::string name;                                      // of the file, without .csv
+  std::string question;                                  // that the rows answer
+  Table table;                                           // the rows
   nlohmann::json parameters = nlohmann::json::object();  // everything that was chosen
   nlohmann::json timing;                                 // protocol and control of a timed result, else null
 };
 
 // What all results of one run of a driver share.
 struct RunRecord {
-  std::string driver;            // name of the program
-  std::string command;           // as it was called
-  std::string profile = "full";  // quick or full
-  std::uint64_t seed = 0;
-  std::filesystem::path folder;  // of the results
-  std::chrono::system_clock::time_point start = std::chrono::system_clock::now();
+  std::string driver;                                                              // name of the program
+  std::string command;                                                             // as it was called
+  std::string profile = "full";                                                    // quick or full
+  std::uint64_t seed = 0;                                                          // of all random numbers
+  std::filesystem::path folder;                                                    // of the results
+  std::chrono::system_clock::time_point start = std::chrono::system_clock::now();  // of the run
 };
 
 // The sidecar of a result whose file has these bytes.

@@ -17,8 +17,8 @@ struct RaceErrors {
   double max_under = 0.0;  // below it
   // Over the uniform probes, so that every part of the surface counts by its solid angle.
   double rms = 0.0;
-  double p99 = 0.0;
-  double uniform_max = 0.0;
+  double p99 = 0.0;              // 99th percentile of the errors' size
+  double uniform_max = 0.0;      // largest of the uniform probes
   double feature_max = 0.0;      // over the other probes
   double adversarial_max = 0.0;  // over those of the ascent
   std::size_t misses = 0;        // no answer where there is a surface
@@ -26,13 +26,13 @@ struct RaceErrors {
   std::size_t directions = 0;    // examined in all
   Vec3 worst = Vec3::Zero();     // the point of the largest error
 
-  double max() const { return std::max(max_over, max_under); }
+  double max() const { return std::max(max_over, max_under); }  // largest in size
 };
 
 // Local ascent on |error| from the worst probes: steps along the sphere in four directions, each halved until
 // the error no longer grows.
 struct AscentOptions {
-  std::size_t starts = 8;
+  std::size_t starts = 8;             // probes that it begins at
   std::size_t steps = 40;             // questions for each start, at most
   double first_step = 0.3 * kDegree;  // radians
 };
@@ -46,17 +46,19 @@ RaceErrors measure_pose(RadiusMethod& method, double truth);
 
 // An error above its bound. Truth and look-ups are worked out in double: that much is let pass.
 inline constexpr double kRaceRounding = 1e-10;  // mm
+// The point at which a bound does not hold, to look into.
 struct Violation {
-  std::string scene;
-  std::string method;
-  std::string setting;
-  double error_mm = 0.0;
-  double bound_mm = 0.0;
-  Vec3 point = Vec3::Zero();
+  std::string scene;          // its name
+  std::string method;         // its name
+  std::string setting;        // such as "1deg float"
+  double error_mm = 0.0;      // measured
+  double bound_mm = 0.0;      // proven
+  Vec3 point = Vec3::Zero();  // mm, in the socket's frame
 
   // One line of JSON; the point in hexadecimal, digit for digit.
   std::string text() const;
 };
+// Without the names, which the caller knows. None where no bound is given.
 std::optional<Violation> find_violation(const RaceErrors& errors, const MethodBound& bound);
 
 }  // namespace impinge

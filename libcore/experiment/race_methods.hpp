@@ -10,14 +10,15 @@
 
 namespace impinge {
 
+// Which tables run, and how tightly they are bounded.
 struct TableRace {
   std::vector<double> precisions;  // degrees
   // Tables of no more entries, of surfaces of no more faces, are bounded by branch and bound, see
   // sampling/table_bound.hpp; other tables of radii by the bound of first order, which costs little and is
   // loose, other tables of inverse depths not at all.
   std::size_t most_entries = 0;
-  std::size_t most_faces = 0;
-  BoundOptions search;
+  std::size_t most_faces = 0;  // see above
+  BoundOptions search;         // of branch and bound
 };
 
 // Every scheme of every precision it can have, in double, float and 16 bits; those whose entries

@@ -14,17 +14,18 @@ namespace impinge {
 
 // Points in the socket's frame, mm; the first `uniform` of them lie in directions uniform on the sphere.
 struct RaceProbes {
-  std::vector<Vec3> points;
-  std::size_t uniform = 0;
+  std::vector<Vec3> points;   // those in uniform directions first
+  std::size_t uniform = 0;    // number of them
   std::vector<double> truth;  // mm, NaN where there is no surface; by the exact reference
   // The truth at any other point, among all triangles in double.
   std::function<double(const Vec3&)> truth_at;
 };
 
+// How many probes of each kind.
 struct ProbeOptions {
-  std::size_t uniform = 0;       // directions
-  std::size_t each_feature = 0;  // directions of each kind of feature, at most
-  std::uint64_t seed = 0;
+  std::size_t uniform = 0;           // directions
+  std::size_t each_feature = 0;      // directions of each kind of feature, at most
+  std::uint64_t seed = 0;            // of the uniform directions
   std::filesystem::path cache = {};  // folder of exact distances, see reference_cache.hpp
 };
 

@@ -14,31 +14,33 @@
 
 namespace impinge {
 
+// What runs, where errors are measured, and how costs are timed.
 struct RaceOptions {
-  TableRace tables;
+  TableRace tables;                     // of every scheme
   std::vector<std::size_t> grid_nodes;  // a side
-  ProbeOptions radial;
-  ProbeOptions euclidean;
-  AscentOptions ascent;
-  RaceTimingOptions timing;
+  ProbeOptions radial;                  // of methods that answer radii
+  ProbeOptions euclidean;               // of methods that answer distances
+  AscentOptions ascent;                 // from the worst probes
+  RaceTimingOptions timing;             // of the costs
 };
 
 // What small machines and short runs can do, and the whole of it.
 RaceOptions quick_race();
-RaceOptions full_race();
+RaceOptions full_race();  // the latter
 
+// The three results, row by row.
 struct RaceTables {
   Table main;     // error_against_time.csv
   Table spread;   // error_against_time_spread.csv
   Table samples;  // error_against_time_samples.csv
 };
-RaceTables make_race_tables();
+RaceTables make_race_tables();  // with their columns, and no row
 
 // A bound that does not hold: nothing that was measured can be trusted until that is resolved.
 class BoundViolated : public std::runtime_error {
  public:
-  explicit BoundViolated(const Violation& violation);
-  const Violation& violation() const { return violation_; }
+  explicit BoundViolated(const Violation& violation);        // what() gives its text()
+  const Violation& violation() const { return violation_; }  // the one that ended the race
 
  private:
   Violation violation_;

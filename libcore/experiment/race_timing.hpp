@@ -21,6 +21,7 @@
 
 namespace impinge {
 
+// How often and how long everything is timed.
 struct RaceTimingOptions {
   int rounds = 7;                      // 2 or more
   double warm_ms = 5.0;                // a warm measurement takes so long at least
@@ -33,11 +34,11 @@ struct RaceTimingOptions {
 // Samples in the order of the rounds; ns are those of one point (of one vertex of the ball for
 // Measure::pose).
 struct RaceCosts {
-  std::vector<double> build_ms;
-  std::vector<double> cold_ns;
-  std::vector<double> warm_ns;
-  double bytes = 0.0;
-  std::size_t batch = 0;  // points of one batch
+  std::vector<double> build_ms;  // of building
+  std::vector<double> cold_ns;   // of asking cold
+  std::vector<double> warm_ns;   // of asking warm
+  double bytes = 0.0;            // of what was built
+  std::size_t batch = 0;         // points of one batch
 };
 
 // In the order of the methods. std::invalid_argument for fewer than two rounds.

@@ -22,45 +22,49 @@ namespace impinge {
 // Directions close to a pole are within this many spacings of it.
 inline constexpr double kPolarCells = 3.0;
 
+// A surface with a formula, and where it is examined.
 struct ExaminedSurface {
-  RadialSurface surface;
-  Probes probes;
+  RadialSurface surface;  // its formula
+  Probes probes;          // its truth along the directions of the study
 };
 
+// What the rows of all schemes share, and the tables that they fill.
 struct SamplingStudy {
   double radius = 22.0;  // mm, of the head without its bump: the r of Eq. 7
   // `uniform` ones, then some close to the poles, then those through vertices and edges of the head.
   std::vector<Vec3> directions;
-  std::size_t uniform = 0;
+  std::size_t uniform = 0;                // number of the uniform ones
   std::vector<ExaminedSurface> formulas;  // examined along all but the last
-  TriangleMesh head;
-  Probes head_mesh;     // the truth is the mesh
-  Probes head_formula;  // the truth is the smooth surface behind it
-  RadialSurface plane;
-  std::vector<Vec3> away_from_poles;  // uniform directions more than 10 degrees from them
-  std::vector<EdgeShape> edges;
-  Table errors;       // sampling_error.csv
-  Table proven;       // sampling_error_proven.csv
+  TriangleMesh head;                      // of the generated joint, mm
+  Probes head_mesh;                       // the truth is the mesh
+  Probes head_formula;                    // the truth is the smooth surface behind it
+  RadialSurface plane;                    // on which the bound of a face is checked
+  std::vector<Vec3> away_from_poles;      // uniform directions more than 10 degrees from them
+  std::vector<EdgeShape> edges;           // on which the bound of an edge is checked
+  Table errors;                           // sampling_error.csv
+  Table proven;                           // sampling_error_proven.csv
   bool prove = true;  // works out the bound of each table of the head: most of the time at fine precision
   Table surfaces;     // sampling_error_surfaces.csv
   Table bounds;       // sampling_error_bounds.csv
 };
 
+// How much is examined.
 struct StudyOptions {
   std::size_t faces = 12000;       // of the head
   std::size_t uniform = 200000;    // directions
   std::size_t polar = 1000;        // directions at the poles for each precision
   std::vector<double> precisions;  // degrees
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;          // of the uniform directions
 };
+// Surfaces, directions and truth; tables without a row.
 SamplingStudy make_sampling_study(const StudyOptions& options);
 
 // What the rows of one scheme and precision share.
 struct StudyCase {
-  std::string_view scheme;
-  double precision = 0.0;  // degrees, as asked for
-  std::vector<NearestEntry> nearest;
-  Gap gap;
+  std::string_view scheme;            // its name
+  double precision = 0.0;             // degrees, as asked for
+  std::vector<NearestEntry> nearest;  // of each direction of the study
+  Gap gap;                            // the widest that was found
 };
 
 // Adds a row to `surfaces`. Errors in mm, in the order of the probes.
@@ -69,10 +73,11 @@ void add_surface_row(SamplingStudy& study, const StudyCase& now, const ExaminedS
 
 // One promise about errors, and how near to it they come.
 struct BoundCheck {
-  std::string_view promise;
-  std::string_view surface;
-  std::string_view reach;  // which radius of the scheme the bound takes, if any
+  std::string_view promise;  // its name
+  std::string_view surface;  // its name
+  std::string_view reach;    // which radius of the scheme the bound takes, if any
 };
+// Adds a row to `bounds`: errors and their bounds, probe by probe, mm.
 void add_bound_row(SamplingStudy& study, const StudyCase& now, const BoundCheck& check,
                    const std::vector<double>& errors, const std::vector<double>& bounds);
 

@@ -20,39 +20,42 @@
 
 namespace impinge {
 
+// The scanner, and what is made of its images.
 struct SlicesOptions {
-  ScanGrid grid;
-  ScanLevels levels;
-  std::size_t faces = 12000;  // of each surface after decimation
-  double precision_deg = 1.0;
+  ScanGrid grid;               // of the voxels
+  ScanLevels levels;           // of the image with noise
+  std::size_t faces = 12000;   // of each surface after decimation
+  double precision_deg = 1.0;  // of the tables
 };
 
 // Directions in which ball and socket face each other, away from the rim, with their exact gaps.
 struct FacingGaps {
-  std::vector<Vec3> directions;
-  std::vector<double> gap;  // mm
+  std::vector<Vec3> directions;  // unit vectors
+  std::vector<double> gap;       // mm
 };
 
 // Those of `count` even directions in which, and in eight more 3 degrees away, the gap is below 8 mm.
 FacingGaps facing_gaps(const Hip& hip, std::size_t count);
 
+// The gaps after one stage, against the true ones.
 struct StageError {
-  std::string stage;
-  std::size_t ball_faces = 0;
-  std::size_t socket_faces = 0;
-  double mean_mm = 0.0;  // of gap minus true gap
-  double rms_mm = 0.0;
-  double largest_mm = 0.0;
-  double added_rms_mm = 0.0;  // of gap minus that of the stage before
-  std::size_t directions = 0;
-  std::size_t missed = 0;  // of them, without a gap
+  std::string stage;             // its name
+  std::size_t ball_faces = 0;    // after the stage
+  std::size_t socket_faces = 0;  // after the stage
+  double mean_mm = 0.0;          // of gap minus true gap
+  double rms_mm = 0.0;           // root mean square of the same
+  double largest_mm = 0.0;       // largest in size
+  double added_rms_mm = 0.0;     // of gap minus that of the stage before
+  std::size_t directions = 0;    // that were asked
+  std::size_t missed = 0;        // of them, without a gap
 };
 
+// The errors of all stages, and the surfaces that they end with.
 struct SlicesResult {
-  std::vector<StageError> stages;
-  TriangleMesh ball;  // after decimation, in the frame of the hip
-  TriangleMesh socket;
-  Vec3 centre = Vec3::Zero();  // fitted
+  std::vector<StageError> stages;  // in their order
+  TriangleMesh ball;               // after decimation, in the frame of the hip
+  TriangleMesh socket;             // likewise
+  Vec3 centre = Vec3::Zero();      // fitted
 };
 
 // The hip has closed surfaces (a socket with a wall). Both bones are scanned one by one, which stands for a

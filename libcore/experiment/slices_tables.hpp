@@ -9,6 +9,7 @@ namespace impinge {
 
 // Columns alone, and the rows of one distance of the slices.
 Table stage_table();
+// Adds the rows of one distance of the slices, mm.
 void add_stages(Table& table, double slice_mm, const SlicesResult& result);
 
 // The decimated surfaces, one row a triangle, to a micrometre.

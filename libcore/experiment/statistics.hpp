@@ -11,12 +11,13 @@ namespace impinge {
 // type 7 of Hyndman and Fan (1996), the default of R and NumPy. NaN for no sample.
 double quantile(std::span<const double> samples, double p);
 
+// Of samples.
 struct Summary {
   double median = 0.0;    // unit of the samples
   double iqr = 0.0;       // third minus first quartile; 0 for one sample
   std::size_t count = 0;  // samples behind it
 };
 
-Summary summarise(std::span<const double> samples);
+Summary summarise(std::span<const double> samples);  // NaN and 0 for no sample.
 
 }  // namespace impinge

@@ -20,11 +20,12 @@ struct TimedCase {
   std::function<void()> run;
   // Pieces of work in one run, such as poses: times are given for one of them.
   double units = 1.0;
-  int rounds = 15;
+  int rounds = 15;  // samples that are taken
   // Above 0: known to take so many seconds, so it is neither warmed up nor calibrated; one run a round.
   double expected_s = 0.0;
 };
 
+// How long a round takes, and when a result says nothing.
 struct TimingOptions {
   double min_round_ms = 20.0;     // fast cases repeat within a round until it takes so long
   double slow_ms = 1000.0;        // a run that takes longer is not repeated and not warmed up within a round
@@ -40,12 +41,13 @@ void check_cases(const std::vector<TimedCase>& cases);
 
 // A case ready to run: how often within a round, and how long that will take.
 struct RoundPlan {
-  const TimedCase* work = nullptr;
-  std::string name;        // text of the key
-  std::int64_t batch = 1;  // runs within a round
-  double run_s = 0.0;      // seconds a run
-  bool warm_up = false;    // one more run, not timed, begins each round
+  const TimedCase* work = nullptr;  // borrowed
+  std::string name;                 // text of the key
+  std::int64_t batch = 1;           // runs within a round
+  double run_s = 0.0;               // seconds a run
+  bool warm_up = false;             // one more run, not timed, begins each round
 
+  // Seconds that a round takes.
   double round_s() const { return run_s * (static_cast<double>(batch) + (warm_up ? 1.0 : 0.0)); }
 };
 

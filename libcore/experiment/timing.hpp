@@ -16,18 +16,19 @@ namespace impinge {
 
 // Samples of one case, milliseconds a unit, in the order of its rounds.
 struct Timing {
-  std::vector<Cell> key;
-  std::vector<double> samples_ms;
-  Summary summary;         // of the samples
-  std::int64_t batch = 1;  // runs within a round
+  std::vector<Cell> key;           // of the case
+  std::vector<double> samples_ms;  // one a round
+  Summary summary;                 // of the samples
+  std::int64_t batch = 1;          // runs within a round
 };
 
+// All samples of a run, and its control.
 struct TimingRun {
   std::vector<Timing> timings;                    // in the order of the cases
   Timing control;                                 // the second registration of the control case
   double control_ratio = 1.0;                     // its median over the median of the first
   bool inconclusive(const Timing& timing) const;  // control off, or spread too large
-  TimingOptions options;
+  TimingOptions options;                          // that it was run with
 };
 
 // The timing of a case. Throws std::out_of_range for a key that was not measured.

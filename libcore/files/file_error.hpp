@@ -11,6 +11,7 @@ namespace impinge {
 // what() is one line: "FILE: what is wrong; what to do".
 class FileError : public std::runtime_error {
  public:
+  // Reason: what is wrong; advice: what to do.
   FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
 };
 

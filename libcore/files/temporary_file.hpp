@@ -21,7 +21,7 @@ class TemporaryFile {
   // Puts it in the place of the target.
   void rename();
 
-  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& target() const { return target_; }  // its final place
 
  private:
   std::filesystem::path target_;

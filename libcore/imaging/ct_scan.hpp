@@ -13,6 +13,7 @@
 
 namespace impinge {
 
+// How fine a scanner sees.
 struct ScanGrid {
   double pixel = 0.7;   // mm; 360 mm in 512 pixels
   double slice = 1.25;  // mm, distance and thickness (thesis, Section 3.5.2)
@@ -25,13 +26,15 @@ VoxelImage bone_shares(const TriangleMesh& body, const ScanGrid& grid);
 
 // Hounsfield units: tissue + share (bone - tissue) + Gaussian noise, the seed's own for every voxel in turn.
 struct ScanLevels {
-  double tissue = 50.0;
-  double bone = 850.0;
-  double noise = 25.0;  // standard deviation
-  std::uint64_t seed = 0;
+  double tissue = 50.0;    // mean outside of bone
+  double bone = 850.0;     // mean inside of bone
+  double noise = 25.0;     // standard deviation
+  std::uint64_t seed = 0;  // of the noise
 
+  // Half-way: where a segmentation sees the surface.
   double threshold() const { return 0.5 * (tissue + bone); }
 };
+// The image that a scanner gives of such shares.
 VoxelImage hounsfield(const VoxelImage& shares, const ScanLevels& levels);
 
 }  // namespace impinge

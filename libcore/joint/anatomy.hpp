@@ -9,6 +9,7 @@
 
 namespace impinge {
 
+// Of the body, the patient's own.
 enum class Side { left, right };
 
 // "left" or "right", else std::invalid_argument.

@@ -13,8 +13,8 @@ namespace impinge {
 // Thickness of both layers together (mm, 0 or more) in some directions from the centre (unit vectors). It
 // stays with the socket when the ball moves.
 struct CartilageMap {
-  std::vector<Vec3> directions;
-  std::vector<double> thickness;
+  std::vector<Vec3> directions;   // unit vectors from the centre of the socket
+  std::vector<double> thickness;  // of each direction, mm
 };
 
 // Thickness along a direction: the mean of the four nearest of the map, weighted by the inverse square of

@@ -13,8 +13,8 @@ namespace impinge {
 
 // The dial, in the joint frame: unit vectors in the plane square to the axis of the socket.
 struct ClockFace {
-  Vec3 twelve = Vec3::UnitZ();
-  Vec3 three = Vec3::UnitY();
+  Vec3 twelve = Vec3::UnitZ();  // unit vector towards 12 o'clock
+  Vec3 three = Vec3::UnitY();   // unit vector towards 3 o'clock
 
   // Hours in [0, 12) of a direction that is not along the axis of the socket.
   double hours(const Vec3& direction) const;
@@ -30,8 +30,8 @@ std::optional<ClockFace> clock_face(const TriangleMesh& socket);
 
 // A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
 struct ClockZone {
-  double from = 0.0;
-  double to = 0.0;
+  double from = 0.0;  // hours
+  double to = 0.0;    // hours; less than `from` where the stretch passes 12 o'clock
   double area = 0.0;  // mm^2
 };
 

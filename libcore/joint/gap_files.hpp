@@ -13,9 +13,9 @@ namespace impinge {
 // One surface as it is posed: the places of its vertices in the input frame and their gaps, mm, NaN where the
 // other surface is not met. Of one size.
 struct GapsOfSurface {
-  Surface surface = Surface::ball;
-  std::span<const Vec3> places;
-  std::span<const double> gap;
+  Surface surface = Surface::ball;  // whose vertices they are
+  std::span<const Vec3> places;     // mm, input frame
+  std::span<const double> gap;      // mm, of each
 };
 
 // surface,vertex,x,y,z,gap_mm with a header line; numbers as the shortest text that reads back as the same

@@ -22,6 +22,7 @@ inline constexpr std::size_t kHipFaces = 12000;  // a surface, as in the thesis
 // (within 3 %; at least kFewestHipFaces, else std::invalid_argument). Impossible parameters as in
 // require_possible(). The left hip is the mirror image of the right one.
 inline constexpr std::size_t kFewestHipFaces = 500;
+// The ball and the socket of these parameters, see above.
 Hip make_hip(const HipParameters& parameters, std::size_t faces = kHipFaces);
 
 }  // namespace impinge

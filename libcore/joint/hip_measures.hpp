@@ -12,18 +12,19 @@
 
 namespace impinge {
 
-inline constexpr std::size_t kClockHours = 12;
+inline constexpr std::size_t kClockHours = 12;  // positions at which alpha is measured
 
+// What is measured of a ball.
 struct FemurMeasures {
-  SphereFit head;
+  SphereFit head;                 // the sphere that fits the head
   Vec3 neck_axis = Vec3::Zero();  // from the centre of the head, in the frame of the mesh
   double neck_radius = 0.0;       // mean distance from the axis, of the neck's section at 1.35 head radii
-  double head_neck_offset = 0.0;
+  double head_neck_offset = 0.0;  // mm, radius of the head minus that of the neck
   std::array<double, kClockHours> alpha{};  // at 12, 1, ... 11 o'clock about the neck axis; NaN where the
                                             // surface does not leave the head
   // None where there is no straight shaft:
   std::optional<double> neck_shaft_angle;
-  std::optional<double> femoral_torsion;
+  std::optional<double> femoral_torsion;  // degrees, as HipParameters::femoral_torsion
 };
 
 // Joint frame (anatomy.hpp). The neck axis goes through the middle of the curve where the surface is 1.35
@@ -32,12 +33,13 @@ struct FemurMeasures {
 // no neck.
 FemurMeasures measure_femur(const TriangleMesh& ball, Side side);
 
+// What is measured of a socket.
 struct AcetabulumMeasures {
-  SphereFit socket;
-  Vec3 opening = Vec3::Zero();  // axis, out of the socket
-  double inclination = 0.0;
-  double version = 0.0;
-  double half_opening = 0.0;
+  SphereFit socket;                           // the sphere that fits its inside
+  Vec3 opening = Vec3::Zero();                // axis, out of the socket
+  double inclination = 0.0;                   // degrees, as in HipParameters
+  double version = 0.0;                       // likewise
+  double half_opening = 0.0;                  // likewise
   std::optional<double> lateral_centre_edge;  // none if the rim does not cross the coronal plane
 };
 

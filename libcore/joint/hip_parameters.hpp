@@ -16,7 +16,7 @@
 namespace impinge {
 
 struct HipParameters {
-  Side side = Side::right;
+  Side side = Side::right;  // of the body
 
   // Head: a sphere, or an ellipsoid of revolution about the neck axis, or a conchoid.
   double head_radius = 24.0;     // square to the neck axis. Cartilage of five heads: 23 to 26 (LibHip)
@@ -25,7 +25,7 @@ struct HipParameters {
   // (thesis, Eq. 11; sphere/conchoid_shape.hpp), its best-fitting sphere over phi <= 90 degrees at the
   // origin; head_radius is then of no effect.
   double conchoid_a = 0.0;
-  double conchoid_b = 0.0;
+  double conchoid_b = 0.0;  // below conchoid_a
 
   // Cam: a bump of height * cos^2(pi/2 * angle / half width) on top of the head.
   double cam_height = 0.0;       // of its top. On average 3.3 at most in cam patients (Harris 2013)
@@ -41,7 +41,7 @@ struct HipParameters {
   double femoral_torsion = 12.0;    // anteversion, in the plane square to the shaft, from the transverse
                                     // axis (a knee that looks forward has its condyles along it). 9.7 to 14.2
   double shaft_length = 40.0;       // of the stump; 0 ends the neck in a dome, and the ball is star-shaped
-  double shaft_radius = 14.0;
+  double shaft_radius = 14.0;       // of the stump
 
   // Acetabulum: a sphere with a rim. Its axis points out of the opening.
   double joint_space = 4.5;   // socket radius minus head radius, bone to bone. 4.5 (Turley 2013)
@@ -59,24 +59,24 @@ struct HipParameters {
   double fossa_half_width = 25.0;  // as seen from the centre
   double fossa_polar = 25.0;       // of its middle, from the pole of the socket towards 6 o'clock
   double shift_lateral = 0.0;      // of the centre of the socket from that of the head
-  double shift_anterior = 0.0;
-  double shift_superior = 0.0;
-  double wall_thickness = 0.0;  // 0: only the surface that faces the head, open at its rim, star-shaped;
-                                // otherwise a closed shell
+  double shift_anterior = 0.0;     // likewise
+  double shift_superior = 0.0;     // likewise
+  double wall_thickness = 0.0;     // 0: only the surface that faces the head, open at its rim, star-shaped;
+                                   // otherwise a closed shell
 };
 
 // A parameter as the programs read and write it.
 struct HipParameter {
-  std::string_view name;  // that of the member
-  std::string_view unit;
-  double HipParameters::*value;
-  double least;  // smallest and largest accepted value
-  double most;
+  std::string_view name;         // that of the member
+  std::string_view unit;         // "mm", "deg", ...
+  double HipParameters::*value;  // the member
+  double least;                  // smallest and largest accepted value
+  double most;                   // likewise
 };
 
 // All but the side, in the order of the members.
 inline constexpr std::size_t kHipParameters = 30;
-const std::array<HipParameter, kHipParameters>& hip_parameter_list();
+const std::array<HipParameter, kHipParameters>& hip_parameter_list();  // their names, units and ranges
 
 // Sets one parameter from "name=value"; side=left or side=right too. std::invalid_argument, one line, for
 // what it cannot read or a value outside of the accepted range.

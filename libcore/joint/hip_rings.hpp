@@ -10,7 +10,7 @@ namespace impinge {
 
 inline constexpr double kBandHeight = 0.8660254037844386;  // of equilateral triangles with edges of 1
 
-using PointRings = std::vector<std::vector<Vec3>>;
+using PointRings = std::vector<std::vector<Vec3>>;  // points of each ring, mm
 
 // From the pole of the head that is opposite to the neck, about the neck axis, round its bend and down the
 // shaft to the middle of its end. Edges are about `spacing` mm long, less where head and neck meet, more

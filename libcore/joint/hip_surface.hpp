@@ -10,14 +10,14 @@ namespace impinge {
 
 // What follows from the parameters.
 struct HipSurface {
-  HipParameters parameters;
-  Vec3 neck;                 // direction of the neck axis, from the centre of the head to the shaft
-  ClockFace neck_clock;      // about it
-  Vec3 opening;              // axis of the socket, out of its opening
-  ClockFace rim_clock;       // about it
-  double head_radius = 0.0;  // of the sphere that fits the head best
-  double neck_radius = 0.0;
-  double socket_radius = 0.0;
+  HipParameters parameters;      // as given
+  Vec3 neck;                     // direction of the neck axis, from the centre of the head to the shaft
+  ClockFace neck_clock;          // about it
+  Vec3 opening;                  // axis of the socket, out of its opening
+  ClockFace rim_clock;           // about it
+  double head_radius = 0.0;      // of the sphere that fits the head best
+  double neck_radius = 0.0;      // mm, head radius less head_neck_offset
+  double socket_radius = 0.0;    // mm, head radius and joint space
   Vec3 socket_centre;            // relative to that of the head
   double bend_radius = 0.0;      // of the neck axis where it turns to the shaft
   double conchoid_origin = 0.0;  // distance of the conchoid's origin from the centre, along the neck axis
@@ -34,7 +34,7 @@ Vec3 clock_direction(const Vec3& axis, const ClockFace& clock, double polar, dou
 // Distance of the head with its cam from the centre, mm; and of head and neck, which is that of the ball up
 // to where the neck bends to the shaft.
 double head_radius(const HipSurface& hip, const Vec3& direction);
-double head_neck_radius(const HipSurface& hip, const Vec3& direction);
+double head_neck_radius(const HipSurface& hip, const Vec3& direction);  // of head and neck, see above
 
 // The same without a cam, at `polar` radians from the neck axis.
 double plain_head_neck_radius(const HipSurface& hip, double polar);
@@ -56,6 +56,6 @@ double rim_polar(const HipSurface& hip, double hours);
 // takes the point where the surface leaves the circle; the share makes that a number which a mesh can give
 // back: half a millimetre.)
 inline constexpr double kAlphaShare = 0.02;
-double alpha_angle_deg(const HipSurface& hip, double hours);
+double alpha_angle_deg(const HipSurface& hip, double hours);  // the alpha angle, degrees
 
 }  // namespace impinge

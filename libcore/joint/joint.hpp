@@ -15,41 +15,43 @@
 
 namespace impinge {
 
+// One surface of a joint, and what was found out about it.
 struct JointPart {
-  TriangleMesh mesh;  // centre frame, mm
-  MeshReport validation;
-  StarShapeReport star_shape;
+  TriangleMesh mesh;           // centre frame, mm
+  MeshReport validation;       // what is wrong with the mesh
+  StarShapeReport star_shape;  // is it star-shaped about the centre?
 };
 
 struct Joint {
-  JointPart ball;
-  JointPart socket;
+  JointPart ball;                         // about the centre
+  JointPart socket;                       // about the centre
   Vec3 centre = Vec3::Zero();             // mm, input frame
   std::optional<SphereFit> fit;           // if the centre was fitted
   std::optional<CartilageMap> cartilage;  // centre frame; none where it is as thick everywhere
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;      // one line each
 };
 
 // A mesh in the input frame, mm, and what messages call it.
 struct NamedMesh {
-  std::string name;
-  TriangleMesh mesh;
+  std::string name;   // such as that of its file
+  TriangleMesh mesh;  // mm, input frame
 };
 
 // How the program that asks says things, so that a message tells what to do there.
 struct JointWording {
-  std::string centre = "with --centre X,Y,Z";  // how a centre is given
-  std::string meshes = "the files of --ball and --socket";
-  std::string side = "--side and --axes";
+  std::string centre = "with --centre X,Y,Z";               // how a centre is given
+  std::string meshes = "the files of --ball and --socket";  // how the two meshes are given
+  std::string side = "--side and --axes";                   // how side and axes are given
 };
 
+// What a joint is put together from.
 struct JointInput {
-  NamedMesh ball;
-  NamedMesh socket;
+  NamedMesh ball;              // may hold more than the ball
+  NamedMesh socket;            // in the same frame
   std::optional<Vec3> centre;  // mm, input frame; fitted to the ball if not given
-  std::optional<Side> side;
-  std::string axes = "RAS";
-  JointWording wording;
+  std::optional<Side> side;    // of the body; unknown if not given
+  std::string axes = "RAS";    // where +x, +y and +z of the meshes point (joint/anatomy.hpp)
+  JointWording wording;        // of messages
 };
 
 // Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to

@@ -11,8 +11,8 @@ namespace impinge {
 
 // Distances of the corners of a surface from the centre of rotation, mm.
 struct Reach {
-  double nearest = 0.0;
-  double farthest = 0.0;
+  double nearest = 0.0;   // the least of them
+  double farthest = 0.0;  // the largest of them
 };
 
 // Of a mesh in the centre frame that has faces.

@@ -22,9 +22,9 @@ struct Motion {
 
 // One of the six motions: an angle of Motion, and which way it counts.
 struct MotionName {
-  std::string_view name;
-  double Motion::*angle;
-  double sign;  // +1 or -1
+  std::string_view name;  // as options and files have it
+  double Motion::*angle;  // the member that it changes
+  double sign;            // +1 or -1
 };
 
 // flexion, extension, abduction, adduction, internal_rotation, external_rotation.
@@ -47,10 +47,12 @@ Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
 // The joint's turn while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in radians.
 // R(0) is joint_rotation(start). std::invalid_argument as for joint_rotation().
 struct JointTurn {
+  // Of the angles that are applied after the one that grows.
   Eigen::Matrix3d outer = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // unit vector
-  Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();      // unit vector
+  Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();  // of those that are applied before it
 };
+// The turn that begins at `start`.
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
 
 // No joint turns farther than this in any of its angles: degrees from the pose of the scan.

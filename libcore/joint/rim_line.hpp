@@ -10,8 +10,9 @@
 
 namespace impinge {
 
+// A point of the rim.
 struct RimPoint {
-  double hours = 0.0;
+  double hours = 0.0;         // on the dial
   Vec3 place = Vec3::Zero();  // frame of the socket, mm
 };
 

@@ -31,7 +31,7 @@ struct BallFitOptions {
   double trim = 0.06;             // residuals above this are left out: 1.5 mm on a head of 25 mm
   double scales = 2.5;            // and those above so many standard deviations
   int trials = 1500;              // trial spheres
-  unsigned seed = 1;
+  unsigned seed = 1;              // of the choice of trial spheres
 };
 
 // Centre of a ball whose mesh may hold more than the ball, such as a whole femur; also of a socket with its

@@ -15,8 +15,8 @@ namespace impinge {
 //
 // Places on the grid may be off by `margin` cells.
 struct CellGrid {
-  std::size_t divisions;
-  double margin;
+  std::size_t divisions;  // cells along an edge
+  double margin;          // cells
 };
 
 // Whose margin covers a place that a kernel works out in float, off by 5 u cells of an edge

@@ -22,11 +22,12 @@ namespace impinge {
 
 // Plain data; make it with certified_table().
 struct CertifiedTable {
-  LaneTable<CubeGnomonic, std::uint16_t> table;
+  LaneTable<CubeGnomonic, std::uint16_t> table;  // that is asked first
   std::vector<std::uint32_t> open;  // one bit an entry: the surface may cover its cell in part only
   double bound_mm = 0.0;            // of a gap, but for the part that grows with |x|
-  ExactCells exact;
+  ExactCells exact;                 // that undecided vertices go to
 
+  // Of all of it, without the mesh.
   std::size_t bytes() const { return table.bytes() + open.size() * sizeof(std::uint32_t) + exact.bytes(); }
 };
 
@@ -41,6 +42,7 @@ struct CertifiedGaps {
   VertexLanes<float> asked;              // those vertices
   std::vector<float> answered;           // and their gaps
 };
+// Every vertex of the scan, by the threshold in `found`.
 void scan_gaps(const CertifiedTable& table, const LaneScan<float>& scan, CertifiedGaps& found);
 
 }  // namespace impinge

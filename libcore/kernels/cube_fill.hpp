@@ -24,9 +24,9 @@
 namespace impinge {
 
 struct CubeFill {
-  CubeGnomonic scheme;
-  Layer layer = Layer::farthest;
-  int threads = 1;  // one or more
+  CubeGnomonic scheme;            // whose entries are filled
+  Layer layer = Layer::farthest;  // that counts where there are several
+  int threads = 1;                // one or more
   // Inverse depths that 16 bits are spread over, 1 / mm; what the faces take where it is left empty. Tables
   // that are to be refilled after their surface moved beyond what it took before need more room.
   DepthRange room;

@@ -13,10 +13,10 @@ namespace impinge {
 // A surface and its table, whose cells without four corners are marked already.
 template <LaneValue Value>
 struct RimTask {
-  const TriangleMesh& mesh;
-  const CubeGnomonic& scheme;
-  Layer layer;
-  LaneTable<CubeGnomonic, Value>& table;
+  const TriangleMesh& mesh;               // centre frame
+  const CubeGnomonic& scheme;             // of the table
+  Layer layer;                            // that the table holds
+  LaneTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
 };
 
 // Along the jump edges of the mesh, as mask_rim_along() of sampling/rim.hpp. What is stored is taken for as

@@ -10,23 +10,23 @@ namespace impinge {
 // Entries of a face from (first_column, first_row) on; of entries it keeps `columns` x `rows`, of which those
 // of its right and lower neighbours, where there are any, are seen too: the corners of its cells.
 struct CubeTile {
-  std::size_t face = 0;
-  std::size_t first_column = 0;
-  std::size_t first_row = 0;
-  std::size_t columns = 0;
-  std::size_t rows = 0;
-  std::size_t seen_columns = 0;
-  std::size_t seen_rows = 0;
+  std::size_t face = 0;          // of the cube
+  std::size_t first_column = 0;  // of its entries
+  std::size_t first_row = 0;     // of its entries
+  std::size_t columns = 0;       // that it keeps
+  std::size_t rows = 0;          // that it keeps
+  std::size_t seen_columns = 0;  // those that it keeps, and one more unless it is the last of the face
+  std::size_t seen_rows = 0;     // likewise
 };
 
 // A part of the grid of a face: columns and rows from the first to the last, both included.
 struct GridWindow {
-  long first_column = 0;
-  long last_column = -1;
-  long first_row = 0;
-  long last_row = -1;
+  long first_column = 0;  // may be less than 0
+  long last_column = -1;  // may be beyond the grid
+  long first_row = 0;     // likewise
+  long last_row = -1;     // likewise
 
-  bool empty() const { return first_column > last_column || first_row > last_row; }
+  bool empty() const { return first_column > last_column || first_row > last_row; }  // holds no entry
 };
 
 // No tile is empty: a face has more than kMostSeen - 1 entries for each of its tiles but one.
@@ -35,13 +35,15 @@ class CubeTiling {
   // Entries that a tile sees along a side: a row of them has one bit each in 64.
   static constexpr std::size_t kMostSeen = 64;
 
+  // Of a cube map with so many cells along an edge.
   explicit CubeTiling(std::size_t divisions)
       : side_(divisions + 1),
         per_side_((side_ + kMostSeen - 2) / (kMostSeen - 1)),
         size_((side_ + per_side_ - 1) / per_side_) {}
 
-  std::size_t size() const { return 6 * per_side_ * per_side_; }
+  std::size_t size() const { return 6 * per_side_ * per_side_; }  // tiles of all six faces
 
+  // Tile number `tile`, below size().
   CubeTile operator[](std::size_t tile) const {
     const std::size_t row = tile / per_side_;  // of tiles, over all faces
     CubeTile one;

@@ -17,6 +17,7 @@
 
 namespace impinge {
 
+// A corner on the grid of a face of the cube.
 struct SeenCorner {
   double x = 0.0;          // cells
   double y = 0.0;          // cells
@@ -26,27 +27,29 @@ struct SeenCorner {
 
 // How a face of the mesh is seen through a face of the cube.
 struct SeenFace {
-  std::array<SeenCorner, 3> corners;
-  GridWindow window;       // all entries that it can hold
+  std::array<SeenCorner, 3> corners;  // through that face
+  GridWindow window;                  // all entries that it can hold
   bool projected = false;  // are the corners known? Not if one of them is beside or behind the centre
 };
 
 // All corners, each through the face that it is in front of. Corners at the centre are seen through none.
 class CubeView {
  public:
+  // Of a cube map with so many cells along an edge; the mesh, in the centre frame, must outlive this.
   CubeView(const TriangleMesh& mesh, std::size_t divisions);
 
   // To be called for all corners before the rest; different threads may do different ones.
   void see(std::size_t first_vertex, std::size_t end_vertex);
 
-  const TriangleMesh& mesh() const { return *mesh_; }
-  std::size_t divisions() const { return divisions_; }
+  const TriangleMesh& mesh() const { return *mesh_; }   // that is seen
+  std::size_t divisions() const { return divisions_; }  // cells along an edge
 
   // Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through.
   bool inside_one(const Face& face) const {
     return margin_face_[face[0]] != kNone && margin_face_[face[0]] == margin_face_[face[1]] &&
            margin_face_[face[1]] == margin_face_[face[2]];
   }
+  // The face that a corner is in front of.
   std::size_t cube_face(VertexIndex v) const { return corners_[v].face; }
 
   // With the entries of the window up to `reach` cells beyond the face.

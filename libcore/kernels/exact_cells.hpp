@@ -40,7 +40,7 @@ namespace impinge {
 
 // One cell, a cache line. Planes coordinate by coordinate, 1 / mm; one that is left over is a copy.
 struct alignas(64) ExactCell {
-  static constexpr std::size_t kPlanes = 4;
+  static constexpr std::size_t kPlanes = 4;  // faces of a smooth cell at most
 
   std::array<std::array<float, kPlanes>, 3> plane{};  // turn m
   float turn;               // +1 the largest s counts, -1 the least; NaN where no face is met
@@ -50,8 +50,8 @@ struct alignas(64) ExactCell {
 
 // Eight faces coordinate by coordinate. Places that are left over hold the last face once more.
 struct FaceBlock {
-  static constexpr std::size_t kFaces = 8;
-  using Row = std::array<float, kFaces>;
+  static constexpr std::size_t kFaces = 8;  // faces of a block
+  using Row = std::array<float, kFaces>;    // a number of each face
 
   std::array<std::array<Row, 3>, 3> edge;  // inner unit normal of the plane through the centre and edge k
   std::array<Row, 3> plane;                // m, 1 / mm; -m where the farthest layer is asked for
@@ -61,13 +61,13 @@ struct FaceBlock {
 struct ExactCells {
   using Real = float;  // that a kernel works in
 
-  const TriangleMesh& mesh;  // centre frame
-  Layer layer;
-  std::size_t divisions = 0;     // cells along an edge of the cube
-  std::vector<ExactCell> cells;  // each at the entry of `cube_gnomonic` that it begins at
-  std::vector<std::uint32_t> listed;
-  std::vector<FaceBlock> blocks;
-  std::vector<std::uint32_t> face;  // of the mesh, that place 8 b + k of the blocks holds
+  const TriangleMesh& mesh;           // centre frame
+  Layer layer;                        // that counts where faces overlap
+  std::size_t divisions = 0;          // cells along an edge of the cube
+  std::vector<ExactCell> cells;       // each at the entry of `cube_gnomonic` that it begins at
+  std::vector<std::uint32_t> listed;  // numbers of blocks, cell by cell
+  std::vector<FaceBlock> blocks;      // of neighbouring faces
+  std::vector<std::uint32_t> face;    // of the mesh, that place 8 b + k of the blocks holds
 
   // Beside the mesh.
   std::size_t bytes() const {

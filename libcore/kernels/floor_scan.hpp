@@ -13,6 +13,7 @@
 
 namespace impinge {
 
+// A square table of ones, as large as asked.
 struct FloorTable {
   // Of at least so many bytes, for vertices up to `reach` mm from the centre.
   FloorTable(std::size_t bytes, double most_distant)
@@ -20,9 +21,9 @@ struct FloorTable {
         reach(static_cast<float>(most_distant)),
         values(side * side, 1.0F) {}
 
-  std::size_t side;
-  float reach;
-  std::vector<float> values;
+  std::size_t side;           // entries of a row and rows
+  float reach;                // mm
+  std::vector<float> values;  // all 1
 };
 
 // The vertices behind the last whole vector are left out.

@@ -30,9 +30,9 @@ namespace impinge {
 // Vertices of one surface in a pose. The vertices outlive it.
 template <class Real>
 struct LaneScan {
-  const VertexLanes<Real>& vertices;
-  Pose pose;
-  Scan scan;
+  const VertexLanes<Real>& vertices;  // in their own centre frame
+  Pose pose;                          // of the ball in the socket
+  Scan scan;                          // whose vertices they are
 };
 
 // gap has the size of the vertices; the table is that of the other surface.

@@ -13,14 +13,15 @@ namespace impinge {
 // Each surface as the other one asks it, in its own centre frame.
 template <class Table>
 struct JointLanes {
-  using Real = typename Table::Real;
+  using Real = typename Table::Real;  // float or double, in which gaps are worked out
 
-  Table ball_table;
-  Table socket_table;
-  VertexLanes<Real> ball;
-  VertexLanes<Real> socket;
+  Table ball_table;          // asked by the socket's vertices
+  Table socket_table;        // asked by the ball's vertices
+  VertexLanes<Real> ball;    // mm
+  VertexLanes<Real> socket;  // mm
 };
 
+// Meshes in their centre frames, mm, and the tables that were filled from them.
 template <class Table>
 JointLanes<Table> joint_lanes(Table ball_table, Table socket_table, const TriangleMesh& ball,
                               const TriangleMesh& socket) {

@@ -30,6 +30,7 @@
 
 namespace impinge {
 
+// What the numbers of a table may be stored in.
 template <class Value>
 concept LaneValue =
     std::same_as<Value, double> || std::same_as<Value, float> || std::same_as<Value, std::uint16_t>;
@@ -37,9 +38,10 @@ concept LaneValue =
 // Plain data; make it with the functions below. Value is what is stored.
 template <SamplingScheme S, LaneValue Value>
 struct LaneTable {
+  // Does a kernel work in double?
   static constexpr bool kDouble = std::same_as<Value, double> || std::same_as<S, Usid>;
-  using Real = std::conditional_t<kDouble, double, float>;  // that a kernel works in
-  using Word = std::conditional_t<kDouble, std::uint64_t, std::uint32_t>;
+  using Real = std::conditional_t<kDouble, double, float>;                 // that a kernel works in
+  using Word = std::conditional_t<kDouble, std::uint64_t, std::uint32_t>;  // of the mask, as wide as Real
 
   std::size_t divisions = 0;  // cells along a side of the cube; rows of cells of the grid; turns of the helix
   std::size_t stride = 0;     // entries of a row; 0 of the helix
@@ -48,6 +50,7 @@ struct LaneTable {
   double step = 1.0;          // the same
   std::vector<Word> none;     // one bit an entry (a cell of the helix): no answer there; empty where all have
 
+  // Of numbers and mask.
   std::size_t bytes() const { return values.size() * sizeof(Value) + none.size() * sizeof(Word); }
 };
 

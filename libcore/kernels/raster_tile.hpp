@@ -16,9 +16,9 @@ namespace impinge {
 struct TileCanvas {
   // Vectors may reach beyond the last column that is seen.
   static constexpr std::size_t kStride = CubeTiling::kMostSeen + 16;
-  static constexpr std::size_t kRows = CubeTiling::kMostSeen;
+  static constexpr std::size_t kRows = CubeTiling::kMostSeen;  // that a tile sees at most
 
-  alignas(64) std::array<float, kStride * kRows> q;
+  alignas(64) std::array<float, kStride * kRows> q;  // 1 / mm; no_depth() where nothing is drawn yet
 };
 
 // What an entry without a surface holds: it gives way to every number. The nearest layer keeps the largest
@@ -27,8 +27,9 @@ float no_depth(Layer layer);
 
 // Decides exactly whether a face covers an entry of the tile.
 struct ExactTest {
+  // Does face `face` cover the entry at that place of the tile?
   bool (*covers)(void* context, std::uint32_t face, std::size_t column, std::size_t row);
-  void* context;
+  void* context;  // handed to `covers`
 };
 
 // Draws all triangles into the canvas, which keeps the right layer of each entry.

@@ -32,9 +32,10 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
 
 // Part `part` of `parts` of 0 ... size - 1, as even as can be.
 struct Share {
-  std::size_t first;
-  std::size_t end;
+  std::size_t first;  // of the part
+  std::size_t end;    // behind its last one
 };
+// That part; parts above 0.
 inline Share share_of(std::size_t size, std::size_t part, std::size_t parts) {
   return {size * part / parts, size * (part + 1) / parts};
 }

@@ -11,11 +11,13 @@
 
 namespace impinge {
 
+// Faces by tile.
 struct TileBins {
   std::vector<std::uint32_t> faces;  // those of a tile next to each other
   std::vector<std::size_t> first;    // of each tile, and one more
   DepthRange range;                  // of all inverse depths that may be seen, 1 / mm; zeros for none
 
+  // The faces that may be seen in that tile, each once.
   std::span<const std::uint32_t> operator[](std::size_t tile) const {
     return std::span(faces).subspan(first[tile], first[tile + 1] - first[tile]);
   }

@@ -19,18 +19,19 @@ namespace impinge {
 // made once that one of them is needed.
 template <LaneValue Value>
 struct PaintTask {
-  const CubeView& view;
-  const CubeTiling& tiling;
-  const CubeGnomonic& scheme;
-  Layer layer;
-  LaneTable<CubeGnomonic, Value>& table;
-  std::once_flag& mask_made;
+  const CubeView& view;                   // of the mesh, all of whose corners have been seen
+  const CubeTiling& tiling;               // of the table
+  const CubeGnomonic& scheme;             // of the table
+  Layer layer;                            // that counts where faces overlap
+  LaneTable<CubeGnomonic, Value>& table;  // that is filled
+  std::once_flag& mask_made;              // of the table's mask
 };
 
+// Keeps the memory of a tile while it goes from one to the next.
 template <LaneValue Value>
 class TilePainter {
  public:
-  explicit TilePainter(const PaintTask<Value>& task) : task_(task) {}
+  explicit TilePainter(const PaintTask<Value>& task) : task_(task) {}  // the task must outlive this
 
   // `faces` of the mesh hold all that may be seen in the tile.
   void paint(std::size_t tile, std::span<const std::uint32_t> faces);

@@ -12,7 +12,7 @@ namespace impinge {
 
 // How numbers are stored: code = (q - smallest) / step to the nearest, from 0 to 65534. Not used for floats.
 struct StoredSteps {
-  float smallest = 0.0F;
+  float smallest = 0.0F;  // 1 / mm, code 0
   float per_step = 0.0F;  // 1 / step
 };
 

@@ -21,31 +21,32 @@
 
 namespace impinge {
 
-inline constexpr double kMostTerms = 8.0;
+inline constexpr double kMostTerms = 8.0;  // see above
 
+// A face ready to be drawn into a tile.
 struct TileTriangle {
-  std::array<float, 3> edge{};    // at the first entry; above zero inside
-  std::array<float, 3> edge_x{};  // from a column to the next
-  std::array<float, 3> edge_y{};  // from a row to the next
-  float q = 0.0F;                 // 1 / mm, the same
-  float q_x = 0.0F;
-  float q_y = 0.0F;
-  float doubt = 0.0F;
+  std::array<float, 3> edge{};     // at the first entry; above zero inside
+  std::array<float, 3> edge_x{};   // from a column to the next
+  std::array<float, 3> edge_y{};   // from a row to the next
+  float q = 0.0F;                  // 1 / mm, the same
+  float q_x = 0.0F;                // from a column to the next
+  float q_y = 0.0F;                // from a row to the next
+  float doubt = 0.0F;              // of an edge function, see above
   std::uint32_t face = 0;          // of the mesh
   std::uint16_t first_column = 0;  // of the tile
-  std::uint16_t first_row = 0;
-  std::uint16_t columns = 0;
-  std::uint16_t rows = 0;
+  std::uint16_t first_row = 0;     // likewise
+  std::uint16_t columns = 0;       // of the window
+  std::uint16_t rows = 0;          // of the window
 };
 
 // The inverse depth over the plane of a face: q + q_x (x - x_0) + q_y (y - y_0), from corner 0 on.
 struct SeenPlane {
-  double q_x = 0.0;
-  double q_y = 0.0;
+  double q_x = 0.0;    // 1 / mm a column
+  double q_y = 0.0;    // 1 / mm a row
   double side = 0.0;   // +1 or -1: which way the corners go round, on the grid
   bool clear = false;  // are all these certain?
 };
-SeenPlane plane_of(const SeenFace& seen, std::size_t divisions);
+SeenPlane plane_of(const SeenFace& seen, std::size_t divisions);  // of a face whose corners are known
 
 // The part of the window within the tile; empty where there is none.
 GridWindow window_in(const CubeTile& tile, const GridWindow& window);
@@ -55,9 +56,10 @@ bool set_up(const SeenFace& seen, const GridWindow& window, std::size_t division
 
 // Least and largest inverse depth of a face in its window, 1 / mm, from outside.
 struct DepthRange {
-  double least = 0.0;
-  double most = 0.0;
+  double least = 0.0;  // 1 / mm
+  double most = 0.0;   // 1 / mm
 };
+// Of the corners, narrowed down by the plane where that is clear.
 DepthRange range_of(const SeenFace& seen, const SeenPlane& plane);
 
 }  // namespace impinge

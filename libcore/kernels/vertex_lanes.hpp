@@ -14,13 +14,14 @@ namespace impinge {
 // Millimetres, in the frame of the mesh that they are of; all three of one size.
 template <class Real>
 struct VertexLanes {
-  std::vector<Real> x;
-  std::vector<Real> y;
-  std::vector<Real> z;
+  std::vector<Real> x;  // of each vertex
+  std::vector<Real> y;  // likewise
+  std::vector<Real> z;  // likewise
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return x.size(); }  // number of vertices
 };
 
+// Each coordinate rounded once.
 template <class Real>
 VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
   VertexLanes<Real> lanes;
@@ -41,7 +42,7 @@ enum class Scan { ball, socket };
 template <class Real>
 struct LaneTransform {
   std::array<std::array<Real, 3>, 3> rotation{};  // rows
-  std::array<Real, 3> translation{};
+  std::array<Real, 3> translation{};              // mm
 };
 
 // Worked out in double and rounded once.

@@ -12,10 +12,10 @@ namespace impinge {
 
 // One angle grows from a start; the others stay as they are there.
 struct NamedMotion {
-  std::string_view name;
-  Motion start;
+  std::string_view name;     // as options and files have it
+  Motion start;              // degrees
   std::string_view growing;  // one of motion_names()
-  std::string_view meaning;
+  std::string_view meaning;  // in words
 };
 
 // flexion ... external_rotation from the pose of the scan; internal_rotation_at_45, _70 and _90 (degrees of

@@ -42,16 +42,16 @@ struct AngleQuestion {
   Vec3 axis;            // w, unit vector
   double cosine = 0.0;  // of D
 };
-std::optional<double> first_turn_to(const AngleQuestion& question);
+std::optional<double> first_turn_to(const AngleQuestion& question);  // the answer, radians
 
 // One row of the table of validation; lengths in mm, angles in degrees.
 struct PhantomRow {
-  std::string phantom;
-  std::string quantity;
-  double closed_form = 0.0;
-  double measured = 0.0;
-  double error = 0.0;
-  double bound = 0.0;  // that the error keeps
+  std::string phantom;       // which joint
+  std::string quantity;      // limit or gap, and about which axis
+  double closed_form = 0.0;  // what the equations above say
+  double measured = 0.0;     // what the library says of the meshes
+  double error = 0.0;        // of the measured value
+  double bound = 0.0;        // that the error keeps
 };
 
 // How fine the meshes are.

@@ -11,19 +11,19 @@ namespace impinge {
 
 // A ring of vertices: `radius` mm from the origin, `polar` radians from the axis. At 0 and pi it is a pole.
 struct LatheRing {
-  double polar = 0.0;
-  double radius = 0.0;
+  double polar = 0.0;   // radians
+  double radius = 0.0;  // mm
 };
 
 // Rings from one pole, about a unit axis through `centre`, `sides` vertices each; closed if the last is a
 // pole.
 struct Revolution {
-  std::vector<LatheRing> rings;
-  Vec3 axis = Vec3::UnitZ();
-  Vec3 centre = Vec3::Zero();
-  std::size_t sides = 360;
+  std::vector<LatheRing> rings;  // in order from the first pole
+  Vec3 axis = Vec3::UnitZ();     // unit vector, towards the first pole
+  Vec3 centre = Vec3::Zero();    // mm
+  std::size_t sides = 360;       // vertices of a ring
 };
-TriangleMesh revolve(const Revolution& body);
+TriangleMesh revolve(const Revolution& body);  // its mesh, normals outward
 
 // Rings of a sphere from the axis to `to` radians, `step` apart.
 std::vector<LatheRing> sphere_rings(double radius, double to, double step);

@@ -17,11 +17,12 @@ namespace impinge {
 
 // Heights and distances from the centre of a part, mm.
 struct ProfileBox {
-  double z_low = 0.0;
-  double z_high = 0.0;
-  double r_low = 0.0;
-  double r_high = 0.0;
+  double z_low = 0.0;   // least height
+  double z_high = 0.0;  // largest height
+  double r_low = 0.0;   // least distance
+  double r_high = 0.0;  // largest distance
 
+  // Do the boxes have a point in common, borders included?
   bool overlaps(const ProfileBox& other) const {
     return z_low <= other.z_high && other.z_low <= z_high && r_low <= other.r_high && other.r_low <= r_high;
   }

@@ -40,37 +40,41 @@
 
 namespace impinge {
 
+// Which of the parts touch: a corner of one and a face of the other, two edges, or two rims as the centre
+// sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
 
 // "ball vertex", "socket vertex", "edges", "rims".
 std::string_view name(ContactKind kind);
 
 struct TurnContact {
-  double angle = 0.0;  // radians; nothing touches before
-  ContactKind kind = ContactKind::edges;
-  Vec3 place = Vec3::Zero();    // mm, in the frame of the axis, the socket at rest
-  Vec3 normal = Vec3::UnitX();  // unit vector across both parts there, either way
+  double angle = 0.0;                     // radians; nothing touches before
+  ContactKind kind = ContactKind::edges;  // what touches
+  Vec3 place = Vec3::Zero();              // mm, in the frame of the axis, the socket at rest
+  Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
 };
 
 // A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
 struct TurnMesh {
-  const TriangleMesh& mesh;
-  const TurnParts& parts;
-  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();
+  const TriangleMesh& mesh;                              // borrowed
+  const TurnParts& parts;                                // those of the mesh, borrowed
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // a rotation
 };
 
 // The centres coincide. The ball turns about the unit axis.
 struct TurnScene {
-  TurnMesh ball;
-  TurnMesh socket;
-  Vec3 axis = Vec3::UnitZ();
-  double largest_gap = 0.0;  // threshold that will be asked for, mm
+  TurnMesh ball;              // that turns
+  TurnMesh socket;            // that rests
+  Vec3 axis = Vec3::UnitZ();  // unit vector, in the frame of both after `before`
+  double largest_gap = 0.0;   // threshold that will be asked for, mm
 };
 
+// The search, made ready for one axis.
 class TurnContacts {
  public:
   static constexpr double kResolution = 1e-9;  // radians
 
+  // Takes the parts of both surfaces to the frame of the axis.
   explicit TurnContacts(const TurnScene& scene);
 
   // Angles to look at, radians, 0 <= from <= to <= 2 pi.

@@ -28,6 +28,7 @@
 
 namespace impinge {
 
+// How a search for a limit ended.
 enum class LimitState {
   reached,
   free,     // not reached up to the largest angle asked for: low and high are that angle
@@ -37,27 +38,30 @@ enum class LimitState {
 // "reached", "free", "blocked".
 std::string_view name(LimitState state);
 
+// The bracket of a limit, and where the surfaces touch there.
 struct TurnLimit {
-  LimitState state = LimitState::free;
-  double low_deg = 0.0;
-  double high_deg = 0.0;
-  std::optional<TurnContact> contact;  // where reached, in the frame of the socket
-  double deg_per_mm = 0.0;             // where reached; infinite where the contact is tangential
+  LimitState state = LimitState::free;  // says what the bracket means
+  double low_deg = 0.0;                 // from the start, see above
+  double high_deg = 0.0;                // likewise
+  std::optional<TurnContact> contact;   // where reached, in the frame of the socket
+  double deg_per_mm = 0.0;              // where reached; infinite where the contact is tangential
 };
 
 // A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: a shift of
 // the ball, as that to the socket's own centre, is made before.
 class TurnLimits {
  public:
-  explicit TurnLimits(BallSocketPair joint);
+  explicit TurnLimits(BallSocketPair joint);  // takes the meshes, and sorts their parts once
 
   // largest_deg in (0, 360].
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
+  // The bracket of the turn at which some vertex has a gap of gap_mm, mm, or less.
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
   // Smallest gap of a vertex with the turn at that angle.
   std::optional<VertexGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
+  // Is the pose at that angle impinged? Exact (detection/overlay.hpp).
   bool impinged(const JointTurn& turn, double angle_deg) const;
 
  private:

@@ -15,21 +15,23 @@ namespace impinge {
 
 // A triangle, or one half of a wall.
 struct TurnFace {
-  std::array<Vec3, 3> corner;
-  Vec3 normal;        // as long as twice the area
-  double size = 0.0;  // mm^2, the product of the two longest sides; |normal| is no larger
-  bool wall = false;
+  std::array<Vec3, 3> corner;  // mm
+  Vec3 normal;                 // as long as twice the area
+  double size = 0.0;           // mm^2, the product of the two longest sides; |normal| is no larger
+  bool wall = false;           // of a wall, not of the surface
   bool sliver = false;  // the direction of its normal is not certain; no point of it is far from an edge
 };
 
+// A side of a face, mm.
 struct TurnEdge {
-  Vec3 from;
-  Vec3 to;
+  Vec3 from;  // an end
+  Vec3 to;    // the other end
 };
 
+// All of a surface that may take part in a contact.
 struct TurnSurface {
-  std::vector<Vec3> vertices;  // mm; those that belong to a face
-  std::vector<TurnFace> faces;
+  std::vector<Vec3> vertices;      // mm; those that belong to a face
+  std::vector<TurnFace> faces;     // of the surface
   std::vector<TurnEdge> edges;     // each once
   std::vector<Vec3> rim_vertices;  // ends of jump edges (mesh/jump_edges.hpp)
   std::vector<TurnFace> walls;     // of the jump edges, see turn_contact.hpp
@@ -40,8 +42,9 @@ struct TurnSurface {
 // ball that it gets within.
 enum class WallSide { beyond, within };
 
+// How the walls of a surface are built.
 struct WallReach {
-  WallSide side = WallSide::beyond;
+  WallSide side = WallSide::beyond;  // for a socket `beyond`, for a ball `within`
   double reach = 0.0;  // mm, beyond: to this distance from the centre at least; within: to the centre
 };
 

@@ -9,11 +9,13 @@
 
 namespace impinge {
 
+// A vertex with the smallest gap.
 struct VertexGap {
-  double gap_mm = 0.0;
+  double gap_mm = 0.0;        // of the vertex
   Vec3 place = Vec3::Zero();  // of the vertex, mm, centre frame of the socket
 };
 
+// Two surfaces made ready to be asked in many poses.
 class VertexGaps {
  public:
   // Meshes in their centre frames, mm; they must outlive this.

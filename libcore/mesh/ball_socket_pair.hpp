@@ -13,8 +13,8 @@ namespace impinge {
 // The defaults have a joint space of 4 mm and a cam of 3 mm: no rotation about the centre brings the ball
 // nearer to the socket than 1 mm. Lengths in mm, angles in degrees.
 struct PairShape {
-  double head_radius = 22.0;
-  double socket_radius = 26.0;
+  double head_radius = 22.0;         // of the ball, without its bump
+  double socket_radius = 26.0;       // of the inside of the socket; above head_radius
   double half_opening_deg = 87.0;    // from the socket's pole to its rim
   double cam_height = 3.0;           // of the bump above the head
   double cam_half_width_deg = 30.0;  // from the top of the bump to its foot

@@ -24,7 +24,7 @@ TriangleMesh radial_body(std::size_t faces, const std::function<double(const Vec
 
 // Octahedron with its corners on the axes at distance `radius`, and its mesh radius r(u) = R / |u|_1.
 TriangleMesh octahedron(double radius);
-double octahedron_mesh_radius(const Vec3& direction, double radius);
+double octahedron_mesh_radius(const Vec3& direction, double radius);  // mm, R / |u|_1
 
 // Pyramid over a regular polygon, apex on +z, base plane z = -base_depth; the origin lies inside. 2 * sides
 // faces: vertex 0 is the apex, 1 the middle of the base, base corner k at azimuth 2 pi k / sides.
@@ -34,7 +34,7 @@ struct ConeShape {
   double base_depth = 10.0;   // mm below the origin
   std::size_t sides = 64;     // 3 or more
 };
-TriangleMesh cone(const ConeShape& shape = {});
+TriangleMesh cone(const ConeShape& shape = {});  // that pyramid, which is a cone for many sides
 
 // Mesh radius of the cone: the nearest of its planes ahead, min of d / (n.u) over n.u > 0.
 double cone_mesh_radius(const Vec3& direction, const ConeShape& shape = {});

@@ -11,9 +11,9 @@ namespace impinge {
 // An edge of a rim (one face), of a fold (two faces on the same side of the plane through the centre and the
 // edge), or of a non-manifold place. Everywhere else the radius of a surface layer is continuous.
 struct JumpEdge {
-  VertexIndex from = 0;
-  VertexIndex to = 0;
-  double slope = 0.0;  // largest tan psi of the faces at the edge, infinite if one is edge-on
+  VertexIndex from = 0;  // an end
+  VertexIndex to = 0;    // the other end
+  double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
 // mesh in the centre frame. Sides are decided exactly and orientation of faces is

@@ -14,8 +14,8 @@ namespace impinge {
 
 // One state: `values` has one number a vertex, NaN where there is none.
 struct VertexSeries {
-  std::string property;
-  std::vector<float> values;
+  std::string property;       // its name in the file
+  std::vector<float> values;  // by vertex
 };
 
 // Binary little-endian PLY, atomically: x y z as float in mm, then the states in their order as float, faces

@@ -13,7 +13,7 @@
 
 namespace impinge {
 
-using Rgb = std::array<std::uint8_t, 3>;
+using Rgb = std::array<std::uint8_t, 3>;  // red, green and blue, 0 to 255
 
 // Binary little-endian PLY, atomically (see file_bytes.hpp): x y z as double in mm, faces as list uchar int
 // vertex_indices. Throws FileError, also for a mesh with a face that names no vertex.

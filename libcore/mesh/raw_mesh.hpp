@@ -13,8 +13,8 @@ namespace impinge {
 // positions: x, y, z of each point in turn, mm. corners: three indices of points for each face in turn; empty
 // where each three points are a face. Neither outlives the call.
 struct RawMesh {
-  std::span<const double> positions;
-  std::span<const std::uint32_t> corners;
+  std::span<const double> positions;       // three a point
+  std::span<const std::uint32_t> corners;  // three a face
 };
 
 // Points with equal coordinates become one, and faces that collapse thereby are dropped, as read_mesh() does

@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-using Segment = std::array<Vec3, 2>;
+using Segment = std::array<Vec3, 2>;  // its two ends, mm
 
 // One segment for each face with corners on both sides of the sphere (mm), between the points where two of
 // its edges cross it; a corner on the sphere counts as outside. Every end lies on an edge, at the radius up

@@ -10,6 +10,7 @@
 
 namespace impinge {
 
+// What keeps a surface from being star-shaped, and how much of it.
 struct StarShapeReport {
   // Proven: all faces lie on one side (n.v0 > 0, or all < 0 as in a socket) and no two faces overlap as seen
   // from the centre. Both are decided with exact signs.
@@ -23,9 +24,9 @@ struct StarShapeReport {
   // it.
   double solid_angle = 0.0;
   // Shares of all directions, measured on a grid of `directions` with area weights.
-  double covered = 0.0;    // meet the surface
-  double violating = 0.0;  // meet it more than once
-  std::size_t directions = 0;
+  double covered = 0.0;        // meet the surface
+  double violating = 0.0;      // meet it more than once
+  std::size_t directions = 0;  // of the grid
 };
 
 // mesh in the centre frame, with lengths as in mesh/lengths.hpp. O(faces + directions) for faces of similar

@@ -12,11 +12,11 @@ namespace impinge {
 // Hands out the lines of a text, without their line ends (\n or \r\n).
 class LineScanner {
  public:
-  explicit LineScanner(std::string_view text) : rest_(text) {}
-  std::optional<std::string_view> next();
+  explicit LineScanner(std::string_view text) : rest_(text) {}  // the text must outlive the scanner
+  std::optional<std::string_view> next();                       // the next line; none at the end
   // The next line that has a word, cut into its words; empty at the end. Valid until the next call.
   const std::vector<std::string_view>& next_words();
-  std::string_view rest() const { return rest_; }
+  std::string_view rest() const { return rest_; }  // what has not been handed out
 
  private:
   std::string_view rest_;

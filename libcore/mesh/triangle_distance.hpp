@@ -12,6 +12,7 @@
 
 namespace impinge {
 
+// From p to the nearest point between a and b, mm^2.
 inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
@@ -35,7 +36,7 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
                    squared_distance_to_segment(p, c, a)});
 }
 
-using Triangle = std::array<Vec3, 3>;
+using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
 // Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines where both
 // feet are inside.

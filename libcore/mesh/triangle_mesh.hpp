@@ -11,15 +11,15 @@
 
 namespace impinge {
 
-using VertexIndex = std::uint32_t;
+using VertexIndex = std::uint32_t;  // place in the vertices of a mesh
 
 // Corners of a face, counter-clockwise seen from outside.
 using Face = std::array<VertexIndex, 3>;
 
 // Points in millimetres. Nothing is promised about closedness, orientation or duplicates; see validation.hpp.
 struct TriangleMesh {
-  std::vector<Vec3> vertices;
-  std::vector<Face> faces;
+  std::vector<Vec3> vertices;  // mm
+  std::vector<Face> faces;     // their corners are places in `vertices`
 };
 
 // Corner k of face f.

@@ -13,8 +13,8 @@ namespace impinge {
 
 // Edges, flips, components and duplicates are counted among the faces that have three different corners.
 struct MeshReport {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
+  std::size_t vertices = 0;               // of the mesh, referenced or not
+  std::size_t faces = 0;                  // of the mesh, valid or not
   std::size_t unreferenced_vertices = 0;  // corner of no face
   std::size_t non_finite_vertices = 0;    // with a NaN or infinite coordinate
   std::size_t invalid_faces = 0;          // naming a vertex that does not exist

@@ -10,10 +10,11 @@ namespace impinge {
 
 // `size` vertices from index `first` on, read cyclically; one vertex is a pole.
 struct VertexRing {
-  std::size_t first;
-  std::size_t size;
+  std::size_t first;  // index of the first vertex
+  std::size_t size;   // number of vertices, 1 or more
 
   std::size_t steps() const { return size == 1 ? 0 : size; }  // faces along the ring: a pole has none
+  // Index of vertex k, for k beyond the end from the start again.
   VertexIndex operator[](std::size_t k) const { return static_cast<VertexIndex>(first + k % size); }
 };
 

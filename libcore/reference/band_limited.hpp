@@ -10,11 +10,12 @@
 
 namespace impinge {
 
+// Which functions are drawn.
 struct BandLimitedChoice {
   double wavenumber = 30.0;  // phase a unit of length, radians: the finest detail is 2 pi / 30 = 12 degrees
-  std::size_t waves = 16;
-  std::size_t functions = 512;
-  std::uint64_t seed = 0;
+  std::size_t waves = 16;    // of each function
+  std::size_t functions = 512;  // in all
+  std::uint64_t seed = 0;       // of directions and phases
 };
 
 // Independent functions, each a sum of plane waves in random directions n_m with random phases p_m, as they
@@ -28,7 +29,7 @@ class BandLimited {
   // Throws std::invalid_argument for no wave, no function or an infinite wavenumber.
   explicit BandLimited(const BandLimitedChoice& choice);
 
-  std::size_t functions() const { return waves_.size() / count_; }
+  std::size_t functions() const { return waves_.size() / count_; }  // how many there are
 
   // Value of a function at a unit vector.
   double value(std::size_t function, const Vec3& u) const;

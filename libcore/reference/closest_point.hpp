@@ -20,6 +20,7 @@
 
 namespace impinge {
 
+// The points whose distances are asked for.
 struct DistanceQuery {
   std::span<const Vec3> points;                    // mm, in the frame of the mesh
   std::function<void(std::size_t)> progress = {};  // called at times with the number of points done

@@ -23,9 +23,10 @@ namespace impinge {
 // Relative error of a radius or distance of the reference: half a unit in the last place.
 inline constexpr double kExactRadiusError = 0x1p-53;
 
+// The directions along which the radius is asked for.
 struct RadiusQuery {
-  std::span<const Vec3> directions;  // of any length above zero
-  Layer layer = Layer::nearest;
+  std::span<const Vec3> directions;                // of any length above zero
+  Layer layer = Layer::nearest;                    // which crossing counts
   std::function<void(std::size_t)> progress = {};  // called at times with the number of directions done
 };
 

@@ -15,6 +15,7 @@
 
 namespace impinge {
 
+// The widest gap that there is, radians.
 template <SamplingScheme S>
 double measured_covering_radius(const S& scheme) {
   return widest_gap(sphere_delaunay_of(scheme)).radius;
@@ -22,15 +23,16 @@ double measured_covering_radius(const S& scheme) {
 
 // Entries of the largest table that is made to be measured.
 inline constexpr std::size_t kMostMeasured = 1'000'000;
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // a ratio that was not measured
 
 // A table that is as good as the reference in one meaning. It was really made and measured.
 struct Saving {
-  std::string_view meaning;
-  std::size_t entries = 0;
+  std::string_view meaning;          // name of what is equal, in tables of results
+  std::size_t entries = 0;           // of that table
   double measured_ratio = kUnknown;  // of what is to be equal, over that of the reference
 };
 
+// What fewer entries save, in percent of the reference; less than 0 for more.
 inline double saved_percent(std::size_t entries, std::size_t reference_entries) {
   return 100.0 * (1.0 - static_cast<double>(entries) / static_cast<double>(reference_entries));
 }

@@ -67,6 +67,7 @@ class SizeLadder {
     }
     return std::nullopt;
   }
+  // See larger().
   std::optional<S> smaller(std::size_t than) {
     while (place_ > 0) {
       if (make(--place_) && made_->size() < than) return made_;
@@ -123,8 +124,8 @@ S scheme_of_size(std::size_t entries) {
 // A scheme and what was measured on it.
 template <SamplingScheme S>
 struct MeasuredScheme {
-  S scheme;
-  double measured;
+  S scheme;         // that was measured
+  double measured;  // in the unit of the measure
 };
 
 // The smallest scheme of about `estimate` entries for which measure(scheme), which falls with the entries, is

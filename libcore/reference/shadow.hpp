@@ -29,6 +29,7 @@ bool meets_shadow(const Triangle& ball, const Triangle& socket);
 // A joint about one centre, every vertex where a pose has put it (mm).
 class ShadowReference {
  public:
+  // Faces whose plane holds the centre are left out.
   ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket);
 
   std::vector<bool> ball_vertices_impinged() const;    // in the shadow of some face of the socket

@@ -20,12 +20,13 @@ namespace impinge {
 
 // A circle with no direction inside.
 struct Gap {
-  Vec3 centre = Vec3::UnitZ();
-  double radius = 0.0;
+  Vec3 centre = Vec3::UnitZ();  // unit vector
+  double radius = 0.0;          // of the circle
 };
 
+// The triangles between directions, and the gaps in them.
 struct SphereDelaunay {
-  DistinctDirections distinct;
+  DistinctDirections distinct;            // whose corners they have
   std::vector<SphereTriangle> triangles;  // of distinct directions
   std::vector<Gap> gaps;                  // circle of each triangle
 };

@@ -24,20 +24,21 @@ namespace impinge {
 
 // mm; low > high where there is nothing.
 struct RadiusRange {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = std::numeric_limits<double>::infinity();    // the least radius
+  double high = -std::numeric_limits<double>::infinity();  // the largest radius
 
+  // Widens the range to hold a radius, mm.
   void include(double radius) {
     low = std::min(low, radius);
     high = std::max(high, radius);
   }
-  bool empty() const { return low > high; }
+  bool empty() const { return low > high; }  // nothing has been included
 };
 
 // All directions within `radius` radians of a unit axis.
 struct DirectionCap {
-  Vec3 axis;
-  double radius = 0.0;
+  Vec3 axis;            // unit vector
+  double radius = 0.0;  // radians
 };
 
 // What of a face lies in a cap.
@@ -51,8 +52,8 @@ struct FaceInCap {
 // (1e-10 for a face steeper than any that is not taken whole), of tables in double and of the lengths that
 // are compared with a range.
 inline constexpr double kRangeSlack = 1e-9;
-inline constexpr double kCapShare = 1e-7;
-inline constexpr double kCapSlack = 1e-10;
+inline constexpr double kCapShare = 1e-7;   // of the radius of a cap
+inline constexpr double kCapSlack = 1e-10;  // radians
 
 // A face that is asked about many caps.
 class FaceRange {

@@ -35,21 +35,23 @@ enum class Cover { none, part, whole };
 // Every radius of the surface along a direction is within `range`; there is none with Cover::none, at least
 // one with Cover::whole.
 struct SurfaceRange {
-  RadiusRange range;
-  Cover cover = Cover::none;
+  RadiusRange range;          // mm; empty with Cover::none
+  Cover cover = Cover::none;  // of the cell that holds the direction
 };
 
 // Ranges in mm as floats, rounded outwards: 8 bytes an entry and two bits.
 template <SamplingScheme S>
 class RangeTable {
  public:
+  // Without any surface. std::invalid_argument above kMostTableEntries.
   explicit RangeTable(const S& scheme)
       : scheme_(scheme),
         ranges_(require_table_size(S::name, scheme.size())),
         met_(scheme.size()),
         cut_(scheme.size()) {}
 
-  const S& scheme() const { return scheme_; }
+  const S& scheme() const { return scheme_; }  // whose entries have the ranges
+  // Memory of ranges and bits.
   std::size_t bytes() const { return ranges_.size() * sizeof(FloatRange) + 2 * (ranges_.size() / 8); }
 
   // What is known of the radius along x, of any length above zero.

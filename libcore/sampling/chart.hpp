@@ -12,12 +12,12 @@ namespace impinge {
 // theta and phi in radians; theta may lie outside [0, 2 pi) so that a drawn triangle is in one piece. radius
 // in mm.
 struct ChartPoint {
-  double theta = 0.0;
-  double phi = 0.0;
-  double radius = 0.0;
+  double theta = 0.0;   // azimuth
+  double phi = 0.0;     // polar angle
+  double radius = 0.0;  // of the face there
 };
 
-using ChartTriangle = std::array<ChartPoint, 3>;
+using ChartTriangle = std::array<ChartPoint, 3>;  // its corners
 
 // The flat triangles that stand for a face. One where the face is clear of the poles. Otherwise it is cut at
 // the pole into triangles with a corner there: none to cut if the pole is a corner (case 1), two if it is on

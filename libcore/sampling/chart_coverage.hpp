@@ -13,12 +13,12 @@ namespace impinge {
 
 // An entry that at least one of the three ways fills. Radii in mm, NaN where that way does not fill it.
 struct EntryCoverage {
-  std::size_t entry = 0;
-  bool met = false;     // the ray along the entry meets a face, boundary included: exact
-  bool drawn = false;   // by fill_thesis() (sampling/thesis_raster.hpp)
+  std::size_t entry = 0;  // number of the entry
+  bool met = false;       // the ray along the entry meets a face, boundary included: exact
+  bool drawn = false;     // by fill_thesis() (sampling/thesis_raster.hpp)
   bool direct = false;  // in the flat triangle between the corners' own angles: wrong at a pole and the seam
-  double met_radius = 0.0;
-  double drawn_radius = 0.0;
+  double met_radius = 0.0;    // of the face that is met
+  double drawn_radius = 0.0;  // that fill_thesis() gives
 };
 
 // By rising entry. mesh in the centre frame, a few faces that do not overlap as seen from the centre: each

@@ -25,6 +25,7 @@ class FaceIndex {
     int side = 0;       // orientation of its corners; 0 for a face that covers no direction
   };
 
+  // What the surface has near a direction.
   struct Neighbours {
     std::span<const std::uint32_t> faces;  // each that meets the cap once, and perhaps some that do not
     RadiusRange range;                     // of all that meet it
@@ -37,10 +38,10 @@ class FaceIndex {
   // holds the centre are left out.
   Neighbours near(const Vec3& x) const;
 
-  double reach() const { return reach_; }  // radians: about the size of a face
-  const SeenFace& face(std::size_t f) const { return faces_[f]; }
-  std::size_t size() const { return faces_.size(); }
-  std::size_t bytes() const;
+  double reach() const { return reach_; }                          // radians: about the size of a face
+  const SeenFace& face(std::size_t f) const { return faces_[f]; }  // face f of the mesh
+  std::size_t size() const { return faces_.size(); }               // number of faces of the mesh
+  std::size_t bytes() const;                                       // memory of the index, without the mesh
 
  private:
   void list_faces(const TriangleMesh& mesh);

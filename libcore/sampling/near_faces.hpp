@@ -28,7 +28,7 @@ class NearFaces {
     double slope = 0.0;  // no face there has a larger tan psi
     bool rim = true;     // may the surface end or jump there?
 
-    bool nothing() const { return range.empty(); }
+    bool nothing() const { return range.empty(); }  // no face is met
   };
 
   // mesh in the centre frame; it must outlive this. margin in radians. Faces whose
@@ -55,14 +55,14 @@ class NearFaces {
     return false;
   }
 
-  const TriangleMesh& mesh() const { return mesh_; }
-  double margin() const { return margin_; }
-  const std::vector<JumpEdge>& jumps() const { return jumps_; }
+  const TriangleMesh& mesh() const { return mesh_; }             // that the faces are of
+  double margin() const { return margin_; }                      // radians
+  const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
 
   // Those of the jump edges that come within `angle` radians of some of these directions, and perhaps others.
   std::vector<JumpEdge> jumps_near(std::span<const Vec3> directions, double angle) const;
 
-  std::size_t bytes() const;
+  std::size_t bytes() const;  // of memory, without the mesh
 
  private:
   struct Cap {

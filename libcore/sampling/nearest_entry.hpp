@@ -16,15 +16,17 @@
 
 namespace impinge {
 
+// The entry nearest to a direction.
 struct NearestEntry {
-  std::size_t entry = 0;
-  double angle = 0.0;  // radians from the direction
+  std::size_t entry = 0;  // number of the entry
+  double angle = 0.0;     // radians from the direction
 };
 
 // Finds nearest entries of one scheme. Keeps the scratch memory of a walker.
 template <SamplingScheme S>
 class NearestEntryFinder {
  public:
+  // Takes the scheme's walker.
   explicit NearestEntryFinder(const S& scheme)
       : walker_(scheme.walker()), reach_(scheme.covering_radius() * (1.0 + 1e-9)) {}
 
@@ -67,8 +69,8 @@ std::vector<NearestEntry> nearest_entries(const S& scheme, std::span<const Vec3>
 
 // A direction far from all entries, and how far it is from the nearest one.
 struct Gap {
-  Vec3 direction = Vec3::UnitZ();
-  double angle = 0.0;  // radians
+  Vec3 direction = Vec3::UnitZ();  // unit vector
+  double angle = 0.0;              // radians
 };
 
 // Moves u uphill, away from all entries, by ever smaller steps.

@@ -17,6 +17,7 @@ namespace impinge {
 // All faces of a mesh in the centre frame, ready for rays from the centre.
 class RayCaster {
  public:
+  // Prepares each face. std::invalid_argument for lengths beyond those of mesh/lengths.hpp.
   explicit RayCaster(const TriangleMesh& mesh);
 
   // Radius along unit u (mm), kNoSurface if no face is met. Boundaries of faces belong to them and signs are

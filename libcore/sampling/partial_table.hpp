@@ -26,14 +26,16 @@ class PartialTable final : public RadiusSource {
   // Without any surface. The set must have been numbered.
   PartialTable(AnyScheme scheme, EntrySet entries);
 
-  const AnyScheme& scheme() const { return scheme_; }
-  const EntrySet& kept() const { return kept_; }
-  double radius_of(std::size_t entry) const;  // mm, kNoSurface if it is not kept
+  const AnyScheme& scheme() const { return scheme_; }  // some of whose entries are kept
+  const EntrySet& kept() const { return kept_; }       // the entries that have a radius here
+  double radius_of(std::size_t entry) const;           // mm, kNoSurface if it is not kept
+  // Radius of the entry with this slot of kept(), mm.
   void set(std::size_t slot, double radius) { radii_[slot] = radius; }
-  bool keeps(const Stencil& stencil) const;
+  bool keeps(const Stencil& stencil) const;  // are all entries kept that this stencil reads?
 
+  // Does this cell answer kNoSurface?
   bool is_rim_cell(std::size_t cell) const { return !rim_.empty() && rim_.contains(cell); }
-  void mark_rim_cell(std::size_t cell) { rim_.insert(cell); }
+  void mark_rim_cell(std::size_t cell) { rim_.insert(cell); }  // from now on this cell answers kNoSurface
 
   // Keeps the radii in fewer bytes from now on; they must have been set before.
   void store(Storage storage);

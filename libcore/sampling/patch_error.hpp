@@ -49,22 +49,23 @@ inline constexpr double kCornerInset = 1e-9;
 
 // Value and truth in units of y; NaN where there is none.
 struct CornerSample {
-  double value = 0.0;
-  double truth = 0.0;
+  double value = 0.0;  // of the interpolant
+  double truth = 0.0;  // of the surface
 };
 
 // A rectangle of a patch. Corners in the order (from, from), (to, from), (from, to), (to, to).
 struct PatchView {
-  PatchMotion motion;
-  Cap cap;                    // holds all of its directions
-  std::array<Vec3, 4> point;  // x(s, t) at the corners; unit vectors unless flat
-  std::array<CornerSample, 4> corner;
-  double least_tap = 0.0;  // y
-  double largest_tap = 0.0;
-  std::array<double, 2> inset{};  // how far aside corners are sampled, as a share of the rectangle
-  bool flat = false;              // mesh_exact
+  PatchMotion motion;                  // over the rectangle
+  Cap cap;                             // holds all of its directions
+  std::array<Vec3, 4> point;           // x(s, t) at the corners; unit vectors unless flat
+  std::array<CornerSample, 4> corner;  // interpolant and surface there
+  double least_tap = 0.0;              // y
+  double largest_tap = 0.0;            // y
+  std::array<double, 2> inset{};       // how far aside corners are sampled, as a share of the rectangle
+  bool flat = false;                   // mesh_exact
 };
 
+// What is proven about a rectangle.
 struct PatchBound {
   double bound = 0.0;     // mm, on the error over the rectangle
   std::size_t split = 0;  // the direction that adds most to it

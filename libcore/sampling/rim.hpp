@@ -90,8 +90,8 @@ bool may_be_parted(const Table& table, const Stencil& stencil) {
 
 // An edge in a cell that the faces at the edge alone would call hidden.
 struct DoubtfulRim {
-  Stencil reader;
-  double slope;  // tan psi that a face within the reach of a tap needs for the edge to be seen
+  Stencil reader;  // of the cell, by the entries that it reads
+  double slope;    // tan psi that a face within the reach of a tap needs for the edge to be seen
 };
 
 // Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T s)

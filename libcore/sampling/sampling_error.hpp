@@ -28,8 +28,8 @@ inline double thesis_relative_error(std::size_t equator_points) {
 // Directions along which a surface is examined: places in a list of directions, and the true radius (mm)
 // there.
 struct Probes {
-  std::vector<std::size_t> place;
-  std::vector<double> truth;
+  std::vector<std::size_t> place;  // in the list of directions, ascending
+  std::vector<double> truth;       // of each place, mm
 };
 
 // Those of the directions that the surface covers.

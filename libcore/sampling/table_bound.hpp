@@ -32,12 +32,13 @@
 namespace impinge {
 
 struct TableBound {
-  double bound_mm = 0.0;     // infinite where the surface is seen edge-on
-  double attained_mm = 0.0;  // largest error that was evaluated, along
-  Vec3 witness = Vec3::UnitZ();
-  double a_priori_mm = 0.0;  // the bound before any patch was halved
+  double bound_mm = 0.0;         // infinite where the surface is seen edge-on
+  double attained_mm = 0.0;      // largest error that was evaluated, along
+  Vec3 witness = Vec3::UnitZ();  // the direction of that error, unit vector
+  double a_priori_mm = 0.0;      // the bound before any patch was halved
 };
 
+// When the search for a bound ends.
 struct BoundOptions {
   double tightness = 1.05;         // stop when bound <= tightness * attained
   std::size_t budget = 1'000'000;  // halvings; 0 for the bound a priori
@@ -47,12 +48,14 @@ struct BoundOptions {
 template <class Interpolant>
 class BoundSearch {
  public:
+  // Keeps references to interpolant and surface. `surface` reaches as far as the stencils of the table.
   BoundSearch(const Interpolant& interpolant, const SurfaceIndex& surface, const BoundOptions& options)
       : interpolant_(interpolant),
         surface_(surface),
         error_(surface, angle_doubt(interpolant)),
         options_(options) {}
 
+  // The whole search, once.
   TableBound run() {
     interpolant_.patches().for_each([this](const Patch& patch) { begin(patch); });
     result_.a_priori_mm = largest_bound();
@@ -257,6 +260,7 @@ TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, La
   }
 }
 
+// The same of inverse depths, made from such a table.
 template <PlaneExactScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {

@@ -14,10 +14,11 @@ namespace impinge {
 // What the tables know of the vertices of one surface, in their order: the gap (mm, NaN where none is known)
 // and the proven bound on its error.
 struct GapEvidence {
-  std::span<const double> gap;
-  std::span<const double> bound;
+  std::span<const double> gap;    // mm, by vertex
+  std::span<const double> bound;  // mm, by vertex
 };
 
+// What is known of the vertices of one surface, before and after the exact look.
 struct VertexVerdicts {
   VerdictCount by_bound;        // what the gaps and their bounds alone would say
   std::size_t without_gap = 0;  // of which they say nothing: most have no surface in their direction
@@ -26,12 +27,13 @@ struct VertexVerdicts {
 };
 
 struct Certificate {
-  VertexVerdicts ball;
-  VertexVerdicts socket;
+  VertexVerdicts ball;             // of the first scan
+  VertexVerdicts socket;           // of the second scan
   bool surfaces_impinged = false;  // decided exactly, crossings of edges included (detection/overlay.hpp)
   std::optional<OverlayContact> deepest;  // where the surfaces are deepest in each other
-  double seconds = 0.0;
+  double seconds = 0.0;                   // that it took
 
+  // Is some vertex impinged, exactly?
   bool vertices_impinged() const { return ball.impinged + socket.impinged > 0; }
 };
 

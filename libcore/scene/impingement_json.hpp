@@ -14,9 +14,9 @@ namespace impinge {
 // How places of a scene are told: the centre in the input frame, mm; the dial of the socket in the joint
 // frame, if it has one; the rotation to that frame.
 struct Whereabouts {
-  Vec3 centre;
-  std::optional<ClockFace> dial;
-  Eigen::Matrix3d axes;
+  Vec3 centre;                    // mm, input frame
+  std::optional<ClockFace> dial;  // of the socket; none if it has none
+  Eigen::Matrix3d axes;           // from the input frame to the joint frame
 };
 
 // The dial as unit vectors of the joint frame; null if there is none.

@@ -24,10 +24,10 @@ struct SurfaceGaps {
 };
 
 struct Measurement {
-  Pose pose;  // of the ball, in the centre frame
-  SurfaceGaps ball;
-  SurfaceGaps socket;
-  double precision_deg = 0.0;
+  Pose pose;                               // of the ball, in the centre frame
+  SurfaceGaps ball;                        // vertices of the ball against the socket
+  SurfaceGaps socket;                      // vertices of the socket against the ball
+  double precision_deg = 0.0;              // of both tables
   std::size_t entries = 0;                 // of each table
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
@@ -47,11 +47,12 @@ Measurement measure(const Joint& joint, const SceneOptions& options);
 
 // The answer to another question than all_gaps, and the plan that it was found by.
 struct QuestionAnswer {
-  Pose pose;
-  SceneAnswer answer;
-  std::vector<LeftOut> left_out;
-  double milliseconds = 0.0;
+  Pose pose;                      // of the ball, in the centre frame
+  SceneAnswer answer;             // to options.question
+  std::vector<LeftOut> left_out;  // work and memory that the question did not need
+  double milliseconds = 0.0;      // of planning and answering
 };
+// Plans and answers options.question in the pose that the options name.
 QuestionAnswer answer_question(const Joint& joint, const SceneOptions& options);
 
 // Largest bound over the vertices that have a gap; 0 if none has.

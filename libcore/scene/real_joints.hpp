@@ -20,14 +20,15 @@
 
 namespace impinge {
 
+// One joint, as its folder describes it.
 struct RealJoint {
   std::string subject;           // name of its folder
   BallSocketPair meshes;         // in the centre frame, mm
   Vec3 centre;                   // of rotation, in the input frame, mm
   bool described = false;        // is the centre that of the description?
   std::optional<double> radius;  // of the head, from the description, mm
-  std::optional<Side> side;
-  std::string axes = "RAS";  // where +x, +y and +z of the meshes point (joint/anatomy.hpp)
+  std::optional<Side> side;      // from the description
+  std::string axes = "RAS";      // where +x, +y and +z of the meshes point (joint/anatomy.hpp)
 };
 
 // In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws

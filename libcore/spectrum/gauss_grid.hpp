@@ -18,16 +18,16 @@ class GaussGrid {
   // std::invalid_argument unless 1 <= band_limit <= 4096.
   explicit GaussGrid(std::size_t band_limit);
 
-  std::size_t band_limit() const { return z_.size(); }
-  std::size_t rows() const { return z_.size(); }
-  std::size_t columns() const { return 2 * z_.size(); }
-  std::size_t size() const { return rows() * columns(); }
+  std::size_t band_limit() const { return z_.size(); }     // L
+  std::size_t rows() const { return z_.size(); }           // L, of equal z
+  std::size_t columns() const { return 2 * z_.size(); }    // 2 L, of equal theta
+  std::size_t size() const { return rows() * columns(); }  // of directions
 
-  double z(std::size_t row) const { return z_[row]; }
+  double z(std::size_t row) const { return z_[row]; }      // cos(phi) of a row
   double phi(std::size_t row) const { return phi_[row]; }  // radians
   // Solid angle that an entry of the row stands for, steradians; they sum to 4 pi.
   double weight(std::size_t row) const { return weight_[row]; }
-  Vec3 direction(std::size_t row, std::size_t column) const;
+  Vec3 direction(std::size_t row, std::size_t column) const;  // unit vector
 
  private:
   std::vector<double> z_;

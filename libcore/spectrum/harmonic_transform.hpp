@@ -16,6 +16,7 @@ struct HarmonicCoefficients {
   std::size_t band_limit = 0;                // L
   std::vector<std::complex<double>> values;  // of (l, m) at l (l + 1) / 2 + m; unit of f
 
+  // a_lm, 0 <= m <= l < L.
   std::complex<double>& at(std::size_t l, std::size_t m) { return values[l * (l + 1) / 2 + m]; }
   std::complex<double> at(std::size_t l, std::size_t m) const { return values[l * (l + 1) / 2 + m]; }
 };

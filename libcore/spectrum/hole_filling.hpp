@@ -17,7 +17,7 @@ namespace impinge {
 //             which goes on with the slope of the surface and has no kink. It may overshoot.
 enum class Filling { membrane, plate };
 
-std::string_view name_of(Filling filling);
+std::string_view name_of(Filling filling);  // "membrane" or "plate"
 
 // Replaces the values that are no number. Finite volumes on the grid, solved directly.
 // std::invalid_argument when there is not one value, or not one place for each direction.

@@ -9,10 +9,10 @@ namespace impinge {
 
 // Slice i lies i thicknesses above the middle plane, which holds the centre.
 struct Slice {
-  std::size_t index = 0;
-  double height = 0.0;  // mm
-  double phi = 0.0;     // angle from the axis at which the slice cuts the sphere, arccos(height / r), radians
-  double gap = 0.0;     // to the slice below, radians; 0 for slice 0
+  std::size_t index = 0;  // i, from the middle slice
+  double height = 0.0;    // mm
+  double phi = 0.0;  // angle from the axis at which the slice cuts the sphere, arccos(height / r), radians
+  double gap = 0.0;  // to the slice below, radians; 0 for slice 0
 };
 
 // Slices of the upper half, the middle one first: all with height <= radius (mm). A sphere is cut by twice as

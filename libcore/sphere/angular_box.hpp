@@ -11,10 +11,10 @@ namespace impinge {
 // phi in [phi_min, phi_max]; theta from theta_min over theta_width, which is 2 pi where a pole is touched.
 // Radians. theta_min may be negative: angles are to be taken modulo 2 pi.
 struct AngularBox {
-  double phi_min = 0.0;
-  double phi_max = kPi;
-  double theta_min = 0.0;
-  double theta_width = 2.0 * kPi;
+  double phi_min = 0.0;            // least polar angle
+  double phi_max = kPi;            // largest polar angle
+  double theta_min = 0.0;          // where the range of azimuths begins
+  double theta_width = 2.0 * kPi;  // how far it goes on eastwards
 };
 
 // Box around the triangle whose corners are seen along a, b, c (any length, edges shorter than pi), with the

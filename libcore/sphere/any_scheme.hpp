@@ -17,8 +17,8 @@ namespace impinge {
 
 class AnyScheme {
  public:
-  using VisitStencil = std::function<void(const Stencil&)>;
-  using VisitRun = std::function<void(const DirectionRun&)>;
+  using VisitStencil = std::function<void(const Stencil&)>;   // takes each stencil of for_each_cell_across()
+  using VisitRun = std::function<void(const DirectionRun&)>;  // takes each run of visit_near()
 
   // What a scheme is asked for; see sphere/scheme.hpp.
   class Model {
@@ -31,17 +31,20 @@ class AnyScheme {
     virtual double precision_deg() const = 0;
     virtual std::size_t size() const = 0;
     virtual std::size_t cells() const = 0;
-    virtual bool flat_cells() const = 0;
+    virtual bool flat_cells() const = 0;  // see AnyScheme::flat_cells()
     virtual double covering_radius() const = 0;
     virtual double stencil_radius() const = 0;
     virtual Vec3 direction(std::size_t entry) const = 0;
     virtual Stencil stencil(const Vec3& x) const = 0;
     virtual void for_each_cell_across(const Stencil& at, const VisitStencil& visit) const = 0;
+    // That of the scheme's walker.
     virtual void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const = 0;
   };
 
+  // Finds entries in or near triangles. Shares the scheme, which may go before it.
   class Walker {
    public:
+    // Of the scheme that a model holds.
     explicit Walker(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
     void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const {
       model_->visit_near(cone, margin, visit);

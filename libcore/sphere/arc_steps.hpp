@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral: the helix theta = 2 k phi (thesis, Eq. 9) whose w entries stand at equal steps of
-// true arc length. With L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4 k^2) the place of
-// a point is t(phi) = (w - 1) L(phi) / L(pi).
+// Placement of a Spiral (sphere/spiral.hpp): the helix theta = 2 k phi (thesis, Eq. 9) whose w entries stand
+// at equal steps of true arc length. With L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4
+// k^2) the place of a point is t(phi) = (w - 1) L(phi) / L(pi).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral that is uniform on the surface of a rotational conchoid r = a + b cos(phi): entries
-// at equal steps of area A(phi), on turns at equal distances h along the meridian s(phi),
+// Placement of a Spiral (sphere/spiral.hpp) that is uniform on the surface of a rotational conchoid r = a + b
+// cos(phi): entries at equal steps of area A(phi), on turns at equal distances h along the meridian s(phi),
 //   A(phi_i) = A(pi) i / (w - 1),   theta_i = 2 pi s(phi_i) / h,   h^2 = A(pi) / w,
 // so that entries are as far apart along a turn as turns are. With b = 0 this is the isotropic helix.
 #pragma once

@@ -26,8 +26,9 @@
 namespace impinge {
 
 // A warp says what makes one cube map differ from another:
+//   name, label, citation   those of the scheme (sphere/scheme.hpp)
 //   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
-//   coordinate(a)    its inverse
+//   coordinate(a)    inverse of node()
 //   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
 // and that the widest cell is the one at the middle of the face.
 template <class Warp>
@@ -159,6 +160,7 @@ double CubeMap<Warp>::covering_radius() const {
 template <class Warp>
 class CubeMap<Warp>::Walker {
  public:
+  // Computes the coordinates of all grid lines.
   explicit Walker(const CubeMap& scheme) : scheme_(scheme), node_(scheme.n_ + 1) {
     for (std::size_t k = 0; k < node_.size(); ++k) node_[k] = scheme.node(k);
   }

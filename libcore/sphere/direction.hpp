@@ -11,8 +11,8 @@ namespace impinge {
 // A point or vector in millimetres, or a unit vector where the name says direction.
 using Vec3 = Eigen::Vector3d;
 
-inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kDegree = kPi / 180.0;  // radians in one degree
+inline constexpr double kPi = std::numbers::pi;  // half a turn, radians
+inline constexpr double kDegree = kPi / 180.0;   // radians in one degree
 
 // Spherical angles in radians (thesis, Eq. 5-6).
 struct Angles {
@@ -33,9 +33,9 @@ double angle_between(const Vec3& a, const Vec3& b);
 // Cosine and sine of pi * k / n for integers n > 0 and any k. Multiples of a quarter turn are exact, and the
 // symmetries of the circle hold bit for bit, so that grid points on the axes lie on the axes.
 struct CosSin {
-  double cos = 1.0;
-  double sin = 0.0;
+  double cos = 1.0;  // of pi k / n
+  double sin = 0.0;  // of pi k / n
 };
-CosSin half_turn_fraction(long k, long n);
+CosSin half_turn_fraction(long k, long n);  // cosine and sine of pi k / n, see above
 
 }  // namespace impinge

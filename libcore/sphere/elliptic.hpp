@@ -10,10 +10,10 @@ namespace impinge {
 //   R_F = 1/2 integral_0^inf dt / sqrt((t + x) (t + y) (t + z))
 //   R_D = 3/2 integral_0^inf dt / (sqrt((t + x) (t + y)) (t + z)^(3/2)), z above zero
 struct CarlsonIntegrals {
-  double rf;
-  double rd;
+  double rf;  // R_F(x, y, z)
+  double rd;  // R_D(x, y, z)
 };
-CarlsonIntegrals carlson_integrals(double x, double y, double z);
+CarlsonIntegrals carlson_integrals(double x, double y, double z);  // R_F(x, y, z) and R_D(x, y, z).
 
 // E(phi | m) = integral_0^phi sqrt(1 - m sin^2 t) dt, Legendre's incomplete integral of the second kind, for
 // phi in [0, pi / 2] and complement = 1 - m > 0: what a caller knows exactly where m is nearly 1. By sums of

@@ -14,10 +14,11 @@ namespace impinge {
 // relative error of about 1e-15.
 class EllipticArc {
  public:
-  EllipticArc(double complement, double end);
+  EllipticArc(double complement, double end);  // makes the tables
 
-  double length() const { return length_; }
-  double length(double x) const { return x * (*mean_speed_)(x); }
+  double length() const { return length_; }                        // of the whole arc
+  double length(double x) const { return x * (*mean_speed_)(x); }  // from 0 to x in [0, end]
+  // The x at a length in [0, length()].
   double angle(double length) const { return length * (*mean_slowness_)(length); }
 
  private:

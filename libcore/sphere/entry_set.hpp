@@ -42,6 +42,7 @@ class EntrySet {
     chunks_.shrink_to_fit();
   }
 
+  // Is this entry in the set?
   bool contains(std::size_t entry) const {
     const std::uint32_t chunk = chunk_of_[entry / kChunk];
     return chunk != kNone && (chunks_[chunk].bits[entry % kChunk / 64] >> (entry % 64) & 1U) != 0U;
@@ -72,6 +73,7 @@ class EntrySet {
   }
 
   std::size_t count() const { return count_; }  // of a numbered set
+  // Memory of chunks and of their index.
   std::size_t bytes() const {
     return chunk_of_.size() * sizeof(std::uint32_t) + chunks_.size() * sizeof(Chunk);
   }

@@ -10,13 +10,14 @@ namespace impinge {
 
 // Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
 inline constexpr double kSmallestProduct = 1e-280;
-inline constexpr double kLargestProduct = 1e300;
+inline constexpr double kLargestProduct = 1e300;  // the largest of such products
 
 // Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
 // precision floating-point arithmetic"). `Most` is at least the number of values added.
 template <std::size_t Most>
 class Expansion {
  public:
+  // Adds a value, exactly.
   void add(double value) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -30,6 +31,7 @@ class Expansion {
     size_ = kept;
   }
 
+  // Sign of the sum, exactly: +1, 0 or -1.
   int sign() const {
     if (size_ == 0) return 0;
     return component_[size_ - 1] > 0.0 ? 1 : -1;

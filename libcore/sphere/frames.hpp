@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
 // Glossary of the frames, ranges and units of the library. All frames are right-handed.
 //
 //   input frame    coordinates as they stand in the user's mesh files, millimetres
@@ -20,3 +18,4 @@
 // number, so that other units change nothing but the units.
 //
 // Angles are degrees where a person reads or types them, and in names that end in _deg; radians elsewhere.
+#pragma once

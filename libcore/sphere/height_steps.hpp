@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral: the helix theta = slope * phi (thesis, Eq. 9, with slope = 2 k) whose w entries
-// stand at equal steps of height, cos(phi_i) = 1 - 2 i / (w - 1). What Usid and HelixIsotropic share.
+// Placement of a Spiral (sphere/spiral.hpp): the helix theta = slope * phi (thesis, Eq. 9, with slope = 2 k)
+// whose w entries stand at equal steps of height, cos(phi_i) = 1 - 2 i / (w - 1). What Usid and
+// HelixIsotropic share.
 #pragma once
 
 #include <cmath>
@@ -19,9 +20,9 @@ class HeightSteps {
   // size >= 4 entries, below 2^53; slope >= 4: two turns.
   HeightSteps(std::size_t size, double slope);
 
-  double last() const { return last_; }    // place of the south pole
-  double turns() const { return turns_; }  // turn of the south pole
-  double slope() const { return 2.0 * turns_; }
+  double last() const { return last_; }          // place of the south pole
+  double turns() const { return turns_; }        // turn of the south pole
+  double slope() const { return 2.0 * turns_; }  // theta over phi
 
   double turn(double phi) const { return phi / spacing_; }
   double polar_of_turn(double turn) const { return turn * spacing_; }
@@ -45,7 +46,7 @@ class HeightSteps {
 
   // What direction() needs of a helix.
   struct Curve {
-    double last;
+    double last;  // place of the south pole
     double end;   // fraction of a turn at which the helix meets the south pole
     double high;  // turns for each unit of phi / 2, 26 bits
     double low;   // and the rest

@@ -16,8 +16,8 @@ namespace impinge {
 
 // Places of three entries in the given span, and weights that are not negative and sum to 1.
 struct HoldingTriangle {
-  std::array<std::size_t, 3> place{};
-  std::array<double, 3> weight{};
+  std::array<std::size_t, 3> place{};  // of its corners in the span
+  std::array<double, 3> weight{};      // of the corners, in the same order
 };
 
 // Volume a . (b x c), from differences, so that it is as accurate for neighbouring entries as for distant

@@ -29,11 +29,12 @@ namespace impinge {
 
 // Lower and upper ends of three barycentric coordinates.
 struct TriangleRange {
-  Vec3 low;
-  Vec3 high;
+  Vec3 low;   // of the ranges, corner by corner
+  Vec3 high;  // likewise
 };
 
 // A warp says what makes one icosahedral grid differ from another:
+//   name, label, citation   those of the scheme (sphere/scheme.hpp)
 //   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
 //   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
 //   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
@@ -249,6 +250,7 @@ class IcosahedralGrid {
 template <class Warp>
 class IcosahedralGrid<Warp>::Walker {
  public:
+  // Computes the weights of all nodes along an edge.
   explicit Walker(const IcosahedralGrid& scheme) : scheme_(scheme), weight_(scheme.n_ + 1) {
     for (std::size_t k = 0; k < weight_.size(); ++k) weight_[k] = Warp::weight(k, scheme.n_);
   }

@@ -16,18 +16,20 @@ namespace impinge {
 // Two faces make one of ten diamonds with corners A, P, F, Q: faces 2 d and 2 d + 1 are A P Q and F Q P of
 // diamond d. Diamond k = 0..4 is (N, U_k, D_k, U_k+1) and diamond 5 + k is (U_k+1, D_k, S, D_k+1).
 struct Icosahedron {
+  // A face and what finds the place of a direction on it.
   struct Face {
-    std::array<Vec3, 3> corner;
-    std::array<Vec3, 3> dual;  // dual[k] . corner[l] = 1 if k = l, else 0
-    Vec3 axis;                 // sum of the duals: along the middle of the face
+    std::array<Vec3, 3> corner;  // unit vectors, anticlockwise as seen from outside
+    std::array<Vec3, 3> dual;    // dual[k] . corner[l] = 1 if k = l, else 0
+    Vec3 axis;                   // sum of the duals: along the middle of the face
   };
-  std::array<Face, 20> face;
+  std::array<Face, 20> face;  // faces 2 d and 2 d + 1 are those of diamond d
 
   // Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
   static constexpr double kTangent = 0.7639320225002103;
-  static constexpr double kCornerAngle = 0.6523581397843682;
-  static constexpr double kEdge = 1.0514622242382672;  // length of an edge, 1 / sin 72 degrees
+  static constexpr double kCornerAngle = 0.6523581397843682;  // atan(kTangent), radians
+  static constexpr double kEdge = 1.0514622242382672;         // length of an edge, 1 / sin 72 degrees
 
+  // The one icosahedron, made at first use.
   static const Icosahedron& instance() {
     static const Icosahedron all;
     return all;

@@ -50,14 +50,15 @@ class InverseDepthTable {
       inverse_depths_[i] = 1.0 / (radii[i] * scheme_.depth(scheme_.direction(i)));
   }
 
-  const S& scheme() const { return scheme_; }
+  const S& scheme() const { return scheme_; }  // whose entries it keeps
 
+  // Those of the radii: one double an entry.
   static std::size_t bytes(const S& scheme) { return RadialTable<S>::bytes(scheme); }
 
   // 1 / mm, NaN where there is no surface.
   std::span<const double> inverse_depths() const& { return inverse_depths_; }
   std::span<const double> inverse_depths() const&& = delete;  // they would dangle: keep the table
-  const CellMask& rim_cells() const { return rim_; }
+  const CellMask& rim_cells() const { return rim_; }          // cells that answer kNoSurface
 
   // Interpolated radius along x (any length above zero), mm; kNoSurface as in RadialTable::radius_at().
   double radius_at(const Vec3& x) const { return plane_exact_radius_at(scheme_, rim_, inverse_depths_, x); }

@@ -8,6 +8,7 @@
 
 namespace impinge {
 
+// A vector of any kind of number, mm.
 template <class Number>
 using Vec3Of = Eigen::Matrix<Number, 3, 1>;
 

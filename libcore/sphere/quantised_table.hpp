@@ -32,6 +32,8 @@ inline constexpr double kSumRounding = 17.0 * 0x1p-53;
 template <SamplingScheme S, class Values>
 class StoredRadialTable {
  public:
+  // Rounds the radii of a table, and finds by how much. std::invalid_argument where `Values` cannot keep
+  // them.
   explicit StoredRadialTable(const RadialTable<S>& table)
       : scheme_(table.scheme()), rim_(table.rim_cells()), values_(table.radii()) {
     double off = 0.0;
@@ -45,9 +47,9 @@ class StoredRadialTable {
     storage_bound_ = off + kSumRounding * largest;
   }
 
-  const S& scheme() const { return scheme_; }
-  const CellMask& rim_cells() const { return rim_; }
-  std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }
+  const S& scheme() const { return scheme_; }                           // whose entries it keeps
+  const CellMask& rim_cells() const { return rim_; }                    // cells that answer kNoSurface
+  std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }  // of values and rim mask
 
   // Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
@@ -72,6 +74,7 @@ class StoredRadialTable {
 template <PlaneExactScheme S, class Values>
 class StoredInverseDepthTable {
  public:
+  // Rounds the inverse depths of a table, as StoredRadialTable does radii.
   explicit StoredInverseDepthTable(const InverseDepthTable<S>& table)
       : scheme_(table.scheme()), rim_(table.rim_cells()), values_(table.inverse_depths()) {
     double off = 0.0;
@@ -85,9 +88,9 @@ class StoredInverseDepthTable {
     storage_bound_ = largest * (off + kSumRounding);
   }
 
-  const S& scheme() const { return scheme_; }
-  const CellMask& rim_cells() const { return rim_; }
-  std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }
+  const S& scheme() const { return scheme_; }                           // whose entries it keeps
+  const CellMask& rim_cells() const { return rim_; }                    // cells that answer kNoSurface
+  std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }  // of values and rim mask
 
   // Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
@@ -107,12 +110,16 @@ class StoredInverseDepthTable {
   double storage_bound_ = 0.0;
 };
 
+// Radii in float: 4 bytes an entry.
 template <SamplingScheme S>
 using FloatTable = StoredRadialTable<S, FloatValues>;
+// Radii in steps of 16 bits: 2 bytes an entry.
 template <SamplingScheme S>
 using Uint16Table = StoredRadialTable<S, Uint16Values>;
+// Inverse depths in float.
 template <PlaneExactScheme S>
 using FloatInverseDepthTable = StoredInverseDepthTable<S, FloatValues>;
+// Inverse depths in steps of 16 bits.
 template <PlaneExactScheme S>
 using Uint16InverseDepthTable = StoredInverseDepthTable<S, Uint16Values>;
 

@@ -28,11 +28,11 @@ class RadialTable {
         radii_(require_table_size(S::name, scheme.size()), kNoSurface),
         rim_(scheme.cells()) {}
 
-  const S& scheme() const { return scheme_; }
-  std::span<const double> radii() const& { return radii_; }
+  const S& scheme() const { return scheme_; }                // whose entries have the radii
+  std::span<const double> radii() const& { return radii_; }  // mm, by entry; kNoSurface where there is none
   std::span<double> radii() & { return radii_; }
-  std::span<const double> radii() const&& = delete;  // they would dangle: keep the table
-  double radius_of(std::size_t entry) const { return radii_[entry]; }
+  std::span<const double> radii() const&& = delete;                    // they would dangle: keep the table
+  double radius_of(std::size_t entry) const { return radii_[entry]; }  // of an entry, mm
   static bool keeps(const Stencil& /*stencil*/) { return true; }  // the entries that it reads: all are kept
 
   // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
@@ -46,10 +46,11 @@ class RadialTable {
     return is_rim_cell(stencil.cell) ? kNoSurface : interpolate(stencil, radii_);
   }
 
+  // Does this cell answer kNoSurface?
   bool is_rim_cell(std::size_t cell) const { return rim_.contains(cell); }
-  void mark_rim_cell(std::size_t cell) { rim_.mark(cell); }
-  void forget_rim() { rim_ = CellMask(scheme_.cells()); }
-  const CellMask& rim_cells() const { return rim_; }
+  void mark_rim_cell(std::size_t cell) { rim_.mark(cell); }  // from now on this cell answers kNoSurface
+  void forget_rim() { rim_ = CellMask(scheme_.cells()); }    // unmarks all cells
+  const CellMask& rim_cells() const { return rim_; }         // the cells that are marked
 
  private:
   S scheme_;

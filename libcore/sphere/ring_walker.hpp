@@ -15,11 +15,12 @@ namespace impinge {
 
 // Entries first .. first + count - 1 at the polar angle `polar` and azimuths 2 pi (t + half / 2) / count.
 struct Ring {
-  std::size_t first;
-  std::size_t count;
-  std::size_t half;  // 0 or 1
-  CosSin polar;
+  std::size_t first;  // number of its westernmost entry
+  std::size_t count;  // of its entries
+  std::size_t half;   // 0 or 1
+  CosSin polar;       // of its polar angle
 
+  // Unit vector of entry first + t.
   Vec3 direction(std::size_t t) const {
     const CosSin azimuth = half_turn_fraction(static_cast<long>(2 * t + half), static_cast<long>(count));
     return {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
@@ -32,13 +33,13 @@ struct Ring {
 };
 
 // Walker of such a scheme S, which has
-//   rings()             their number
-//   ring(k)             the k-th of them
+//   rings()             number of its rings
+//   ring(k)             the k-th of its rings, from the north
 //   ring_position(phi)  place of a polar angle among the rings, k at ring k; never falls with phi
 template <class S>
 class RingWalker {
  public:
-  explicit RingWalker(const S& scheme) : scheme_(scheme) {}
+  explicit RingWalker(const S& scheme) : scheme_(scheme) {}  // takes a copy of the scheme
 
   template <class Visit>
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {

@@ -15,43 +15,50 @@ namespace impinge {
 // The entries that an interpolation at one direction reads, with weights that are not negative and sum to 1,
 // and the cell (patch between entries) that holds the direction. Only the first `taps` places count.
 struct Stencil {
-  std::array<std::size_t, 4> entry{};
-  std::array<double, 4> weight{};
-  std::size_t taps = 0;
-  std::size_t cell = 0;
+  std::array<std::size_t, 4> entry{};  // the taps
+  std::array<double, 4> weight{};      // of each tap
+  std::size_t taps = 0;                // that count, at most 4
+  std::size_t cell = 0;                // below cells()
 };
 
 // Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
 // filler tests several at once. Scratch memory of a walker.
 struct DirectionRun {
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 64;  // entries that a run has room for
 
-  std::size_t first = 0;
-  std::size_t count = 0;
-  std::array<double, kMost> x;
-  std::array<double, kMost> y;
-  std::array<double, kMost> z;
+  std::size_t first = 0;        // number of the first entry
+  std::size_t count = 0;        // of entries in the run, at most kMost
+  std::array<double, kMost> x;  // of the directions, as y and z
+  std::array<double, kMost> y;  // likewise
+  std::array<double, kMost> z;  // likewise
 
-  Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+  Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }  // direction of entry first + k
 };
 
 // Visitor of runs, used to state the concept below.
 struct RunVisitor {
-  void operator()(const DirectionRun& run) const;
+  void operator()(const DirectionRun& run) const;  // takes a run; there is no body, as none is called
 };
 
 // A scheme is a regular value type of a few bytes.
+//   name                 what the scheme is called in options, files and tables
+//   label                the same for figures and text
+//   citation             where the scheme is from
 //   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
 //                        one line that says why, if there is none
-//   size(), cells()      number of entries and of cells
+//   precision_deg()      how far entries are apart at the equator, degrees: what with_precision() came to
+//   size()               number of entries
+//   cells()              number of cells
 //   direction(i)         unit vector of entry i
 //   stencil(x)           entries round the direction of x, x of any length above zero
 //   covering_radius()    largest angle from any direction to its nearest entry, radians
 //   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
 //   equator_points()     entries on the equator, or those nearest to it that stand for it
-//   walker()             an object whose visit_near(cone, margin, visit) calls visit(run) for runs that hold
-//                        every entry inside the cone or within `margin` radians of it, and perhaps some
-//                        outside; each once, with the very numbers of direction(i)
+//   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
+//   visit_near(cone, margin, visit)
+//                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
+//                        radians of it, and perhaps some outside; each once, with the very numbers of
+//                        direction(i)
 //
 // A scheme whose stencils read entries beyond the cell that holds the direction also has
 //   for_each_cell_across(stencil, visit)

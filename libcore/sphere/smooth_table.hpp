@@ -14,7 +14,7 @@ namespace impinge {
 // them has come to its rounding; where f changes near 0 over many orders of magnitude they get short with it.
 class SmoothTable {
  public:
-  SmoothTable(const std::function<double(double)>& f, double end);
+  SmoothTable(const std::function<double(double)>& f, double end);  // tabulates f on [0, end]
 
   // f(x) for x in [0, end]; beyond them what the polynomial of the last piece gives.
   double operator()(double x) const;

@@ -5,12 +5,16 @@
 // A placement P is a regular value with two coordinates of the polar angle phi, both rising: the turn (turns
 // of azimuth that the curve has made from the north pole) and the place (entries that it has passed, whole at
 // an entry).
-//   last(), turns()       place and turn of the south pole; last() + 1 entries, at least 2 turns
-//   turn(phi)             and its inverse polar_of_turn(turn)
-//   place(phi)            and its inverse polar_angle(t), accurate at both poles
-//   direction(i), fill()  direction of an entry, and of the entries of a run, with the same numbers
-//   area(i)               solid angle that the entry stands for, steradians, 4 pi in all
-//   kMirrored             the southern half is the mirror image of the northern one
+//   last()               place of the south pole; last() + 1 entries
+//   turns()              turn of the south pole, at least 2
+//   turn(phi)            turn at the polar angle phi
+//   polar_of_turn(turn)  polar angle of a turn, the inverse of turn()
+//   place(phi)           place at the polar angle phi
+//   polar_angle(t)       polar angle of the place t, the inverse of place(), accurate at both poles
+//   direction(i)         unit vector of entry i
+//   fill(run)            fills a run whose `first` and `count` are set, with the numbers of direction()
+//   area(i)              solid angle that the entry stands for, steradians, 4 pi in all
+//   kMirrored            whether the southern half is the mirror image of the northern one
 // The curve's azimuth at phi is 2 pi turn(phi). All angles in radians.
 #pragma once
 
@@ -30,6 +34,7 @@ namespace impinge {
 template <class P>
 class Spiral {
  public:
+  // Finds the covering radius and the stencil radius once.
   explicit Spiral(const P& placement) : placement_(placement) {
     stencil_radius_ = spiral_stencil_radius(placement_);
     covering_radius_ = spiral_covering_radius(placement_);
@@ -66,7 +71,7 @@ class Spiral {
     if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
   }
 
-  const P& placement() const { return placement_; }
+  const P& placement() const { return placement_; }  // where the entries are
 
   const Spiral& walker() const { return *this; }
 

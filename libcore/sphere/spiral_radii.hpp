@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Covering radius and stencil radius of a Spiral; see there for what a placement is. Radians.
+// Covering radius and stencil radius of a Spiral; see sphere/spiral.hpp for what a placement is. Radians.
 //
 // The first 64 entries at either pole, where turns are strongly curved, are treated one by one. Between these
 // caps two numbers describe the curve at a polar angle: the spacing A of its turns and the step D between
@@ -24,6 +24,7 @@ inline constexpr double kPolarEntries = 64.0;
 template <class P>
 class FromPole {
  public:
+  // Keeps a reference to the placement; from the south pole, or else from the north pole.
   FromPole(const P& placement, bool south) : placement_(placement), south_(south) {}
 
   double last() const { return placement_.last(); }

@@ -21,15 +21,16 @@ namespace impinge {
 // it.
 class FloatValues {
  public:
-  static constexpr std::string_view name = "float";
+  static constexpr std::string_view name = "float";  // in tables of results
 
+  // Rounds the values.
   explicit FloatValues(std::span<const double> values) : values_(values.size()) {
     std::ranges::transform(values, values_.begin(), [](double v) { return to_float(v); });
   }
 
-  double operator[](std::size_t i) const { return static_cast<double>(values_[i]); }
-  std::size_t size() const { return values_.size(); }
-  std::size_t bytes() const { return values_.size() * sizeof(float); }
+  double operator[](std::size_t i) const { return static_cast<double>(values_[i]); }  // number i
+  std::size_t size() const { return values_.size(); }                                 // of numbers
+  std::size_t bytes() const { return values_.size() * sizeof(float); }                // of memory
 
  private:
   static float to_float(double value) {
@@ -51,9 +52,10 @@ class FloatValues {
 // (and the rounding of smallest + step * code).
 class Uint16Values {
  public:
-  static constexpr std::string_view name = "uint16";
-  static constexpr std::uint16_t kNone = 65535;  // code of NaN
+  static constexpr std::string_view name = "uint16";  // in tables of results
+  static constexpr std::uint16_t kNone = 65535;       // code of NaN
 
+  // Rounds the values to steps between the least and the largest.
   explicit Uint16Values(std::span<const double> values) : codes_(values.size(), kNone) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -71,16 +73,17 @@ class Uint16Values {
     }
   }
 
+  // Number i.
   double operator[](std::size_t i) const {
     const std::uint16_t code = codes_[i];
     return code == kNone ? std::numeric_limits<double>::quiet_NaN() : smallest_ + step_ * code;
   }
-  std::size_t size() const { return codes_.size(); }
-  std::size_t bytes() const { return codes_.size() * sizeof(std::uint16_t); }
+  std::size_t size() const { return codes_.size(); }                           // of numbers
+  std::size_t bytes() const { return codes_.size() * sizeof(std::uint16_t); }  // of memory
   // Number i is smallest() + step() * code(i), in the unit of the numbers; code kNone is NaN.
   std::uint16_t code(std::size_t i) const { return codes_[i]; }
-  double smallest() const { return smallest_; }
-  double step() const { return step_; }
+  double smallest() const { return smallest_; }  // of the numbers
+  double step() const { return step_; }          // between two codes
 
  private:
   std::vector<std::uint16_t> codes_;

@@ -20,6 +20,7 @@ namespace impinge {
 // ball) or back-facing (normal towards it, a socket); both are met alike.
 class TriangleCone {
  public:
+  // Of the face a, b, c, in mm.
   TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c)
       : corner_{a, b, c},
         side_(orientation(a, b, c)),
@@ -41,8 +42,8 @@ class TriangleCone {
   // +1 front-facing, -1 back-facing, 0 edge-on.
   int side() const { return side_; }
 
-  const std::array<Vec3, 3>& corners() const& { return corner_; }
-  const std::array<Vec3, 3>& corners() const&& = delete;  // they would be gone before they are read
+  const std::array<Vec3, 3>& corners() const& { return corner_; }  // as given, mm
+  const std::array<Vec3, 3>& corners() const&& = delete;           // they would be gone before they are read
 
   // Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
   // vertex at least one answers yes.
@@ -65,7 +66,7 @@ class TriangleCone {
     const double least = e0 < e1 ? e0 : e1;
     return least < e2 ? least : e2;
   }
-  double doubt() const { return std::max({doubt_[0], doubt_[1], doubt_[2]}); }
+  double doubt() const { return std::max({doubt_[0], doubt_[1], doubt_[2]}); }  // see least_edge_distance()
 
   // The plane of the face; its offset is above 0 unless the face is seen edge-on, or nearly so.
   const FacePlane& plane() const& { return plane_; }

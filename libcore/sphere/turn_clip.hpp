@@ -23,8 +23,8 @@ class TurnClip {
  public:
   // Shares of a piece, 0 at its first border and 1 at its second; nothing where from > to.
   struct Part {
-    double from;
-    double to;
+    double from;  // share of the piece at which the part begins
+    double to;    // and at which it ends
   };
 
   // A turn between the outermost borders. Radians.
@@ -36,14 +36,15 @@ class TurnClip {
   // `spacing` is that of the turns, on which the number of pieces depends; `doubt` bounds the error of an
   // entry's direction. Radians.
   struct Accuracy {
-    double margin;
-    double spacing;
-    double doubt;
+    double margin;   // how near to the triangle entries count
+    double spacing;  // of turns
+    double doubt;    // of directions
   };
 
+  // Of the triangle `cone`, whose angular box (with the margin) is `box`.
   TurnClip(const TriangleCone& cone, const AngularBox& box, const Accuracy& accuracy);
 
-  std::size_t pieces() const { return pieces_; }
+  std::size_t pieces() const { return pieces_; }  // into which the azimuths of the box are divided
   // Azimuth of border k = 0 ... pieces(), in turns.
   double azimuth(std::size_t k) const { return azimuth_ + static_cast<double>(k) * width_; }
 

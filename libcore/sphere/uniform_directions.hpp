@@ -24,6 +24,7 @@ inline Vec3 uniform_direction(std::mt19937_64& random) {
   return {across * std::cos(theta), across * std::sin(theta), z};
 }
 
+// Uniform on the sphere; the same for a seed everywhere.
 inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Vec3> directions;

@@ -14,10 +14,10 @@ inline constexpr double kAimedRadius = 20.0;  // mm, of the point of a face that
 
 // A right-handed frame about a direction: u, first and second are orthonormal.
 struct AimedFrame {
-  explicit AimedFrame(const Vec3& direction);
-  Vec3 u;
-  Vec3 first;
-  Vec3 second;
+  explicit AimedFrame(const Vec3& direction);  // direction: of any length above zero
+  Vec3 u;                                      // the direction
+  Vec3 first;                                  // across it
+  Vec3 second;                                 // u x first
 };
 
 // Every one to `each` entries of every scheme at a precision, evenly through its table; directions that

@@ -14,9 +14,10 @@
 
 namespace impinge {
 
+// How steep the surface is along one direction.
 struct RayCondition {
-  double slope = 0.0;  // tan psi of the nearest face
-  double condition() const { return 1.0 + slope; }
+  double slope = 0.0;                               // tan psi of the nearest face
+  double condition() const { return 1.0 + slope; }  // relative error of the radius for one of the direction
 };
 
 // Of the nearest face along each direction, 0 where there is none. mesh in the centre frame. In extended

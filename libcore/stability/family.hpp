@@ -21,6 +21,7 @@
 
 namespace impinge {
 
+// Stands in a column that has no value.
 inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 // The arithmetic or storage whose rounding a method cannot avoid.
@@ -30,12 +31,12 @@ double unit_roundoff(Scalar scalar);      // 2^-24, 2^-53
 
 // One method at one magnitude: one row of the results. What was not measured is NaN or 0.
 struct StabilityCase {
-  double magnitude = 0.0;  // of the knob, in the unit of the family
-  std::string method;      // as the race calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
-  std::string kind;        // ours, library or brute; a failure of ours fails the run
-  Scalar scalar = Scalar::float64;
+  double magnitude = 0.0;           // of the knob, in the unit of the family
+  std::string method;               // as the race calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
+  std::string kind;                 // ours, library or brute; a failure of ours fails the run
+  Scalar scalar = Scalar::float64;  // whose rounding counts
 
-  std::size_t questions = 0;
+  std::size_t questions = 0;                     // directions, entries or poses that were asked
   double condition = kNotMeasured;               // largest over the questions
   double relative_error = kNotMeasured;          // largest |answer - truth| / truth
   double error_over_condition_u = kNotMeasured;  // largest, each question over its own condition
@@ -53,6 +54,7 @@ struct StabilityCase {
   double bound_um = kNotMeasured;  // proven, on the error of a look-up between entries
   double error_um = kNotMeasured;  // largest error of a look-up
 
+  // Answers that are wrong in any way.
   std::size_t failures() const { return nan + false_hits + missed_hits + wrong; }
   // None where nothing is proven; an infinite bound holds and says nothing.
   std::optional<bool> bound_holds() const;
@@ -64,10 +66,11 @@ std::vector<StabilityCase> worse_of(std::vector<StabilityCase> a, const std::vec
 
 // What a run of all families shares.
 struct StabilityRun {
-  bool quick = true;
-  std::uint64_t seed = 0;
+  bool quick = true;       // fewer magnitudes, smaller scenes
+  std::uint64_t seed = 0;  // of all that is drawn
 };
 
+// One family: what it turns, what is expected, and how it is run.
 struct StabilityFamily {
   std::string name;      // of its file, and in the results
   std::string knob;      // what grows stiff or extreme, in words

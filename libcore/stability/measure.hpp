@@ -29,6 +29,7 @@ namespace impinge {
 // plane holds the centre but for 20 roundings of its size, the answer is that of a corner, which is off by
 // less than half of the radius if no corner is twice as far as another one: 20 x 4 / 2 at most.
 inline constexpr double kRadiusThreshold = 60.0;
+// The same in words, for the results.
 inline constexpr const char* kRadiusDerivation =
     "4 roundings of n, of 1.16 |b - a| |c - a|, at most 4 times as large in n.v0 or n.u, or 1 of an exact "
     "plane; 3 each of n.v0 and n.u; 8 of quotient, length and normalised direction or inverse depth";
@@ -41,14 +42,16 @@ struct MeasureOptions {
   double threshold = kRadiusThreshold;  // of everything that is not stored in float by us
   BoundOptions search;                  // of the bounds of tables
 };
+// How hard a quick or a full run searches for bounds.
 MeasureOptions measure_options(const StabilityRun& run);
 
 // The truth along some directions.
 struct RadiusQuestions {
-  std::span<const Vec3> directions;
-  std::vector<double> truth;  // mm, NaN where there is no surface
-  std::vector<RayCondition> condition;
+  std::span<const Vec3> directions;     // of any length above zero
+  std::vector<double> truth;            // mm, NaN where there is no surface
+  std::vector<RayCondition> condition;  // of each direction
 };
+// Works out the truth and the conditions.
 RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions);
 
 // Adds to the case what the answers came to: hits, errors, conditions, wrong ones.

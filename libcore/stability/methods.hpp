@@ -22,9 +22,9 @@ std::unique_ptr<RadiusMethod> make_cone_rays(const TriangleMesh& mesh);
 
 // A method that is asked, or why it cannot be.
 struct StabilityMethod {
-  MethodMaker maker;
-  Scalar scalar = Scalar::float64;
-  std::string refused = {};  // the one line of a refusal; else empty
+  MethodMaker maker;                // how it comes to be
+  Scalar scalar = Scalar::float64;  // that it computes in, or stores
+  std::string refused = {};         // the one line of a refusal; else empty
 };
 
 // cone_rays and the tables of every scheme, interpolant and storage in double and float (kind ours), pairwise
@@ -34,9 +34,9 @@ std::vector<StabilityMethod> stability_methods(const StabilityScene& scene, cons
 
 // The entries of every scheme at a precision.
 struct SchemeEntries {
-  std::string scheme;
-  std::vector<Vec3> directions;
+  std::string scheme;            // its name
+  std::vector<Vec3> directions;  // unit vectors
 };
-std::vector<SchemeEntries> scheme_entries(double precision_deg);
+std::vector<SchemeEntries> scheme_entries(double precision_deg);  // of each scheme that has the precision
 
 }  // namespace impinge

@@ -10,9 +10,11 @@ namespace impinge {
 // Lengths in mm, angles in radians. a, b and phi are taken as they are.
 class PreciseConchoid {
  public:
+  // Of that shape, a and b taken as they are.
   explicit PreciseConchoid(const ConchoidShape& shape) : a_(shape.a), b_(shape.b) {}
 
-  Precise radius(double phi) const { return a_ + b_ * cos(Precise(phi)); }
+  Precise radius(double phi) const { return a_ + b_ * cos(Precise(phi)); }  // a + b cos(phi)
+  // Ds / dphi.
   Precise speed(double phi) const { return sqrt(a_ * a_ + b_ * b_ + 2 * a_ * b_ * cos(Precise(phi))); }
 
   // 2 (a + b) E(phi / 2 | m), m = 4 a b / (a + b)^2, with E = s R_F - m s^3 R_D / 3, s = sin(phi / 2).

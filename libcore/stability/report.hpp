@@ -11,6 +11,7 @@
 
 namespace impinge {
 
+// The three tables of the results, row by row.
 struct StabilityTables {
   Table main;      // stability.csv
   Table detail;    // stability_detail.csv
@@ -18,7 +19,7 @@ struct StabilityTables {
   // One line for each failure of ours outside of what it refuses.
   std::vector<std::string> broken;
 };
-StabilityTables make_stability_tables();
+StabilityTables make_stability_tables();  // with their columns, and no row
 
 // Runs the family and adds its rows. Throws std::logic_error for a family of fewer than 5 magnitudes.
 void run_family(const StabilityFamily& family, const StabilityRun& run, StabilityTables& tables);

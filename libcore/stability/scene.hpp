@@ -10,6 +10,7 @@
 
 namespace impinge {
 
+// A surface and the directions along which it is asked.
 struct StabilityScene {
   TriangleMesh mesh;  // centre frame, mm
   // Of any length above zero. Rays are cast along them; tables are looked up there, and examined at their own

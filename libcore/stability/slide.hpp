@@ -14,11 +14,11 @@ namespace impinge {
 
 // The vertex is along + cos(angle) aside + sin(angle) (axis x aside).
 struct Slide {
-  Vec3 axis;
-  Vec3 along;
-  Vec3 aside;
+  Vec3 axis;   // unit vector
+  Vec3 along;  // mm, the part of the vertex along the axis
+  Vec3 aside;  // mm, the part across it at angle 0
 
-  Vec3 vertex(double angle) const;
+  Vec3 vertex(double angle) const;  // mm
 };
 
 // About an axis 60 degrees from the normal of the face x, y, z > 0 of an octahedron of that radius, 40
@@ -29,7 +29,7 @@ Slide slide_touching_at(double contact, double octahedron_radius);
 // The same in 200 bits, of the doubles that the slide consists of.
 class PreciseSlide {
  public:
-  PreciseSlide(const Slide& slide, double octahedron_radius);
+  PreciseSlide(const Slide& slide, double octahedron_radius);  // octahedron_radius as in slide_touching_at()
 
   // Of the vertex from the face, along its ray.
   Precise gap(const Precise& angle) const;

@@ -24,7 +24,7 @@ namespace impinge {
 
 class OctahedralPatches {
  public:
-  explicit OctahedralPatches(std::size_t divisions) : n_(divisions) {}
+  explicit OctahedralPatches(std::size_t divisions) : n_(divisions) {}  // of the map with n divisions
 
   template <class Visit>
   void for_each(Visit&& visit) const {

@@ -33,6 +33,7 @@ CubePatches<GnomonicCubeWarp> flat_patches_of(const CubeMap<Warp>& scheme) {
   return CubePatches<GnomonicCubeWarp>(std::move(lines));
 }
 
+// The triangles on the flat faces.
 template <class Warp>
 IcosahedralPatches<Warp> flat_patches_of(const IcosahedralGrid<Warp>& scheme) {
   return {scheme.divisions(), true};

@@ -21,8 +21,8 @@ namespace impinge {
 // The corners x(from, from), x(to, from), x(from, to), x(to, to) of a surface patch x(s, t) and bounds on its
 // bending h^2 |d^2 x / ds^2|, h^2 |d^2 x / dt^2|.
 struct ProjectedPatch {
-  std::array<Vec3, 4> corner;
-  std::array<double, 2> bending{};
+  std::array<Vec3, 4> corner;       // see above
+  std::array<double, 2> bending{};  // along s and along t
 };
 
 // Of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord and b its bending,
@@ -61,6 +61,7 @@ inline PatchMotion projected_motion(const ProjectedPatch& patch) {
 template <class Warp>
 class IcosahedralPatches {
  public:
+  // Of the grid that divides an edge into so many steps.
   IcosahedralPatches(std::size_t divisions, bool flat) : n_(divisions), flat_(flat || Warp::kFlatCells) {}
 
   template <class Visit>

@@ -31,9 +31,9 @@ namespace impinge {
 
 // P', |P''| and |q''| of a placement between two polar angles, at most.
 struct TurnRates {
-  double polar;
-  double polar_bend;
-  double place_bend;
+  double polar;       // P', radians a turn
+  double polar_bend;  // |P''|
+  double place_bend;  // |q''|, entries
 };
 
 // Largest |cos(phi)|.
@@ -70,7 +70,7 @@ inline TurnRates turn_rates(const ConchoidSteps& steps, double from, double to) 
 template <class P>
 class SpiralPatches {
  public:
-  explicit SpiralPatches(const P& placement) : placement_(placement) {}
+  explicit SpiralPatches(const P& placement) : placement_(placement) {}  // takes a copy of the placement
 
   template <class Visit>
   void for_each(Visit&& visit) const {

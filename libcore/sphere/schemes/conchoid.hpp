@@ -40,7 +40,7 @@ class Conchoid : public Spiral<ConchoidSteps> {
   // two turns have or more than 1e12.
   static Conchoid with_shape(const ConchoidShape& shape, std::size_t entries);
 
-  const ConchoidShape& shape() const { return shape_; }
+  const ConchoidShape& shape() const { return shape_; }  // on whose surface the entries are uniform
   // h, of turns and of the entries along them on the surface, mm.
   double spacing() const { return placement().spacing() * shape_.a; }
 

@@ -14,6 +14,7 @@
 
 namespace impinge {
 
+// The warp of CubeMap that divides the angle evenly.
 struct EquiangularCubeWarp {
   static constexpr std::string_view name = "cube_equiangular";
   static constexpr std::string_view label = "Cube, equi-angular";

@@ -14,6 +14,7 @@
 
 namespace impinge {
 
+// The warp of CubeMap that divides the face evenly.
 struct GnomonicCubeWarp {
   static constexpr std::string_view name = "cube_gnomonic";
   static constexpr std::string_view label = "Cube, gnomonic";

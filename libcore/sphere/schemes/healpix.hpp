@@ -34,7 +34,7 @@ class Healpix {
   Healpix() : Healpix(90) {}
   static Healpix with_precision(double degrees) { return Healpix(equator_division(degrees, 90.0, label)); }
 
-  std::size_t nside() const { return n_; }
+  std::size_t nside() const { return n_; }  // pixels along an edge of each of the 12 base pixels
   std::size_t size() const { return 12 * n_ * n_; }
   // One for each cap, and for two rings as many as they have entries.
   std::size_t cells() const { return 2 * size() - 6; }

@@ -15,6 +15,7 @@
 
 namespace impinge {
 
+// The warp of IcosahedralGrid that divides the flat face evenly.
 struct GnomonicIcosahedralWarp {
   static constexpr std::string_view name = "icosahedral_gnomonic";
   static constexpr std::string_view label = "Icosahedral, gnomonic";

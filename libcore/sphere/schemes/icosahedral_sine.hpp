@@ -20,6 +20,7 @@
 
 namespace impinge {
 
+// The warp of IcosahedralGrid that evens out the cells.
 struct SineIcosahedralWarp {
   static constexpr std::string_view name = "icosahedral_sine";
   static constexpr std::string_view label = "Icosahedral, sine-warped";

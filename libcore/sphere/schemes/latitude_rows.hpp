@@ -37,10 +37,10 @@ class LatitudeRows {
   LatitudeRows() : LatitudeRows(180) {}
   static LatitudeRows with_precision(double degrees);
 
-  std::size_t rows() const { return rows_; }
+  std::size_t rows() const { return rows_; }  // m, of equal latitude
   // Entry numbers of row i begin at first(i); first(rows()) = size().
   std::size_t first(std::size_t row) const { return (*first_)[row]; }
-  std::size_t row_size(std::size_t row) const { return first(row + 1) - first(row); }
+  std::size_t row_size(std::size_t row) const { return first(row + 1) - first(row); }  // entries of a row
   std::size_t size() const { return first(rows_); }
   // One for each cap, and n_i + n_(i+1) between two rows.
   std::size_t cells() const { return 2 * size() - 4; }
@@ -149,6 +149,7 @@ class LatitudeRows {
 // Holds the sines and cosines of the rows.
 class LatitudeRows::Walker {
  public:
+  // Computes the sines and cosines.
   explicit Walker(const LatitudeRows& scheme) : scheme_(scheme), row_angles_(scheme.rows()) {
     for (std::size_t row = 0; row < row_angles_.size(); ++row) row_angles_[row] = scheme.row_angle(row);
   }

@@ -30,8 +30,8 @@ class Rsid {
   Rsid() = default;
   static Rsid with_precision(double degrees);
 
-  std::size_t rows() const { return divisions_ + 1; }
-  std::size_t columns() const { return 2 * divisions_; }
+  std::size_t rows() const { return divisions_ + 1; }     // of equal phi, poles included
+  std::size_t columns() const { return 2 * divisions_; }  // of equal theta
   std::size_t size() const { return rows() * columns(); }
   std::size_t cells() const { return divisions_ * columns(); }
   std::size_t equator_points() const { return columns(); }
@@ -101,6 +101,7 @@ class Rsid {
 // Holds the sines and cosines of the grid lines, so that a filler computes each once.
 class Rsid::Walker {
  public:
+  // Computes the sines and cosines of all rows and columns.
   explicit Walker(const Rsid& scheme) : scheme_(scheme), cos_(scheme.columns()), sin_(scheme.columns()) {
     for (std::size_t k = 0; k < cos_.size(); ++k) {
       const CosSin line = scheme.row_angle(k);

@@ -32,9 +32,10 @@ class UsidArc : public Spiral<ArcSteps> {
 
   UsidArc() : UsidArc(229) {}
   static UsidArc with_precision(double degrees);
+  // Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
   static UsidArc with_turns(std::size_t turns);
 
-  std::size_t helix_turns() const { return turns_; }
+  std::size_t helix_turns() const { return turns_; }  // k, from pole to pole
   std::size_t equator_points() const {
     return static_cast<std::size_t>(std::ceil(0.5 * kPi * static_cast<double>(turns_)));
   }
