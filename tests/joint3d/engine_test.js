@@ -11,6 +11,7 @@
 //                    most some 8 * 2^-53 radians. With tan psi up to 1e3 and radii up to 150 mm a gap changes by at most
 //                    8 * 2^-53 * 1e3 * 150 mm = 1.4e-10 mm, and by another order of sums by 16 * 2^-53 * 150 mm, a thousandth
 //                    of it. kAngle allows ten times that, and half a unit of the float that the page is given.
+//                    Of entries stored in float one in some 10^8 may round to its other neighbour instead; none here does.
 //   other schemes in 16 bits    A number may round to the next step instead: kStep, for radii that differ by up to 100 mm.
 'use strict';
 
