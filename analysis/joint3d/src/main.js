@@ -13,6 +13,7 @@ import { Player } from "./player.js";
 import { drawHistogram } from "./plots.js";
 import { showReadouts } from "./readouts.js";
 import { SceneView } from "./scene_view.js";
+import { SlowWorker } from "./slow_worker.js";
 import { firstState, fromFragment } from "./state.js";
 import { SweepPanel } from "./sweep_panel.js";
 import { TablesPanel } from "./tables_panel.js";
@@ -38,11 +39,7 @@ function start() {
   const source = byId("engine").textContent;
   const lost = (message) => fault(`The engine has stopped (${message}); load the page again.`);
   const live = new EngineClient(source, lost);
-  const slow = new EngineClient(source, lost);
   const view = new SceneView(byId("view"), byId("compass"));
-  let settled = Promise.resolve(); // of the slow worker: it has the same joint and tables as the live one
-  let followed = 0;
-  let unsent = {};
   let bound; // undefined while it is not known, null where there is none
 
   const poseRequest = () => ({
@@ -69,37 +66,25 @@ function start() {
 
   const motion = motionPanel(app, pose);
   const sweep = new SweepPanel(app,
-    async (request) => { await settled; return slow.ask("sweep", request); },
+    (request) => slow.sweep(request),
     (angles) => { app.player.stop(); app.state.motion = angles; motion(); pose(); });
   const tables = new TablesPanel(app, () => fillTables());
   app.player = new Player(app, () => { motion(); pose(); });
   const showLook = lookBar(app, view, shown);
 
-  /** The slow worker gets the joint and the tables that the live one has, when both have rested; then it finds the bound. */
+  const slow = new SlowWorker(new EngineClient(source, lost), {
+    rest: REST,
+    fault,
+    onBound: (found) => {
+      bound = found;
+      tables.bounded(bound);
+      if (app.pose) showReadouts(app.pose, app.took, bound);
+    },
+  });
   function follow(news) {
-    const mine = (followed += 1);
-    Object.assign(unsent, news);
     bound = undefined;
-    const rest = new Promise((done) => setTimeout(done, REST));
-    settled = settled.then(() => rest).then(async () => {
-      if (mine !== followed) return;
-      const { joint, tables: filled } = unsent;
-      unsent = {};
-      if (joint) await slow.ask("joint", joint);
-      if (filled) await slow.ask("tables", filled);
-    }).catch(fault);
+    slow.follow(news);
     sweep.again(REST);
-    settled.then(() => findBound(mine));
-  }
-
-  async function findBound(mine) {
-    await sweep.ended();
-    if (mine !== followed) return;
-    const answer = await slow.ask("bound").catch(() => ({ bound_mm: null }));
-    if (mine !== followed) return;
-    bound = answer.bound_mm;
-    tables.bounded(bound);
-    if (app.pose) showReadouts(app.pose, app.took, bound);
   }
 
   async function fillTables() {

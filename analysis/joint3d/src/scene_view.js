@@ -2,19 +2,19 @@
 // The joint in three dimensions. Vertices come about the centre of rotation in the frame of the input; the root turns that
 // into the joint frame, in which cameras and light stand. Drawn when something changes, never in a loop.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments, Mesh,
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh,
   MeshBasicMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { extent, towardsCamera } from "./cameras.js";
 import { GapSurface } from "./gap_surface.js";
-import { drawCompass, wordSprite } from "./labels.js";
+import { drawCompass } from "./labels.js";
 import { schematicPelvis } from "./pelvis.js";
+import { RimClock, sightIn } from "./rim_clock.js";
 
 const REGION = 1.45; // head radii: what belongs to the joint, as in the real joints' region files
 const WIDER = 2.2; // how much farther off one sees a pelvis
 const REACH = 3.2; // head radii: what a picture must show
-const INK = "#26323d";
 
 /** Faces with a corner within `reach` of the centre. */
 function facesNear(positions, faces, reach) {
@@ -24,12 +24,6 @@ function facesNear(positions, faces, reach) {
     if (inside(faces[k]) || inside(faces[k + 1]) || inside(faces[k + 2])) near.push(faces[k], faces[k + 1], faces[k + 2]);
   }
   return new Uint32Array(near);
-}
-
-/** The index of the hour on the dial that is nearest to a whole one. */
-function nearestHour(hours, hour) {
-  const apart = (k) => Math.abs(((hours[k] - hour + 18) % 12) - 6);
-  return [...hours.keys()].reduce((best, k) => (apart(k) < apart(best) ? k : best), 0);
 }
 
 const cloud = (colour) => {
@@ -64,14 +58,7 @@ export class SceneView {
     this.ball = new GapSurface("ball");
     this.socket = new GapSurface("socket");
     this.points = { ball: cloud("#0b3d2a"), socket: cloud("#0d2b52") };
-    this.clock = new Group();
-    this.rims = [[true, 1], [false, 0.2]].map(([depthTest, opacity]) => { // what is behind shows faintly
-      const rim = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: INK, depthTest, transparent: true, opacity }));
-      rim.renderOrder = 9;
-      return rim;
-    });
-    this.hours = new Group();
-    this.clock.add(...this.rims, this.hours);
+    this.clock = new RimClock();
     this.nearest = new Group();
     [["#fff", 1.5, 11], ["#d4006a", 1.0, 12]].forEach(([colour, radius, order]) => {
       const dot = new Mesh(new SphereGeometry(radius, 20, 12), new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }));
@@ -80,7 +67,7 @@ export class SceneView {
     });
     this.pelvis = new Group();
     this.pelvis.visible = false;
-    this.root.add(this.ball.mesh, this.socket.mesh, this.points.ball, this.points.socket, this.clock, this.nearest, this.pelvis);
+    this.root.add(this.ball.mesh, this.socket.mesh, this.points.ball, this.points.socket, this.clock.group, this.nearest, this.pelvis);
   }
 
   /** joint: the library's reply to `joint`; generated: a hip of parameters, which has no bones but its joint. */
@@ -93,7 +80,7 @@ export class SceneView {
       this[part].setMesh(positions, faces, facesNear(positions, faces, REGION * this.radius));
     });
     this.generated = generated;
-    this.setClock(joint);
+    this.clock.set(joint, REGION * this.radius);
     this.pelvis.clear();
     if (generated) this.pelvis.add(schematicPelvis(this.side, this.radius));
     this.scene.updateMatrixWorld(true);
@@ -101,33 +88,9 @@ export class SceneView {
     this.draw();
   }
 
-  /** The pieces of the rim that are near the joint: that of a whole pelvis runs far from it. */
-  rimPieces(rim) {
-    const places = Array.from({ length: rim.length / 3 }, (_, k) => [...rim.slice(3 * k, 3 * k + 3)]);
-    const near = (x) => Math.hypot(...x) < REGION * this.radius;
-    const pieces = places.map((x, k) => [x, places[(k + 1) % places.length]]).filter((ends) => ends.every(near));
-    return new Float32Array(pieces.flat(2));
-  }
-
   /** A shift given in the joint frame, in that of the input. */
   fromJointFrame(shift) {
     return new Vector3(...shift).applyMatrix4(this.root.matrix.clone().invert()).toArray();
-  }
-
-  setClock({ rim_clock: rim, rim_hours: hours }) {
-    this.hours.children.forEach(({ material }) => {
-      material.map.dispose();
-      material.dispose();
-    });
-    this.hours.clear();
-    const line = new BufferGeometry().setAttribute("position", new BufferAttribute(this.rimPieces(rim), 3));
-    this.rims[0].geometry.dispose();
-    this.rims.forEach((each) => { each.geometry = line; });
-    for (let hour = 1; hour <= 12 && hours.length; hour += 1) {
-      const sprite = wordSprite(String(hour), INK, 0.021);
-      sprite.position.fromArray(rim, 3 * nearestHour(hours, hour)).multiplyScalar(1.06).clampLength(0, REGION * this.radius);
-      this.hours.add(sprite);
-    }
   }
 
   setPoints({ points_ball: ball, points_socket: socket }) {
@@ -171,7 +134,7 @@ export class SceneView {
     this.socket.showWhole(this.generated || has("pelvis"));
     if (has("pelvis") !== this.pelvis.visible) this.widen(has("pelvis"));
     this.pelvis.visible = has("pelvis");
-    this.clock.visible = has("clock");
+    this.clock.group.visible = has("clock");
     this.marked = has("smallest");
     this.nearest.visible = this.marked && this.met;
     this.draw();
@@ -230,18 +193,10 @@ export class SceneView {
 
   drawNow() {
     this.lamp.position.copy(this.camera.position).add(new Vector3(0, 0, 0.5 * this.camera.position.length()));
-    this.fadeHours();
+    this.clock.fade(sightIn(this.root, this.camera));
     this.lamp.target.position.copy(this.controls.target);
     this.renderer.render(this.scene, this.camera);
     drawCompass(this.compass, this.camera);
-  }
-
-  /** Hours on the far side of the rim are faint. */
-  fadeHours() {
-    const sight = this.camera.getWorldDirection(new Vector3()).transformDirection(this.root.matrix.clone().invert());
-    const depths = this.hours.children.map((sprite) => sprite.position.dot(sight));
-    const middle = depths.reduce((sum, depth) => sum + depth, 0) / depths.length;
-    this.hours.children.forEach((sprite, k) => { sprite.material.opacity = depths[k] > middle + 6 ? 0.3 : 1; });
   }
 
   /** The picture as a PNG: a promise of a Blob. */

@@ -15,7 +15,7 @@ const degrees = (low, high) => {
 export class SweepPanel {
   /** ask(request) answers with the library's sweep; onPose(motion) when a reader points at an angle. */
   constructor(app, ask, onPose) {
-    Object.assign(this, { app, ask, onPose, sweep: null, asked: 0, timer: 0, running: Promise.resolve() });
+    Object.assign(this, { app, ask, onPose, sweep: null, asked: 0, timer: 0 });
     byId("sweep-motion").addEventListener("change", (event) => { app.state.sweep = event.target.value; this.again(0); });
     byId("sweep-held").addEventListener("change", () => this.again(0));
     byId("sweep-plot").addEventListener("click", (event) => {
@@ -60,7 +60,7 @@ export class SweepPanel {
   /** Sweeps again after a rest; what is shown is then of the joint before. */
   again(wait = WAIT) {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => { this.running = this.run(); }, wait);
+    this.timer = setTimeout(() => this.run(), wait);
     byId("sweep-plot").classList.add("old");
   }
 
@@ -69,12 +69,6 @@ export class SweepPanel {
     const held = JSON.stringify(this.start());
     if (byId("sweep-held").checked && held !== this.swept) this.again();
     this.draw();
-  }
-
-  /** When the sweep that is due has ended: the bound, which takes longer, waits for it. */
-  async ended() {
-    await new Promise((done) => setTimeout(done, 50));
-    await this.running;
   }
 
   async run() {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The worker that bounds and sweeps, which takes longer than a pose. It gets the joint and the tables that the live one has,
+// when both have rested; sweeps come before the bound.
+
+export class SlowWorker {
+  /** client: an EngineClient; rest: ms without a change; onBound(bound) in mm, null where none is proven; fault(error). */
+  constructor(client, { rest, onBound, fault }) {
+    Object.assign(this, { client, rest, onBound, fault, newest: 0, unsent: {}, settled: Promise.resolve(), sweeping: Promise.resolve() });
+  }
+
+  /** news: { joint } or { tables }, the requests that the live worker has answered. */
+  follow(news) {
+    const mine = (this.newest += 1);
+    Object.assign(this.unsent, news);
+    const rested = new Promise((done) => setTimeout(done, this.rest));
+    this.settled = this.settled.then(() => rested).then(() => (mine === this.newest ? this.send() : undefined)).catch(this.fault);
+    this.settled.then(() => this.bound(mine));
+  }
+
+  async send() {
+    const { joint, tables } = this.unsent;
+    this.unsent = {};
+    if (joint) await this.client.ask("joint", joint);
+    if (tables) await this.client.ask("tables", tables);
+  }
+
+  /** The library's sweep of the newest joint and tables. */
+  sweep(request) {
+    const answer = this.settled.then(() => this.client.ask("sweep", request));
+    this.sweeping = answer.catch(() => {});
+    return answer;
+  }
+
+  async bound(mine) {
+    await new Promise((done) => setTimeout(done, 100)); // a sweep that is due begins
+    await this.sweeping;
+    if (mine !== this.newest) return;
+    const { bound_mm: bound } = await this.client.ask("bound").catch(() => ({ bound_mm: null }));
+    if (mine === this.newest) this.onBound(bound);
+  }
+}
