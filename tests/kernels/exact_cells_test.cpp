@@ -27,7 +27,7 @@ constexpr double kUnit = 0x1p-24;
 // Points that are floats along random directions, through the features of the mesh and along axes and edges
 // of the cube.
 std::vector<Vec3> probes(const TriangleMesh& mesh, std::size_t features) {
-  std::vector<Vec3> points = test::random_directions(3000, 11);
+  std::vector<Vec3> points = test::random_directions(features, 11);
   const auto through = test::feature_directions(mesh);
   const std::size_t step = through.size() / features + 1;
   for (std::size_t k = 0; k < through.size(); k += step) points.push_back(through[k]);
@@ -84,15 +84,15 @@ TEST(ExactCellsTest, AnswerAsAllTrianglesDo) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   for (const TriangleMesh& mesh :
        {pair.ball, pair.socket, octahedron(20.0), cone(), sphere(22.0, 600, {15.0, -4.0, 9.0})}) {
-    expect_exact(mesh, Layer::nearest, probes(mesh, 3000));
-    expect_exact(mesh, Layer::farthest, probes(mesh, 3000));
+    expect_exact(mesh, Layer::nearest, probes(mesh, 2000));
+    expect_exact(mesh, Layer::farthest, probes(mesh, 2000));
   }
 }
 
 TEST(ExactCellsTest, LayersSliversAndSteepFaces) {
-  for (const TriangleMesh& mesh : {test::soup(200, 3), slivered(make_ball_socket_pair(300).socket)}) {
-    expect_exact(mesh, Layer::nearest, probes(mesh, 1500));
-    expect_exact(mesh, Layer::farthest, probes(mesh, 1500));
+  for (const TriangleMesh& mesh : {test::soup(60, 3), slivered(make_ball_socket_pair(100).socket)}) {
+    expect_exact(mesh, Layer::nearest, probes(mesh, 800));
+    expect_exact(mesh, Layer::farthest, probes(mesh, 800));
   }
 }
 
