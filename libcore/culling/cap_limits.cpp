@@ -111,7 +111,7 @@ CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
   const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
   const auto cells = static_cast<std::uint32_t>(std::clamp(most, 4.0, kMostCells));
   levels_.resize(1);
-  levels_[0].limits.assign(6 * 4, overall_);
+  levels_[0].limits.assign(24, overall_);  // one cell a face
   while (levels_.back().reach > kFinestReach / static_cast<float>(cells)) {
     const auto bits = static_cast<unsigned>(kWidest - static_cast<int>(levels_.size()) + 1) << kHalfOctave;
     const auto reach = std::bit_cast<float>(bits);
