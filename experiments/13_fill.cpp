@@ -18,7 +18,7 @@ namespace {
 using namespace impinge;
 
 void fill_body(DriverRun& run) {
-  FillOptions options{{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}, 7, {}};
+  FillOptions options{{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}, 5, {}};
   if (run.quick()) options = {{3000, 12000}, {128, 256}, 7, {}};
   options.timing.min_round_ms = 5.0;
   const TimingRun timed = time_filling(options, run.progress);
