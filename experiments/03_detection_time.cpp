@@ -46,7 +46,7 @@ Result make_result(const char* name, const char* question) {
 }
 
 // A scan looks up each vertex of both models once: its time divided by their number is that of one query.
-double race_generated(DriverRun& run, RaceOptions options) {
+double race_generated(DriverRun& run, DetectionRaceOptions options) {
   Result result = make_result("detection_time", "How long does a pose of the generated pair take?");
   std::vector<RaceJoint> joints;
   joints.reserve(kLevels.size());
@@ -58,7 +58,7 @@ double race_generated(DriverRun& run, RaceOptions options) {
   return write_race(run, result, {kMethod, kTriangles}, joints, options);
 }
 
-void race_real(DriverRun& run, RaceOptions options) {
+void race_real(DriverRun& run, DetectionRaceOptions options) {
   std::vector<RaceJoint> joints;
   for (const RealJoint& joint : read_real_joints(*run.bones, run.progress)) {
     const BallSocketPair& pair = joint.meshes;
@@ -98,7 +98,7 @@ void vary_precision(DriverRun& run) {
 }
 
 void body(DriverRun& run) {
-  RaceOptions options;
+  DetectionRaceOptions options;
   options.most_pairs = run.quick() ? kMostPairsInQuick : std::numeric_limits<double>::infinity();
   options.pair_ms = race_generated(run, options);
   if (run.bones) race_real(run, options);

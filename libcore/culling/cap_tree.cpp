@@ -41,7 +41,7 @@ Summary summary_of(std::span<const Summary> parts) {
   return all;
 }
 
-void keep_to(const Cell& cell, Summary& summary) {
+void keep_to(const CubeCell& cell, Summary& summary) {
   double widest = 0.0;
   for (const Vec3& corner : cell_corners(cell))
     widest = std::max(widest, angle_between(summary.cap.axis, corner));
@@ -85,7 +85,7 @@ class CapTreeBuilder {
     sort();
     blocks_.resize(CapTree::kRoots);
     for (std::size_t block = 0; block < CapTree::kRoots; ++block) {
-      std::vector<Cell> faces;
+      std::vector<CubeCell> faces;
       for (std::size_t face = 4 * block; face < std::min<std::size_t>(4 * block + 4, 6); ++face) {
         if (count({0, face}) > 0) faces.push_back({0, face});
       }
@@ -108,23 +108,27 @@ class CapTreeBuilder {
       order_[start_[cell[k] + 1]++] = static_cast<std::uint32_t>(k);
   }
 
-  std::uint32_t begin(const Cell& cell) const { return start_[cell.prefix << (2 * (levels_ - cell.level))]; }
-  std::uint32_t count(const Cell& cell) const { return begin({cell.level, cell.prefix + 1}) - begin(cell); }
+  std::uint32_t begin(const CubeCell& cell) const {
+    return start_[cell.prefix << (2 * (levels_ - cell.level))];
+  }
+  std::uint32_t count(const CubeCell& cell) const {
+    return begin({cell.level, cell.prefix + 1}) - begin(cell);
+  }
 
-  std::vector<Cell> children(const Cell& cell) const {
-    std::vector<Cell> found;
+  std::vector<CubeCell> children(const CubeCell& cell) const {
+    std::vector<CubeCell> found;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Cell child{cell.level + 1, 4 * cell.prefix + k};
+      const CubeCell child{cell.level + 1, 4 * cell.prefix + k};
       if (count(child) > 0) found.push_back(child);
     }
     return found;
   }
 
   // The node of a cell; one with a single child is that of the child.
-  Node make(Cell cell) {
+  Node make(CubeCell cell) {
     for (;;) {
       if (count(cell) <= kLeafItems || cell.level == levels_) return make_leaf(cell);
-      const std::vector<Cell> parts = children(cell);
+      const std::vector<CubeCell> parts = children(cell);
       if (parts.size() > 1) {
         const std::size_t block = blocks_.size();
         blocks_.emplace_back();
@@ -136,7 +140,7 @@ class CapTreeBuilder {
     }
   }
 
-  Node make_leaf(const Cell& cell) const {
+  Node make_leaf(const CubeCell& cell) const {
     std::vector<Summary> parts;
     for (std::uint32_t k = 0; k < count(cell); ++k) {
       const CapItem& item = items_[order_[begin(cell) + k]];
@@ -145,7 +149,7 @@ class CapTreeBuilder {
     return {summary_of(parts), begin(cell), count(cell)};
   }
 
-  Summary fill_block(std::size_t block, const std::vector<Cell>& parts) {
+  Summary fill_block(std::size_t block, const std::vector<CubeCell>& parts) {
     std::vector<Summary> summaries;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Node node = make(parts[k]);

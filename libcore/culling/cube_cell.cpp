@@ -25,7 +25,7 @@ std::size_t cell_of(const Vec3& axis, std::size_t level) {
   return cell;
 }
 
-std::array<Vec3, 4> cell_corners(const Cell& cell) {
+std::array<Vec3, 4> cell_corners(const CubeCell& cell) {
   std::size_t i = 0;
   std::size_t j = 0;
   for (std::size_t bit = 0; bit < cell.level; ++bit) {

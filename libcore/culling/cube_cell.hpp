@@ -10,7 +10,7 @@
 namespace impinge {
 
 // Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
-struct Cell {
+struct CubeCell {
   std::size_t level;   // 0 is the face
   std::size_t prefix;  // see above
 };
@@ -19,6 +19,6 @@ struct Cell {
 std::size_t cell_of(const Vec3& axis, std::size_t level);
 
 // Corners of a cell, of any length.
-std::array<Vec3, 4> cell_corners(const Cell& cell);
+std::array<Vec3, 4> cell_corners(const CubeCell& cell);
 
 }  // namespace impinge

@@ -14,7 +14,7 @@ constexpr int kFewRounds = 3;
 
 bool is_pairwise(const Contender& contender) { return contender.name() == "pairwise"; }
 
-bool is_measured(const RaceJoint& joint, const Contender& contender, const RaceOptions& options) {
+bool is_measured(const RaceJoint& joint, const Contender& contender, const DetectionRaceOptions& options) {
   return !is_pairwise(contender) || joint.pairs <= options.most_pairs;
 }
 
@@ -25,7 +25,7 @@ std::vector<Cell> key_of(const RaceJoint& joint, const Contender& contender) {
   return key;
 }
 
-std::vector<TimedCase> race_cases(const std::vector<RaceJoint>& joints, const RaceOptions& options) {
+std::vector<TimedCase> race_cases(const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options) {
   std::vector<TimedCase> cases;
   for (const RaceJoint& joint : joints) {
     for (const auto& contender : joint.race.contenders) {
@@ -56,7 +56,7 @@ TimedCase race_case(std::vector<Cell> key, Contender& contender, const Detection
 }
 
 double write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
-                  const std::vector<RaceJoint>& joints, const RaceOptions& options) {
+                  const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options) {
   const TimingRun timed = run_interleaved(race_cases(joints, options), {}, driver.progress);
   double pair_ms = options.pair_ms;
   result.table.columns = timing_columns(key_columns);

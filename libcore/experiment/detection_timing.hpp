@@ -27,7 +27,7 @@ RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, 
 TimedCase race_case(std::vector<Cell> key, Contender& contender, const DetectionRace& race);
 
 // What of the slowest contender is measured, and what scaled.
-struct RaceOptions {
+struct DetectionRaceOptions {
   // Pairs of triangles up to which `pairwise` is measured; beyond, its time is scaled by the pairs.
   double most_pairs = 0.0;
   // Pairs up to which `pairwise` gets all rounds; beyond, three.
@@ -40,6 +40,6 @@ struct RaceOptions {
 // columns of the table are filled in here. Returns the time of one pair on the last joint that was measured
 // pairwise, milliseconds.
 double write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
-                  const std::vector<RaceJoint>& joints, const RaceOptions& options);
+                  const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options);
 
 }  // namespace impinge

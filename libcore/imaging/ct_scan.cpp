@@ -56,11 +56,11 @@ void fill(const VoxelImage& image, std::pair<double, double> part, float weight,
 VoxelImage bone_shares(const TriangleMesh& body, const ScanGrid& grid) {
   VoxelImage image = empty_image(body, grid);
   const ScanLines lines = lines_of(image);
-  std::vector<std::vector<Crossing>> crossings = cross_all(lines, body);
+  std::vector<std::vector<LineCrossing>> crossings = cross_all(lines, body);
   const float weight = 1.0F / static_cast<float>(lines.per_voxel[0] * lines.per_voxel[1]);
   for (std::size_t line = 0; line < crossings.size(); ++line) {
-    std::vector<Crossing>& along = crossings[line];
-    std::ranges::sort(along, {}, [](const Crossing& c) { return c.x; });
+    std::vector<LineCrossing>& along = crossings[line];
+    std::ranges::sort(along, {}, [](const LineCrossing& c) { return c.x; });
     const std::size_t j = line % lines.count[0] / lines.per_voxel[0];
     const std::size_t k = line / lines.count[0] / lines.per_voxel[1];
     float* row = image.values.data() + image.index(0, j, k);

@@ -31,7 +31,7 @@ std::pair<long, long> range(const ScanLines& lines, std::size_t axis, double low
 }
 
 void cross(const ScanLines& lines, const std::array<Vec3, 3>& t,
-           std::vector<std::vector<Crossing>>& crossings) {
+           std::vector<std::vector<LineCrossing>>& crossings) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   if (normal.x() == 0.0) return;  // along the lines: its neighbours are met instead
   const auto [low_y, high_y] = std::minmax({t[0].y(), t[1].y(), t[2].y()});
@@ -66,8 +66,8 @@ ScanLines lines_of(const VoxelImage& image) {
   return lines;
 }
 
-std::vector<std::vector<Crossing>> cross_all(const ScanLines& lines, const TriangleMesh& body) {
-  std::vector<std::vector<Crossing>> crossings(lines.count[0] * lines.count[1]);
+std::vector<std::vector<LineCrossing>> cross_all(const ScanLines& lines, const TriangleMesh& body) {
+  std::vector<std::vector<LineCrossing>> crossings(lines.count[0] * lines.count[1]);
   for (const Face& f : body.faces)
     cross(lines, {corner(body, f, 0), corner(body, f, 1), corner(body, f, 2)}, crossings);
   return crossings;

@@ -27,7 +27,7 @@ struct ScanLines {
 };
 
 // Where a line crosses the surface; +1 into the body, -1 out of it.
-struct Crossing {
+struct LineCrossing {
   double x;  // mm
   int step;  // +1 or -1
 };
@@ -37,6 +37,6 @@ ScanLines lines_of(const VoxelImage& image);
 
 // Crossings of every line, y fastest, in no order along it. A line that meets an edge or a vertex crosses one
 // of the faces there as one beside it would.
-std::vector<std::vector<Crossing>> cross_all(const ScanLines& lines, const TriangleMesh& body);
+std::vector<std::vector<LineCrossing>> cross_all(const ScanLines& lines, const TriangleMesh& body);
 
 }  // namespace impinge

@@ -24,8 +24,8 @@ inline constexpr double kLeastCoveringConstant = 8.0 * kPi / (3.0 * 1.7320508075
 struct SchemeMetrics {
   std::size_t entries = 0;     // of the table, those that repeat a direction counted
   std::size_t directions = 0;  // that differ
-  Gap widest;                  // its radius is the covering radius, radians
-  Gap widest_away;             // of those with |z| <= kAwayFromPoles
+  EmptyCircle widest;          // its radius is the covering radius, radians
+  EmptyCircle widest_away;     // of those with |z| <= kAwayFromPoles
   // Largest over smallest area, where entries of one direction share its area: the waste of repeating them
   // shows.
   double entry_area_ratio = 0.0;

@@ -16,7 +16,7 @@ double signed_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 // The corners are counter-clockwise, so that the normal points to the centre outside.
-Gap circle(const Vec3& a, const Vec3& b, const Vec3& c) {
+EmptyCircle circle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 centre = (b - a).cross(c - a).normalized();
   return {centre, angle_between(centre, a)};
 }
@@ -33,9 +33,9 @@ SphereDelaunay sphere_delaunay(std::span<const Vec3> entries) {
   return delaunay;
 }
 
-Gap widest_gap(const SphereDelaunay& delaunay, double z_max) {
-  Gap widest;
-  for (const Gap& gap : delaunay.gaps) {
+EmptyCircle widest_gap(const SphereDelaunay& delaunay, double z_max) {
+  EmptyCircle widest;
+  for (const EmptyCircle& gap : delaunay.gaps) {
     if (gap.radius > widest.radius && std::abs(gap.centre.z()) <= z_max) widest = gap;
   }
   return widest;

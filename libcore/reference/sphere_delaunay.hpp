@@ -19,7 +19,7 @@
 namespace impinge {
 
 // A circle with no direction inside.
-struct Gap {
+struct EmptyCircle {
   Vec3 centre = Vec3::UnitZ();  // unit vector
   double radius = 0.0;          // of the circle
 };
@@ -28,7 +28,7 @@ struct Gap {
 struct SphereDelaunay {
   DistinctDirections distinct;            // whose corners they have
   std::vector<SphereTriangle> triangles;  // of distinct directions
-  std::vector<Gap> gaps;                  // circle of each triangle
+  std::vector<EmptyCircle> gaps;          // circle of each triangle
 };
 
 // Unit vectors in, some of which may be the same. Throws std::invalid_argument for fewer than four that
@@ -37,7 +37,7 @@ SphereDelaunay sphere_delaunay(std::span<const Vec3> entries);
 
 // The widest gap whose centre has |z| <= z_max: its radius is the covering radius, or that away from the
 // poles. Radius 0 where there is no such centre.
-Gap widest_gap(const SphereDelaunay& delaunay, double z_max = 1.0);
+EmptyCircle widest_gap(const SphereDelaunay& delaunay, double z_max = 1.0);
 
 // Voronoi area of each distinct direction; they sum to 4 pi.
 std::vector<double> voronoi_areas(const SphereDelaunay& delaunay);

@@ -40,7 +40,7 @@ TEST(DetectionTiming, PairwiseBeyondTheLimitIsScaledByThePairs) {
   }
   Result result;
   result.name = "race";
-  RaceOptions options;
+  DetectionRaceOptions options;
   options.most_pairs = 1e4;
   const double pair_ms =
       write_race(driver, result, {{"method", "", ""}, {"triangles", "1", ""}}, joints, options);

@@ -50,14 +50,16 @@ std::size_t nearest(const std::vector<Vec3>& entries, const Vec3& u) {
 TEST(SphereDelaunay, OctahedronIsTheClosedForm) {
   const SphereDelaunay delaunay = sphere_delaunay(octahedron());
   ASSERT_EQ(delaunay.triangles.size(), 8U);
-  for (const Gap& gap : delaunay.gaps) EXPECT_NEAR(gap.radius, std::acos(1.0 / std::sqrt(3.0)), 1e-15);
+  for (const EmptyCircle& gap : delaunay.gaps)
+    EXPECT_NEAR(gap.radius, std::acos(1.0 / std::sqrt(3.0)), 1e-15);
   for (const double area : voronoi_areas(delaunay)) EXPECT_NEAR(area, 4.0 * kPi / 6.0, 1e-14);
 }
 
 TEST(SphereDelaunay, IcosahedronIsTheClosedForm) {
   const SphereDelaunay delaunay = sphere_delaunay(icosahedron());
   ASSERT_EQ(delaunay.triangles.size(), 20U);
-  for (const Gap& gap : delaunay.gaps) EXPECT_NEAR(gap.radius, std::atan(3.0 - std::sqrt(5.0)), 1e-15);
+  for (const EmptyCircle& gap : delaunay.gaps)
+    EXPECT_NEAR(gap.radius, std::atan(3.0 - std::sqrt(5.0)), 1e-15);
   for (const double area : voronoi_areas(delaunay)) EXPECT_NEAR(area, 4.0 * kPi / 12.0, 1e-14);
 }
 
@@ -69,14 +71,14 @@ TEST(SphereDelaunay, WidestGapIsThatOfBruteForce) {
       for (const Vec3& u : uniform_directions(count, 100 * count + seed)) entries.push_back(u);
       const SphereDelaunay delaunay = sphere_delaunay(entries);
       EXPECT_EQ(delaunay.triangles.size(), 2 * entries.size() - 4);
-      for (const Gap& gap : delaunay.gaps) {
+      for (const EmptyCircle& gap : delaunay.gaps) {
         const double to_nearest = angle_between(gap.centre, entries[nearest(entries, gap.centre)]);
         ASSERT_NEAR(to_nearest, gap.radius, 1e-12);
       }
       EXPECT_NEAR(widest_gap(delaunay).radius, largest_gap(entries, -1.0, kPi), 1e-12);
       for (const double z_max : {0.9, 0.5, 0.1}) {
         double widest = 0.0;
-        for (const Gap& gap : delaunay.gaps) {
+        for (const EmptyCircle& gap : delaunay.gaps) {
           if (std::abs(gap.centre.z()) <= z_max) widest = std::max(widest, gap.radius);
         }
         EXPECT_EQ(widest_gap(delaunay, z_max).radius, widest);
@@ -116,7 +118,7 @@ TEST(SphereDelaunay, DirectionsOnOneCircleAreNoTrouble) {
   for (int k = 0; k < 12; ++k) ring.push_back(to_direction({1.8, k * 30.0 * kDegree}));
   const SphereDelaunay rings = sphere_delaunay(ring);
   EXPECT_NEAR(sum(voronoi_areas(rings)), 4.0 * kPi, 1e-12);
-  const auto at_pole = std::ranges::count_if(rings.gaps, [](const Gap& gap) {
+  const auto at_pole = std::ranges::count_if(rings.gaps, [](const EmptyCircle& gap) {
     return std::abs(gap.centre.z() - 1.0) < 1e-12 && gap.radius < 0.3 + 1e-9;
   });
   EXPECT_EQ(at_pole, 358);
