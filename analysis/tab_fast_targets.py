@@ -156,16 +156,11 @@ def over_thesis(rows: pd.DataFrame) -> float:
 
 def latex(rows: pd.DataFrame) -> str:
     """What, target, measured, met."""
-    lines = [
-        r"\begin{tabular}{@{}lrrl@{}}",
-        r"\toprule",
-        r"ratio & target & measured & met \\",
-        r"\midrule",
-    ]
+    lines = []
     for row in rows.itertuples():
         cells = (row.what, row.target, row.measured or "---", row.met)
         lines.append(" & ".join(common.tex(cell) for cell in cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+    return common.tabular("@{}lrrl@{}", [r"ratio & target & measured & met \\"], lines)
 
 
 common.run(main)

@@ -84,6 +84,25 @@ class ScalarScan final : public GapMethod {
   Scan scan_;
 };
 
+// A pose, and whose vertices ask in it.
+struct PosedScan {
+  const Pose& pose;
+  Scan scan;
+};
+
+// Moves the points to the frame of the surface that is asked, and has the method answer for them there.
+inline void answer_moved(RadiusMethod& method, const AskedPoints& asked, const PosedScan& posed,
+                         GapMethod::Scratch& scratch) {
+  const std::size_t count = asked.points.size();
+  scratch.moved.resize(count);
+  scratch.doubles.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& v = asked.points[i];
+    scratch.moved[i] = posed.scan == Scan::ball ? to_socket(posed.pose, v) : to_ball(posed.pose, v);
+  }
+  method.answer(scratch.moved, scratch.doubles);
+}
+
 // Rays in the frame of the surface; the points are moved there first.
 class RayScan final : public GapMethod {
  public:
@@ -91,16 +110,9 @@ class RayScan final : public GapMethod {
   RayScan(std::unique_ptr<RadiusMethod> rays, Scan scan) : rays_(std::move(rays)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    const std::size_t count = asked.points.size();
-    scratch.moved.resize(count);
-    scratch.doubles.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3& v = asked.points[i];
-      scratch.moved[i] = scan_ == Scan::ball ? to_socket(pose, v) : to_ball(pose, v);
-    }
-    rays_->answer(scratch.moved, scratch.doubles);
+    answer_moved(*rays_, asked, {pose, scan_}, scratch);
     const double sign = scan_ == Scan::ball ? 1.0 : -1.0;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < scratch.doubles.size(); ++i)
       scratch.doubles[i] = sign * (scratch.doubles[i] - scratch.moved[i].norm());
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
@@ -119,14 +131,7 @@ class ClosestScan final : public GapMethod {
       : distances_(std::move(distances)), scan_(scan) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    const std::size_t count = asked.points.size();
-    scratch.moved.resize(count);
-    scratch.doubles.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3& v = asked.points[i];
-      scratch.moved[i] = scan_ == Scan::ball ? to_socket(pose, v) : to_ball(pose, v);
-    }
-    distances_->answer(scratch.moved, scratch.doubles);
+    answer_moved(*distances_, asked, {pose, scan_}, scratch);
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
   double bytes() const override { return distances_->bytes(); }

@@ -57,6 +57,7 @@ scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savi
 error-against-time error-against-time-scenes certified-verdicts euclidean-distances fast-gaps fill-time contact-time
 table-12-pictures table-13-pictures
 """.split()
+MEASURED_TABLES = {"joint3d-speed.csv"}  # timed when it is made, not made from data
 HIP_FIGURES = (36, 38, 39, 40, 42, 44, 49, 50, 60, 62)  # of each real joint, too
 JUDGED = [*THESIS_TABLES[1:], "figure-42", "section-3.5.2", "section-4.4", "section-5.1"]
 PROMISED = [
@@ -100,8 +101,9 @@ def wait_for(condition, seconds: float) -> bool:
 
 
 def bytes_of(*patterns: str) -> dict[str, str]:
-    """SHA-256 of every file of the results that matches."""
-    files = sorted({file for pattern in patterns for file in RESULTS.glob(pattern) if file.is_file()})
+    """SHA-256 of every file of the results that matches, but those that hold times."""
+    found = {file for pattern in patterns for file in RESULTS.glob(pattern) if file.is_file()}
+    files = sorted(file for file in found if file.name not in MEASURED_TABLES)
     return {str(file.relative_to(RESULTS)): hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
 
 
@@ -166,7 +168,7 @@ class Reproduce(unittest.TestCase):
         """
         patterns = [
             "data/lut_memory.csv",
-            "tables/[!j]*",  # joint3d-speed holds times
+            "tables/*",
             "figures/*",
             "verdicts.csv",
             "paper.pdf",
@@ -174,7 +176,7 @@ class Reproduce(unittest.TestCase):
         ]
         before = bytes_of(*patterns)
         for file in [
-            *RESULTS.glob("tables/[!j]*"),
+            *(file for file in RESULTS.glob("tables/*") if file.name not in MEASURED_TABLES),
             *RESULTS.glob("figures/*"),
             RESULTS / "paper.pdf",
             RESULTS / "verdicts.csv",
