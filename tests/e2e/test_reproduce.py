@@ -190,7 +190,7 @@ class Reproduce(unittest.TestCase):
     def test_d_no_setting_beats_one_on_a_front(self):
         """Each pair of points of a plot compared, by the definition of a Pareto front alone."""
         panels = {}
-        for row in csv.DictReader((RESULTS / "tables" / "pareto.csv").open()):
+        for row in csv.DictReader((RESULTS / "tables" / "pareto.csv").read_text().splitlines()):
             point = (float(row["error_um"]), float(row["value"]), row["on_front"] == "yes")
             panels.setdefault((row["scene"], row["cost"]), []).append(point)
         self.assertGreaterEqual(len({scene for scene, _ in panels}), 3)
