@@ -86,8 +86,8 @@ class ScalarScan final : public GapMethod {
 
 // A pose, and whose vertices ask in it.
 struct PosedScan {
-  const Pose& pose;
-  Scan scan;
+  const Pose& pose;  // of the ball against the socket
+  Scan scan;         // whose vertices ask
 };
 
 // Moves the points to the frame of the surface that is asked, and has the method answer for them there.
