@@ -8,6 +8,7 @@
 
 #include "kernels/lane_table.hpp"
 #include "kernels/vertex_lanes.hpp"
+#include "support/as_floats.hpp"
 #include "support/directions.hpp"
 
 namespace impinge::test {
@@ -28,16 +29,6 @@ RadialTable<S> bumpy_table(double precision_deg) {
   for (const Vec3& x : {Vec3(-0.3, 0.5, -0.7), Vec3(0.001, 0.002, 1.0), Vec3(1.0, -1e-4, 0.1)})
     table.mark_rim_cell(table.scheme().stencil(x).cell);
   return table;
-}
-
-// Rounded to floats. Volatile, because GCC 12 at -O3 leaves the rounding out where it turns two doubles at a
-// time to floats and back.
-inline Vec3 as_floats(const Vec3& x) {
-  const auto rounded = [](double value) {
-    const volatile float near = static_cast<float>(value);
-    return static_cast<double>(near);
-  };
-  return {rounded(x.x()), rounded(x.y()), rounded(x.z())};
 }
 
 // Points that are floats, 5 to 40 mm away: random, at poles, seam and edges of the cube, and on entries.

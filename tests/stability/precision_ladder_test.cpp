@@ -17,6 +17,7 @@
 #include "sphere/plane_radius.hpp"
 #include "sphere/triangle_cone.hpp"
 #include "sphere/uniform_directions.hpp"
+#include "support/as_floats.hpp"
 
 namespace impinge {
 namespace {
@@ -30,17 +31,15 @@ struct Question {
   Vec3 u;  // well inside of the face
 };
 
-Vec3 as_floats(const Vec3& x) { return x.cast<float>().cast<double>(); }
-
 std::vector<Question> questions(std::size_t count) {
   std::mt19937_64 random(12);
   std::vector<Question> questions;
   while (questions.size() < count) {
     const Vec3 middle = 25.0 * uniform_direction(random);
     Question question;
-    for (Vec3& corner : question.corner) corner = as_floats(middle + 4.0 * uniform_direction(random));
+    for (Vec3& corner : question.corner) corner = test::as_floats(middle + 4.0 * uniform_direction(random));
     const auto& [a, b, c] = question.corner;
-    question.u = as_floats((0.3 * a + 0.45 * b + 0.25 * c).normalized());
+    question.u = test::as_floats((0.3 * a + 0.45 * b + 0.25 * c).normalized());
     const TriangleCone cone(a, b, c);
     const bool fat = (b - a).cross(c - a).norm() > 0.6 * (b - a).norm() * (c - a).norm();
     if (fat && cone.side() != 0 && cone.largest_slope() < 1.5) questions.push_back(question);

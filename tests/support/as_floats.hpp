@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers that single precision holds.
+#pragma once
+
+#include "sphere/direction.hpp"
+
+namespace impinge::test {
+
+// Rounded to floats. Volatile, because GCC 12 at -O3 leaves the rounding out where it turns two doubles at a
+// time to floats and back.
+inline Vec3 as_floats(const Vec3& x) {
+  const auto rounded = [](double value) {
+    const volatile float near = static_cast<float>(value);
+    return static_cast<double>(near);
+  };
+  return {rounded(x.x()), rounded(x.y()), rounded(x.z())};
+}
+
+}  // namespace impinge::test
