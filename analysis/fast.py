@@ -11,7 +11,13 @@ import common
 
 TRIANGLES = 12000  # of each model of the joint that is shown
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
-PEERS = ["cgal_first_hit", "cgal_closest", "embree_closest"]  # asked point by point; not in the figure
+RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
+CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
+PEERS = [
+    *RAYS,
+    *CLOSEST,
+    "vdb_grid",
+]  # exact, and asked point by point, but for the voxels; not in every figure
 NAMES = {
     "embree_ray1": "Embree, 1 ray",
     "embree_ray8": "Embree, 8 rays",
@@ -19,6 +25,9 @@ NAMES = {
     "embree_closest": "Embree, closest point (Euclidean)",
     "cgal_first_hit": "CGAL, first hit",
     "cgal_closest": "CGAL, closest point (Euclidean)",
+    "vtk_first_hit": "VTK, first hit",
+    "vtk_closest": "VTK, closest point (Euclidean)",
+    "vdb_grid": "OpenVDB voxels (Euclidean)",
     "floor": "floor",
     "rsid_scalar": "RSID, scalar",
     "rsid": "RSID kernel",
@@ -35,7 +44,7 @@ def load(results: Path, state: str = "warm") -> pd.DataFrame:
     table = common.load(results, "fast")
     table = table[table.state == state].copy()
     storage = table.storage.map({"uint16": ", 16 bits", "float": ", float", "double": ", double"}).fillna("")
-    table["line"] = table.method.map(NAMES) + storage.where(table.method != "floor", "")
+    table["line"] = table.method.map(NAMES) + storage.where(~table.method.isin(["floor", "vdb_grid"]), "")
     return table
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree and the floor.
+"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree, OpenVDB and the floor.
 From data/fast.csv."""
 
 import matplotlib.pyplot as plt
@@ -13,8 +13,7 @@ def main() -> None:
     """Writes figures/fast-gaps.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     table = fast.load(options.results)
-    rows = of_16_bits(fast.plain_rows(table))
-    rows = with_one_embree(rows[~rows.method.isin(fast.PEERS)])
+    rows = with_one_embree(shown(fast.plain_rows(table)))
     looks = common.look([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
     common.style()
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.8), sharey=True)
@@ -28,17 +27,20 @@ def main() -> None:
     common.save_figure(figure, options.out, "fast-gaps")
 
 
-def of_16_bits(rows: pd.DataFrame) -> pd.DataFrame:
-    """Kernels of tables in 16 bits alone: the table of times has the others, and there are colours for eight."""
+def shown(rows: pd.DataFrame) -> pd.DataFrame:
+    """Kernels of tables in 16 bits, and the grid alone of the scalar ways: the table of times has the others, and
+    there are colours for eight."""
     tables = rows.method.isin(["cube_gnomonic_mesh_exact", "rsid", "usid"])
-    return rows[~tables | (rows.storage == "uint16")]
+    return rows[
+        ~rows.method.isin([*fast.RAYS, *fast.CLOSEST, "usid_scalar"]) & (~tables | (rows.storage == "uint16"))
+    ]
 
 
 def with_one_embree(rows: pd.DataFrame) -> pd.DataFrame:
     """The fastest of Embree's ways in each direction stands for all."""
     rays = rows[rows.method.str.startswith("embree")]
     best = rows.loc[rays.groupby("direction").ns_vertex.idxmin()].assign(line="Embree, the fastest")
-    return pd.concat([rows.drop(rays.index), best])
+    return pd.concat([best, rows.drop(rays.index)])
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:

@@ -12,6 +12,7 @@
 
 #include "contenders/fcl_distance.hpp"
 #include "contenders/fcl_obb.hpp"
+#include "contenders/vtk_collision.hpp"
 #include "culling/coherent_contact.hpp"
 #include "experiment/contact_motions.hpp"
 #include "kernels/gap_kernels.hpp"
@@ -40,6 +41,7 @@ struct ContactStage {
         coherent(culled),
         fcl(make_fcl_obb(pair.ball, pair.socket)),
         distance(pair.ball, pair.socket),
+        vtk(make_vtk_collision(pair.ball, pair.socket)),
         ball_table(cube_table(pair.ball, Layer::farthest)),
         socket_table(cube_table(pair.socket, Layer::nearest)),
         ball(vertex_lanes<float>(pair.ball.vertices)),
@@ -61,6 +63,7 @@ struct ContactStage {
   CoherentContact coherent;
   std::unique_ptr<Contender> fcl;
   FclDistance distance;
+  std::unique_ptr<Contender> vtk;
   CubeTable ball_table;
   CubeTable socket_table;
   VertexLanes<float> ball;
@@ -89,6 +92,7 @@ std::vector<Asked> methods_of(ContactStage& stage, const std::vector<Pose>& pose
   for (std::size_t k = 0; k < poses.size(); k += kSlowStride) few.push_back(poses[k]);
   const auto fcl = [&stage](const Pose& pose) { return stage.fcl->touches(pose); };
   const auto distance = [&stage](const Pose& pose) { return stage.distance.distance(pose) <= 0.0; };
+  const auto vtk = [&stage](const Pose& pose) { return stage.vtk->touches(pose); };
   const auto all = [&stage](const Pose& pose) {
     stage.scan_all(pose);
     benchmark::ClobberMemory();
@@ -104,9 +108,10 @@ std::vector<Asked> methods_of(ContactStage& stage, const std::vector<Pose>& pose
     const auto gap = stage.culled.least_gap(pose);
     return gap && gap->gap_mm <= 0.0;
   };
-  return {{"fcl_collide", poses, fcl, fcl},        {"fcl_distance", few, distance, distance},
-          {"all_vertices", poses, all, all_touch}, {"culled", poses, culled, culled},
-          {"coherent", poses, coherent, coherent}, {"culled_least_gap", poses, least, least}};
+  return {{"fcl_collide", poses, fcl, fcl},         {"fcl_distance", few, distance, distance},
+          {"vtk_collide", few, vtk, vtk},           {"all_vertices", poses, all, all_touch},
+          {"culled", poses, culled, culled},        {"coherent", poses, coherent, coherent},
+          {"culled_least_gap", poses, least, least}};
 }
 
 // The exact test of every vertex.
@@ -120,8 +125,8 @@ bool any_impinged(const ContactStage& stage, const Pose& pose) {
          });
 }
 
-// Throws where the culled answers are not those of all vertices.
-void compare(const ContactStage& stage, const std::vector<Pose>& poses) {
+// Throws where the culled answers are not those of all vertices, or those of VTK not those of FCL.
+void compare(ContactStage& stage, const std::vector<Pose>& poses) {
   const auto vertices =
       static_cast<double>(stage.pair.ball.vertices.size() + stage.pair.socket.vertices.size());
   const auto most = static_cast<std::size_t>(kExactTests / vertices) + 1;
@@ -132,6 +137,9 @@ void compare(const ContactStage& stage, const std::vector<Pose>& poses) {
     if (stage.culled.impinged(poses[k]).has_value() != truth || (least && least->gap_mm <= 0.0) != truth)
       throw std::runtime_error(
           "a culled answer is not that of all vertices: its time means nothing until that is resolved");
+    if (stage.vtk->touches(poses[k]) != stage.fcl->touches(poses[k]))
+      throw std::runtime_error(
+          "VTK and FCL differ on a contact: their times mean nothing until that is resolved");
   }
 }
 
@@ -196,13 +204,13 @@ Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run)
 }  // namespace
 
 std::vector<Column> contact_keys() {
-  return {
-      {"method", "",
-       "fcl_collide: tree of oriented boxes; fcl_distance: smallest distance; all_vertices: both scans by "
-       "the kernels, "
-       "all gaps; culled: touch; coherent: touch, from one pose to the next; culled_least_gap: smallest gap"},
-      {"gap_case", "", "smallest gap in the poses"},
-      {"triangles", "1", "of each of the two models"}};
+  return {{"method", "",
+           "fcl_collide, vtk_collide: trees of oriented boxes; fcl_distance: smallest distance; "
+           "all_vertices: both scans by the kernels, all gaps; culled: touch; coherent: touch, from one pose "
+           "to the next; "
+           "culled_least_gap: smallest gap"},
+          {"gap_case", "", "smallest gap in the poses"},
+          {"triangles", "1", "of each of the two models"}};
 }
 
 ContactTables contact_tables(const ContactOptionsTimed& options, Progress& progress) {

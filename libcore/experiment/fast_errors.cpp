@@ -43,8 +43,12 @@ FastErrors distance_errors(GapMethod& method, const FastProbes& probes) {
   method.scan(probes.asked, {}, scratch);
   errors.probes = probes.distances.size();
   for (std::size_t k = 0; k < probes.distances.size(); ++k) {
-    const double off = std::abs(method.gap(scratch, k * kEuclideanShare) - probes.distances[k]);
-    errors.largest_mm = std::max(errors.largest_mm, off);
+    const double distance = method.gap(scratch, k * kEuclideanShare);
+    if (std::isnan(distance)) {
+      ++errors.misses;
+      continue;
+    }
+    errors.largest_mm = std::max(errors.largest_mm, std::abs(distance - probes.distances[k]));
   }
   return errors;
 }

@@ -6,6 +6,8 @@
 #include "contenders/cgal_distances.hpp"
 #include "contenders/embree_closest.hpp"
 #include "contenders/embree_rays.hpp"
+#include "contenders/vdb_distances.hpp"
+#include "contenders/vtk_distances.hpp"
 #include "experiment/gap_methods.hpp"
 #include "kernels/exact_cells.hpp"
 #include "sampling/exact_raster.hpp"
@@ -13,19 +15,20 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kFloorCells =
-    kMainCells;  // the floor's table is as large as that of such a cube in 16 bits
+// The floor's table is as large as that of such a cube in 16 bits.
+constexpr std::size_t kFloorCells = kMainCells;
+constexpr double kVoxelReach = 5.0;  // mm
 
 template <class Table>
 std::unique_ptr<GapMethod> kernel(Table table, Scan scan) {
   return std::make_unique<KernelScan<Table>>(std::move(table), scan);
 }
 
-std::string degrees(double precision) {
-  std::string text = std::to_string(precision);
+std::string trimmed(double value) {
+  std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
-  return text + "deg";
+  return text;
 }
 
 void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
@@ -46,7 +49,7 @@ template <SamplingScheme S>
 void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMaker>& makers) {
   const auto filled = [s, precision] { return fill_exact(s.mesh, S::with_precision(precision), s.layer); };
   const std::string name(S::name);
-  const std::string setting = degrees(precision);
+  const std::string setting = trimmed(precision) + "deg";
   makers.push_back({name + "_scalar", setting, "double", false,
                     [=] { return std::make_unique<ScalarScan<S>>(filled(), s.scan); }});
   makers.push_back(
@@ -57,15 +60,31 @@ void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMa
       {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
 }
 
-// Trees that are asked point by point.
+using PeerMaker = std::unique_ptr<RadiusMethod> (*)(const TriangleMesh&);
+
+// Trees and buckets that are asked point by point.
 void add_peers(const AskedSurface& s, std::vector<GapMethodMaker>& makers) {
-  makers.push_back({"cgal_first_hit", "tree", "none", false,
-                    [s] { return std::make_unique<RayScan>(make_cgal_first_hit(s.mesh), s.scan); }, true});
-  makers.push_back({"cgal_closest", "tree", "none", false,
-                    [s] { return std::make_unique<ClosestScan>(make_cgal_closest(s.mesh), s.scan); }, true});
-  makers.push_back({"embree_closest", "robust", "none", false,
-                    [s] { return std::make_unique<ClosestScan>(make_embree_closest(s.mesh), s.scan); },
-                    true});
+  const auto rays = [&](const char* name, const char* setting, PeerMaker make) {
+    makers.push_back({name, setting, "none", false,
+                      [s, make] { return std::make_unique<RayScan>(make(s.mesh), s.scan); }, true});
+  };
+  const auto closest = [&](const char* name, const char* setting, PeerMaker make) {
+    makers.push_back({name, setting, "none", false,
+                      [s, make] { return std::make_unique<ClosestScan>(make(s.mesh), s.scan); }, true});
+  };
+  rays("cgal_first_hit", "tree", make_cgal_first_hit);
+  rays("vtk_first_hit", "buckets", make_vtk_first_hit);
+  closest("cgal_closest", "tree", make_cgal_closest);
+  closest("vtk_closest", "buckets", make_vtk_closest);
+  closest("embree_closest", "robust", make_embree_closest);
+}
+
+// Distances of vertices in the joint space and a little beyond, which is what a grid of voxels keeps.
+void add_voxels(const AskedSurface& s, double voxel_mm, std::vector<GapMethodMaker>& makers) {
+  makers.push_back(
+      {"vdb_grid", trimmed(voxel_mm) + "mm", "float", false, [s, voxel_mm] {
+         return std::make_unique<ClosestScan>(make_vdb_distances(s.mesh, {voxel_mm, kVoxelReach}), s.scan);
+       }});
 }
 
 }  // namespace
@@ -99,6 +118,7 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
   for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, precision, makers);
   for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, precision, makers);
+  for (const double voxel : sizes.voxels_mm) add_voxels(surface, voxel, makers);
   add_peers(surface, makers);
   return makers;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ways to find the gap at every vertex of one surface in a pose, behind one interface: kernels, the library's
-// scalar scan, Embree's rays, and the least that a look-up can do.
+// scalar scan, Embree, CGAL, VTK and OpenVDB, and the least that a look-up can do.
 #pragma once
 
 #include <cstddef>
@@ -83,6 +83,7 @@ struct FastSizes {
   std::vector<double> rsid_degrees;       // precisions, degrees
   std::vector<double> usid_degrees = {};  // precisions, degrees
   bool certified = true;                  // is the certified table tried, too?
+  std::vector<double> voxels_mm = {};     // of OpenVDB's grids
 };
 // Every method on this surface, kernels in each storage.
 std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes);

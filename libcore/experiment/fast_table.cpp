@@ -35,10 +35,11 @@ std::map<std::string, double> fastest_rays(const TimingRun& run) {
 std::vector<Column> fast_keys() {
   return {{"method", "",
            "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar, usid_scalar: the "
-           "library in double; cgal_, embree_closest: trees; "
+           "library in double; cgal_, embree_closest: trees; vtk_: buckets; vdb_grid: distances on voxels; "
            "others: kernels of that scheme"},
           {"setting", "",
-           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality"},
+           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality, or "
+           "OpenVDB's voxels"},
           {"storage", "", "double, float, uint16 or none"},
           {"triangles", "1", "of each of the two models"},
           {"direction", "", "whose vertices are looked up -> in whose surface"},
@@ -58,7 +59,8 @@ Table fast_table(const std::vector<FastCase>& cases, const TimingRun& run) {
       {"rounds", "1", "rounds measured"},
       {"measure", "", "radial gaps, or Euclidean distances, whose errors are those of distances"},
       {"error_um", "um", "largest error of a gap against the exact mesh over the probes; none for the floor"},
-      {"misses", "1", "probes without an answer where there is a surface: cells of the rim"},
+      {"misses", "1",
+       "probes without an answer where there is a surface: cells of the rim, or too far for the voxels"},
       {"false_hits", "1", "probes with an answer where there is no surface"},
       {"undecided", "1", "probes that a certified table has sent to its exact cells"},
       {"probes", "1", "directions in which errors were measured"},

@@ -10,10 +10,11 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
 #include <vtkVersion.h>
+
+#include "imaging/vtk_surface.hpp"
 
 namespace impinge {
 namespace {
@@ -34,16 +35,6 @@ TriangleMesh from_vtk(vtkPolyData& surface) {
     if (count == 3 && !repeats) mesh.faces.push_back(face);
   }
   return mesh;
-}
-
-void to_vtk(const TriangleMesh& mesh, vtkPolyData& surface) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& v : mesh.vertices) points->InsertNextPoint(v.data());
-  vtkNew<vtkCellArray> cells;
-  for (const Face& face : mesh.faces) cells->InsertNextCell({face[0], face[1], face[2]});
-  surface.SetPoints(points);
-  surface.SetPolys(cells);
 }
 
 }  // namespace

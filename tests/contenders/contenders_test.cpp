@@ -17,6 +17,7 @@
 #include "contenders/detection_race.hpp"
 #include "contenders/fcl_obb.hpp"
 #include "contenders/pairwise.hpp"
+#include "contenders/vtk_collision.hpp"
 #include "mesh/bodies.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
@@ -31,6 +32,7 @@ std::vector<std::unique_ptr<Contender>> all_contenders(const BallSocketPair& pai
   DetectionRace race = make_detection_race(pair, precision_deg);
   std::vector<std::unique_ptr<Contender>> all = std::move(race.contenders);
   all.push_back(std::move(race.oracle));
+  all.push_back(make_vtk_collision(pair.ball, pair.socket));
   return all;
 }
 
@@ -95,6 +97,7 @@ TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
   const double margin = 2.0 * sag(make_ball_socket_pair(1000, PairShape{.cam_height = 0.0}).ball) + 0.1;
   ASSERT_LT(margin, 0.6);
   DetectionRace race = make_detection_race(pair, 0.5);
+  const auto vtk = make_vtk_collision(pair.ball, pair.socket);
   auto& rsid = dynamic_cast<TableScan<Rsid>&>(race.contender("rsid"));
   auto& usid = dynamic_cast<TableScan<Usid>&>(race.contender("usid"));
   std::mt19937_64 random(5);
@@ -107,6 +110,7 @@ TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
     touching += truth ? 1 : 0;
     EXPECT_EQ(race.contender("pairwise").touches(pose), truth) << "pose " << i;
     EXPECT_EQ(race.contender("fcl_obb").touches(pose), truth) << "pose " << i;
+    EXPECT_EQ(vtk->touches(pose), truth) << "pose " << i;
     for (const auto& [gap, touches] : {std::pair{rsid.smallest_gap(pose), rsid.touches(pose)},
                                        {usid.smallest_gap(pose), usid.touches(pose)}}) {
       if (std::abs(gap) <= margin) continue;
@@ -130,6 +134,7 @@ TEST(Contenders, DegenerateFacesChangeNothing) {
     EXPECT_EQ(make_pairwise(pair.ball, pair.socket)->touches(pose), expected);
     EXPECT_EQ(make_cgal_tree(pair.ball, pair.socket)->touches(pose), expected);
     EXPECT_EQ(make_fcl_obb(pair.ball, pair.socket)->touches(pose), expected);
+    EXPECT_EQ(make_vtk_collision(pair.ball, pair.socket)->touches(pose), expected);
   }
 }
 

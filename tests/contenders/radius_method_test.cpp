@@ -21,6 +21,8 @@
 #include "contenders/pairwise_rays.hpp"
 #include "contenders/surface_distance.hpp"
 #include "contenders/table_method.hpp"
+#include "contenders/vdb_distances.hpp"
+#include "contenders/vtk_distances.hpp"
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "sampling/exact_raster.hpp"
@@ -84,6 +86,7 @@ TEST(RadialMethods, FindTheNearestCrossing) {
   for (const int width : {1, 8, 16})
     expect_the_nearest_crossing(*make_embree_rays(surface, {width, EmbreeQuality::robust}), kFloat);
   expect_the_nearest_crossing(*make_cgal_first_hit(surface), kDouble);
+  expect_the_nearest_crossing(*make_vtk_first_hit(surface), kDouble);
   expect_the_nearest_crossing(*make_pairwise_rays(surface, Layer::nearest), kDouble);
 }
 
@@ -141,9 +144,11 @@ TEST(EuclideanMethods, FindTheNearestPoint) {
   const std::vector<Vec3> points = points_of(scene);
   const auto embree = answers(*make_embree_closest(scene.surface()), points);
   const auto cgal = answers(*make_cgal_closest(scene.surface()), points);
+  const auto vtk = answers(*make_vtk_closest(scene.surface()), points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double distance = distance_by_force(scene.surface(), points[i]);
     EXPECT_NEAR(cgal[i], distance, kDouble);
+    EXPECT_NEAR(vtk[i], distance, kDouble);
     EXPECT_NEAR(embree[i], distance, kFloat);
   }
 }
@@ -206,6 +211,32 @@ TEST(TriangleDistance, OfTwoTrianglesIsThatOfTheirNearestPoints) {
   }
 }
 
+// Contract: |answer - distance| <= sqrt(3)/2 voxel, and NaN where the answer would be above the reach.
+TEST(EuclideanMethods, AnswerNearTheSurfaceFromVoxels) {
+  const RaceScene scene = small_scene();
+  const std::vector<Vec3> points = points_of(scene);
+  for (const VdbShape shape : {VdbShape{1.0, 4.0}, VdbShape{0.5, 6.0}}) {
+    const double bound = vdb_distance_bound(shape) + kFloat;
+    EXPECT_NEAR(bound, 0.8660254 * shape.voxel_mm, 2.0 * kFloat);
+    const auto out = answers(*make_vdb_distances(scene.surface(), shape), points);
+    int within = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double distance = distance_by_force(scene.surface(), points[i]);
+      if (std::abs(distance - shape.reach_mm) > bound) {
+        EXPECT_EQ(std::isnan(out[i]), distance > shape.reach_mm) << distance;
+      }
+      if (std::isnan(out[i])) continue;
+      ++within;
+      EXPECT_LE(out[i], shape.reach_mm);
+      EXPECT_NEAR(out[i], distance, bound);
+    }
+    EXPECT_GT(within, 50);
+    EXPECT_LT(within, static_cast<int>(points.size()) - 50);
+  }
+  EXPECT_THROW(make_vdb_distances(scene.surface(), {0.0, 5.0}), std::invalid_argument);
+  EXPECT_THROW(make_vdb_distances(scene.surface(), {0.5, -1.0}), std::invalid_argument);
+}
+
 // Over many poses FCL's smallest distance is not above that of any vertex, and 0 where a vertex is through.
 TEST(PoseMethods, AgreeWithTheDistancesOfTheVertices) {
   RaceScene scene = small_scene();
@@ -247,9 +278,11 @@ TEST(Bytes, OfLibrariesAreThoseOfTheirTrees) {
   const double least = 300.0 * 9.0 * 4.0 / 3.0;
   EXPECT_GT(make_embree_rays(scene.surface(), {})->bytes(), least);
   EXPECT_GT(make_embree_closest(scene.surface())->bytes(), least);
-  for (const auto& method : {make_cgal_first_hit(scene.surface()), make_cgal_closest(scene.surface()),
-                             make_pairwise_rays(scene.surface(), Layer::nearest), make_fcl_collide(scene),
-                             make_fcl_distance(scene)})
+  EXPECT_GT(make_vdb_distances(scene.surface(), {})->bytes(), least);
+  for (const auto& method :
+       {make_cgal_first_hit(scene.surface()), make_cgal_closest(scene.surface()),
+        make_pairwise_rays(scene.surface(), Layer::nearest), make_vtk_first_hit(scene.surface()),
+        make_vtk_closest(scene.surface()), make_fcl_collide(scene), make_fcl_distance(scene)})
     EXPECT_FALSE(method->bytes() <= least) << "NaN where nobody counts";
 }
 
