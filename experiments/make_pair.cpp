@@ -29,13 +29,18 @@ std::string listed(std::span<const std::string_view> names) {
   return text;
 }
 
-BallSocketPair make_joint(const std::string& hip, const std::vector<std::string>& changes,
-                          std::size_t faces) {
-  if (hip.empty()) return make_ball_socket_pair(faces);
+struct Joint {
+  BallSocketPair meshes;
+  std::string what;  // as the user is told
+};
+
+Joint make_joint(const std::string& hip, const std::vector<std::string>& changes, std::size_t faces) {
+  if (hip.empty()) return {make_ball_socket_pair(faces), "a ball in a socket"};
   HipParameters parameters = hip_preset(hip);
   for (const std::string& change : changes) set_hip_parameter(parameters, change);
   Hip made = make_hip(parameters, faces);
-  return {std::move(made.ball), std::move(made.socket)};
+  const std::string side = parameters.side == Side::left ? "left" : "right";
+  return {{std::move(made.ball), std::move(made.socket)}, "a " + side + " hip, axes RAS"};
 }
 
 int run(int argc, char** argv) {
@@ -57,10 +62,12 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   }
-  const BallSocketPair pair = make_joint(hip, changes, faces);
+  const auto [pair, what] = make_joint(hip, changes, faces);
   require_writable_folder(out);
   write_mesh(out / "ball.ply", pair.ball);
   write_mesh(out / "socket.ply", pair.socket);
+  std::cout << "wrote " << (out / "{ball.ply,socket.ply}").string() << ": " << what
+            << ", the centre at the origin\n";
   return 0;
 }
 

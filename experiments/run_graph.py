@@ -237,7 +237,7 @@ class Progress:
         elif kind == "end":
             job = self.left.pop(name)
             took = time.monotonic() - self.running.pop(name)
-            done = f"[{self.total - len(self.left)}/{self.total}]"
+            done = f"[{self.total - len(self.left)}/{self.total}] "
             rest = f"; {words(self.seconds_left())} left" if self.left else ""
             print(f"{done:8}{name} done in {words(took)}{rest}", flush=True)
 
@@ -312,9 +312,19 @@ def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int
     return code
 
 
-def closing(results: Path) -> None:
-    """Where the results are, and how the verdicts count."""
-    for name, what in (("report.html", "report"), ("paper.pdf", "paper"), ("verdicts.csv", "verdicts")):
+def closing(results: Path, job: Job | None) -> None:
+    """Where the results are, and how the verdicts count; of one job, what it makes."""
+    if job:
+        for output in job.outputs:
+            print(f"made     {results / output}")
+        return
+    pages = (
+        ("report", "report.html"),
+        ("Joint3D", "joint3d.html"),
+        ("paper", "paper.pdf"),
+        ("verdicts", "verdicts.csv"),
+    )
+    for what, name in pages:
         if (results / name).is_file():
             print(f"{what:9}{results / name}")
     if (results / "verdicts.csv").is_file():
@@ -339,7 +349,7 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
     planned = planned_jobs(build, target, jobs)
     if not planned:
         print(f"nothing to do: {name or 'every result'} is up to date in {results}")
-        closing(results)
+        closing(results, job)
         return 0
     expected = words(Progress(planned, parallel).seconds_left())
     print(f"{len(planned)} of {len(jobs)} jobs to run, about {expected}", flush=True)
@@ -350,7 +360,7 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
         )
         return 1
     print(f"done in {words(time.monotonic() - begin)}")
-    closing(results)
+    closing(results, job)
     return 0
 
 
@@ -383,8 +393,12 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, required=True)
     parser.add_argument("--name")
     parser.add_argument("--archive", action="store_true")
+    parser.add_argument(
+        "--as-it-is", action="store_true", help="another run holds the build folder: configure nothing"
+    )
     options = parser.parse_args()
-    refresh(options.build)
+    if not options.as_it_is:
+        refresh(options.build)
     jobs = load_jobs(options.build, options.profile)
     if options.action == "list":
         show_list(jobs)

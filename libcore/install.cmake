@@ -7,12 +7,15 @@ include(GNUInstallDirs)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/impinge)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/impinge)
 
+add_custom_target(library) # all that is installed, and nothing else
+
 # impinge_install(COMPONENT name LIBRARIES library...)
 function(impinge_install)
   cmake_parse_arguments(arg "" "COMPONENT" "LIBRARIES" ${ARGN})
   foreach(library IN LISTS arg_LIBRARIES)
     target_include_directories(impinge_${library} PUBLIC $<INSTALL_INTERFACE:${header_dir}>)
     target_compile_features(impinge_${library} PUBLIC cxx_std_20)
+    add_dependencies(library impinge_${library})
     install(TARGETS impinge_${library} EXPORT impinge-${arg_COMPONENT} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${library})
       install(DIRECTORY ${library} DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp PATTERN *-inl.hpp EXCLUDE)

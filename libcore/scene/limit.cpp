@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/limit.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -114,9 +115,11 @@ std::string describe_limits(const json& summary) {
   for (const json& limit : summary["contact"])
     text += "bone on bone        " + sentence(limit) + ", about the centre of the " +
             limit["centre"].get<std::string>() + "\n";
-  char gap[32];
-  std::snprintf(gap, sizeof gap, "%g", summary["cartilage_mm"].get<double>());
-  return text + "gap of " + gap + " mm" + std::string(10, ' ') + sentence(summary["cartilage"]) + "\n";
+  char gap[48];
+  std::snprintf(gap, sizeof gap, "gap of %g mm", summary["cartilage_mm"].get<double>());
+  std::string label(gap);
+  label.resize(std::max(label.size() + 1, std::size_t{20}), ' ');
+  return text + label + sentence(summary["cartilage"]) + "\n";
 }
 
 }  // namespace impinge

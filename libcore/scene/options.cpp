@@ -219,7 +219,9 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   Typed typed;
   app.add_option("--ball", options.ball, "mesh of the ball (PLY, STL, OBJ or OFF)")->required();
   app.add_option("--socket", options.socket, "mesh of the socket, in the same frame")->required();
-  app.add_option("--out", options.out, "folder for ball.ply, socket.ply, gaps.csv and summary.json")
+  app.add_option("--out", options.out,
+                 "folder for what it writes, made where it is missing: ball.ply, socket.ply, "
+                 "gaps.csv, distances.csv and summary.json")
       ->required();
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
   app.add_option("--scheme", options.scheme, "sampling scheme: " + scheme_names())->capture_default_str();

@@ -47,6 +47,14 @@ class Install(unittest.TestCase):
             gaps = [float(row["gap_mm"]) for row in csv.DictReader(lines) if row["gap_mm"]]
         self.assertAlmostEqual(gap, min(gaps), delta=0.05)
 
+    def test_the_target_library_makes_all_that_is_installed(self):
+        commands = run("ninja", "-C", os.environ["BUILD"], "-t", "commands", "library")
+        made = {Path(word).name for word in commands.split() if word.endswith(".a")}
+        installed = {file.name for file in self.prefix.rglob("*.a")}
+        self.assertLessEqual({"libimpinge_sphere.a", "libimpinge_kernels.a"}, installed)
+        self.assertLessEqual(installed, made)
+        self.assertNotIn("libimpinge_experiment.a", made)
+
     def test_an_unknown_component_is_refused_by_name(self):
         source = self.folder / "source"
         source.mkdir()

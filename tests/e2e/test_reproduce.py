@@ -8,6 +8,7 @@ what is there. With IMPINGE_BONES set, real joints are part of it.
 from __future__ import annotations
 
 import csv
+import fcntl
 import hashlib
 import json
 import os
@@ -221,6 +222,15 @@ class Reproduce(unittest.TestCase):
             len(artefacts),
         )
 
+    def test_e_a_question_does_not_wait_for_a_run(self):
+        """Nor does it configure what the run works on."""
+        with (Path(os.environ["IMPINGE_BUILD_DIR"]) / "graph" / "run.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            for question, answer in ((["--list"], "table-2\n"), (["--why", "table-2"], "up to date")):
+                done = subprocess.run(command(*question), capture_output=True, text=True, timeout=30, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn(answer, done.stdout)
+
     def test_e_archive_stands_for_itself(self):
         """Away from here it knows its files, makes a table and a figure again, and notices a changed byte."""
         self.assertEqual(reproduce("--archive", "--only", "table-2").returncode, 2)
@@ -259,7 +269,10 @@ class Reproduce(unittest.TestCase):
     def test_g_only(self):
         """Makes one artefact, and refuses an unknown one."""
         (RESULTS / "tables" / "table-3.csv").unlink(missing_ok=True)
-        self.assertEqual(reproduce("--only", "table-2").returncode, 0)
+        done = reproduce("--only", "table-2")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f"made     {RESULTS}/tables/table-2.csv\n", done.stdout)
+        self.assertNotIn("report.html", done.stdout)
         self.assertTrue((RESULTS / "tables" / "table-2.csv").is_file())
         self.assertFalse((RESULTS / "tables" / "table-3.csv").exists())
         self.assertEqual(reproduce("--only", "table-99").returncode, 2)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What experiments/reproduce says on a machine where something is missing yet: packages, or the scripts of the pages.
+
+It runs in a copy of its scripts, with stand-ins for the commands that would change the machine.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = (
+    "experiments/reproduce",
+    "experiments/packages",
+    "experiments/packages.sh",
+    "analysis/package-lock.json",
+)
+TOOLS = "bash cat cmp comm cp dirname echo env flock mkdir mktemp nproc realpath rm rmdir sed sort tr xargs".split()
+PACKAGES = [
+    line.split()[0] for line in (ROOT / "experiments/packages").read_text().splitlines() if line[0] != "#"
+]
+
+
+class FirstSteps(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="impinge-first-steps-")
+        self.addCleanup(holder.cleanup)
+        self.project = Path(holder.name) / "project"
+        self.bin = Path(holder.name) / "bin"
+        self.calls = Path(holder.name) / "calls"
+        self.bin.mkdir()
+        for file in SCRIPTS:
+            (self.project / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, self.project / file)
+        for tool in TOOLS:
+            (self.bin / tool).symlink_to(shutil.which(tool))
+        self.stand_in("npm", f"mkdir -p {self.project}/analysis/node_modules")
+        self.stand_in("cmake", "echo 'CMake Error: stand-in'; exit 1")
+
+    def stand_in(self, name: str, script: str = "") -> None:
+        """A command that notes its name and arguments, and then does as the script says."""
+        (self.bin / name).write_text(f'#!/bin/bash\necho "{name} $*" >>{self.calls}\n{script}\n')
+        (self.bin / name).chmod(0o755)
+
+    def installed(self, packages: list[str]) -> None:
+        """What dpkg-query tells."""
+        self.stand_in("dpkg-query", "".join(f"echo installed {name}\n" for name in packages))
+
+    def reproduce(self, *options: str) -> subprocess.CompletedProcess:
+        program = self.project / "experiments" / "reproduce"
+        environment = {"PATH": str(self.bin), "HOME": os.environ.get("HOME", "/")}
+        return subprocess.run(
+            [program, *options], env=environment, capture_output=True, text=True, check=False
+        )
+
+    def test_a_question_names_the_line_that_installs_what_is_missing(self):
+        """And installs nothing. apt-get knows no package before its first update."""
+        self.installed([name for name in PACKAGES if name not in ("clang", "doxygen")])
+        line = "apt-get update && {}apt-get install -y --no-install-recommends clang doxygen"
+        without = self.reproduce("--list")
+        self.stand_in("sudo")
+        for done, said, sudo in (
+            (without, ", as root,", ""),
+            (self.reproduce("--why", "table-1"), "", "sudo "),
+        ):
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertEqual(
+                done.stderr, f"Packages are missing. Install them{said} with:\n  {sudo}{line.format(sudo)}\n"
+            )
+        self.assertNotIn("apt-get", self.calls.read_text())
+
+    def test_a_question_in_a_fresh_clone_is_not_refused_for_the_scripts_of_the_pages(self):
+        """What is said of them does not mix with the answer."""
+        self.installed(PACKAGES)
+        done = self.reproduce("--list")
+        self.assertIn("npm ci --prefix", self.calls.read_text())
+        self.assertIn("cmake --preset release", self.calls.read_text())
+        self.assertEqual(done.stdout, "")
+        self.reproduce("--list")
+        self.assertEqual(self.calls.read_text().count("npm ci"), 1)
+
+    def test_scripts_that_cannot_be_had_are_said_so_and_tried_again(self):
+        """Nothing is configured without them."""
+        self.installed(PACKAGES)
+        self.stand_in("npm", "echo 'npm ERR! code ENOTFOUND' >&2; exit 1")
+        for _ in range(2):
+            done = self.reproduce()
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr.splitlines()[-1], "^npm could not install them.* takes a connection")
+        self.assertEqual(self.calls.read_text().count("npm ci"), 2)
+        self.assertNotIn("cmake", self.calls.read_text())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
