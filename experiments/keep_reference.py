@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeps verdicts and tables of a finished full run in results/reference/, where the report finds what it shows beside
+those of any other run.
+
+Refused, with one line that says why, unless the run is of the full profile and complete, every CSV has the bytes that its
+sidecar vouches for, and all of them come from one commit without changes. Standard library only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import hashlib
+import json
+import os
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+MACHINE = ("profile", "commit", "cpu", "cores", "memory_mib", "system", "compiler", "flags")
+KEYS = ("artefact", "row", "column")
+
+
+class Refused(Exception):
+    """Why a run is no reference; the message says what to do."""
+
+
+def outputs_of(build: Path, results: Path) -> list[str]:
+    """Every file that the full run makes, by the graph of its build folder."""
+    try:
+        folder, profile, _ = (build / "graph" / "settings").read_text().split("\n")[:3]
+        lines = (build / "graph" / "jobs.tsv").read_text().splitlines()
+    except (OSError, ValueError):
+        raise Refused(f"{build} has made no results: --build names the build folder of the run") from None
+    if Path(folder).resolve() != results:
+        raise Refused(f"{build} makes {folder}, not {results}: give --results and --build of one run")
+    if profile != "full":
+        raise Refused(f"{results} is of the {profile} profile: run experiments/reproduce without --{profile}")
+    return [output for line in lines for output in line.split("\t")[6].split(";")]
+
+
+def record_of(table: Path) -> dict:
+    """The sidecar of a CSV, which must vouch for its bytes."""
+    try:
+        record = json.loads(table.with_suffix(".json").read_text())
+        vouched = record["csv_sha256"] == hashlib.sha256(table.read_bytes()).hexdigest()
+        missing = [key for key in (*MACHINE, "dirty", "started_utc") if key not in record]
+    except (OSError, ValueError, KeyError, TypeError):
+        raise Refused(f"{table} has no sidecar that can be read: remove it and run again") from None
+    if not vouched:
+        raise Refused(
+            f"{table} does not have the bytes that its sidecar vouches for: remove it and run again"
+        )
+    if missing:
+        raise Refused(f"{table.with_suffix('.json')} lacks {missing[0]}: remove {table.name} and run again")
+    return record
+
+
+def run_of(tables: list[Path]) -> dict:
+    """What all CSVs of the run share, and when it began."""
+    records = {table: record_of(table) for table in tables}
+    first = next(iter(records.values()))
+    for table, record in records.items():
+        if record["profile"] != "full":
+            raise Refused(f"{table} is of the {record['profile']} profile: remove it and run again")
+        if record["dirty"]:
+            raise Refused(
+                f"{table} comes from uncommitted changes: commit them, remove the data and run again"
+            )
+        if record["commit"] != first["commit"]:
+            commits = f"{record['commit'][:12]}, others of {first['commit'][:12]}"
+            raise Refused(f"{table} is of commit {commits}: remove the data and run again")
+    begun = min(record["started_utc"] for record in records.values())
+    return {**{key: first[key] for key in MACHINE}, "started_utc": begun}
+
+
+def check_verdicts(verdicts: Path) -> None:
+    """One for each value of the thesis."""
+
+    def rows(path: Path) -> set[tuple[str, ...]]:
+        with path.open(newline="", encoding="utf-8") as file:
+            return {tuple(row.get(key) or "" for key in KEYS) for row in csv.DictReader(file)}
+
+    lacking = sorted(rows(SOURCE / "analysis" / "thesis_values.csv") - rows(verdicts))
+    if lacking:
+        raise Refused(
+            f"{verdicts} has no verdict on {', '.join(lacking[0])}: it was made by another version, run again"
+        )
+
+
+def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
+    """The folder changes when everything is written, and what an older run left in it goes."""
+    reference.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=reference.parent, prefix=".reference-") as folder:
+        staged = Path(folder)
+        (staged / "tables").mkdir()
+        for name in ("verdicts.csv", *tables):
+            shutil.copyfile(results / name, staged / name)
+        (staged / "run.json").write_text(json.dumps(run, indent=2, sort_keys=True) + "\n")
+        if (reference / "tables").exists():
+            (reference / "tables").rename(staged / "older")
+        for name in ("tables", "verdicts.csv", "run.json"):
+            os.replace(staged / name, reference / name)
+
+
+def main() -> int:
+    """Checks everything first."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--results", type=Path, default=SOURCE / "results", help="of a finished full run")
+    parser.add_argument(
+        "--build", type=Path, default=SOURCE / "build" / "release", help="the build folder of that run"
+    )
+    parser.add_argument(
+        "--reference", type=Path, default=SOURCE / "results" / "reference", help="what is written"
+    )
+    options = parser.parse_args()
+    results = options.results.resolve()
+    try:
+        outputs = outputs_of(options.build.resolve(), results)
+        missing = [output for output in outputs if not (results / output).is_file()]
+        if missing:
+            more = f" and {len(missing) - 1} more are" if len(missing) > 1 else " is"
+            raise Refused(f"{results / missing[0]}{more} not there: run experiments/reproduce to its end")
+        is_csv = [output for output in outputs if output.endswith(".csv")]
+        run = run_of([results / output for output in is_csv if output.startswith("data/")])
+        check_verdicts(results / "verdicts.csv")
+    except Refused as refusal:
+        print(f"keep_reference: {refusal}", file=sys.stderr)
+        return 1
+    tables = [output for output in is_csv if output.startswith("tables/")]
+    keep(results, tables, run, options.reference)
+    print(
+        f"{options.reference}: verdicts and {len(tables)} tables of commit {run['commit'][:12]}, full profile"
+    )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

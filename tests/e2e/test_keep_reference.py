@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""experiments/keep_reference.py on a small made-up run: what it keeps, and every run that is no reference."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+RECORD = {
+    "profile": "full",
+    "commit": "0123456789abcdef",
+    "dirty": False,
+    "cpu": "a CPU",
+    "cores": 2,
+    "memory_mib": 1024,
+    "system": "Linux",
+    "compiler": "GNU 12",
+    "flags": "-O3",
+    "started_utc": "2026-01-02T00:00:00Z",
+}
+
+
+class KeepReference(unittest.TestCase):
+    """A run of two experiments and two tables."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        root = Path(self.folder.name)
+        self.results, self.build, self.reference = root / "results", root / "build", root / "reference"
+        for folder in (self.results / "data", self.results / "tables", self.build / "graph", self.reference):
+            folder.mkdir(parents=True)
+        outputs = [
+            "data/a.csv;data/a.json",
+            "data/b.csv;data/b.json",
+            "tables/a.csv;tables/a.tex",
+            "verdicts.csv",
+        ]
+        lines = ["\t".join([*"nkqft", "a", files, *"dcq"]) for files in outputs]
+        (self.build / "graph" / "jobs.tsv").write_text("\n".join(lines) + "\n")
+        self.settings("full")
+        self.data("a")
+        self.data("b", started_utc="2026-01-01T00:00:00Z")
+        (self.results / "tables" / "a.csv").write_text("x\n1\n")
+        (self.results / "tables" / "a.tex").write_text("1")
+        with (ROOT / "analysis" / "thesis_values.csv").open(newline="") as file:
+            rows = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
+        self.verdicts([["artefact", "row", "column"], *rows])
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def settings(self, profile: str):
+        """What experiments/reproduce was asked for."""
+        (self.build / "graph" / "settings").write_text(f"{self.results}\n{profile}\n\n")
+
+    def data(self, name: str, **changes: object):
+        """A CSV with its sidecar."""
+        table = self.results / "data" / f"{name}.csv"
+        table.write_text(f"{name}\n1\n")
+        digest = hashlib.sha256(table.read_bytes()).hexdigest()
+        table.with_suffix(".json").write_text(json.dumps({**RECORD, "csv_sha256": digest, **changes}))
+
+    def verdicts(self, rows: list[list[str]]):
+        """verdicts.csv with these rows."""
+        with (self.results / "verdicts.csv").open("w", newline="") as file:
+            csv.writer(file).writerows(rows)
+
+    def keep(self) -> subprocess.CompletedProcess:
+        """Runs it."""
+        folders = ["--results", self.results, "--build", self.build, "--reference", self.reference]
+        command = [sys.executable, "-B", ROOT / "experiments" / "keep_reference.py", *folders]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+
+    def assert_refused(self, *words: str):
+        """One line with these words, and nothing written."""
+        done = self.keep()
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(list(self.reference.rglob("*")), [])
+
+    def test_kept(self):
+        """Verdicts, tables and where they come from; a table of an older run goes, a picture stays."""
+        (self.reference / "tables").mkdir()
+        (self.reference / "tables" / "older.csv").write_text("x\n")
+        (self.reference / "joint.png").write_text("a picture")
+        done = self.keep()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        kept = {str(file.relative_to(self.reference)) for file in self.reference.rglob("*") if file.is_file()}
+        self.assertEqual(kept, {"verdicts.csv", "tables/a.csv", "run.json", "joint.png"})
+        for name in ("verdicts.csv", "tables/a.csv"):
+            self.assertEqual((self.reference / name).read_bytes(), (self.results / name).read_bytes())
+        run = json.loads((self.reference / "run.json").read_text())
+        self.assertEqual((run["commit"], run["started_utc"]), (RECORD["commit"], "2026-01-01T00:00:00Z"))
+
+    def test_other_profile(self):
+        self.settings("quick")
+        self.assert_refused("quick profile", "experiments/reproduce")
+        self.settings("full")
+        self.data("b", profile="quick")
+        self.assert_refused("b.csv", "quick profile")
+
+    def test_not_one_clean_commit(self):
+        self.data("b", dirty=True)
+        self.assert_refused("b.csv", "uncommitted")
+        self.data("b", commit="fedcba9876543210")
+        self.assert_refused("b.csv", "fedcba987654", "0123456789ab")
+
+    def test_incomplete(self):
+        (self.results / "tables" / "a.tex").unlink()
+        self.assert_refused("tables/a.tex is not there")
+        (self.results / "tables" / "a.csv").unlink()
+        self.assert_refused("tables/a.csv and 1 more are not there")
+
+    def test_verdict_missing(self):
+        lines = (self.results / "verdicts.csv").read_text().splitlines(keepends=True)
+        (self.results / "verdicts.csv").write_text("".join(lines[:-1]))
+        self.assert_refused("no verdict on", lines[-1].split(",")[0])
+
+    def test_not_vouched_for(self):
+        (self.results / "data" / "b.csv").write_text("b\n2\n")
+        self.assert_refused("b.csv", "vouches")
+        (self.results / "data" / "b.json").write_text("[]")
+        self.assert_refused("b.csv", "sidecar")
+        self.data("b")
+        record = json.loads((self.results / "data" / "b.json").read_text())
+        del record["cpu"]
+        (self.results / "data" / "b.json").write_text(json.dumps(record))
+        self.assert_refused("b.json lacks cpu")
+
+    def test_another_build_folder(self):
+        (self.build / "graph" / "settings").write_text("/elsewhere\nfull\n\n")
+        self.assert_refused("/elsewhere", "--build")
+        (self.build / "graph" / "settings").unlink()
+        self.assert_refused(str(self.build), "--build")
+
+
+if __name__ == "__main__":
+    unittest.main()
