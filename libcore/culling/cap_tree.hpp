@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of a surface, vertices or faces, summarised over ever smaller caps of directions.
 //
-// The nodes are the cells of a quadtree on the six faces of a cube, less those that would have one child, in
-// blocks of up to four siblings that are worked on together. A node holds every direction of its parts within
-// `angle` of its axis, and their radii between low and high. Sorted by counting and summarised from the
-// leaves to the root: O(parts) time and memory.
+// The six faces of a cube are the first block of nodes, and each node has up to eight children, which are
+// worked on together: the eighths of its cell, or, of a few parts, runs of them along the curve of the cells,
+// and then the parts themselves. A node holds every direction of its parts within `angle` of its axis, and
+// their radii between low and high. Sorted by counting and summarised from the leaves to the root: O(parts)
+// time and memory.
 //
 //   angle of a node: the lesser of
 //     max over its children of (angle between the axes + angle of the child),
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "sampling/cap_range.hpp"
@@ -34,11 +36,11 @@ struct CapItem {
 inline constexpr double kNodeSlack = 1e-5;  // of a radius; radians
 
 // A number of each node of a block.
-using CapLanes = Eigen::Array4f;
+using CapLanes = std::array<float, 8>;
 
-// Up to four nodes that are siblings.
-struct CapBlock {
-  static constexpr std::size_t kLanes = 4;  // nodes that a block has room for
+// Up to eight nodes that are siblings.
+struct alignas(64) CapBlock {
+  static constexpr std::size_t kLanes = std::tuple_size_v<CapLanes>;  // nodes that a block has room for
 
   CapLanes x, y, z;  // unit axis
   CapLanes angle;    // radians; pi where nothing is known
@@ -49,7 +51,7 @@ struct CapBlock {
   std::array<std::uint32_t, kLanes>
       first{};  // place of an item in order(); without items, the block of its children
   std::array<std::uint32_t, kLanes> items{};  // of a leaf; 0 in other nodes
-  std::uint32_t nodes = 0;                    // of the four, the first so many are there
+  std::uint32_t nodes = 0;                    // of the eight, the first so many are there
 
   bool leaf(std::size_t lane) const { return items[lane] > 0; }  // Has this node items, and no children?
 };
@@ -60,16 +62,22 @@ struct CapNode {
   std::uint32_t lane;   // place in the block
 };
 
+// So many items beside each other in the order of a tree.
+struct ItemRun {
+  std::uint32_t first;  // place of the first of them
+  std::uint32_t count;  // number of them
+};
+
 class CapTree {
  public:
-  static constexpr std::size_t kDeepest = 11;  // levels of cells
-  static constexpr std::size_t kRoots = 2;     // blocks of the six faces of the cube, the first ones
-  // Nodes that a search has at most which opens one at a time, the last that it found.
-  static constexpr std::size_t kMostPending = 6 + 3 * (kDeepest + 1);
+  static constexpr std::size_t kDeepest = 7;  // levels of cells
+  // Nodes that a search has at most which opens one at a time, the last that it found: of the root, and of
+  // a node of each level, cells, runs and parts.
+  static constexpr std::size_t kMostPending = 6 + (CapBlock::kLanes - 1) * (kDeepest + 2);
 
   explicit CapTree(std::span<const CapItem> items);  // sorts the items, which are copied
 
-  const std::vector<CapBlock>& blocks() const& { return blocks_; }  // the roots first
+  const std::vector<CapBlock>& blocks() const& { return blocks_; }  // the root first
   const std::vector<CapBlock>& blocks() const&& = delete;           // they would be gone before they are read
   // Numbers of the items, those of a leaf one after the other.
   const std::vector<std::uint32_t>& order() const { return order_; }

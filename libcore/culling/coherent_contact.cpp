@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "culling/gap_bounds.hpp"
 #include "sphere/infinity.hpp"
 
 namespace impinge {
@@ -17,11 +18,9 @@ constexpr float kNoWidth = 2e-6F;      // radians, of a vertex: the rounding of 
 
 double least_radius(const CapTree& tree) {
   double least = kInfinity;
-  for (std::size_t at = 0; at < std::min(CapTree::kRoots, tree.blocks().size()); ++at) {
-    const CapBlock& block = tree.blocks()[at];
-    for (std::size_t k = 0; k < block.nodes; ++k)
-      least = std::min(least, static_cast<double>(block.low[static_cast<Eigen::Index>(k)]));
-  }
+  if (tree.blocks().empty()) return least;
+  const CapBlock& root = tree.blocks().front();
+  for (std::size_t k = 0; k < root.nodes; ++k) least = std::min(least, static_cast<double>(root.low[k]));
   return least;
 }
 
@@ -97,8 +96,7 @@ void CoherentContact::begin(Scan& scan) {
   scan.clock = 0.0;
   scan.due = 0.0;
   scan.proofs.clear();
-  const std::size_t roots = std::min(CapTree::kRoots, scan.culled->tree().blocks().size());
-  for (std::uint32_t block = 0; block < roots; ++block) scan.proofs.push_back({0.0, block, 0, false, 0});
+  if (!scan.culled->tree().blocks().empty()) scan.proofs.push_back({0.0, 0, 0, false, 0});
 }
 
 std::optional<std::uint32_t> CoherentContact::look_at_due(Scan& scan, const CapMove& move) const {
@@ -121,7 +119,7 @@ std::optional<std::uint32_t> CoherentContact::look_at_due(Scan& scan, const CapM
 // Opens what is not clear: it is due now.
 void CoherentContact::prove_nodes(Scan& scan, const CapMove& move, Proof& proof) {
   const CapBlock& block = scan.culled->tree().blocks()[proof.block];
-  const GapBounds bounds = gap_bounds(block, move, scan.culled->limits(), 0.0F);
+  const GapBounds bounds = gap_bounds(block, move, scan.culled->limits(), {0.0F, true});
   proof.due = kInfinity;
   for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
     if (((proof.open >> lane) & 1U) != 0) continue;
@@ -145,13 +143,14 @@ std::optional<std::uint32_t> CoherentContact::prove_vertices(Scan& scan, const C
     const Vec3 x = move.place(culled.position(item));
     const float width = x.isZero(0.0) ? HUGE_VALF : kNoWidth;
     const CapLimits::Limit limit = culled.limits().within(x.cast<float>(), width);
-    const double gap = gap_beyond(static_cast<double>(limit.radius), x.norm(), move);
+    const double gap = gap_beyond(static_cast<double>(limit.radius), x.norm(), culled.scanned());
     if (gap > 0.0) {
       proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach - kNoWidth));
       continue;
     }
     proof.due = scan.clock;
-    if (vertex_bound(x, move, culled.limits()) > 0.0) continue;
+    const auto beside = static_cast<double>(culled.limits().beside(x));
+    if (gap_beyond(beside, x.norm(), culled.scanned()) > 0.0) continue;
     if (joint_.exactly_impinged(culled.scanned(), x)) return culled.vertex(item);
   }
   return std::nullopt;

@@ -5,7 +5,7 @@
 //
 // A cap of vertices that is clear by S mm, by a limit that holds for directions A radians beyond those of its
 // vertices, stays clear while each direction has turned by no more than A and each length changed by less
-// than S. From one pose to the next, R by the angle q and o (culling/moved_caps.hpp) by d mm, the vertices R
+// than S. From one pose to the next, R by the angle q and o (culling/gap_bounds.hpp) by d mm, the vertices R
 // (v + o) change
 //   their lengths by no more than          d
 //   their directions by no more than       q + d / (r - T)
@@ -19,6 +19,7 @@
 #include <optional>
 #include <vector>
 
+#include "culling/cap_move.hpp"
 #include "culling/culled_joint.hpp"
 
 namespace impinge {

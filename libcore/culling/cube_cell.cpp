@@ -13,29 +13,41 @@ std::size_t cell_line(double coordinate, std::size_t lines) {
   return std::min(static_cast<std::size_t>(place), lines - 1);
 }
 
+// Bits of the two coordinates at that level: b is halved first.
+struct CellBits {
+  explicit CellBits(std::size_t level) : a(3 * level / 2), b(3 * level - a) {}
+  std::size_t a;
+  std::size_t b;
+};
+
 }  // namespace
 
 std::size_t cell_of(const Vec3& axis, std::size_t level) {
   const CubePlace at = cube_place(axis);
-  const std::size_t lines = std::size_t{1} << level;
-  const std::size_t i = cell_line(at.a, lines);
-  const std::size_t j = cell_line(at.b, lines);
+  const CellBits bits(level);
+  const std::size_t i = cell_line(at.a, std::size_t{1} << bits.a);
+  const std::size_t j = cell_line(at.b, std::size_t{1} << bits.b);
   std::size_t cell = at.face;
-  for (std::size_t bit = level; bit-- > 0;) cell = 4 * cell + 2 * ((j >> bit) & 1U) + ((i >> bit) & 1U);
+  for (std::size_t k = 0; k < bits.b; ++k) {
+    cell = 2 * cell + ((j >> (bits.b - 1 - k)) & 1U);
+    if (k < bits.a) cell = 2 * cell + ((i >> (bits.a - 1 - k)) & 1U);
+  }
   return cell;
 }
 
 std::array<Vec3, 4> cell_corners(const CubeCell& cell) {
+  const CellBits bits(cell.level);
   std::size_t i = 0;
   std::size_t j = 0;
-  for (std::size_t bit = 0; bit < cell.level; ++bit) {
-    i |= ((cell.prefix >> (2 * bit)) & 1U) << bit;
-    j |= ((cell.prefix >> (2 * bit + 1)) & 1U) << bit;
+  for (std::size_t k = 0, bit = 3 * cell.level; k < bits.b; ++k) {
+    j = 2 * j + ((cell.prefix >> --bit) & 1U);
+    if (k < bits.a) i = 2 * i + ((cell.prefix >> --bit) & 1U);
   }
-  const std::size_t face = cell.prefix >> (2 * cell.level);
-  const double width = 2.0 / static_cast<double>(std::size_t{1} << cell.level);
+  const std::size_t face = cell.prefix >> (3 * cell.level);
+  const double a = 2.0 / static_cast<double>(std::size_t{1} << bits.a);
+  const double b = 2.0 / static_cast<double>(std::size_t{1} << bits.b);
   const auto at = [&](std::size_t k, std::size_t l) {
-    return cube_point(face, -1.0 + width * static_cast<double>(k), -1.0 + width * static_cast<double>(l));
+    return cube_point(face, -1.0 + a * static_cast<double>(k), -1.0 + b * static_cast<double>(l));
   };
   return {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
 }

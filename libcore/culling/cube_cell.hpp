@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells of a quadtree on the faces of a cube, in which those of one cell are neighbours.
+// Cells on the faces of a cube, halved in three steps from level to level, in an order in which those of one
+// cell are neighbours.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 
 namespace impinge {
 
-// Cell `prefix` of a level: face of the cube, then two bits a level, those of b and a.
+// Cell `prefix` of a level: face of the cube, then three bits a level, those of b and a in turn.
 struct CubeCell {
   std::size_t level;   // 0 is the face
   std::size_t prefix;  // see above

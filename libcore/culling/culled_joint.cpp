@@ -2,7 +2,10 @@
 #include "culling/culled_joint.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include "culling/gap_bounds.hpp"
+#include "culling/touch_search.hpp"
 #include "detection/exact_side.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
@@ -20,8 +23,7 @@ class LeastGapSearch {
 
   std::optional<LeastGap> run() {
     for (std::uint32_t scan = 0; scan < 2; ++scan) {
-      const std::size_t roots = std::min(CapTree::kRoots, joint_.scans()[scan].tree().blocks().size());
-      for (std::uint32_t block = 0; block < roots; ++block) add(scan, block);
+      if (!joint_.scans()[scan].tree().blocks().empty()) add(scan, 0);
     }
     while (!pending_.empty()) {
       const Pending next = pending_.front();
@@ -45,12 +47,12 @@ class LeastGapSearch {
 
   void add(std::uint32_t scan, std::uint32_t at) {
     const CulledScan& culled = joint_.scans()[scan];
-    const CapBlock& block = culled.tree().blocks()[at];
     const float enough = std::nextafter(static_cast<float>(limit()), HUGE_VALF);
-    const GapBounds bounds = gap_bounds(block, moves_[scan], culled.limits(), enough);
-    for (std::uint32_t lane = 0; lane < block.nodes; ++lane) {
+    const GapBounds bounds = gap_bounds(culled.tree().blocks()[at], moves_[scan], culled.limits(), {enough});
+    for (std::uint32_t open = bounds.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
       const double gap = bounds.gap[lane];
-      if (gap > limit() || gap == kInfinity) continue;
+      if (gap == kInfinity) continue;
       pending_.push_back({gap, scan, {at, lane}});
       std::ranges::push_heap(pending_, later);
     }
@@ -65,9 +67,7 @@ class LeastGapSearch {
   }
 
   void ask(const CulledScan& scan, const CapMove& move, std::size_t item) {
-    const Vec3 x = move.place(scan.position(item));
-    if (vertex_bound(x, move, scan.limits()) > limit()) return;
-    const double gap = joint_.gap(scan.scanned(), x);
+    const double gap = joint_.gap(scan.scanned(), move.place(scan.position(item)));
     const ScannedVertex at{scan.scanned(), scan.vertex(item)};
     const bool earlier = best_ && gap == best_->gap_mm && before(at, best_->at);
     if (gap < limit() || earlier) best_ = LeastGap{gap, at};
@@ -98,13 +98,10 @@ bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const 
 }
 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
-  for (const CulledScan& scan : scans_) {
-    const auto asked = [&](std::uint32_t, const Vec3& x) { return exactly_impinged(scan.scanned(), x); };
-    const CapMove move(scan.scanned(), pose);
-    if (const auto vertex = TouchSearch(scan, move, asked).run())
-      return ScannedVertex{scan.scanned(), *vertex};
-  }
-  return std::nullopt;
+  const auto touches = [&](const ScannedVertex& at, const Vec3& x) {
+    return exactly_impinged(at.scanned, x);
+  };
+  return touching_vertex(PosedScans(scans_, pose), VertexQuestion(touches));
 }
 
 std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {

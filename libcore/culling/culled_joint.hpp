@@ -7,17 +7,11 @@
 #include <optional>
 
 #include "culling/culled_scan.hpp"
+#include "detection/pose.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/near_faces.hpp"
 
 namespace impinge {
-
-// A vertex of one of the surfaces.
-struct ScannedVertex {
-  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
-  std::size_t vertex = 0;                         // place among the vertices of its mesh
-  bool operator==(const ScannedVertex&) const = default;
-};
 
 // The first of the smallest gaps, in the order of scans and vertices.
 struct LeastGap {

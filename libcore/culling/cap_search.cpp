@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "culling/cap_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/face_index.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kSteepSlope = 1e4;         // see near_faces.cpp
+constexpr double kChordOfQuarter = 1.1108;  // an angle up to a quarter turn over its chord
+
+std::vector<CapItem> items_of(const TriangleMesh& mesh) {
+  std::vector<CapItem> items;
+  items.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    FaceIndex::SeenFace seen = see_face(cone.corners());
+    if (seen.side == 0 && cone.edge_on()) continue;
+    if (!(cone.largest_slope() <= kSteepSlope)) seen.range.low = 0.0;
+    if (!(seen.cap.radius < 0.5 * kPi)) seen.cap.radius = kPi;
+    items.push_back({seen.cap, seen.range});
+  }
+  return items;
+}
+
+}  // namespace
+
+CapSearch::CapSearch(const TriangleMesh& mesh, Layer layer)
+    : items_(items_of(mesh)), tree_(items_), nearest_(layer == Layer::nearest) {}
+
+float CapSearch::limit(const DirectionCap& cap, double resolution) {
+  cap_ = cap;
+  resolution_ = resolution;
+  limit_ = nearest_ ? HUGE_VALF : -HUGE_VALF;
+  if (!tree_.blocks().empty()) visit(0);
+  return limit_;
+}
+
+void CapSearch::visit(std::size_t at) {
+  const CapBlock& block = tree_.blocks()[at];
+  for (std::size_t k = 0; k < block.nodes; ++k) {
+    if (nearest_ ? block.low[k] >= limit_ : block.high[k] <= limit_) continue;
+    const Vec3 axis(block.x[k], block.y[k], block.z[k]);
+    const double chord = (axis - cap_.axis).norm();
+    const double angle = block.angle[k];
+    if (chord > cap_.radius + angle) continue;  // an angle is no less than its chord
+    const bool inside = chord < 1.4 && kChordOfQuarter * chord + angle <= cap_.radius;
+    if (inside || angle <= resolution_) {
+      limit_ = nearest_ ? block.low[k] : block.high[k];
+    } else if (block.leaf(k)) {
+      for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
+    } else {
+      visit(block.first[k]);
+    }
+  }
+}
+
+void CapSearch::include(const CapItem& item) {
+  if ((item.cap.axis - cap_.axis).norm() > cap_.radius + item.cap.radius) return;
+  if (nearest_) {
+    limit_ = std::min(limit_, std::nextafter(static_cast<float>(item.range.low), 0.0F));
+  } else {
+    limit_ = std::max(limit_, std::nextafter(static_cast<float>(item.range.high), HUGE_VALF));
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a pose takes the vertices of a cap, and what gaps they can have at least.
+//
+// A scan takes vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t, and
+// with o = R^T t to |x| = |v + o|. Let T = |t|.
+//
+// Direction, for T < low, k = low / (low - T): all |R w + t / s| >= 1 / k. The direction of x is that of R w
+// + t / s. As 1 / s goes to 1 / mean it turns by k T per unit, along a way of spread / low at most; then, as
+// w goes to a, by k per radian at most. So it is within
+//   (angle low + T spread) / (low - T)   of that of   R (mean a) + t
+// A longer translation allows any direction.
+// Length. |x|^2 = s^2 + 2 s g + T^2, g = w.o, a parabola in s whose least is at -g, if that is a radius of
+// the cap, and whose largest at low or high; it grows with g. b being the angle between a and o,
+//   cos(b + angle) <= g / T <= cos(b - angle), and cos(b -+ angle) is within angle sin(b) + angle^2 / 2 of
+//   cos b.
+//
+// With the limit of the other surface over that cap (culling/cap_limits.hpp) the gap, S - |x| for vertices of
+// the ball and |x| - B for those of the socket, is bounded below. Rounding: all in floats, 6e-8 of high + T
+// an operation, against kNodeSlack and kSquareSlack; R is orthogonal to 1e-7.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "culling/cap_limits.hpp"
+#include "culling/cap_move.hpp"
+#include "culling/cap_tree.hpp"
+
+namespace impinge {
+
+inline constexpr float kSquareSlack = 4e-6F;  // of a squared length
+
+// Of the nodes of a block.
+struct MovedCaps {
+  CapLanes x, y, z;  // mm; in the direction of the middle of the cap
+  CapLanes angle;    // radians; infinite or NaN where any direction is possible
+  CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
+};
+
+// No vertex of the node has a smaller gap.
+struct GapBounds {
+  CapLanes gap;  // mm, infinite where no vertex meets the other surface
+  // Radians that the directions may turn by without changing that; infinite or NaN: by any angle.
+  CapLanes spare;
+  std::uint32_t open;  // a bit a node: those whose bound is not above `enough`
+};
+
+// How good a bound has to be.
+struct GapsWanted {
+  float enough = 0.0F;   // mm: no closer than it takes to be above that
+  bool lasting = false;  // with something to spare, at the cost of a worse bound of single vertices
+};
+
+// Where the pose takes the caps of a block.
+MovedCaps moved(const CapBlock& block, const CapMove& move);
+
+// Bounds of the nodes of a block, worked out together.
+GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
+                     const GapsWanted& wanted);
+
+}  // namespace impinge

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a search rests on:
+//   moved()       every vertex of a node is within `angle` of the middle, and |x| <= length for the ball, >=
+//   for
+//                 the socket
+//   gap_bounds()  no vertex of a node has a gap below `gap`; `open` are the nodes for which !(gap > enough)
+#include "culling/gap_bounds.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "culling/culled_joint.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "support/cap_nodes.hpp"
+#include "support/poses.hpp"
+
+namespace impinge {
+namespace {
+
+TEST(MovedCaps, HoldTheirVertices) {
+  const BallSocketPair joint{test::bumpy(400, 8.0), test::bumpy(400, 8.0)};
+  for (const double shift : {0.0, 4.0, 24.0, 60.0}) {
+    for (const Pose& pose : test::random_poses(3, 3.0, shift, 36)) {
+      for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+        const bool ball = scanned == ScannedSurface::ball;
+        const CulledScan scan(scanned, ball ? joint.ball : joint.socket, ball ? joint.socket : joint.ball);
+        const CapMove move(scanned, pose);
+        test::for_each_node(scan.tree(), [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
+          const MovedCaps caps = moved(block, move);
+          const Vec3 middle(caps.x[lane], caps.y[lane], caps.z[lane]);
+          const bool any = !(caps.angle[lane] < 4.0F);
+          for (const std::uint32_t k : test::items_below(scan.tree(), node)) {
+            const Vec3 x = move.place(scan.position(k));
+            EXPECT_LE(ball ? x.norm() : caps.length[lane], ball ? caps.length[lane] : x.norm());
+            EXPECT_LE(any ? 0.0 : angle_between(middle, x),
+                      any ? 0.0 : static_cast<double>(caps.angle[lane]));
+          }
+        });
+      }
+    }
+  }
+}
+
+// In poses near and far.
+TEST(GapBounds, NoVertexHasASmallerGap) {
+  const BallSocketPair joint = make_ball_socket_pair(300, impinging_cam());
+  const CulledJoint culled(joint);
+  for (const double shift : {0.0, 3.0, 23.0}) {
+    for (const Pose& pose : test::random_poses(3, 3.0, shift, 37)) {
+      for (const CulledScan& scan : culled.scans()) {
+        const CapMove move(scan.scanned(), pose);
+        for (const bool lasting : {false, true}) {
+          test::for_each_node(scan.tree(), [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
+            const GapBounds bounds = gap_bounds(block, move, scan.limits(), {1.0F, lasting});
+            EXPECT_EQ(((bounds.open >> lane) & 1U) != 0, !(bounds.gap[lane] > 1.0F));
+            EXPECT_EQ(bounds.open >> block.nodes, 0U);
+            for (const std::uint32_t item : test::items_below(scan.tree(), node)) {
+              const double gap = culled.gap(scan.scanned(), move.place(scan.position(item)));
+              EXPECT_FALSE(gap < bounds.gap[lane]);  // NaN: none
+            }
+          });
+        }
+      }
+    }
+  }
+}
+
+// Between a ball of 22 and one of 26 mm a gap of 4 mm is known to be as large but for the height of the
+// faces, in caps of any width, and with what the directions may turn by.
+TEST(GapBounds, AreTightBetweenSpheres) {
+  const BallSocketPair joint{sphere(22.0, 3000), sphere(26.0, 3000)};
+  const CulledJoint culled(joint);
+  const CapMove move(ScannedSurface::ball, {});
+  const CulledScan& scan = culled.scans()[0];
+  for (const CapBlock& block : scan.tree().blocks()) {
+    const GapBounds bounds = gap_bounds(block, move, scan.limits(), {5.0F, true});
+    for (std::size_t lane = 0; lane < block.nodes; ++lane) {
+      EXPECT_NEAR(bounds.gap[lane], 4.0F, 0.1F);
+      EXPECT_GT(bounds.spare[lane], 0.0F);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impinge
