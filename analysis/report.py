@@ -20,6 +20,7 @@ import PIL.Image
 
 import common
 import explore
+import turn
 import verdict
 
 MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
@@ -310,6 +311,7 @@ def contents(jobs: list[Job]) -> str:
         "nav",
         element("a", "Verdicts", href="#verdicts-title")
         + element("a", "Error against cost", href="#explore")
+        + element("a", "A joint to turn", href="#turn")
         + "".join(
             element("details", element("summary", f"{title} ({len(links)})") + " ".join(links))
             for title, links in groups.items()
@@ -329,11 +331,17 @@ def page(results: Path, jobs: list[Job], library: str, reference: Path) -> str:
         filters(verdicts),
         verdict_table(verdicts),
         explore.section(results),
+        turn.section(
+            results, image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
+        ),
     ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
         parts += [element("h2", title), *(section(results, job) for job in jobs if job.kind == kind)]
     style = (common.HERE / "report.css").read_text()
-    scripts = [library, *((common.HERE / name).read_text() for name in ("report.js", "explore.js"))]
+    scripts = [
+        library,
+        *((common.HERE / name).read_text() for name in ("report.js", "explore.js", "turn.js")),
+    ]
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'

@@ -7,10 +7,12 @@ const { pathToFileURL } = require("node:url");
 const { chromium } = require("../../analysis/node_modules/playwright-core");
 
 const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic",
-  "--no-first-run", "--no-sandbox", "--use-angle=swiftshader"];
+  "--no-first-run", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const PATIENCE = 40000; // ms: of a machine that does other things, too
 
 async function watched(browser, width, height) {
   const page = await browser.newPage({ viewport: { width, height } });
+  page.setDefaultTimeout(PATIENCE);
   const faults = [];
   page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(error.message));
@@ -57,6 +59,74 @@ async function exploring(page) {
   assert.ok(await shown() > 0);
 }
 
+/** The picture of the joint, coarsely. */
+const picture = (frame) => frame.evaluate(async () => {
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [80, 50];
+  const pen = canvas.getContext("2d");
+  pen.drawImage(document.getElementById("view"), 0, 0, 80, 50);
+  return [...pen.getImageData(0, 0, 80, 50).data];
+});
+
+/** How many places of the picture an action changes much. */
+async function changed(frame, action) {
+  const before = await picture(frame);
+  await action();
+  const after = await picture(frame);
+  return after.filter((value, k) => Math.abs(value - before[k]) > 30).length;
+}
+
+async function drawFinger(page, from, to) {
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...points) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  await touch("touchStart", from);
+  for (let k = 1; k <= 5; k += 1) await touch("touchMove", from.map((start, i) => start + (k / 5) * (to[i] - start)));
+  await touch("touchEnd");
+}
+
+const gap = (frame) => frame.textContent("#stage-gap");
+
+async function turning(page) {
+  const place = page.locator("#turn-place");
+  await place.scrollIntoViewIfNeeded();
+  assert.equal(await page.locator("#turn-place iframe").count(), 0, "Joint3D is awake before it is asked for");
+  await page.click("#turn-start");
+  const frame = await (await page.waitForSelector("#turn-place iframe")).contentFrame();
+  const posed = (count) => frame.waitForFunction(
+    (least) => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > least, count);
+  await posed(0);
+  assert.match(await frame.textContent("#legend"), /mm/);
+  assert.ok(!await frame.isVisible("#motion") && await frame.isVisible("#view"), "the frame shows more than the joint");
+  const box = await place.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const byMouse = await changed(frame, async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 90, y + 20, { steps: 5 });
+    await page.mouse.up();
+  });
+  assert.ok(byMouse > 100, `the mouse changes ${byMouse} places`);
+  const byTouch = await changed(frame, () => drawFinger(page, [x, y], [x - 70, y + 30]));
+  assert.ok(byTouch > 100, `a finger changes ${byTouch} places`);
+  const byKeys = await changed(frame, async () => {
+    await frame.focus("#view");
+    for (let k = 0; k < 5; k += 1) await page.keyboard.press("ArrowRight");
+  });
+  assert.ok(byKeys > 100, `the arrow keys change ${byKeys} places`);
+  const before = await gap(frame);
+  const poses = await frame.evaluate(() => Number(document.body.dataset.poses));
+  await page.selectOption("#turn-joint", { index: 1 });
+  await posed(poses);
+  await frame.waitForFunction((text) => document.getElementById("stage-gap").textContent !== text, before);
+  await page.check("#turn-panels");
+  await frame.waitForFunction(() => !document.body.classList.contains("embedded"));
+  await page.emulateMedia({ media: "print" });
+  assert.ok(await page.isVisible("#turn-place img") && !await page.isVisible("#turn-place iframe"), "in print");
+  await page.emulateMedia({ media: "screen" });
+}
+
 async function main() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
   try {
@@ -65,6 +135,7 @@ async function main() {
       await page.goto(pathToFileURL(path.resolve(process.argv[2])).href);
       await filters(page);
       await exploring(page);
+      await turning(page);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(wide <= 0, `at ${width} pixels the page is ${wide} too wide`);
       assert.deepEqual(faults, [], `at ${width} pixels`);

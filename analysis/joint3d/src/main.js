@@ -27,6 +27,9 @@ function say(text, kind = "fault") {
   byId("message-text").textContent = text;
 }
 
+/** Within another page, "embedded" among the words of the fragment leaves the picture alone. */
+const frame = () => document.body.classList.toggle("embedded", new URLSearchParams(location.hash.slice(1)).has("embedded"));
+
 /** While a joint or tables are made, the picture says so. kind: which of them. */
 function busy(kind, more) {
   app.making[more ? "add" : "delete"](kind);
@@ -176,6 +179,7 @@ function start() {
   window.addEventListener("hashchange", () => {
     if (location.hash === app.ownFragment) return;
     app.state = fromFragment(location.hash);
+    frame();
     begin();
   });
 
@@ -194,6 +198,7 @@ function start() {
 }
 
 try {
+  frame();
   start();
 } catch (error) {
   fault(/WebGL/i.test(error.message) ? "This browser shows no WebGL 2, which the picture needs; another browser, or its settings, may." : error);
