@@ -19,9 +19,11 @@ import pandas as pd
 import PIL.Image
 
 import common
+import data_table
 import explore
+import reference
 import turn
-import verdict
+from markup import cell, element
 
 MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
@@ -33,6 +35,14 @@ MEANINGS = {
 }
 MOST_LINES = 250_000  # bytes of an SVG in the page
 WIDEST = 1600  # pixels of a picture in the page: main is 80 rem wide, on a screen of fine pixels
+ABOUT = (
+    "How far apart are the two bones of a joint in a pose, and where do they touch? A thesis of about 2009, <cite>Rapid"
+    " Impingement Detection Systems for Ball-and-Socket Joints</cite>, answers by looking up each vertex of one surface in a"
+    " table of the other's distance from the centre of rotation, by direction: on a grid of angles (RSID) or along a helix"
+    " (USID). Here all of its tables and figures are computed again, each number gets a verdict, and errors, times and limits"
+    " are measured beyond it. Below each table and figure stand the command that makes it again and where its data come"
+    " from. Research software, no medical device."
+)
 PROVENANCE = {
     "question": "Question",
     "command": "Command",
@@ -90,26 +100,6 @@ def place(job: Job) -> tuple:
     return (0, thesis[1] == "figure", int(thesis[2])) if thesis else (1,)
 
 
-def element(tag: str, inner: str, **attributes: str) -> str:
-    """An element; inner is HTML already, attribute values are escaped here."""
-    words = "".join(
-        f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"' for key, value in attributes.items()
-    )
-    return f"<{tag}{words}>{inner}</{tag}>"
-
-
-def cell(value: str, title: str = "", shorten: bool = False, name: bool = False) -> str:
-    """A table cell; numbers to the right unless they are names, long ones rounded if that is asked for."""
-    attributes = {"data_title": title} if title else {}
-    try:
-        number = float("" if name else value)
-    except ValueError:
-        return element("td", html.escape(value), **attributes)
-    plain = f"{number:,.10g}"
-    text = plain if len(plain) <= 10 else common.digits(number, 4)
-    return element("td", text if shorten else html.escape(value), class_="number", **attributes)
-
-
 def totals(verdicts: pd.DataFrame) -> str:
     """How often each verdict was given."""
     counts = verdicts.verdict.value_counts()
@@ -132,14 +122,17 @@ def totals(verdicts: pd.DataFrame) -> str:
 def filters(verdicts: pd.DataFrame) -> str:
     """Choices that report.js reads."""
 
-    def choice(name: str, values: list[str]) -> str:
-        options = '<option value="">all</option>' + "".join(element("option", value) for value in values)
-        return element("label", name.capitalize() + element("select", options, id=f"filter-{name}"))
+    def choice(name: str, title: str, values: dict[str, str]) -> str:
+        options = "".join(
+            element("option", text, value=value) for value, text in {"": "all", **values}.items()
+        )
+        return element("label", title + element("select", options, id=f"filter-{name}"))
 
+    found = set(verdicts.verdict)
     return element(
         "div",
-        choice("artefact", list(verdicts.artefact.unique()))
-        + choice("verdict", [name for name in MARKS if name in set(verdicts.verdict)])
+        choice("artefact", "Where", {name: title_of(name) for name in verdicts.artefact.unique()})
+        + choice("verdict", "Verdict", {name: name for name in MARKS if name in found})
         + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
         class_="filters",
     )
@@ -152,48 +145,38 @@ def explanation(row: dict[str, str]) -> str:
     return element("td", note + html.escape(f"Rule: {row['rule']}{tolerance}."), class_="why")
 
 
-def verdict_table(verdicts: pd.DataFrame) -> str:
-    """Every row, with what the filters need."""
+HEADS = {"measured": "this run", "reference": "reference run", "row": "row or case", "artefact": "where"}
+
+
+def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
+    """Every row, with what the filters need; places: what the page has a section of."""
     names = [
         name
-        for name in ("artefact", "row", "column", "thesis", "reference", "measured", "unit")
+        for name in ("artefact", "row", "column", "thesis", "measured", "reference", "unit")
         if name in verdicts
     ]
-    head = element(
-        "thead", element("tr", "".join(element("th", name) for name in [*names, "verdict", "why"]))
-    )
-    rows = []
-    for row in verdicts.to_dict("records"):
-        found = row["verdict"]
-        cells = [cell(row[name], title=name, name=name == "row") for name in names]
-        cells.append(
-            element(
-                "td",
-                html.escape(found),
-                class_=f"verdict {found}",
-                data_mark=MARKS.get(found, ""),
-                data_title="verdict",
-            )
-        )
-        rows.append(
-            element(
-                "tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found
-            )
-        )
-    return element(
-        "div", element("table", head + element("tbody", "".join(rows)), id="verdicts"), class_="scroll"
-    )
+    titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
+    head = element("thead", element("tr", "".join(element("th", title) for title in titles)))
+    rows = "".join(verdict_row(row, names, places) for row in verdicts.to_dict("records"))
+    return element("div", element("table", head + element("tbody", rows), id="verdicts"), class_="scroll")
 
 
-def data_table(path: Path) -> str:
-    """A CSV as it is."""
-    table = pd.read_csv(path, dtype=str, keep_default_na=False)
-    head = element("tr", "".join(element("th", name.replace("_", " ")) for name in table.columns))
-    body = "".join(
-        element("tr", "".join(cell(value, shorten=True) for value in row))
-        for row in table.itertuples(index=False)
-    )
-    return element("div", element("table", element("thead", head) + element("tbody", body)), class_="scroll")
+def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
+    """Its values, its verdict (and the reference run's where that is another), and why."""
+    where = html.escape(title_of(row["artefact"]))
+    if row["artefact"] in places:
+        where = element("a", where, href=f"#{row['artefact']}")
+    cells = [element("td", where, data_title="where")]
+    for name in names[1:]:
+        rounded = name in ("measured", "reference")
+        cells.append(cell(row[name], title=HEADS.get(name, name), name=name == "row", shorten=rounded))
+    found = row["verdict"]
+    other = row.get("verdict_reference", "")
+    remark = element("span", f"reference: {other}", class_="kept") if other else ""
+    inner = html.escape(found) + ("<br>" + remark if remark else "")
+    mark = MARKS.get(found, "")
+    cells.append(element("td", inner, class_=f"verdict {found}", data_mark=mark, data_title="verdict"))
+    return element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found)
 
 
 def lighter(path: Path) -> bytes:
@@ -254,11 +237,17 @@ def provenance(results: Path, name: str) -> str:
     )
 
 
-def section(results: Path, job: Job) -> str:
-    """A table or figure with its caption, source and way to make it again."""
+def title_of(name: str) -> str:
+    """What a reader calls a table or figure: "Table 9: queries", "Figure 36: cargen left", "Error against time"."""
+    words = re.sub(r"^(table|figure)-(\d+)-", r"\1 \2: ", name).replace("-", " ").replace("_", " ")
+    return words[0].upper() + words[1:]
+
+
+def section(results: Path, job: Job, kept: Path) -> str:
+    """A table or figure with its caption, source and way to make it again; kept: the folder of the reference run."""
     shown = job.outputs[0]
     if job.kind == "table":
-        body = element("p", html.escape(job.question)) + data_table(results / shown)
+        body = element("p", html.escape(job.question)) + data_table.section(results / shown, kept)
     else:
         body = element(
             "figure", image(results / shown, job.question) + element("figcaption", html.escape(job.question))
@@ -266,24 +255,29 @@ def section(results: Path, job: Job) -> str:
     again = f"experiments/reproduce --only {job.name}"
     source = f"{shown} · {job.script} · " + element("code", again)
     return (
-        element("h3", job.name, id=job.name)
+        element("h3", title_of(job.name), id=job.name)
         + body
         + element("p", source, class_="source")
         + "".join(provenance(results, name) for name in job.data)
     )
 
 
-def heading(results: Path, jobs: list[Job]) -> str:
-    """Title, and which machine and profile this is."""
+def heading(results: Path, jobs: list[Job], kept: Path) -> str:
+    """Title, what the page is, and which machine and profile this is."""
     names = [name for job in jobs for name in job.data]
     record = common.sidecar(results / "data" / f"{names[0]}.csv")
     changes = " with changes" if record["dirty"] else ""
     where = (
-        f"{record['profile']} profile, commit {record['commit'][:12]}{changes}, "
-        f"{record['cpu']}, {record['cores']} cores, {record['compiler']}"
+        f"This run: {record['profile']} profile, commit {record['commit'][:12]}{changes}, "
+        f"{record['cpu']}, {record['cores']} cores, {record['compiler']}."
     )
+    if reference.described(kept):
+        where += f" Reference run, kept with the source: {reference.described(kept)}."
+    if record["profile"] != "full":
+        where += " The quick profile measures less and marks what it extrapolated."
     return (
         element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced")
+        + element("p", ABOUT)
         + element("p", html.escape(where), class_="soft")
         + contents(jobs)
     )
@@ -306,7 +300,7 @@ def contents(jobs: list[Job]) -> str:
             title = "Beyond the thesis"
         else:
             title = "The thesis' figures" if job.name.startswith("figure") else "The thesis' tables"
-        groups[title].append(element("a", job.name, href=f"#{job.name}"))
+        groups[title].append(element("a", title_of(job.name), href=f"#{job.name}"))
     return element(
         "nav",
         element("a", "Verdicts", href="#verdicts-title")
@@ -320,23 +314,23 @@ def contents(jobs: list[Job]) -> str:
     )
 
 
-def page(results: Path, jobs: list[Job], library: str, reference: Path) -> str:
-    """The whole document; `library` draws the plot that the reader moves about in."""
+def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
+    """The whole document; `library` draws the plot that the reader moves about in, `kept` is the folder of the reference run."""
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
-    verdicts = verdict.with_reference(verdicts, reference)
+    verdicts = reference.with_verdicts(verdicts, kept)
     parts = [
-        heading(results, jobs),
+        heading(results, jobs, kept),
         element("h2", "Verdicts", id="verdicts-title"),
         totals(verdicts),
         filters(verdicts),
-        verdict_table(verdicts),
+        verdict_table(verdicts, {job.name for job in jobs if job.kind in ("table", "figure")}),
         explore.section(results),
         turn.section(
             results, image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
         ),
     ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
-        parts += [element("h2", title), *(section(results, job) for job in jobs if job.kind == kind)]
+        parts += [element("h2", title), *(section(results, job, kept) for job in jobs if job.kind == kind)]
     style = (common.HERE / "report.css").read_text()
     scripts = [
         library,

@@ -3,10 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-import pandas as pd
-
 import common
 
 COLUMNS = ["artefact", "row", "column", "thesis", "measured", "unit", "rule", "tolerance", "verdict", "note"]
@@ -54,13 +50,3 @@ def input_row(value) -> dict[str, object]:
         rule="given, not computed",
         verdict="input",
     )
-
-
-def with_reference(verdicts: pd.DataFrame, reference: Path) -> pd.DataFrame:
-    """The rows beside what the committed full run measured; as they are where there is none."""
-    if not reference.is_file():
-        return verdicts
-    keys = ["artefact", "row", "column"]
-    official = pd.read_csv(reference, dtype=str, keep_default_na=False)[[*keys, "measured"]]
-    merged = verdicts.merge(official, on=keys, how="left", suffixes=("", "_reference"), validate="one_to_one")
-    return merged.rename(columns={"measured_reference": "reference"}).fillna({"reference": ""})

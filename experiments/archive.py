@@ -46,9 +46,10 @@ def members(outputs: Iterable[str], results: Path, jobs: str) -> dict[str, bytes
                 files[f"{folder}/{file.name}"] = file
     plotly = "analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js"
     files[plotly] = SOURCE / plotly
-    reference = SOURCE / "results" / "reference" / "verdicts.csv"
-    if reference.is_file():
-        files["results/reference/verdicts.csv"] = reference
+    reference = SOURCE / "results" / "reference"
+    for file in (reference / "verdicts.csv", reference / "run.json", *sorted(reference.glob("tables/*.csv"))):
+        if file.is_file():
+            files[f"results/{file.relative_to(reference.parent)}"] = file
     files["LICENSE"] = SOURCE / "LICENSE"
     files["recheck"] = SOURCE / "experiments" / "recheck.py"
     files["graph/jobs.tsv"] = jobs.encode()

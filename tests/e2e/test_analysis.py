@@ -19,12 +19,15 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
+import data_table  # noqa: E402
 import diagram_chart  # noqa: E402
 import diagram_section  # noqa: E402
 import finding  # noqa: E402
 import hip  # noqa: E402
 import log_plot  # noqa: E402
+import markup  # noqa: E402
 import ply  # noqa: E402
+import reference  # noqa: E402
 import render  # noqa: E402
 import replay  # noqa: E402
 import socket_map  # noqa: E402
@@ -174,19 +177,74 @@ class Verdict(unittest.TestCase):
         )
 
 
+class Reference(unittest.TestCase):
+    """The committed full run beside this one."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.kept = Path(self.folder.name) / "kept"
+        (self.kept / "tables").mkdir(parents=True)
+        self.table = Path(self.folder.name) / "t.csv"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_verdicts(self):
+        """What it measured, and its verdict where that is another."""
+        names = ["artefact", "row", "column", "measured", "verdict"]
+        ours = pd.DataFrame(
+            [["t", "a", "c", "1", "input"], ["t", "b", "c", "2", "reproduced"]], columns=names
+        )
+        self.assertIs(reference.with_verdicts(ours, self.kept), ours)
+        kept = "artefact,row,column,measured,verdict\nt,b,c,3,differs\nt,a,c,1,input\n"
+        (self.kept / "verdicts.csv").write_text(kept)
+        both = reference.with_verdicts(ours, self.kept)
+        self.assertEqual(list(both.reference), ["1", "3"])
+        self.assertEqual(list(both.measured), ["1", "2"])
+        self.assertEqual(list(both.verdict_reference), ["", "differs"])
+
+    def shown(self, ours: str, kept: str | None) -> str:
+        """The HTML of a table beside the reference's."""
+        self.table.write_text(ours)
+        if kept is not None:
+            (self.kept / "tables" / "t.csv").write_text(kept)
+        return data_table.section(self.table, self.kept)
+
+    def test_tables(self):
+        """A value that is another stands below ours; rows of other names make a table of their own."""
+        self.assertNotIn("eference", self.shown("a,b\nx,1\n", None))
+        self.assertIn("same values", self.shown("a,b\nx,1\n", "a,b\nx,1\n"))
+        together = self.shown("a,b\nx,1\ny,5\n", "a,b\nx,2\ny,5\n")
+        self.assertEqual(together.count('class="kept"'), 1)
+        self.assertIn('1<br><span class="kept">2</span>', together)
+        self.assertNotIn("<details>", together)
+        for other in ("a,b\nz,1\n", "a,b\nx,1\nx,1\n", "a,c\nx,1\n"):
+            apart = self.shown("a,b\nx,1\n", other)
+            self.assertIn("<details>", apart)
+            self.assertNotIn('class="kept"', apart)
+
+    def test_long_table(self):
+        """The page holds its first rows, and says where all are."""
+        found = self.shown("a\n" + "7\n" * 1000, None)
+        self.assertEqual(found.count("<td"), data_table.MOST)
+        self.assertIn("1,000 rows; all are in tables/t.csv", found)
+
+    def test_written(self):
+        """Digits that a reader can use, in the page alone."""
+        for value, text in (
+            ("0.49713134", "0.4971"),
+            ("25927200", "25,927,200"),
+            ("2.8421e-14", "2.84e-14"),
+            ("0.27", "0.27"),
+            ("15.0", "15"),
+            ("RSID <1>", "RSID &lt;1&gt;"),
+        ):
+            self.assertEqual(markup.written(value, shorten=True)[0], text)
+        self.assertEqual(markup.written("0.50", shorten=False), ("0.50", True))  # the thesis' digits
+
+
 class Memory(unittest.TestCase):
     """A memory that does not round from the entries of its own row is a slip of the thesis."""
-
-    def test_beside_the_reference(self):
-        keys = ["artefact", "row", "column"]
-        ours = pd.DataFrame([["t", "a", "c", "1"], ["t", "b", "c", "2"]], columns=[*keys, "measured"])
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "verdicts.csv"
-            self.assertIs(verdict.with_reference(ours, file), ours)
-            file.write_text("artefact,row,column,measured,verdict\nt,b,c,3,differs\n")
-            both = verdict.with_reference(ours, file)
-        self.assertEqual(list(both.reference), ["", "3"])
-        self.assertEqual(list(both.measured), ["1", "2"])
 
     def test_contradiction(self):
         values = common.thesis("table-7")
