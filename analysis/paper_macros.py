@@ -5,7 +5,7 @@ the timed data.
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
-one for each number of further CSVs (see paper_cells.py, paper_contact.py, paper_fast.py, paper_fill.py, paper_limits.py, paper_race.py, paper_replay.py
+one for each number of further CSVs (see paper_cells.py, paper_contact.py, paper_counts.py, paper_fast.py, paper_fill.py, paper_limits.py, paper_race.py, paper_replay.py
 and paper_stability.py), as scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and
 :vertices of the gaps by the thesis' two tables; and the machine: cpu, cores, compiler, flags, commit, profile ...
 """
@@ -22,6 +22,7 @@ import log_plot
 import paper_baselines
 import paper_cells
 import paper_contact
+import paper_counts
 import paper_fast
 import paper_fill
 import paper_limits
@@ -189,6 +190,7 @@ def main() -> None:
     facts |= paper_cells.facts(options.results)
     facts |= paper_fast.facts(options.results)
     facts |= paper_contact.facts(options.results)
+    facts |= paper_counts.facts(options.results)
     facts |= paper_fill.facts(options.results)
     facts |= paper_race.facts(options.results)
     facts |= paper_replay.facts(options.results)

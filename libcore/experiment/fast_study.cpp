@@ -21,7 +21,6 @@ namespace {
 constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
 constexpr std::size_t kOtherQuestions = 1 << 17;
 constexpr std::size_t kFewQuestions = 1 << 11;
-constexpr int kTurns = 24;  // poses of a motion, after which it begins again
 constexpr int kThreads = 2;
 
 // Some of the points, evenly through all of them.
@@ -44,14 +43,6 @@ struct Stage {
         few{few_of(pair.ball.vertices), few_of(pair.socket.vertices)} {}
 };
 
-// Flexion from 0 to 115 degrees, the ball a little off the centre.
-Pose pose_of(int turn) {
-  Pose pose;
-  pose.rotation = Eigen::AngleAxisd(-5.0 * turn * kDegree, Vec3::UnitY()).toRotationMatrix();
-  pose.translation = Vec3(0.1, -0.2, 0.05);
-  return pose;
-}
-
 struct Work {
   std::shared_ptr<GapMethod> method;
   const AskedPoints& asked;
@@ -62,7 +53,7 @@ struct Work {
 
 void scan_poses(const Work& work, GapMethod::Scratch& scratch) {
   for (int k = 0; k < work.poses; ++k) {
-    work.method->scan(work.asked, pose_of(k % kTurns), scratch);
+    work.method->scan(work.asked, motion_pose(k % kMotionTurns), scratch);
     benchmark::DoNotOptimize(scratch.floats.data());
     benchmark::DoNotOptimize(scratch.doubles.data());
     benchmark::ClobberMemory();
@@ -87,7 +78,7 @@ std::function<void()> pose_after_pose(const Work& work) {
   auto turn = std::make_shared<int>(0);
   return [work, scratch, turn] {
     use_instruction_set(work.instruction_set);
-    work.method->scan(work.asked, pose_of((*turn)++ % kTurns), *scratch);
+    work.method->scan(work.asked, motion_pose((*turn)++ % kMotionTurns), *scratch);
   };
 }
 
@@ -181,6 +172,13 @@ std::vector<Timing> timed_cold(const std::vector<FastCase>& cases, const FastOpt
 }
 
 }  // namespace
+
+Pose motion_pose(int turn) {
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(-5.0 * turn * kDegree, Vec3::UnitY()).toRotationMatrix();
+  pose.translation = Vec3(0.1, -0.2, 0.05);
+  return pose;
+}
 
 FastTables fast_tables(const FastOptions& options, Progress& progress) {
   std::vector<FastCase> cases;

@@ -35,6 +35,10 @@ struct FastTables {
   TimingRun timing;  // of all cases
 };
 
+inline constexpr int kMotionTurns = 24;  // poses of the motion, after which it begins again
+// Flexion by 5 degrees a turn, to 115 degrees, the ball a little off the centre.
+Pose motion_pose(int turn);
+
 // Errors first. std::runtime_error for a method that is too far off to be timed.
 FastTables fast_tables(const FastOptions& options, Progress& progress);
 

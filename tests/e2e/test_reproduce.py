@@ -28,7 +28,7 @@ lut_memory sampling_time sampling_time_samples detection_time detection_time_pre
 sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds error_budget
 slices slice_band_limit spectrum band_limit error_against_time error_against_time_spread error_against_time_samples
 certified certified_poses euclidean fast fast_samples fill fill_samples
-contact contact_samples contact_agreement
+contact contact_samples contact_agreement counts
 helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 schemes scheme_covering scheme_errors scheme_savings scheme_points lookup_time stencil_time
@@ -48,6 +48,7 @@ TABLES = [
     "matched-accuracy",
     "error-order",
     "fast-times",
+    "fast-counts",
     "fast-targets",
     "fill-times",
     "fill-growth",
