@@ -17,7 +17,7 @@ constexpr double kMostCells = 255.0;
 constexpr float kCellsPerReach = 16.0F;
 constexpr float kFinestReach = 4.0F;      // in cells of the finest grid
 constexpr double kEntriesPerFace = 0.35;  // of the finest grid for caps
-constexpr double kResolution = 0.25;      // of c: nodes as narrow as that are taken whole
+constexpr double kResolution = 0.5;       // of c: nodes as narrow as that are taken whole
 
 // Directions of the entries of a grid.
 std::vector<Vec3> entries(std::size_t cells) {

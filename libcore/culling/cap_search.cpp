@@ -35,27 +35,39 @@ float CapSearch::limit(const DirectionCap& cap, double resolution) {
   cap_ = cap;
   resolution_ = resolution;
   limit_ = nearest_ ? HUGE_VALF : -HUGE_VALF;
-  if (!tree_.blocks().empty()) visit(0);
+  if (tree_.blocks().empty()) return limit_;
+  const CapNode last = decisive_;
+  if (last.block != 0)
+    look_at(last);  // what decided the cap before may be in this one: the rest is soon left out
+  visit(0);
   return limit_;
 }
 
-void CapSearch::visit(std::size_t at) {
+void CapSearch::visit(std::uint32_t at) {
   const CapBlock& block = tree_.blocks()[at];
-  for (std::size_t k = 0; k < block.nodes; ++k) {
-    if (nearest_ ? block.low[k] >= limit_ : block.high[k] <= limit_) continue;
-    const Vec3 axis(block.x[k], block.y[k], block.z[k]);
-    const double chord = (axis - cap_.axis).norm();
-    const double angle = block.angle[k];
-    if (chord > cap_.radius + angle) continue;  // an angle is no less than its chord
-    const bool inside = chord < 1.4 && kChordOfQuarter * chord + angle <= cap_.radius;
-    if (inside || angle <= resolution_) {
-      limit_ = nearest_ ? block.low[k] : block.high[k];
-    } else if (block.leaf(k)) {
-      for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
-    } else {
-      visit(block.first[k]);
-    }
+  for (std::uint32_t k = 0; k < block.nodes; ++k) {
+    if (look_at({at, k})) visit(block.first[k]);
   }
+}
+
+// Has it to be opened?
+bool CapSearch::look_at(const CapNode& node) {
+  const CapBlock& block = tree_.blocks()[node.block];
+  const std::size_t k = node.lane;
+  if (nearest_ ? block.low[k] >= limit_ : block.high[k] <= limit_) return false;
+  const Vec3 axis(block.x[k], block.y[k], block.z[k]);
+  const double chord = (axis - cap_.axis).norm();
+  const double angle = block.angle[k];
+  if (chord > cap_.radius + angle) return false;  // an angle is no less than its chord
+  const bool inside = chord < 1.4 && kChordOfQuarter * chord + angle <= cap_.radius;
+  if (inside || angle <= resolution_) {
+    limit_ = nearest_ ? block.low[k] : block.high[k];
+    decisive_ = node;
+    return false;
+  }
+  if (!block.leaf(k)) return true;
+  for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
+  return false;
 }
 
 void CapSearch::include(const CapItem& item) {

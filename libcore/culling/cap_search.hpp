@@ -21,7 +21,8 @@ class CapSearch {
   float limit(const DirectionCap& cap, double resolution);
 
  private:
-  void visit(std::size_t at);
+  void visit(std::uint32_t at);
+  bool look_at(const CapNode& node);
   void include(const CapItem& item);
 
   std::vector<CapItem> items_;
@@ -30,6 +31,7 @@ class CapSearch {
   DirectionCap cap_;
   double resolution_ = 0.0;
   float limit_ = 0.0F;
+  CapNode decisive_{0, 0};  // that gave a limit last
 };
 
 }  // namespace impinge
