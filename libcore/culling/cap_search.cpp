@@ -4,24 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling/face_index.hpp"
+#include "culling/face_item.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kSteepSlope = 1e4;         // see near_faces.cpp
 constexpr double kChordOfQuarter = 1.1108;  // an angle up to a quarter turn over its chord
 
 std::vector<CapItem> items_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
   items.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) {
-    const TriangleCone cone = cone_of(mesh, face);
-    FaceIndex::SeenFace seen = see_face(cone.corners());
-    if (seen.side == 0 && cone.edge_on()) continue;
-    if (!(cone.largest_slope() <= kSteepSlope)) seen.range.low = 0.0;
-    if (!(seen.cap.radius < 0.5 * kPi)) seen.cap.radius = kPi;
-    items.push_back({seen.cap, seen.range});
+    if (const auto item = face_item(mesh, face)) items.push_back(*item);
   }
   return items;
 }

@@ -98,10 +98,16 @@ bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const 
 }
 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
-  const auto touches = [&](const ScannedVertex& at, const Vec3& x) {
-    return exactly_impinged(at.scanned, x);
+  const PosedTrees posed{
+      PosedTree{scans_[0].tree(), scans_[0].limits(), CapMove(ScannedSurface::ball, pose)},
+      PosedTree{scans_[1].tree(), scans_[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const auto touches = [&](const ScannedItem& at) {
+    const CulledScan& scan = scans_[at.scan];
+    return exactly_impinged(scan.scanned(), posed[at.scan].move.place(scan.position(at.item)));
   };
-  return touching_vertex(PosedScans(scans_, pose), VertexQuestion(touches));
+  const auto found = touching_item(posed, ItemQuestion(touches));
+  if (!found) return std::nullopt;
+  return ScannedVertex{scans_[found->scan].scanned(), scans_[found->scan].vertex(found->item)};
 }
 
 std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {

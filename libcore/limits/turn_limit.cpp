@@ -41,25 +41,34 @@ std::string_view name(LimitState state) {
   return "blocked";
 }
 
+TurnLimits::Answers::Answers(BallSocketPair joint)
+    : meshes(std::move(joint)), vertices(meshes), surfaces(vertices) {}
+
 TurnLimits::TurnLimits(BallSocketPair joint)
-    : overlay_(std::make_unique<const SurfaceOverlay>(std::move(joint.ball), std::move(joint.socket))),
-      ball_parts_(overlay_->ball()),
-      socket_parts_(overlay_->socket()),
-      gaps_(overlay_->ball(), overlay_->socket()) {}
+    : answers_(std::make_unique<const Answers>(std::move(joint))),
+      ball_parts_(answers_->meshes.ball),
+      socket_parts_(answers_->meshes.socket) {}
 
 TurnContacts TurnLimits::contacts(const JointTurn& turn, double largest_gap) const {
-  return TurnContacts({{overlay_->ball(), ball_parts_, turn.inner},
-                       {overlay_->socket(), socket_parts_, turn.outer.transpose()},
+  return TurnContacts({{answers_->meshes.ball, ball_parts_, turn.inner},
+                       {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
                        turn.axis,
                        largest_gap});
 }
 
 bool TurnLimits::impinged(const JointTurn& turn, double angle_deg) const {
-  return overlay_->impinged(pose_at(turn, angle_deg * kDegree));
+  return answers_->surfaces.impinged(pose_at(turn, angle_deg * kDegree));
 }
 
 std::optional<VertexGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
-  return gaps_.smallest(pose_at(turn, angle_deg * kDegree));
+  const Pose pose = pose_at(turn, angle_deg * kDegree);
+  const auto least = answers_->vertices.least_gap(pose);
+  if (!least) return std::nullopt;
+  const BallSocketPair& meshes = answers_->meshes;
+  const std::size_t v = least->at.vertex;
+  const bool ball = least->at.scanned == ScannedSurface::ball;
+  return VertexGap{least->gap_mm,
+                   ball ? to_socket(pose, meshes.ball.vertices[v]) : meshes.socket.vertices[v]};
 }
 
 // next(span) is the first contact that may be in it, reached(angle) makes certain.
@@ -98,7 +107,7 @@ TurnLimit TurnLimits::first_contact(const JointTurn& turn, double largest_deg) c
   const TurnContacts found = contacts(turn, 0.0);
   return bracket(
       turn, largest_deg, [&](const AngleSpan& span) { return found.first(span); },
-      [&](double angle) { return overlay_->impinged(pose_at(turn, angle)); });
+      [&](double angle) { return answers_->surfaces.impinged(pose_at(turn, angle)); });
 }
 
 TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const {
@@ -106,7 +115,7 @@ TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double larges
   return bracket(
       turn, largest_deg, [&](const AngleSpan& span) { return found.first_gap(gap_mm, span); },
       [&](double angle) {
-        const auto smallest = gaps_.smallest(pose_at(turn, angle));
+        const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
         return smallest && smallest->gap_mm <= gap_mm;
       });
 }

@@ -4,8 +4,8 @@
 //
 //   low    no angle from the start to here is impinged (limits/turn_contact.hpp has the proof, and the 1e-12
 //          of the radius up to which it holds in floating point)
-//   high   here the pose is impinged: the overlay decides it exactly (detection/overlay.hpp); of a threshold,
-//          a vertex has that gap, in double
+//   high   here the pose is impinged: the overlay decides it exactly (detection/overlay.hpp), culled
+//          (culling/culled_overlay.hpp); of a threshold, a vertex has that gap, in double
 // First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
 // about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
 // about the sagitta of a face. The bracket is about as wide as 1e-7 degrees, and wider only where surfaces
@@ -20,7 +20,7 @@
 #include <optional>
 #include <string_view>
 
-#include "detection/overlay.hpp"
+#include "culling/culled_overlay.hpp"
 #include "joint/motion.hpp"
 #include "limits/turn_contact.hpp"
 #include "limits/vertex_gap.hpp"
@@ -70,10 +70,17 @@ class TurnLimits {
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
 
-  std::unique_ptr<const SurfaceOverlay> overlay_;  // keeps the meshes
+  // The meshes, and what answers for them.
+  struct Answers {
+    explicit Answers(BallSocketPair joint);
+    BallSocketPair meshes;
+    CulledJoint vertices;
+    CulledOverlay surfaces;
+  };
+
+  std::unique_ptr<const Answers> answers_;
   TurnParts ball_parts_;
   TurnParts socket_parts_;
-  VertexGaps gaps_;
 };
 
 }  // namespace impinge
