@@ -42,6 +42,8 @@ struct TableBound {
 struct BoundOptions {
   double tightness = 1.05;         // stop when bound <= tightness * attained
   std::size_t budget = 1'000'000;  // halvings; 0 for the bound a priori
+  // If given: as many as the scheme has cells, 0; gets the bound a priori of each that is answered, mm.
+  std::vector<float>* of_cells = nullptr;
 };
 
 // The search over the patches of one table.
@@ -102,8 +104,16 @@ class BoundSearch {
     for (std::size_t k = 0; k < 4; ++k) node.corner[k] = sample(patch, patch.rect, k);
     if (std::ranges::all_of(node.corner, [](const CornerSample& c) { return std::isnan(c.value); })) return;
     open(node);
+    if (options_.of_cells != nullptr) note_bound_of_cell(node);
     if (node.bound > enough()) sample_middle(patch);
     if (open_.size() > kMostOpen) close_settled();
+  }
+
+  // Of a whole patch. A float may round down; one step up keeps the bound.
+  void note_bound_of_cell(const Node& node) {
+    const Vec3 middle = interpolant_.patches().at(node.patch, node.rect.middle(0), node.rect.middle(1));
+    float& noted = (*options_.of_cells)[interpolant_.cell(middle)];
+    noted = std::max(noted, std::nextafter(static_cast<float>(node.bound), HUGE_VALF));
   }
 
   // Keeps a node for halving, or only its bound.

@@ -56,8 +56,10 @@ class SmoothInterpolant {
   const RadialTable<S>& table() const { return table_; }  // that interpolates
   const Patches& patches() const { return patches_; }     // on each of which y is bilinear
 
+  // The cell whose taps answer for x.
+  std::size_t cell(const Vec3& x) const { return table_.scheme().stencil(x).cell; }
   // Is there any answer in the cell of x?
-  bool answers(const Vec3& x) const { return !table_.is_rim_cell(table_.scheme().stencil(x).cell); }
+  bool answers(const Vec3& x) const { return !table_.is_rim_cell(cell(x)); }
   // Y at x, NaN where it has none.
   double value(const Vec3& x) const { return interpolated(table_.scheme().stencil(x), table_.radii()); }
   // Least and largest tap of the stencil at x.
@@ -83,9 +85,9 @@ class PlaneExactInterpolant {
   const Patches& patches() const { return patches_; }           // on each of which y is bilinear
 
   // As in SmoothInterpolant.
-  bool answers(const Vec3& x) const {
-    return !table_.rim_cells().contains(table_.scheme().plane_stencil(x).cell);
-  }
+  std::size_t cell(const Vec3& x) const { return table_.scheme().plane_stencil(x).cell; }
+  // As in SmoothInterpolant.
+  bool answers(const Vec3& x) const { return !table_.rim_cells().contains(cell(x)); }
   // None beside the curved border of a cell that a rim crosses, where the table answers none.
   double value(const Vec3& x) const {
     if constexpr (!S::kFlatCells) {

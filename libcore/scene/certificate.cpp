@@ -16,11 +16,6 @@ std::vector<bool> vertices_of_faces(const TriangleMesh& mesh) {
   return used;
 }
 
-Verdict verdict_by_bound(double gap, double bound) {
-  if (gap - bound > 0.0) return Verdict::clear;
-  return gap + bound <= 0.0 ? Verdict::impinged : Verdict::undecided;
-}
-
 // `exactly(i)` says whether vertex i is impinged.
 template <class Exactly>
 VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, const Exactly& exactly) {
@@ -28,7 +23,8 @@ VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, con
   VertexVerdicts verdicts;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;
-    const Verdict verdict = verdict_by_bound(evidence.gap[i], evidence.bound[i]);
+    const Verdict verdict =
+        verdict_of(evidence.gap[i] - evidence.bound[i], evidence.gap[i] + evidence.bound[i], Cover::whole);
     verdicts.by_bound.clear += verdict == Verdict::clear ? 1U : 0U;
     verdicts.by_bound.impinged += verdict == Verdict::impinged ? 1U : 0U;
     const bool known = !std::isnan(evidence.gap[i]);

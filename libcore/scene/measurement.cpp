@@ -11,19 +11,14 @@
 #include "detection/gap_scan.hpp"
 #include "experiment/machine.hpp"
 #include "joint/motion.hpp"
-#include "sampling/error_bound.hpp"
+#include "sampling/direction_bounds.hpp"
 #include "sampling/exact_raster.hpp"
-#include "sampling/table_bound.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.25, 0.1, 0.05, 0.025};  // degrees, for --max-error
-
-// Tables of more cells are bounded direction by direction alone: the tight bound takes some microseconds a
-// cell.
-constexpr std::size_t kMostBoundedCells = 1'500'000;
 
 class Stopwatch {
  public:
@@ -67,19 +62,14 @@ struct Scans {
   const Joint& joint;
   const Pose& pose;
 
-  // Bound of the error at each vertex, whose direction in the frame of the table is given by `place`: that of
-  // first order at the place, or that of the whole table where it is smaller. mesh filled the table.
+  // Bound of the error at each vertex, whose direction in the frame of the table is given by `place`. mesh
+  // filled the table.
   template <class Place>
   static std::vector<double> bounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                                     const std::vector<Vec3>& vertices, Place&& place) {
-    const bool small = table.scheme().cells() <= kMostBoundedCells;
-    const double everywhere = small ? table_bound(mesh, table, layer).bound_mm : HUGE_VAL;
-    const std::vector<float> slopes = largest_slopes(mesh, table.scheme());
+    const DirectionBounds direction(mesh, table, layer);
     std::vector<double> bound(vertices.size());
-    std::ranges::transform(vertices, bound.begin(), [&](const Vec3& v) {
-      const double here = error_bound_at(table, slopes, place(v));
-      return std::isnan(here) ? here : std::min(here, everywhere);
-    });
+    std::ranges::transform(vertices, bound.begin(), [&](const Vec3& v) { return direction.at(place(v)); });
     return bound;
   }
 
