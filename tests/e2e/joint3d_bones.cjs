@@ -15,11 +15,11 @@ const message = (page) => page.waitForSelector("#message:not([hidden])").then(()
 
 const TABLES = "#scheme=rsid&precision=0.5&storage=double"; // those of `scene`
 
-/** What `scene` says of the joint in 90 degrees of flexion. */
-function sceneSays({ ball, socket, side, axes }) {
+/** What `scene` says of the joint in a pose, of tables that fine. */
+function sceneSays({ ball, socket, side, axes }, { pose = "flexion=90", precision = "0.5", outputs = "gaps" } = {}) {
   const out = path.join(FOLDER, "scene");
-  execFileSync(process.env.SCENE, ["--ball", ball, "--socket", socket, "--side", side, "--axes", axes, "--pose", "flexion=90",
-    "--scheme", "rsid", "--precision", "0.5", "--outputs", "gaps", "--out", out], { stdio: "pipe" });
+  execFileSync(process.env.SCENE, ["--ball", ball, "--socket", socket, "--side", side, "--axes", axes, "--pose", pose,
+    "--scheme", "rsid", "--precision", precision, "--outputs", outputs, "--out", out], { stdio: "pipe" });
   return JSON.parse(fs.readFileSync(path.join(out, "summary.json")));
 }
 
@@ -54,6 +54,24 @@ async function holdAgainstScene(page, joint) {
   [x, y, z].forEach((value, k) => assert.ok(Math.abs(value - centre[k]) < 0.006, `centre ${centre}, by scene ${[x, y, z]}`));
 }
 
+/** The bound of every vertex decides it in the page as it does in `scene`, of the same tables: of 2 degrees, so that some are undecided. */
+async function verdictsOfScene(page, joint) {
+  await posed(page, () => page.selectOption("#precision", "2"));
+  await type(page, "flexion", 90);
+  await type(page, "internal_rotation", 20);
+  const says = sceneSays(joint, { pose: "flexion=90,internal_rotation=20", precision: "2", outputs: "gaps,bounds,verdicts" });
+  const { ball, socket } = says.certificate;
+  const undecided = ball.undecided_by_bound + socket.undecided_by_bound;
+  assert.ok(undecided > 0 && ball.bounds_refuted + socket.bounds_refuted === 0);
+  const [low, high] = says.error_bound_mm.smallest_gap_between.map((gap) => gap.toFixed(3).replace("-", "−"));
+  const wanted = [`${low} to ${high} mm`, `± ${says.error_bound_mm.largest.toPrecision(3)} mm`, String(undecided)];
+  const ids = ["smallest-proven", "bound", "undecided"];
+  await page.waitForFunction(([names, words]) => names.every((id, k) => document.getElementById(id).textContent === words[k]), [ids, wanted])
+    .catch(async () => assert.deepEqual(await Promise.all(ids.map((id) => text(page, id))), wanted));
+  await type(page, "internal_rotation", 0);
+  await posed(page, () => page.selectOption("#precision", "0.5"));
+}
+
 function generatedPair() {
   const folder = path.join(FOLDER, "cam");
   execFileSync(process.env.MAKE_PAIR, ["--hip", "cam", "--faces", "3000", "--out", folder], { stdio: "pipe" });
@@ -66,6 +84,7 @@ async function ownMeshes(browser) {
   await choose(page, pair);
   assert.match(await text(page, "joint-name"), /ball.ply and socket.ply, right/);
   await holdAgainstScene(page, pair);
+  await verdictsOfScene(page, pair);
   await page.check("#centre-typed");
   await page.fill("#centre", "0, 0, 0.5");
   await posed(page, () => page.click("#use-files"));

@@ -111,16 +111,34 @@ test('gaps are those of this machine, and so is what follows from them', () => {
   console.log('largest difference beyond the rounding to float, mm:', seen);
 });
 
+// What is proven about a pose: of all gaps, none is farther from 0 than the bound of its cell where it is undecided.
+function verdictsAreThoseOf(native, bound) {
+  const found = ask('verdicts', native.pose);
+  for (const count of ['clear', 'impinged', 'undecided']) assert.equal(found[count], native[count], count);
+  for (const length of ['largest_mm', 'low_mm', 'high_mm'])
+    assert.ok(Math.abs(found[length] - native[length]) <= kAngle + 2 ** -23 * Math.abs(native[length]), `${length} ${found[length]} ${native[length]}`);
+  assert.equal(found.unbounded, 0);
+  assert.ok(found.largest_mm > 0 && found.largest_mm <= bound);
+  const pose = ask('pose', native.pose);
+  const gaps = [...pose.ball_gap, ...pose.socket_gap].filter((gap) => !Number.isNaN(gap));
+  assert.equal(found.clear + found.impinged + found.undecided, gaps.length);
+  assert.ok(found.impinged <= gaps.filter((gap) => gap <= 0).length);
+  assert.ok(found.undecided <= gaps.filter((gap) => Math.abs(gap) <= found.largest_mm).length);
+  assert.ok(found.low_mm < pose.smallest.gap_mm && pose.smallest.gap_mm < found.high_mm);
+  return found;
+}
+
 test('bounds, limits and files are those of this machine', () => {
+  let decided = 0;
+  let undecided = 0;
   for (const hip of hips) {
     useHip(hip);
     ask('tables', { scheme: 'cube_gnomonic', precision_deg: 4, storage: 'uint16' });
     const bound = ask('bound', {}).bound_mm;
     assert.ok(Math.abs(bound - hip.bound_mm) <= 1e-9 * hip.bound_mm, `${bound} ${hip.bound_mm}`);
-    const pose = ask('pose', {});
-    assert.equal(pose.bound_mm, bound);
-    const within = [...pose.ball_gap, ...pose.socket_gap].filter((gap) => Math.abs(gap) <= bound);
-    assert.equal(pose.undecided, within.length);
+    const found = verdictsAreThoseOf(hip.verdicts, bound);
+    decided += found.impinged;
+    undecided += found.undecided;
     for (const limit of hip.limits) {
       const found = ask('sweep', { motion: limit.motion, step_deg: 5 }).limit;
       assert.equal(found.state, limit.state);
@@ -132,6 +150,7 @@ test('bounds, limits and files are those of this machine', () => {
     const csv = Buffer.from(ask('export', { format: 'csv', pose: {} }).bytes).toString();
     assert.equal(csv, hip.csv);
   }
+  assert.ok(decided > 0 && undecided > 0, `${decided} vertices are proven to be impinged, ${undecided} are undecided`);
 });
 
 test('a sweep ends where the smallest gap does', () => {

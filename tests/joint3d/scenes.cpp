@@ -15,7 +15,7 @@
 
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
-#include "pose_answer.hpp"
+#include "verdicts.hpp"
 
 namespace {
 
@@ -127,6 +127,18 @@ json limit(Session& session, const char* growing) {
           {"clock", found.hours ? json(clock_text(*found.hours)) : json(nullptr)}};
 }
 
+// Of the deepest of the poses.
+json verdicts_json(Session& session) {
+  const PoseVerdicts found = answer_verdicts(session, poses().back());
+  return {{"pose", pose_json(poses().back())},
+          {"clear", found.vertices.clear},
+          {"impinged", found.vertices.impinged},
+          {"undecided", found.vertices.undecided},
+          {"largest_mm", found.largest_mm},
+          {"low_mm", found.low_mm},
+          {"high_mm", found.high_mm}};
+}
+
 json hip_json(const std::string& name, const fs::path& folder) {
   const HipParameters parameters = hip_preset(name);
   Hip hip = make_hip(parameters, kFaces);
@@ -150,7 +162,8 @@ json hip_json(const std::string& name, const fs::path& folder) {
   bound_tables(session);
   return {{"name", name},
           {"side", parameters.side == Side::left ? "left" : "right"},
-          {"bound_mm", *session.tables.bound_mm},
+          {"bound_mm", whole_bound(session.tables)},
+          {"verdicts", verdicts_json(session)},
           {"csv", gaps_csv(session, {})},
           {"limits", {limit(session, "flexion"), limit(session, "internal_rotation")}},
           {"scenes", scenes}};

@@ -64,9 +64,23 @@ test('every scheme and storage of the catalogue answers', async () => {
     for (const storage of ['uint16', 'float', 'double']) {
       const tables = await one('tables', { scheme: scheme.name, precision_deg: 2, storage });
       assert.equal(tables.error, undefined);
-      assert.ok(tables.points_ball.length > 0 && tables.points_ball.length <= 3 * tables.entries);
       const pose = await one('pose', { flexion: 80 });
       assert.ok(Math.abs(pose.smallest.gap_mm - smallest.gap_mm) < 0.3, `${scheme.name} ${pose.smallest.gap_mm}`);
+    }
+  }
+});
+
+// A point of every entry that meets the surface; the head, which is closed, is met by all.
+test('the sample points of tables of every size are there', async () => {
+  for (const [scheme, precision_deg, entries] of [['rsid', 1, 65160], ['cube_gnomonic', 0.35, 402486]]) {
+    const tables = await one('tables', { scheme, precision_deg, storage: 'uint16' });
+    const { ball, socket, ...reply } = await one('points');
+    assert.equal(reply.entries, tables.entries);
+    assert.equal(ball.length, 3 * tables.entries);
+    assert.ok(socket.length > 0.4 * ball.length && socket.length < 0.7 * ball.length, `${socket.length} of ${ball.length}`);
+    assert.equal(tables.entries, entries);
+    for (const points of [ball, socket]) {
+      for (let k = 0; k < points.length; k += 3000) assert.ok(Math.hypot(points[k], points[k + 1], points[k + 2]) > 10);
     }
   }
 });

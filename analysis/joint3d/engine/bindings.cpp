@@ -46,13 +46,23 @@ val ask_tables(const val& request) {
 val ask_bound(const val& /*request*/) {
   require_joint();
   bound_tables(session());
-  return object(std::pair("bound_mm", or_null(session().tables.bound_mm)));
+  return object(std::pair("bound_mm", number_or_null(whole_bound(session().tables))));
+}
+
+val ask_verdicts(const val& request) {
+  require_joint();
+  return verdicts_reply(answer_verdicts(session(), pose_request(request)));
+}
+
+val ask_points(const val& /*request*/) {
+  require_joint();
+  return points_reply(session());
 }
 
 val ask_pose(const val& request) {
   require_joint();
   const PoseRequest pose = pose_request(request);
-  return pose_reply(*session().joint, session().tables, pose, answer_pose(session(), pose));
+  return pose_reply(*session().joint, pose, answer_pose(session(), pose));
 }
 
 val ask_sweep(const val& request) {
@@ -82,7 +92,9 @@ val ask(const std::string& kind, const val& request) {
       {"joint", ask_joint},
       {"tables", ask_tables},
       {"bound", ask_bound},
+      {"points", ask_points},
       {"pose", ask_pose},
+      {"verdicts", ask_verdicts},
       {"sweep", ask_sweep},
       {"export", ask_export}};
   try {

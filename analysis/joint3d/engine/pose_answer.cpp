@@ -2,7 +2,6 @@
 #include "pose_answer.hpp"
 
 #include <chrono>
-#include <cmath>
 
 #include "joint/close_zones.hpp"
 
@@ -58,11 +57,6 @@ std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const PoseA
   return smallest;
 }
 
-std::size_t count_within(const std::vector<double>& gap, double bound) {
-  return static_cast<std::size_t>(
-      std::count_if(gap.begin(), gap.end(), [bound](double g) { return std::abs(g) <= bound; }));
-}
-
 }  // namespace
 
 Pose pose_of(const SessionJoint& joint, const PoseRequest& request) {
@@ -84,8 +78,6 @@ PoseAnswer answer_pose(const Session& session, const PoseRequest& request) {
   add_zones(joint, found, Surface::ball, request.cartilage_mm, found.ball);
   add_zones(joint, found, Surface::socket, request.cartilage_mm, found.socket);
   found.smallest = smallest_of(joint, found);
-  if (const auto bound = session.tables.bound_mm)
-    found.undecided = count_within(found.ball.gap, *bound) + count_within(found.socket.gap, *bound);
   return found;
 }
 

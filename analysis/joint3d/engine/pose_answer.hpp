@@ -41,8 +41,7 @@ struct PoseAnswer {
   SurfaceAnswer ball;
   SurfaceAnswer socket;
   std::optional<SmallestOfPose> smallest;
-  std::optional<std::size_t> undecided;  // vertices whose gap is within the bound; none without a bound
-  double scan_ms = 0.0;                  // both scans
+  double scan_ms = 0.0;  // both scans
 };
 
 Pose pose_of(const SessionJoint& joint, const PoseRequest& request);

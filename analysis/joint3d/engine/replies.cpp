@@ -122,16 +122,27 @@ val tables_reply(const SessionTables& tables) {
   return object(std::pair("scheme", settings.scheme), std::pair("precision_deg", settings.precision_deg),
                 std::pair("storage", text(storage_name(settings.storage))),
                 std::pair("entries", static_cast<double>(tables.ball->entries)), std::pair("bytes", bytes),
-                std::pair("fill_ms", tables.fill_ms), std::pair("bound_mm", or_null(tables.bound_mm)),
-                std::pair("error_mm", or_null(tables.error_mm)),
-                std::pair("points_ball", typed_array(tables.ball->points)),
-                std::pair("points_socket", typed_array(tables.socket->points)));
+                std::pair("fill_ms", tables.fill_ms), std::pair("error_mm", or_null(tables.error_mm)));
 }
 
-val pose_reply(const SessionJoint& joint, const SessionTables& tables, const PoseRequest& request,
-               const PoseAnswer& found) {
-  std::optional<double> undecided;
-  if (found.undecided) undecided = static_cast<double>(*found.undecided);
+val points_reply(const Session& session) {
+  const TableSettings& settings = session.tables.settings;
+  const Joint& joint = session.joint->joint;
+  return object(std::pair("entries", static_cast<double>(session.tables.ball->entries)),
+                std::pair("ball", typed_array(sample_points(settings, joint.ball.mesh, Layer::farthest))),
+                std::pair("socket", typed_array(sample_points(settings, joint.socket.mesh, Layer::nearest))));
+}
+
+val verdicts_reply(const PoseVerdicts& found) {
+  const auto count = [](std::size_t n) { return static_cast<double>(n); };
+  return object(
+      std::pair("clear", count(found.vertices.clear)), std::pair("impinged", count(found.vertices.impinged)),
+      std::pair("undecided", count(found.vertices.undecided)), std::pair("unbounded", count(found.unbounded)),
+      std::pair("largest_mm", found.largest_mm), std::pair("low_mm", number_or_null(found.low_mm)),
+      std::pair("high_mm", number_or_null(found.high_mm)));
+}
+
+val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found) {
   const double area = found.ball.bone.impinged_area + found.socket.bone.impinged_area;
   const val colours =
       object(std::pair("ball", levels_value(Surface::ball, request.cartilage_mm)),
@@ -144,7 +155,6 @@ val pose_reply(const SessionJoint& joint, const SessionTables& tables, const Pos
       std::pair("ms", found.scan_ms), std::pair("smallest", smallest_value(joint, found.smallest)),
       std::pair("ball", surface_value(found.ball)), std::pair("socket", surface_value(found.socket)),
       std::pair("impinged_area_mm2", area), std::pair("impinged_clock", first_zone(found.socket.bone_zones)),
-      std::pair("undecided", or_null(undecided)), std::pair("bound_mm", or_null(tables.bound_mm)),
       std::pair("histogram", histogram_value(found.ball.histogram, found.socket.histogram)),
       std::pair("colours", colours));
   return reply;

@@ -3,14 +3,15 @@
 #pragma once
 
 #include "js_values.hpp"
-#include "pose_answer.hpp"
+#include "verdicts.hpp"
 
 namespace impinge {
 
 val joint_reply(const SessionJoint& joint);
 val tables_reply(const SessionTables& tables);
-val pose_reply(const SessionJoint& joint, const SessionTables& tables, const PoseRequest& request,
-               const PoseAnswer& found);
+val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found);
+val points_reply(const Session& session);
+val verdicts_reply(const PoseVerdicts& found);
 val sweep_reply(const SweepAnswer& found);
 
 }  // namespace impinge

@@ -114,4 +114,17 @@ void measure_tables(Session& session) {
                                      measured_error(*joint.socket_probes, *session.tables.socket));
 }
 
+void bound_tables(Session& session) {
+  SessionTables& tables = session.tables;
+  if (tables.ball_bounds) return;
+  const Joint& joint = session.joint->joint;
+  std::unique_ptr<SurfaceBounds> ball = bound_table(tables.settings, joint.ball.mesh, Layer::farthest);
+  tables.socket_bounds = bound_table(tables.settings, joint.socket.mesh, Layer::nearest);
+  tables.ball_bounds = std::move(ball);
+}
+
+double whole_bound(const SessionTables& tables) {
+  return std::max(tables.ball_bounds->everywhere(), tables.socket_bounds->everywhere());
+}
+
 }  // namespace impinge

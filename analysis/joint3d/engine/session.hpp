@@ -15,6 +15,7 @@
 #include "joint/joint.hpp"
 #include "joint/motion.hpp"
 #include "limits/turn_limit.hpp"
+#include "surface_bounds.hpp"
 #include "surface_table.hpp"
 
 namespace impinge {
@@ -49,7 +50,9 @@ struct SessionTables {
   std::unique_ptr<SurfaceTable> socket;
   double fill_ms = 0.0;            // both
   std::optional<double> error_mm;  // largest measured, once measure_tables() has
-  std::optional<double> bound_mm;  // proven, once bound_tables() has found it
+  // Once bound_tables() has found them.
+  std::unique_ptr<SurfaceBounds> ball_bounds;
+  std::unique_ptr<SurfaceBounds> socket_bounds;
 };
 
 struct Session {
@@ -70,9 +73,10 @@ void fill_tables(Session& session, const TableSettings& settings);
 // the exact radius has its kinks. What takes long is remembered for the joint.
 void measure_tables(Session& session);
 
-// The proven bound on the error of a gap by the tables as they are stored (sampling/table_bound.hpp,
-// sphere/quantised_table.hpp); the kernels' own roundings, below a micrometre, come on top
-// (kernels/gap_kernels.hpp). None for a scheme without a tight one. Takes some seconds.
+// Proves bounds for both tables (surface_bounds.hpp), unless they have some. Takes some seconds.
 void bound_tables(Session& session);
+
+// The larger of both tables' bounds over all directions, mm, once there are some.
+double whole_bound(const SessionTables& tables);
 
 }  // namespace impinge

@@ -101,7 +101,6 @@ template <SamplingScheme S>
 std::vector<float> points_of(const RadialTable<S>& table) {
   std::vector<float> points;
   const S& scheme = table.scheme();
-  if (scheme.size() > SurfaceTable::kMostPoints) return points;
   for (std::size_t i = 0; i < scheme.size(); ++i) {
     const double radius = table.radius_of(i);
     if (std::isnan(radius)) continue;
@@ -119,12 +118,18 @@ std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const Tr
   with_scheme(settings.scheme, [&]<class S>() {
     RadialTable<S> filled = fill_exact(mesh, S::with_precision(settings.precision_deg), layer);
     const std::size_t entries = filled.scheme().size();
-    std::vector<float> points = points_of(filled);
     table = stored(std::move(filled), settings.storage);
     table->entries = entries;
-    table->points = std::move(points);
   });
   return table;
+}
+
+std::vector<float> sample_points(const TableSettings& settings, const TriangleMesh& mesh, Layer layer) {
+  std::vector<float> points;
+  with_scheme(settings.scheme, [&]<class S>() {
+    points = points_of(fill_exact(mesh, S::with_precision(settings.precision_deg), layer));
+  });
+  return points;
 }
 
 }  // namespace impinge

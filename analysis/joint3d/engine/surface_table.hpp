@@ -43,10 +43,6 @@ class SurfaceTable {
   virtual std::size_t bytes() const = 0;
 
   std::size_t entries = 0;
-  // Where the entries meet the surface, x, y, z of each in turn (centre frame, mm). Empty for more than
-  // kMostPoints entries, which nobody could tell apart.
-  std::vector<float> points;
-  static constexpr std::size_t kMostPoints = 100'000;
 };
 
 // `cube_gnomonic` and `rsid` in float and 16 bits are scanned by the kernels (kernels/gap_kernels.hpp), all
@@ -54,5 +50,8 @@ class SurfaceTable {
 // std::invalid_argument for a scheme or a precision that there is not. mesh in the centre frame.
 std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const TriangleMesh& mesh,
                                          Layer layer);
+
+// Where the entries of that table meet the surface: x, y, z of each in turn (centre frame, mm).
+std::vector<float> sample_points(const TableSettings& settings, const TriangleMesh& mesh, Layer layer);
 
 }  // namespace impinge

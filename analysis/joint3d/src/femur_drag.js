@@ -45,25 +45,25 @@ export class FemurDrag {
 
   grab(event) {
     if (!this.active || event.button !== 0) return;
-    this.caster.setFromCamera(place(event, this.scene.canvas), this.scene.camera);
-    const [hit] = this.caster.intersectObject(this.scene.ball.mesh, false);
+    this.caster.setFromCamera(place(event, this.scene.canvas), this.scene.eye.camera);
+    const [hit] = this.caster.intersectObject(this.scene.parts.ball.mesh, false);
     if (!hit) return;
-    this.scene.controls.enabled = false;
+    this.scene.eye.controls.enabled = false;
     this.scene.canvas.setPointerCapture(event.pointerId);
     this.grabbed = { at: place(event, this.scene.canvas), point: hit.point };
   }
 
   move(event) {
     if (!this.grabbed) return;
-    const { camera } = this.scene;
+    const { camera } = this.scene.eye;
     const at = place(event, this.scene.canvas);
     const from = this.grabbed.point.clone();
     const depth = from.clone().project(camera).z;
     const moved = new Vector3(at.x, at.y, depth).unproject(camera).sub(new Vector3(this.grabbed.at.x, this.grabbed.at.y, depth).unproject(camera));
     const turn = from.clone().cross(moved).divideScalar(Math.max(from.lengthSq(), 1));
-    const toJoint = new Matrix4().copy(this.scene.root.matrix);
-    const pose = toJoint.clone().multiply(this.scene.ball.mesh.matrix).multiply(toJoint.clone().invert());
-    const change = angleChange(turn, pose, this.scene.side);
+    const toJoint = new Matrix4().copy(this.scene.parts.root.matrix);
+    const pose = toJoint.clone().multiply(this.scene.parts.ball.mesh.matrix).multiply(toJoint.clone().invert());
+    const change = angleChange(turn, pose, this.scene.parts.side);
     this.grabbed = { at, point: from.add(moved).setLength(this.grabbed.point.length()) };
     if (change) this.onTurn(change);
   }
@@ -71,6 +71,6 @@ export class FemurDrag {
   release() {
     if (!this.grabbed) return;
     this.grabbed = null;
-    this.scene.controls.enabled = true;
+    this.scene.eye.controls.enabled = true;
   }
 }

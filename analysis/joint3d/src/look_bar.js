@@ -12,7 +12,7 @@ const KEYS = {
 /** onLook() when something about the drawing has changed. Returns show(). */
 export function lookBar(app, view, onLook) {
   const changed = (set) => (value) => { set(value, app.state.look); onLook(); };
-  const showView = oneOfButtons(byId("views"), (value) => { app.state.look.view = value; view.lookFrom(value); });
+  const showView = oneOfButtons(byId("views"), (value) => { app.state.look.view = value; view.eye.lookFrom(value); });
   const showDrawing = oneOfButtons(byId("drawings"), changed((value, look) => { look.drawing = value; }));
   const showDrag = oneOfButtons(byId("drags"), (value) => app.setDrag(value));
   byId("colours").addEventListener("change", (event) => changed((value, look) => { look.colours = value; })(event.target.value));
@@ -30,7 +30,7 @@ export function lookBar(app, view, onLook) {
     const turn = KEYS[event.key];
     if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    view.orbit(...turn);
+    view.eye.orbit(...turn);
   });
   return () => {
     showView(app.state.look.view);

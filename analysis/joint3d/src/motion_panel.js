@@ -8,7 +8,12 @@ const ROWS = [
   { key: "internal_rotation", label: "Rotation", least: -80, most: 80, ends: ["external", "internal"] },
 ];
 const OFFSETS = [["right", "To the right"], ["forward", "Forward"], ["up", "Up"]];
-export const RANGES = Object.fromEntries(ROWS.map(({ key, least, most }) => [key, [least, most]]));
+
+/** An angle within what its slider has. */
+export function inRange(key, angle) {
+  const { least, most } = ROWS.find((row) => row.key === key);
+  return Math.min(Math.max(angle, least), most);
+}
 
 /** onChange() after a value of the state has changed. Returns show(), which brings the rows up to the state. */
 export function motionPanel(app, onChange) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of a pose.
-import { byId, length } from "./elements.js";
+import { byId } from "./elements.js";
 
 const SPOKEN = 1200; // ms of rest before a screen reader is told
 
@@ -13,7 +13,7 @@ const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textCont
 let timer = 0;
 
 /** pose: the library's reply; took: ms from asking to the answer. */
-export function showReadouts(pose, took, bound) {
+export function showReadouts(pose, took) {
   const { smallest, ball, socket } = pose;
   put("smallest-gap", smallest ? signed(smallest.gap_mm) : "–");
   put("smallest-where", smallest
@@ -27,19 +27,10 @@ export function showReadouts(pose, took, bound) {
   put("cartilage-area", area(ball.cartilage.area_mm2 + socket.cartilage.area_mm2));
   put("cartilage-clock", zones(socket.cartilage.clock_zones));
   put("met", `${(ball.met + socket.met).toLocaleString("en")} of ${(pose.ball_gap.length + pose.socket_gap.length).toLocaleString("en")}`);
-  put("bound", bound === undefined ? "working …" : bound === null ? "none proven" : `± ${length(bound)}`);
   put("scan-ms", `${pose.ms.toFixed(2)} ms`);
   put("round-ms", `${took.toFixed(1)} ms`);
-  put("undecided", String(undecided(pose, bound)));
   clearTimeout(timer);
   timer = setTimeout(() => speak(smallest), SPOKEN);
-}
-
-/** Vertices whose gap is no farther from 0 than the bound; unknown without one. */
-function undecided(pose, bound) {
-  if (bound === undefined || bound === null) return "–";
-  const close = (gaps) => gaps.reduce((count, gap) => count + (Math.abs(gap) <= bound), 0);
-  return close(pose.ball_gap) + close(pose.socket_gap);
 }
 
 function speak(smallest) {

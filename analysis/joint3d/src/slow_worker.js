@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The worker that bounds and sweeps, which takes longer than a pose. It gets the joint and the tables that the live one has,
-// when both have rested; sweeps come before the bound.
+// The worker for what takes longer than a pose: sweeps, sample points, bounds and what they prove. It gets the joint and the
+// tables that the live one has, when both have rested; the bound comes last.
 
 export class SlowWorker {
   /** client: an EngineClient; rest: ms without a change; onBound(bound) in mm, null where none is proven; fault(error). */
   constructor(client, { rest, onBound, fault }) {
-    Object.assign(this, { client, rest, onBound, fault, newest: 0, unsent: {}, settled: Promise.resolve(), sweeping: Promise.resolve() });
+    Object.assign(this, { client, rest, onBound, fault, newest: 0, unsent: {}, settled: Promise.resolve(), asking: Promise.resolve() });
   }
 
   /** news: { joint } or { tables }, the requests that the live worker has answered. */
@@ -24,16 +24,16 @@ export class SlowWorker {
     if (tables) await this.client.ask("tables", tables);
   }
 
-  /** The library's sweep of the newest joint and tables. */
-  sweep(request) {
-    const answer = this.settled.then(() => this.client.ask("sweep", request));
-    this.sweeping = answer.catch(() => {});
+  /** The library's answer about the newest joint and tables. */
+  ask(kind, request) {
+    const answer = this.settled.then(() => this.client.ask(kind, request));
+    this.asking = answer.catch(() => {});
     return answer;
   }
 
   async bound(mine) {
     await new Promise((done) => setTimeout(done, 100)); // a sweep that is due begins
-    await this.sweeping;
+    await this.asking;
     if (mine !== this.newest) return;
     const { bound_mm: bound } = await this.client.ask("bound").catch(() => ({ bound_mm: null }));
     if (mine === this.newest) this.onBound(bound);

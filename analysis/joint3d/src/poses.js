@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pose at hand: asked of the library whenever it changes, and shown when the answer comes.
+import { byId } from "./elements.js";
+import { newestOnly } from "./engine_client.js";
+import { showLegend } from "./look_bar.js";
+import { drawHistogram } from "./plots.js";
+import { showReadouts } from "./readouts.js";
+
+export class Poses {
+  /** ask(request): the library's reply to `pose`; onPose(request) after a pose has been shown; fault(error). */
+  constructor(app, view, { ask, onPose, fault }) {
+    Object.assign(this, { app, view, onPose, vertices: 0 });
+    this.asking = newestOnly(ask, (pose, took, request) => this.show(pose, took, request), fault);
+  }
+
+  /** Another joint, of so many vertices of the ball. */
+  begin(vertices) {
+    this.vertices = vertices;
+  }
+
+  request() {
+    const { motion, offset, cartilage } = this.app.state;
+    return { ...motion, translation: this.view.parts.fromJointFrame(offset), cartilage_mm: cartilage };
+  }
+
+  again() {
+    if (this.app.ready) this.asking(this.request());
+  }
+
+  show(pose, took, request) {
+    if (!this.app.ready || pose.ball_gap.length !== this.vertices) return; // of a joint that is no more
+    const scale = this.app.state.look.colours;
+    this.view.setPose(pose, scale);
+    showLegend(scale, pose.colours);
+    drawHistogram(byId("histogram"), pose, scale);
+    showReadouts(pose, took);
+    this.onPose(request);
+    document.body.dataset.poses = String(Number(document.body.dataset.poses ?? 0) + 1);
+  }
+}
