@@ -11,6 +11,7 @@ import panels
 import render
 
 
+# Not from Joint3D, which draws in perspective and without a scale, with bytes that depend on the machine's graphics.
 def main() -> None:
     """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
     options = common.arguments(__doc__, "--joint", "--name")

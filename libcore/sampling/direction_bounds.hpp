@@ -24,11 +24,11 @@ template <SamplingScheme S>
 class DirectionBounds {
  public:
   // mesh in the centre frame; the table was filled from it, exactly, for this layer. Keeps a reference to the
-  // table.
-  DirectionBounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer)
+  // table. `options` are those of the search for the bound of the whole table.
+  DirectionBounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
+                  BoundOptions options = {})
       : table_(table), slopes_(largest_slopes(mesh, table.scheme())) {
     if (table.scheme().cells() > kMostBoundedCells) return;
-    BoundOptions options;
     if constexpr (HasPatches<S>) {
       cells_.resize(table.scheme().cells());
       options.of_cells = &cells_;
@@ -60,9 +60,9 @@ template <PlaneExactScheme S>
 class FlatDirectionBounds {
  public:
   // As in DirectionBounds.
-  FlatDirectionBounds(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer)
+  FlatDirectionBounds(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
+                      BoundOptions options = {})
       : table_(table) {
-    BoundOptions options;
     if constexpr (HasFlatPatches<S>) {
       cells_.resize(table.scheme().cells());
       options.of_cells = &cells_;

@@ -13,6 +13,10 @@
 namespace impinge {
 namespace {
 
+// Enough for a hip made from parameters. The search takes minutes for a whole bone, part of which is seen
+// edge-on from the centre, and its cells are bounded without it.
+constexpr std::size_t kHalvings = 20'000;
+
 struct BoundSource {
   const TriangleMesh& mesh;
   Layer layer;
@@ -24,7 +28,7 @@ class KeptBounds final : public SurfaceBounds {
  public:
   KeptBounds(Table table, const BoundSource& source)
       : table_(std::move(table)),
-        bounds_(source.mesh, table_, source.layer),
+        bounds_(source.mesh, table_, source.layer, {.budget = kHalvings}),
         storage_(source.storage_bound) {}
 
   double at(const Vec3& x) const override { return bounds_.at(x) + storage_; }

@@ -12,6 +12,7 @@ varying vec2 seenGap;
 const FRAGMENT = `
 uniform sampler2D scale;
 uniform vec3 nothing;
+uniform bool unlit;
 varying vec2 seenGap;
 vec3 gapColour() {
   if (seenGap.y < 0.5) return nothing;
@@ -30,14 +31,15 @@ function scaleTexture() {
 export class GapSurface {
   constructor(surface) {
     this.surface = surface;
-    this.uniforms = { scale: { value: scaleTexture() }, nothing: { value: new Color(0xd9d9d9) } };
+    this.uniforms = { scale: { value: scaleTexture() }, nothing: { value: new Color(0xd9d9d9) }, unlit: { value: false } };
     this.material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     this.material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.uniforms);
       shader.vertexShader = VERTEX + shader.vertexShader.replace("#include <begin_vertex>",
         "#include <begin_vertex>\nseenGap = gap;");
       shader.fragmentShader = FRAGMENT + shader.fragmentShader.replace("#include <color_fragment>",
-        "#include <color_fragment>\ndiffuseColor.rgb = gapColour();");
+        "#include <color_fragment>\ndiffuseColor.rgb = gapColour();")
+        .replace("#include <opaque_fragment>", "if (unlit) outgoingLight = diffuseColor.rgb;\n#include <opaque_fragment>");
     };
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.matrixAutoUpdate = false;
@@ -81,6 +83,7 @@ export class GapSurface {
   setDrawing(drawing) {
     const blended = drawing === "blended";
     this.material.wireframe = drawing === "lines";
+    this.uniforms.unlit.value = drawing === "lines"; // a line has no side that faces a lamp
     this.material.transparent = blended;
     this.material.opacity = blended ? (this.surface === "ball" ? 0.85 : 0.45) : 1;
     this.material.depthWrite = !blended || this.surface === "ball";

@@ -10,6 +10,7 @@ import { SamplePoints } from "./sample_points.js";
 
 const REGION = 1.45; // head radii: what belongs to the joint, as in the real joints' region files
 const REACH = 3.2; // head radii: what a picture must show
+const LARGE = 4; // head radii: a socket that reaches farther has a pelvis
 const SURFACES = ["ball", "socket"];
 
 /** Faces with a corner within `reach` of the centre. */
@@ -54,6 +55,14 @@ export class JointParts {
     this.pelvis.clear();
     this.addPelvis();
     this.root.updateMatrixWorld(true);
+  }
+
+  /** Whether there is more of a pelvis to be seen than the socket. */
+  hasPelvis() {
+    if (this.generated) return true;
+    const { array } = this.socket.mesh.geometry.getAttribute("position");
+    for (let k = 0; k < array.length; k += 3) if (Math.hypot(array[k], array[k + 1], array[k + 2]) > LARGE * this.radius) return true;
+    return false;
   }
 
   /** A drawn one, when it is first seen. */

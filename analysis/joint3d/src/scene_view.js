@@ -45,7 +45,7 @@ export class SceneView {
   /** look: drawing, and which parts are shown. */
   setLook(look) {
     this.parts.setLook(look);
-    this.eye.widen(look.shown.includes("pelvis"));
+    this.eye.widen(look.shown.includes("pelvis") && this.parts.hasPelvis());
     this.draw();
   }
 
