@@ -35,8 +35,7 @@ class ScalarTable : public SurfaceTable {
 template <class Kept>
 class KeptTable final : public ScalarTable {
  public:
-  template <class Filled>
-  explicit KeptTable(Filled&& filled) : kept_(std::forward<Filled>(filled)) {}
+  explicit KeptTable(Kept kept) : kept_(std::move(kept)) {}
 
   std::size_t bytes() const override {
     if constexpr (requires { kept_.bytes(); }) {
@@ -69,9 +68,9 @@ class KernelTable final : public SurfaceTable {
   std::vector<float> found_;
 };
 
-template <class Kept, class Filled>
-std::unique_ptr<SurfaceTable> kept(Filled&& filled) {
-  return std::make_unique<KeptTable<Kept>>(std::forward<Filled>(filled));
+template <class Kept>
+std::unique_ptr<SurfaceTable> kept(Kept table) {
+  return std::make_unique<KeptTable<Kept>>(std::move(table));
 }
 
 template <class Value, class Filled>
@@ -84,15 +83,15 @@ template <SamplingScheme S>
 std::unique_ptr<SurfaceTable> stored(RadialTable<S> filled, Storage storage) {
   if constexpr (std::same_as<S, CubeGnomonic>) {
     InverseDepthTable inverse(filled);
-    if (storage == Storage::double_precision) return kept<InverseDepthTable<S>>(std::move(inverse));
+    if (storage == Storage::double_precision) return kept(std::move(inverse));
     return storage == Storage::sixteen_bits ? kernel<std::uint16_t>(inverse) : kernel<float>(inverse);
   } else {
-    if (storage == Storage::double_precision) return kept<RadialTable<S>>(std::move(filled));
+    if (storage == Storage::double_precision) return kept(std::move(filled));
     const bool sixteen = storage == Storage::sixteen_bits;
     if constexpr (std::same_as<S, Rsid>) {
       return sixteen ? kernel<std::uint16_t>(filled) : kernel<float>(filled);
     } else {
-      return sixteen ? kept<Uint16Table<S>>(filled) : kept<FloatTable<S>>(filled);
+      return sixteen ? kept(Uint16Table<S>(filled)) : kept(FloatTable<S>(filled));
     }
   }
 }
