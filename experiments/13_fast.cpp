@@ -21,8 +21,9 @@ using namespace impinge;
 
 FastOptions quick_options() {
   FastOptions options;
-  options.joints = {{12000, {{kMainCells, 1100}, {0.5}, {0.5}, true, {0.5}}, true}};
-  options.rounds = 7;
+  options.joints = {{3000, {{kMainCells}, {}, {}, false}},
+                    {12000, {{kMainCells, 1100}, {0.5}, {0.5}, true, {0.5}}, true}};
+  options.rounds = 5;
   options.ray_tests = 5e7;
   return options;
 }
@@ -43,7 +44,7 @@ FastOptions full_options() {
 
 void body(DriverRun& run) {
   FastOptions options = run.quick() ? quick_options() : full_options();
-  options.timing.min_round_ms = 10.0;
+  options.timing.min_round_ms = run.quick() ? 5.0 : 10.0;
   options.seed = run.record.seed;
   FastTables tables = fast_tables(options, run.progress);
   Result result;

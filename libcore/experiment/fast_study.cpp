@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
 constexpr std::size_t kOtherQuestions = 1 << 17;
-constexpr std::size_t kFewQuestions = 1 << 11;
+constexpr std::size_t kFewQuestions = 1 << 10;
 constexpr int kThreads = 2;
 
 // Some of the points, evenly through all of them.

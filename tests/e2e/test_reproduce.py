@@ -57,6 +57,7 @@ FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
 error-against-time error-against-time-scenes certified-verdicts euclidean-distances fast-gaps fill-time contact-time
+fast-speed-up fast-scaling
 table-12-pictures table-13-pictures
 """.split()
 MEASURED_TABLES = {"joint3d-speed.csv"}  # timed when it is made, not made from data
