@@ -122,7 +122,7 @@ function(impinge_scene name ball socket)
     OUTPUTS scenes/${name}/ball.ply scenes/${name}/socket.ply scenes/${name}/gaps.csv
             scenes/${name}/distances.csv scenes/${name}/summary.json
     DEPENDS "${scene_program}" "${ball}" "${socket}"
-    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" --cartilage 4 ${ARGN} --out scenes/${name}
+    COMMAND "${scene_program}" --ball "${ball}" --socket "${socket}" ${ARGN} --out scenes/${name}
     SECONDS 2 2
     ARTEFACTS scene-${name}
     QUESTION "Where is the joint ${name} impinged?")
@@ -151,11 +151,12 @@ if(TARGET scene AND TARGET make_pair)
     ARTEFACTS generated-pair
     QUESTION "What does the generated ball-and-socket pair look like?")
   set(pair "${IMPINGE_RESULTS_DIR}/scenes/generated/input")
-  # In this pose the bump of the ball is under the socket.
-  impinge_scenes(generated "${pair}/ball.ply" "${pair}/socket.ply" --side right --pose abduction=80)
+  # In this pose the bump of the ball is under the socket. Elsewhere the gap is 4 mm, which must not be where colours change:
+  # chords of the two meshes would put the ball below and the socket above.
+  impinge_scenes(generated "${pair}/ball.ply" "${pair}/socket.ply" --side right --pose abduction=80 --cartilage 3)
   foreach(joint IN LISTS IMPINGE_JOINTS)
     side_and_axes(options "${IMPINGE_BONES}/${joint}")
-    impinge_scenes(${joint} "${${joint}_ball}" "${${joint}_socket}" ${options})
+    impinge_scenes(${joint} "${${joint}_ball}" "${${joint}_socket}" --cartilage 4 ${options})
   endforeach()
 endif()
 
