@@ -6,8 +6,8 @@
 // north. This is the thesis' grid (schemes/rsid.hpp) with each pole stored once: N rho^2 -> pi^2, from the
 // square cells at the equator. Lookup is bilinear in (phi, theta), with three taps beside a pole.
 //
-// Copied to libcore/sphere/schemes/ it is in every experiment, test, plot and table. The file's name in
-// capitals, ExampleScheme for example_scheme.hpp, is that of the class.
+// Copied to libcore/sphere/schemes/ it is in every experiment, test, plot and table. The class has
+// the file's name with a capital for each word: ExampleScheme in example_scheme.hpp.
 #pragma once
 
 #include <algorithm>
