@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filters of the verdict table: artefact, verdict, and free text.
+// Filters of the verdict table (where, verdict, and free text), and figures that grow.
 "use strict";
 const rows = [...document.querySelectorAll("#verdicts tbody tr")];
 const artefact = document.getElementById("filter-artefact");
@@ -21,3 +21,7 @@ function show() {
 [artefact, verdict].forEach((choice) => choice.addEventListener("change", show));
 text.addEventListener("input", show);
 show();
+
+// A figure fills the width of the page; a click shows it twice as wide, or back.
+document.querySelectorAll("figure img").forEach((picture) =>
+  picture.addEventListener("click", () => picture.classList.toggle("large")));

@@ -7,20 +7,18 @@ What is shown is what the graph declares (jobs.tsv): a new table or figure appea
 
 from __future__ import annotations
 
-import base64
 import html
-import io
 import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import pandas as pd
-import PIL.Image
 
 import common
 import data_table
 import explore
+import picture
 import reference
 import turn
 from markup import cell, element
@@ -33,15 +31,13 @@ MEANINGS = {
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }
-MOST_LINES = 250_000  # bytes of an SVG in the page
-WIDEST = 1600  # pixels of a picture in the page: main is 80 rem wide, on a screen of fine pixels
 ABOUT = (
     "How far apart are the two bones of a joint in a pose, and where do they touch? A thesis of about 2009, <cite>Rapid"
     " Impingement Detection Systems for Ball-and-Socket Joints</cite>, answers by looking up each vertex of one surface in a"
     " table of the other's distance from the centre of rotation, by direction: on a grid of angles (RSID) or along a helix"
     " (USID). Here all of its tables and figures are computed again, each number gets a verdict, and errors, times and limits"
     " are measured beyond it. Below each table and figure stand the command that makes it again and where its data come"
-    " from. Research software, no medical device."
+    " from; a click makes a figure larger. Research software, no medical device."
 )
 PROVENANCE = {
     "question": "Question",
@@ -179,36 +175,6 @@ def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
     return element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found)
 
 
-def lighter(path: Path) -> bytes:
-    """A PNG as WebP, no wider than a screen shows: a tenth of the bytes. The file itself stays beside the report."""
-    with PIL.Image.open(path) as picture:
-        if picture.width > WIDEST:
-            picture = picture.resize(
-                (WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS
-            )
-        webp = io.BytesIO()
-        picture.convert("RGB").save(webp, "WEBP", quality=82, method=4)
-    return webp.getvalue()
-
-
-def packed(path: Path) -> tuple[str, bytes]:
-    """Kind and bytes of a picture: drawn lines where they take little room, pixels where those take less."""
-    if path.suffix == ".gif":
-        return "image/gif", path.read_bytes()
-    if path.suffix == ".svg" and path.stat().st_size < MOST_LINES:
-        return "image/svg+xml", path.read_bytes()
-    return "image/webp", lighter(path.with_suffix(".png"))
-
-
-def image(path: Path, title: str) -> str:
-    """The picture inside the page."""
-    kind, content = packed(path)
-    content = base64.b64encode(content).decode("ascii")
-    return (
-        f'<img alt="{html.escape(title)}" loading="lazy" decoding="async" src="data:{kind};base64,{content}">'
-    )
-
-
 def provenance(results: Path, name: str) -> str:
     """Where a CSV comes from, folded."""
     record = common.sidecar(results / "data" / f"{name}.csv")
@@ -250,7 +216,8 @@ def section(results: Path, job: Job, kept: Path) -> str:
         body = element("p", html.escape(job.question)) + data_table.section(results / shown, kept)
     else:
         body = element(
-            "figure", image(results / shown, job.question) + element("figcaption", html.escape(job.question))
+            "figure",
+            picture.image(results / shown, job.question) + element("figcaption", html.escape(job.question)),
         )
     again = f"experiments/reproduce --only {job.name}"
     source = f"{shown} · {job.script} · " + element("code", again)
@@ -326,7 +293,7 @@ def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
         verdict_table(verdicts, {job.name for job in jobs if job.kind in ("table", "figure")}),
         explore.section(results),
         turn.section(
-            results, image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
+            results, picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
         ),
     ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):

@@ -127,6 +127,20 @@ async function turning(page) {
   await page.emulateMedia({ media: "screen" });
 }
 
+/** A link to the last figure leads there though none above it has been drawn yet; a click makes it larger. */
+async function figures(page) {
+  const title = page.locator("h3").last();
+  const id = await title.getAttribute("id");
+  await page.evaluate((name) => { location.hash = name; }, id);
+  const figure = page.locator("figure img").last();
+  await figure.evaluate((picture) => picture.decode());
+  assert.ok(await title.evaluate((heading) => Math.abs(heading.getBoundingClientRect().top) < innerHeight), `#${id} leads elsewhere`);
+  const width = () => figure.evaluate((picture) => picture.getBoundingClientRect().width);
+  const before = await width();
+  await figure.click();
+  assert.ok(await width() > 1.2 * before, "a click makes no figure larger");
+}
+
 async function main() {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
   try {
@@ -136,6 +150,7 @@ async function main() {
       await filters(page);
       await exploring(page);
       await turning(page);
+      await figures(page);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(wide <= 0, `at ${width} pixels the page is ${wide} too wide`);
       assert.deepEqual(faults, [], `at ${width} pixels`);

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A figure inside the report, in as few bytes as a screen needs; the files themselves stay beside it."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import re
+from pathlib import Path
+
+import PIL.Image
+
+import common
+
+MOST_LINES = 250_000  # bytes of an SVG in the page
+WIDEST = 1600  # pixels of a picture in the page: main is 80 rem wide, on a screen of fine pixels
+
+
+def lighter(path: Path) -> bytes:
+    """A PNG as WebP, no wider than a screen shows: a tenth of the bytes. The file itself stays beside the report."""
+    with PIL.Image.open(path) as picture:
+        if picture.width > WIDEST:
+            picture = picture.resize(
+                (WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS
+            )
+        webp = io.BytesIO()
+        picture.convert("RGB").save(webp, "WEBP", quality=82, method=4)
+    return webp.getvalue()
+
+
+def packed(path: Path) -> tuple[str, bytes]:
+    """Kind and bytes of a picture: drawn lines where they take little room, pixels where those take less."""
+    if path.suffix == ".gif":
+        return "image/gif", path.read_bytes()
+    if path.suffix == ".svg" and path.stat().st_size < MOST_LINES:
+        return "image/svg+xml", path.read_bytes()
+    return "image/webp", lighter(path.with_suffix(".png"))
+
+
+def size(path: Path) -> tuple[int, int]:
+    """Width and height, whose ratio keeps the picture's place in the page until it is there."""
+    if path.suffix == ".svg":
+        box = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', path.read_text(encoding="utf-8")[:4000])
+        if not box:
+            raise common.Refused(f"{path} has no viewBox from 0 0: save the figure by matplotlib")
+        return round(float(box[1]) * 4 / 3), round(float(box[2]) * 4 / 3)  # points, to pixels of a page
+    with PIL.Image.open(path) as picture:
+        scale = min(1, WIDEST / picture.width) if path.suffix == ".png" else 1
+        return round(picture.width * scale), round(picture.height * scale)
+
+
+def image(path: Path, title: str) -> str:
+    """The picture inside the page."""
+    kind, content = packed(path)
+    width, height = size(path if kind != "image/webp" else path.with_suffix(".png"))
+    data = base64.b64encode(content).decode("ascii")
+    return (
+        f'<img alt="{html.escape(title)}" width="{width}" height="{height}" loading="lazy" decoding="async"'
+        f' src="data:{kind};base64,{data}">'
+    )
