@@ -8,6 +8,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
+import measured
 
 TRIANGLES = 12000  # of each model of the joint that is shown
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
@@ -43,8 +44,7 @@ def load(results: Path, state: str = "warm") -> pd.DataFrame:
     """The warm or the cold rows of data/fast.csv with a readable `line` for each method and storage."""
     table = common.load(results, "fast")
     table = table[table.state == state].copy()
-    storage = table.storage.map({"uint16": ", 16 bits", "float": ", float", "double": ", double"}).fillna("")
-    table["line"] = table.method.map(NAMES) + storage.where(~table.method.isin(["floor", "vdb_grid"]), "")
+    table["line"] = measured.lines(table, NAMES, stored=~table.method.isin(["floor", "vdb_grid"]))
     return table
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 
 import common
+import measured
 
 TRIANGLES = 12000  # of each model of the joint that is shown
 WAY = ["method", "storage", "memory", "threads"]
@@ -25,11 +26,9 @@ def load(results: Path) -> pd.DataFrame:
     table = common.load(results, "fill")
     rays = table[table.method == "embree_fill"].set_index(SCENE).median_ms
     table["times_embree"] = rays.loc[pd.MultiIndex.from_frame(table[SCENE])].to_numpy() / table.median_ms
-    table["line"] = table.method.map(NAMES)
     own = table.method == "cube_at_once"
-    threads = table.threads.map({1: "1 thread", 2: "2 threads"})
-    storage = table.storage.map({"uint16": "16 bits", "float": "float", "double": "double"})
-    table.loc[own, "line"] += ", " + storage[own] + ", " + threads[own]
+    table["line"] = measured.lines(table, NAMES, stored=own)
+    table.loc[own, "line"] += table.threads.map({1: ", 1 thread", 2: ", 2 threads"})
     return table
 
 

@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 import common
+import measured
 
 KEYS = ["scene", "method", "setting"]
 # What a reader is shown first; all scenes are in the tables.
@@ -27,14 +28,10 @@ COSTS = {
 
 def load(results: Path) -> pd.DataFrame:
     """Both CSVs as one table, with the largest measured error, error_um, of either sign."""
-    main = common.load(results, "error_against_time")
-    spread = common.load(results, "error_against_time_spread")
-    for part in (main, spread):
-        part["setting"] = part.setting.fillna("").astype(str)
-    table = main.merge(spread, on=KEYS, validate="one_to_one")
+    table = measured.joined(results, "error_against_time", "error_against_time_spread", KEYS)
+    table["setting"] = table.setting.fillna("").astype(str)
     table["error_um"] = table[["max_over_um", "max_under_um"]].abs().max(axis=1)
     table["line"] = [line_of(row) for row in table.itertuples()]
-    table.attrs.update(main.attrs)
     return table
 
 

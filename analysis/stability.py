@@ -10,6 +10,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
+import measured
 
 KEY = ["family", "magnitude", "method", "scalar"]
 OURS = {"double": "ours, in double", "float": "ours, stored in float"}
@@ -28,9 +29,7 @@ CONTENDERS = {
 
 def load(results: Path) -> pd.DataFrame:
     """One row a case; `who` is the line that it belongs to, ours first."""
-    main = common.load(results, "stability")
-    detail = common.load(results, "stability_detail")
-    cases = main.merge(detail, on=KEY, validate="one_to_one")
+    cases = measured.joined(results, "stability", "stability_detail", KEY)
     cases["who"] = cases.method.map(CONTENDERS).fillna(cases.method)
     ours = cases.kind == "ours"
     cases.loc[ours, "who"] = cases[ours].scalar.map(OURS)

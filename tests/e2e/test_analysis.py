@@ -26,6 +26,7 @@ import finding  # noqa: E402
 import hip  # noqa: E402
 import log_plot  # noqa: E402
 import markup  # noqa: E402
+import measured  # noqa: E402
 import ply  # noqa: E402
 import reference  # noqa: E402
 import render  # noqa: E402
@@ -75,6 +76,38 @@ class Loading(unittest.TestCase):
         self.csv.unlink()
         with self.assertRaisesRegex(common.Refused, "not there"):
             common.load(self.results, "x")
+
+
+class Measured(unittest.TestCase):
+    """Two CSVs of one run as one table, and what its rows are called."""
+
+    def test_joined(self):
+        """By their keys, in the first one's order; of different runs they are refused."""
+
+        def write(results: Path, name: str, text: str):
+            csv = results / "data" / f"{name}.csv"
+            csv.write_text(text)
+            digest = hashlib.sha256(csv.read_bytes()).hexdigest()
+            csv.with_suffix(".json").write_text(json.dumps({"csv_sha256": digest, "name": name}))
+
+        with tempfile.TemporaryDirectory() as folder:
+            results = Path(folder)
+            (results / "data").mkdir()
+            write(results, "main", "k,x\nb,1\na,2\n")
+            write(results, "more", "k,y\na,3\nb,4\n")
+            table = measured.joined(results, "main", "more", ["k"])
+            self.assertEqual((list(table.k), list(table.x), list(table.y)), (["b", "a"], [1, 2], [4, 3]))
+            self.assertEqual(table.attrs["name"], "main")
+            write(results, "more", "k,y\na,3\nc,4\n")
+            with self.assertRaisesRegex(common.Refused, "main.csv and more.csv"):
+                measured.joined(results, "main", "more", ["k"])
+
+    def test_lines(self):
+        """A method's title or own name, and its storage where it has one."""
+        table = pd.DataFrame({"method": ["m", "n", "m"], "storage": ["uint16", "none", "double"]})
+        self.assertEqual(list(measured.lines(table, {"m": "M"})), ["M, 16 bits", "n", "M, double"])
+        without = measured.lines(table, {"m": "M"}, stored=table.storage != "double")
+        self.assertEqual(list(without), ["M, 16 bits", "n", "M"])
 
 
 class Findings(unittest.TestCase):
