@@ -52,21 +52,25 @@ export function sliderRow(place, { key, label, unit, least, most, step, ends }, 
   if (ends) row.append(make("span", { className: "ends", "aria-hidden": "true" },
     make("span", { textContent: ends[0] }), make("span", { textContent: ends[1] })));
   place.append(row);
+  let told = NaN; // what the others know
+  const tell = (value) => { told = value; onChange(value); };
   const show = (value) => {
+    told = value;
     const text = String(Math.round(value * 100) / 100);
     range.value = text;
     if (document.activeElement !== number || Number(number.value) !== value) number.value = text;
   };
-  range.addEventListener("input", () => { number.value = range.value; onChange(Number(range.value)); });
+  range.addEventListener("input", () => { number.value = range.value; tell(Number(range.value)); });
   number.addEventListener("input", () => {
     if (number.value === "" || !number.validity.valid && !number.validity.stepMismatch) return;
     range.value = number.value;
-    onChange(Number(number.value));
+    tell(Number(number.value));
   });
   number.addEventListener("change", () => { // out of range: the nearest that is allowed
     const value = Math.min(Math.max(Number(number.value) || 0, least), most);
+    const news = value !== told;
     show(value);
-    onChange(value);
+    if (news) onChange(value);
   });
   return show;
 }

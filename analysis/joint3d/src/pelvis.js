@@ -77,7 +77,7 @@ function boneGeometry() {
 export function schematicPelvis(side, radius) {
   const look = { transparent: true, side: DoubleSide };
   const nearest = new Mesh(boneGeometry(), new MeshLambertMaterial({ ...look, colorWrite: false }));
-  const seen = new Mesh(boneGeometry(), new MeshLambertMaterial({ ...look, color: "#d8cfbd", opacity: 0.72 }));
+  const seen = new Mesh(boneGeometry(), new MeshLambertMaterial({ ...look, color: "#d8cfbd", opacity: 0.55 }));
   [nearest.renderOrder, seen.renderOrder] = [5, 6];
   const bone = new Group();
   bone.add(nearest, seen);
