@@ -12,9 +12,9 @@ from pathlib import Path
 LOOK = "cartilage=4&view=free&show=ball,socket,clock,smallest"
 # What a reader may choose: a title, and the joint and pose as a link to Joint3D has them.
 JOINTS = {
-    "Patient A's stand-in, as scanned": "joint=patient_a&side=right",
+    "Patient A's stand-in, as modelled": "joint=patient_a&side=right",
     "Patient A's stand-in, flexed by 100°": "joint=patient_a&side=right&flexion=100&abduction=-4&internal_rotation=5",
-    "Patient B's stand-in, as scanned": "joint=patient_b&side=right",
+    "Patient B's stand-in, as modelled": "joint=patient_b&side=right",
     "Cam hip, flexed and turned inwards": "joint=cam&side=right&flexion=90&internal_rotation=25",
     "Pincer hip, flexed and turned inwards": "joint=pincer&side=right&flexion=90&internal_rotation=25",
     "Normal hip, in the same pose": "joint=normal&side=right&flexion=90&internal_rotation=25",
