@@ -28,11 +28,12 @@ def main() -> None:
 
 
 def shown(rows: pd.DataFrame) -> pd.DataFrame:
-    """Kernels of tables in 16 bits, and the grid alone of the scalar ways: the table of times has the others, and
-    there are colours for eight."""
+    """Kernels of tables in 16 bits or with corners, and the grid alone of the scalar ways: the table of times has the
+    others, and there are colours for eight."""
     tables = rows.method.isin(["cube_gnomonic_mesh_exact", "rsid", "usid"])
     return rows[
-        ~rows.method.isin([*fast.RAYS, *fast.CLOSEST, "usid_scalar"]) & (~tables | (rows.storage == "uint16"))
+        ~rows.method.isin([*fast.RAYS, *fast.CLOSEST, "usid_scalar"])
+        & (~tables | rows.storage.isin(["uint16", "corners"]))
     ]
 
 

@@ -31,11 +31,12 @@ FastOptions quick_options() {
 FastOptions full_options() {
   FastOptions options;
   const FastSizes few{{kMainCells}, {0.5}};
+  const std::vector<std::size_t> corners{128, kCornersOfAMebibyte, kMainCells, 728};
   options.joints = {
       {300, few},
       {3000, few},
       {12000,
-       {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true, {1.0, 0.5, 0.25}},
+       {{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true, {1.0, 0.5, 0.25}, corners},
        true},
       {100000, few},
       {400000, {{kMainCells}, {0.5}, {}, false}}};

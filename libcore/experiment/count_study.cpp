@@ -36,7 +36,8 @@ bool is_counted(const GapMethodMaker& maker) {
   static constexpr std::array kTables{"cube_gnomonic_mesh_exact", "rsid", "usid"};
   if (std::ranges::find(kTables, maker.name) != kTables.end()) return maker.storage == "uint16";
   if (maker.name == "cube_cells_exact") return maker.setting.starts_with("4");
-  return maker.name.starts_with("embree_ray") || maker.name.ends_with("_scalar") || maker.name == "floor";
+  if (maker.name == "floor") return maker.setting == "n=" + std::to_string(kMainCells);
+  return maker.name.starts_with("embree_ray") || maker.name.ends_with("_scalar");
 }
 
 void count_scans(const AskedSurface& surface, const AskedPoints& asked, int poses) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/fast_methods.hpp"
 
+#include <array>
 #include <utility>
 
 #include "contenders/cgal_distances.hpp"
@@ -9,14 +10,15 @@
 #include "contenders/vdb_distances.hpp"
 #include "contenders/vtk_distances.hpp"
 #include "experiment/gap_methods.hpp"
+#include "kernels/corner_table.hpp"
 #include "kernels/exact_cells.hpp"
 #include "sampling/exact_raster.hpp"
 
 namespace impinge {
 namespace {
 
-// The floor's table is as large as that of such a cube in 16 bits.
-constexpr std::size_t kFloorCells = kMainCells;
+// The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells with corners.
+constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
 constexpr double kVoxelReach = 5.0;  // mm
 
 template <class Table>
@@ -31,17 +33,26 @@ std::string trimmed(double value) {
   return text;
 }
 
+constexpr const char* kCubeName = "cube_gnomonic_mesh_exact";
+
+InverseDepthTable<CubeGnomonic> filled_cube(const AskedSurface& s, std::size_t cells) {
+  const auto scheme = CubeGnomonic::with_precision(90.0 / static_cast<double>(cells));
+  return InverseDepthTable(fill_exact(s.mesh, scheme, s.layer));
+}
+
 void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
-  const double precision = 90.0 / static_cast<double>(cells);
-  const auto filled = [s, precision] {
-    return InverseDepthTable(fill_exact(s.mesh, CubeGnomonic::with_precision(precision), s.layer));
-  };
-  const std::string name = "cube_gnomonic_mesh_exact";
+  const auto filled = [s, cells] { return filled_cube(s, cells); };
+  const std::string name = kCubeName;
   const std::string setting = "n=" + std::to_string(cells);
   makers.push_back(
       {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
   makers.push_back(
       {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
+}
+
+void add_corners(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
+  makers.push_back({kCubeName, "n=" + std::to_string(cells), kCorners, true,
+                    [=] { return kernel(corner_table(lane_table<float>(filled_cube(s, cells))), s.scan); }});
 }
 
 // A grid of radii: the library's scan and the kernels.
@@ -100,10 +111,13 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                             make_embree_rays(surface.mesh, {width, EmbreeQuality::fast}), surface.scan);
                       }});
   }
-  makers.push_back({"floor", "n=" + std::to_string(kFloorCells), "uint16", true, [] {
-                      return std::make_unique<FloorScan>(
-                          2 * CubeGnomonic::with_precision(90.0 / kFloorCells).size());
-                    }});
+  for (const std::size_t cells : kFloorCells) {
+    makers.push_back({"floor", "n=" + std::to_string(cells), "uint16", true, [cells] {
+                        const double precision = 90.0 / static_cast<double>(cells);
+                        return std::make_unique<FloorScan>(2 *
+                                                           CubeGnomonic::with_precision(precision).size());
+                      }});
+  }
   for (const int cells : {4, 1}) {
     makers.push_back({"cube_cells_exact", std::to_string(cells) + "/face", "float", true, [surface, cells] {
                         return kernel(exact_cells(surface.mesh, surface.layer, cells), surface.scan);
@@ -116,6 +130,7 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
                       }});
   }
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);
+  for (const std::size_t cells : sizes.corner_cells) add_corners(surface, cells, makers);
   for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, precision, makers);
   for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, precision, makers);
   for (const double voxel : sizes.voxels_mm) add_voxels(surface, voxel, makers);

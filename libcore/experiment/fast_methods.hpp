@@ -65,7 +65,7 @@ struct AskedSurface {
 struct GapMethodMaker {
   std::string name;                                  // in the results
   std::string setting;                               // precision or quality
-  std::string storage;                               // double, float, uint16 or none
+  std::string storage;                               // double, float, uint16, corners or none
   bool kernel = false;                               // does its time depend on the instruction set?
   std::function<std::unique_ptr<GapMethod>()> make;  // builds the table or tree
   bool few = false;                                  // so slow that few points are asked
@@ -75,15 +75,23 @@ struct GapMethodMaker {
 // what RSID takes in double at half a degree.
 inline constexpr std::size_t kMainCells = 291;
 
-// All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, of RSID
-// at `rsid_degrees` and of USID at `usid_degrees`. A certified table takes seconds to prove for 100,000
-// triangles.
+// What the results call the storage of a table of corners.
+inline constexpr const char* kCorners = "corners";
+
+// Cells along an edge of such a table that takes just less than 1 MiB; one of kMainCells takes 2.
+inline constexpr std::size_t kCornersOfAMebibyte = 208;
+
+// All of them. Kernels of the cube map at the precisions of a quarter turn divided by `cube_cells`, and by
+// `corner_cells` of tables of corners, of RSID at `rsid_degrees` and of USID at `usid_degrees`. A certified
+// table takes seconds to prove for 100,000 triangles.
 struct FastSizes {
   std::vector<std::size_t> cube_cells;    // cells along an edge of the cube
   std::vector<double> rsid_degrees;       // precisions, degrees
   std::vector<double> usid_degrees = {};  // precisions, degrees
   bool certified = true;                  // is the certified table tried, too?
   std::vector<double> voxels_mm = {};     // of OpenVDB's grids
+  std::vector<std::size_t> corner_cells = {kMainCells,
+                                           kCornersOfAMebibyte};  // cells along an edge of the cube
 };
 // Every method on this surface, kernels in each storage.
 std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes);

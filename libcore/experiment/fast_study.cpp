@@ -154,7 +154,7 @@ void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, 
       fast_probes(surface, static_cast<std::size_t>(asking.options.ray_tests / faces), asking.options.seed);
   const std::vector<Cell> where{joint.triangles, ball ? "ball->socket" : "socket->ball"};
   for (const GapMethodMaker& maker : fast_methods(surface, joint.sizes)) {
-    const bool widely = maker.kernel && maker.name != "cube_certified" && maker.storage == "uint16" &&
+    const bool widely = maker.kernel && maker.name != "cube_certified" && maker.storage != "float" &&
                         maker.setting == "n=" + std::to_string(kMainCells);
     const AskedPoints& asked = (maker.few ? stage.few : stage.all)[ball ? 0 : 1];
     add_method(asking, maker, where, {nullptr, asked, "", 1, 1}, probes, {widely, joint.cold});

@@ -40,7 +40,7 @@ std::vector<Column> fast_keys() {
           {"setting", "",
            "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality, or "
            "OpenVDB's voxels"},
-          {"storage", "", "double, float, uint16 or none"},
+          {"storage", "", "double, float, uint16, corners (15 bits, the corners of a cell together) or none"},
           {"triangles", "1", "of each of the two models"},
           {"direction", "", "whose vertices are looked up -> in whose surface"},
           {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},

@@ -19,10 +19,10 @@ struct CellGrid {
   double margin;          // cells
 };
 
-// Whose margin covers a place that a kernel works out in float, off by 5 u cells of an edge
-// (gap_kernels.hpp).
+// Whose margin covers a place that a kernel works out in float, off by 6.5 u cells of an
+// edge (gap_kernels.hpp).
 inline CellGrid float_grid(std::size_t divisions) {
-  return {divisions, 1e-6 + 5.0 * 0x1p-24 * static_cast<double>(divisions)};
+  return {divisions, 1e-6 + 7.0 * 0x1p-24 * static_cast<double>(divisions)};
 }
 
 // Appends to `cells` every cell that some direction of the cone is in, or may be put in by a place that is

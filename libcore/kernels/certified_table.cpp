@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "kernels/open_cells.hpp"
 #include "sampling/exact_raster.hpp"
@@ -58,12 +59,14 @@ CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_
   const auto radii = fill_exact(mesh, scheme, layer);
   const InverseDepthTable<CubeGnomonic> depths(radii);
   const RadiiOfCells cells = radii_of_cells(radii);
-  const double rounding =
-      kUnit * (46.0 * cells.largest + 5.0 * static_cast<double>(divisions) * cells.largest_step);
+  auto table = lane_table<std::uint16_t>(depths);
+  const double range = table.smallest > 0.0 ? 1.0 + table.step / table.smallest * 65535.0 : 1.0;
+  const double rounding = kUnit * ((46.0 + 5.0 * range) * cells.largest +
+                                   13.0 * static_cast<double>(divisions) * cells.largest_step);
   const TableBound proven = table_bound(mesh, depths, layer, {kTightness, kHalvings});
   const double storage = Uint16InverseDepthTable<CubeGnomonic>(depths).storage_bound();
-  return {lane_table<std::uint16_t>(depths), open_bits(mesh, radii),
-          kRoundUp * (proven.bound_mm + storage + rounding), exact_cells(mesh, layer)};
+  return {std::move(table), open_bits(mesh, radii), kRoundUp * (proven.bound_mm + storage + rounding),
+          exact_cells(mesh, layer)};
 }
 
 }  // namespace impinge

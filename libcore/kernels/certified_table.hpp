@@ -3,12 +3,12 @@
 //
 // Asked is on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
 // table in 16 bits is off from what the exact cells answer by at most
-//   bound + storage + u (46 r + 5 n D + 28 |x|)
+//   bound + storage + u ((46 + 5 Q) r + 13 n D + 28 |x|)
 // bound that of sampling/table_bound.hpp, storage that of sphere/quantised_table.hpp, and the rest the
 // roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|), r the largest radius of the
-// table. A vertex whose gap is nearer to the threshold, or whose cell the surface may cover in part only, is
-// undecided and goes to the exact cells. So the side is theirs for every vertex; what is decided keeps the
-// gap of the table.
+// table and Q its largest number over the least. A vertex whose gap is nearer to the threshold, or whose cell
+// the surface may cover in part only, is undecided and goes to the exact cells. So the side is theirs for
+// every vertex; what is decided keeps the gap of the table.
 #pragma once
 
 #include <cstddef>

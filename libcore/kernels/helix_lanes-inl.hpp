@@ -87,8 +87,8 @@ class HelixLanes {
   }
 
   template <class D>
-  HWY_INLINE hn::Vec<D> radius(D /*d*/, const Point<D>& /*p*/, hn::Vec<D> /*length*/, hn::Vec<D> r) const {
-    return r;
+  HWY_INLINE hn::Vec<D> gap(D d, const Point<D>& p, const HelixPlace<D>& /*place*/, hn::Vec<D> r) const {
+    return radial_gap(d, p, r);
   }
 
  private:
@@ -104,18 +104,17 @@ class HelixLanes {
   double last_;  // place of the south pole
 };
 
-template <class D, class Value>
-HWY_INLINE Found<D> look_up(D d, const LaneTable<Usid, Value>& table, const HelixPlace<D>& place) {
+template <class D, class Table>
+HWY_INLINE Found<D> look_up(D d, const Table& table, const HelixPlace<D>& place) {
   const Whole<D> whole;
-  const Pair<D> a = helix_pair(d, table.values.data(), hn::ConvertTo(whole, place.above.below));
-  const Pair<D> b = helix_pair(d, table.values.data(), hn::ConvertTo(whole, place.below.below));
+  const Pair<D> a = helix_pair(d, table.values, hn::ConvertTo(whole, place.above.below));
+  const Pair<D> b = helix_pair(d, table.values, hn::ConvertTo(whole, place.below.below));
   const auto above = hn::Add(a.left, hn::Mul(place.above.share, hn::Sub(a.right, a.left)));
   const auto below = hn::Add(b.left, hn::Mul(place.below.share, hn::Sub(b.right, b.left)));
   const auto stored = hn::Add(above, hn::Mul(place.down, hn::Sub(below, above)));
   auto none = hn::Ne(stored, stored);
-  if (!table.none.empty())
-    none = hn::Or(none, has_none(d, table.none.data(), hn::ConvertTo(whole, place.cell)));
-  return {stored, none};
+  if (table.none != nullptr) none = hn::Or(none, has_none(d, table.none, hn::ConvertTo(whole, place.cell)));
+  return {decoded(d, table, stored), none};
 }
 
 }  // namespace impinge::HWY_NAMESPACE

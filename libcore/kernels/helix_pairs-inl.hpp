@@ -59,7 +59,7 @@ HWY_INLINE Pair<D> helix_pair(D d, const float* values, hn::Vec<Whole<D>> entry)
 
 // NaN for the code that stands for it.
 template <class D>
-HWY_INLINE hn::Vec<D> decoded(D d, hn::Vec<Bits<D>> bits) {
+HWY_INLINE hn::Vec<D> without_none(D d, hn::Vec<Bits<D>> bits) {
   const auto code = hn::And(bits, hn::Set(Bits<D>(), 0xFFFFU));
   const auto none = hn::RebindMask(d, hn::Eq(code, hn::Set(Bits<D>(), Uint16Values::kNone)));
   const auto narrow = hn::BitCast(hn::Rebind<std::int32_t, D>(), hn::TruncateTo(Narrow<D>(), code));
@@ -71,7 +71,7 @@ template <class D>
 HWY_INLINE Pair<D> helix_pair(D d, const std::uint16_t* values, hn::Vec<Whole<D>> entry) {
   static_assert(std::endian::native == std::endian::little);
   const auto both = eight_bytes(d, values, entry);
-  return {decoded(d, both), decoded(d, hn::ShiftRight<16>(both))};
+  return {without_none(d, both), without_none(d, hn::ShiftRight<16>(both))};
 }
 
 }  // namespace impinge::HWY_NAMESPACE

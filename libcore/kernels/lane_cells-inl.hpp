@@ -24,6 +24,11 @@ using Whole = hn::RebindToSigned<D>;
 template <class D>
 using Bits = hn::RebindToUnsigned<D>;
 
+// A number of up to 2^22 to which this was added is whole, rounded to the nearest: so many more than
+// kWholeBits are the bits of the sum.
+inline constexpr float kWhole = 0x1.8p23F;
+inline constexpr std::uint32_t kWholeBits = 0x4B400000U;
+
 // A grid line, as a whole number, and the share of the cell beyond it that a place is at.
 template <class D>
 struct Line {
@@ -87,12 +92,12 @@ HWY_INLINE Pair<D> load_pair(D d, const std::uint16_t* values, hn::Vec<Whole<D>>
 // What the values of the four corners are between them, bilinear.
 template <class D, class Value>
 HWY_INLINE hn::Vec<D> between(D d, const Value* values, std::size_t stride, hn::Vec<Whole<D>> entry,
-                              const Line<D>& column, const Line<D>& row) {
+                              hn::Vec<D> across, hn::Vec<D> down) {
   const Pair<D> near = load_pair(d, values, entry);
   const Pair<D> far = load_pair(d, values + stride, entry);
-  const auto upper = hn::Add(near.left, hn::Mul(column.share, hn::Sub(near.right, near.left)));
-  const auto lower = hn::Add(far.left, hn::Mul(column.share, hn::Sub(far.right, far.left)));
-  return hn::Add(upper, hn::Mul(row.share, hn::Sub(lower, upper)));
+  const auto upper = hn::Add(near.left, hn::Mul(across, hn::Sub(near.right, near.left)));
+  const auto lower = hn::Add(far.left, hn::Mul(across, hn::Sub(far.right, far.left)));
+  return hn::Add(upper, hn::Mul(down, hn::Sub(lower, upper)));
 }
 
 // Do the cells that begin at these entries have no answer?

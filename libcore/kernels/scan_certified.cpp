@@ -21,17 +21,19 @@ std::size_t decide(const CertifiedTable& table, const RawScan<float>& scan, floa
   const D d;
   const Bits<D> bits;
   const CubeLanes cube(table.table);
+  const auto raw = raw_table(table.table);
+  const std::uint32_t* const open = table.open.data();
   const auto bound = hn::Set(d, static_cast<float>(table.bound_mm));
   const auto a_mm = hn::Set(d, 28.0F * 0x1p-24F);
+  const LaneTransform<float> transform = scan.transform;
+  const float sign = scan.sign;
   std::size_t count = 0;
   for_each_vector(scan, [&](const Point<D>& v, std::size_t i) HWY_ATTR {
-    const Point<D> p = transformed(d, scan.transform, v);
-    const auto gap = gaps(d, cube, table.table, scan.sign, p);
+    const Point<D> p = transformed(d, transform, v);
+    const auto gap = gaps(d, cube, raw, sign, p);
     const auto off = hn::Abs(hn::Sub(gap, hn::Set(d, threshold)));
-    const Place<D> place = cube.place(d, p);
-    const auto entry = first_entry(d, place.row, place.along_row.below, table.table.stride);
     const auto near = hn::Le(off, hn::Add(bound, hn::Mul(a_mm, length(p))));
-    const auto sent = hn::Or(near, has_none(d, table.open.data(), entry));
+    const auto sent = hn::Or(near, has_none(d, open, cube.place(d, p).entry));
     if (hn::AllFalse(d, sent)) return gap;
     const auto vertex = hn::Iota(bits, static_cast<std::uint32_t>(i));
     count += hn::CompressStore(vertex, hn::RebindMask(bits, sent), bits, undecided + count);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/corner_table.hpp"
 #include "kernels/gap_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -6,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "kernels/corner_lanes-inl.hpp"
 #include "kernels/cube_lanes-inl.hpp"
 #include "kernels/scan_lanes-inl.hpp"
 
@@ -14,10 +16,13 @@ namespace impinge::HWY_NAMESPACE {
 namespace {
 
 void scan_float(const LaneTable<CubeGnomonic, float>& table, const RawScan<float>& scan) {
-  scan_lanes<CubeLanes>(table, scan);
+  scan_lanes(CubeLanes(table), raw_table(table), scan);
 }
 void scan_uint16(const LaneTable<CubeGnomonic, std::uint16_t>& table, const RawScan<float>& scan) {
-  scan_lanes<CubeLanes>(table, scan);
+  scan_lanes(CubeLanes(table), raw_table(table), scan);
+}
+void scan_corners(const CornerTable& table, const RawScan<float>& scan) {
+  scan_lanes(CubeLanes(table), raw_table(table), scan);
 }
 
 }  // namespace
@@ -30,6 +35,7 @@ namespace {
 
 HWY_EXPORT(scan_float);
 HWY_EXPORT(scan_uint16);
+HWY_EXPORT(scan_corners);
 
 }  // namespace
 
@@ -41,6 +47,10 @@ void scan_gaps(const LaneTable<CubeGnomonic, float>& table, const LaneScan<float
 void scan_gaps(const LaneTable<CubeGnomonic, std::uint16_t>& table, const LaneScan<float>& scan,
                std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_uint16)(table, raw_scan(scan, gap));
+}
+
+void scan_gaps(const CornerTable& table, const LaneScan<float>& scan, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_corners)(table, raw_scan(scan, gap));
 }
 
 }  // namespace impinge

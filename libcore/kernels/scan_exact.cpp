@@ -50,9 +50,7 @@ class ExactScan {
       hn::Store(p.y, d, chunk.y + i);
       hn::Store(p.z, d, chunk.z + i);
       hn::Store(length(p), d, chunk.size + i);
-      const Place<D> place = cube_.place(d, p);
-      const auto cell = first_entry(d, place.row, place.along_row.below, cells_.divisions + 1);
-      hn::Store(cell, Whole<D>(), chunk.cell + i);
+      hn::Store(cube_.place(d, p).entry, Whole<D>(), chunk.cell + i);
     }
   }
 

@@ -26,12 +26,12 @@ struct Point {
   hn::Vec<D> z;
 };
 
-// Where a point is on the grid.
+// Where a point is on the grid: the entry that its cell begins at, and its shares of the cell.
 template <class D>
 struct Place {
-  hn::Vec<D> row;  // of the table, the face included
-  Line<D> along_row;
-  Line<D> along_column;
+  hn::Vec<Whole<D>> entry;
+  hn::Vec<D> across;  // along the row
+  hn::Vec<D> down;    // to the next row
 };
 
 template <class D>
@@ -49,72 +49,106 @@ HWY_INLINE hn::Vec<D> length(const Point<D>& p) {
   return hn::Sqrt(hn::Add(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)), hn::Mul(p.z, p.z)));
 }
 
-// What is stored at a place, and where there is nothing.
+template <class D>
+HWY_INLINE hn::Vec<D> no_gap(D d) {
+  return hn::Set(d, std::numeric_limits<hn::TFromD<D>>::quiet_NaN());
+}
+
+// r - |x|; a point at the centre has no direction.
+template <class D>
+HWY_INLINE hn::Vec<D> radial_gap(D d, const Point<D>& p, hn::Vec<D> radius) {
+  const auto size = length(p);
+  return hn::IfThenElse(hn::Gt(size, hn::Zero(d)), hn::Sub(radius, size), no_gap(d));
+}
+
+// The number of a table at a place, and where there is none.
 template <class D>
 struct Found {
-  hn::Vec<D> stored;
+  hn::Vec<D> number;
   hn::Mask<D> none;
 };
 
-template <class D, class Table>
-HWY_INLINE Found<D> look_up(D d, const Table& table, const Place<D>& place) {
-  const auto entry = first_entry(d, place.row, place.along_row.below, table.stride);
-  const auto stored =
-      between(d, table.values.data(), table.stride, entry, place.along_row, place.along_column);
-  const auto none = table.none.empty() ? hn::Lt(stored, stored) : has_none(d, table.none.data(), entry);
-  return {stored, none};
+// A table as the loop over the vertices reads it.
+template <class T, class Value, class Word>
+struct RawTable {
+  const Value* values;
+  const Word* none;  // null where all cells have an answer
+  std::size_t stride;
+  T smallest;
+  T step;
+};
+
+template <class S, class Value>
+auto raw_table(const LaneTable<S, Value>& table) {
+  using T = typename LaneTable<S, Value>::Real;
+  using Word = typename LaneTable<S, Value>::Word;
+  return RawTable<T, Value, Word>{table.values.data(), table.none.empty() ? nullptr : table.none.data(),
+                                  table.stride, static_cast<T>(table.smallest), static_cast<T>(table.step)};
 }
 
-// Gaps of the vertices in one vector. A scheme says where a point is; look_up() of what it says, what is
-// there.
+// The number that a stored one stands for.
+template <class D, class Value, class Word>
+HWY_INLINE hn::Vec<D> decoded(D d, const RawTable<hn::TFromD<D>, Value, Word>& table, hn::Vec<D> stored) {
+  if constexpr (sizeof(Value) != 2) {
+    return stored;
+  } else {
+    return hn::Add(hn::Set(d, table.smallest), hn::Mul(hn::Set(d, table.step), stored));
+  }
+}
+
+template <class D, class Table, class Place>
+HWY_INLINE Found<D> look_up(D d, const Table& table, const Place& place) {
+  const auto stored = between(d, table.values, table.stride, place.entry, place.across, place.down);
+  const auto none = table.none == nullptr ? hn::Lt(stored, stored) : has_none(d, table.none, place.entry);
+  return {decoded(d, table, stored), none};
+}
+
+// Gaps of the vertices in one vector. A scheme says where a point is, and what gap a number means; look_up()
+// of what it says, which number is there in the raw table.
 template <class Scheme, class D, class Table>
 HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TFromD<D> sign,
                            const Point<D>& p) {
-  using T = hn::TFromD<D>;
-  const auto size = length(p);
-  const Found<D> found = look_up(d, table, scheme.place(d, p));
-  auto stored = found.stored;
-  if constexpr (sizeof(*table.values.data()) == 2) {
-    stored = hn::Add(hn::Set(d, static_cast<T>(table.smallest)),
-                     hn::Mul(hn::Set(d, static_cast<T>(table.step)), stored));
-  }
-  const auto gap = hn::Mul(hn::Set(d, sign), hn::Sub(scheme.radius(d, p, size, stored), size));
-  const auto met = hn::AndNot(found.none, hn::Gt(size, hn::Zero(d)));
-  return hn::IfThenElse(met, gap, hn::Set(d, std::numeric_limits<T>::quiet_NaN()));
+  const auto place = scheme.place(d, p);
+  const Found<D> found = look_up(d, table, place);
+  const auto gap = hn::Mul(hn::Set(d, sign), scheme.gap(d, p, place, found.number));
+  return hn::IfThenElse(found.none, no_gap(d), gap);
 }
 
 // gap = answer(vertices, place of the first of them), a vector at a time; the last one is filled up with
-// points at the centre. Called at one place alone, so that compilers put it into the loop.
+// points at the centre. What is read in it has to be copied before: the gaps that are written might be it.
 template <class T, class Answer>
 HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   using D = hn::ScalableTag<T>;
   const D d;
   const std::size_t lanes = hn::Lanes(d);
+  const T* const x = scan.x;
+  const T* const y = scan.y;
+  const T* const z = scan.z;
+  T* const gap = scan.gap;
   const std::size_t whole = scan.count - scan.count % lanes;
+  for (std::size_t i = 0; i < whole; i += lanes)
+    hn::StoreU(answer(Point<D>{hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i)}, i), d,
+               gap + i);
+  if (whole == scan.count) return;
   const std::size_t bytes = (scan.count - whole) * sizeof(T);
   T rest[4][hn::MaxLanes(D())] = {};
-  if (bytes > 0) {
-    std::memcpy(rest[0], scan.x + whole, bytes);
-    std::memcpy(rest[1], scan.y + whole, bytes);
-    std::memcpy(rest[2], scan.z + whole, bytes);
-  }
-  for (std::size_t i = 0; i < scan.count; i += lanes) {
-    const bool full = i < whole;
-    const Point<D> v{hn::LoadU(d, full ? scan.x + i : rest[0]), hn::LoadU(d, full ? scan.y + i : rest[1]),
-                     hn::LoadU(d, full ? scan.z + i : rest[2])};
-    hn::StoreU(answer(v, i), d, full ? scan.gap + i : rest[3]);
-  }
-  if (bytes > 0) std::memcpy(scan.gap + whole, rest[3], bytes);
+  std::memcpy(rest[0], x + whole, bytes);
+  std::memcpy(rest[1], y + whole, bytes);
+  std::memcpy(rest[2], z + whole, bytes);
+  const Point<D> last{hn::LoadU(d, rest[0]), hn::LoadU(d, rest[1]), hn::LoadU(d, rest[2])};
+  hn::StoreU(answer(last, whole), d, rest[3]);
+  std::memcpy(gap + whole, rest[3], bytes);
 }
 
-template <class Scheme, class T, class Table>
-void scan_lanes(const Table& table, const RawScan<T>& scan) {
+// Both are copies: what the loop reads cannot change as gaps are written.
+template <class Scheme, class Table, class T>
+void scan_lanes(const Scheme scheme, const Table table, const RawScan<T>& scan) {
   using D = hn::ScalableTag<T>;
   const D d;
-  const Scheme scheme(table);
-  for_each_vector(scan, [&](const Point<D>& v, std::size_t /*i*/) HWY_ATTR {
-    return gaps(d, scheme, table, scan.sign, transformed(d, scan.transform, v));
-  });
+  const LaneTransform<T> transform = scan.transform;
+  const T sign = scan.sign;
+  for_each_vector(scan, [&](const Point<D>& v, std::size_t /*i*/)
+                            HWY_ATTR { return gaps(d, scheme, table, sign, transformed(d, transform, v)); });
 }
 
 }  // namespace impinge::HWY_NAMESPACE

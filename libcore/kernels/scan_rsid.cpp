@@ -21,6 +21,7 @@ class RsidLanes {
   explicit RsidLanes(const LaneTable<Rsid, Value>& table)
       : rows_(static_cast<T>(table.divisions)),
         columns_(static_cast<T>(2 * table.divisions)),
+        stride_(table.stride),
         cells_a_radian_(static_cast<T>(static_cast<double>(table.divisions) / kPi)) {}
 
   template <class D>
@@ -33,29 +34,31 @@ class RsidLanes {
     const auto phi = half_turn_angle(d, across, p.z);
     const Line<D> along_row = line_below(d, hn::Mul(theta, scale), hn::Set(d, columns_));
     const Line<D> along_column = line_below(d, hn::Mul(phi, scale), hn::Set(d, rows_));
-    return {along_column.below, along_row, along_column};
+    const auto entry = first_entry(d, along_column.below, along_row.below, stride_);
+    return {entry, along_row.share, along_column.share};
   }
 
   template <class D>
-  HWY_INLINE hn::Vec<D> radius(D /*d*/, const Point<D>& /*p*/, hn::Vec<D> /*length*/, hn::Vec<D> r) const {
-    return r;
+  HWY_INLINE hn::Vec<D> gap(D d, const Point<D>& p, const Place<D>& /*place*/, hn::Vec<D> r) const {
+    return radial_gap(d, p, r);
   }
 
  private:
   T rows_;
   T columns_;
+  std::size_t stride_;
   T cells_a_radian_;
 };
 
 void scan_rsid_float(const LaneTable<Rsid, float>& table, const RawScan<float>& scan) {
-  scan_lanes<RsidLanes<float>>(table, scan);
+  scan_lanes(RsidLanes<float>(table), raw_table(table), scan);
 }
 void scan_rsid_uint16(const LaneTable<Rsid, std::uint16_t>& table, const RawScan<float>& scan) {
-  scan_lanes<RsidLanes<float>>(table, scan);
+  scan_lanes(RsidLanes<float>(table), raw_table(table), scan);
 }
 #if !defined(__wasm__)  // whose vectors hold no doubles in Highway 1.0
 void scan_rsid_double(const LaneTable<Rsid, double>& table, const RawScan<double>& scan) {
-  scan_lanes<RsidLanes<double>>(table, scan);
+  scan_lanes(RsidLanes<double>(table), raw_table(table), scan);
 }
 #endif
 

@@ -14,13 +14,13 @@ namespace impinge::HWY_NAMESPACE {
 namespace {
 
 void scan_usid_float(const LaneTable<Usid, float>& table, const RawScan<double>& scan) {
-  scan_lanes<HelixLanes>(table, scan);
+  scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
 void scan_usid_uint16(const LaneTable<Usid, std::uint16_t>& table, const RawScan<double>& scan) {
-  scan_lanes<HelixLanes>(table, scan);
+  scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
 void scan_usid_double(const LaneTable<Usid, double>& table, const RawScan<double>& scan) {
-  scan_lanes<HelixLanes>(table, scan);
+  scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
 
 }  // namespace

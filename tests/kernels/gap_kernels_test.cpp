@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract:
-//   |gap of the kernel - gap of the scalar look-up| <= u (20 (r + |x|) + c m D) at points that are floats,
-//   and with a pose by what a displacement of 10.4 u (|v| + |t|) does besides one of them has no answer where
-//   the other has none, but within rounding of a grid line
+//   |gap of the kernel - gap of the scalar look-up| <= u (20 (r + |x|) + c m D) at points that are floats, of
+//   a cube in 16 bits and 5 u Q r besides, and with a pose by what a displacement of 10.4 u (|v| + |t|) does
+//   besides one of them has no answer where the other has none, but within rounding of a grid line
 #include "kernels/gap_kernels.hpp"
 
 #include <algorithm>
@@ -37,7 +37,12 @@ struct Kind {
   // c, m being the cells of a quarter turn
   static double place(const S& scheme) {
     const double m = 0.25 * static_cast<double>(scheme.equator_points());
-    return kCube ? 5.0 : kHelix ? 10.0 + 52.0 * m : 28.0;
+    return kCube ? 13.0 : kHelix ? 10.0 + 52.0 * m : 28.0;
+  }
+
+  // Of a length of a gap and a radius, mm; 3 is more than the range of the numbers of these bodies
+  static double rounded(double both, double radius) {
+    return 20.0 * both + (kCube && sizeof(Value) == 2 ? 5.0 * 3.0 * radius : 0.0);
   }
 
   static auto exact(const RadialTable<S>& table) {
@@ -129,9 +134,9 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
         EXPECT_TRUE((said_close_by<K>(scalar, points[i], std::isnan(gap[i])))) << points[i].transpose();
       }
       if (std::isnan(gap[i]) || std::isnan(radius)) continue;
-      ASSERT_NEAR(
-          gap[i], radius - length,
-          K::kUnit * (20.0 * (radius + length) + K::place(radii.scheme()) * steps_at<K>(radii, points[i])))
+      ASSERT_NEAR(gap[i], radius - length,
+                  K::kUnit * (K::rounded(radius + length, radius) +
+                              K::place(radii.scheme()) * steps_at<K>(radii, points[i])))
           << points[i].transpose();
     }
     EXPECT_GT(none, 100U);
@@ -167,7 +172,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
         if (std::isnan(gap[i]) != std::isnan(radius)) ++otherwise;
         if (std::isnan(gap[i]) || std::isnan(radius)) continue;
         const double moved = 10.4 * (vertices[i].norm() + pose.translation.norm());
-        const double bound = K::kUnit * (20.0 * (radius + x.norm()) + K::place(scheme) * slope +
+        const double bound = K::kUnit * (K::rounded(radius + x.norm(), radius) + K::place(scheme) * slope +
                                          moved * (1.0 + 2.0 * slope / x.norm()));
         ASSERT_NEAR(gap[i], expected, bound);
       }

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "kernels/corner_table.hpp"
 #include "kernels/exact_cells.hpp"
 #include "kernels/gap_kernels.hpp"
 #include "kernels/lane_fixture.hpp"
@@ -56,6 +57,7 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   const auto points = test::float_points(rsid.scheme());
   expect_same_bits(lane_table<float>(cube), points);
   expect_same_bits(lane_table<std::uint16_t>(cube), points);
+  expect_same_bits(corner_table(lane_table<float>(cube)), points);
   expect_same_bits(lane_table<double>(rsid), points);
   expect_same_bits(lane_table<float>(rsid), points);
   expect_same_bits(lane_table<std::uint16_t>(rsid), points);
@@ -96,22 +98,28 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
                               {1, 1, -infinite},  {kNoSurface, kNoSurface, kNoSurface},
                               {huge, huge, huge}, {-0.0, 0, -0.0}};
   const auto table = lane_table<std::uint16_t>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
+  const auto corners =
+      corner_table(lane_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0))));
   const auto grid = lane_table<double>(test::bumpy_table<Rsid>(3.0));
   const auto helix = lane_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
     scan_gaps(table, {vertex_lanes<float>(odd), {}, Scan::ball}, gap);
+    std::vector<float> cornered(odd.size());
+    scan_gaps(corners, {vertex_lanes<float>(odd), {}, Scan::ball}, cornered);
     std::vector<double> wide(odd.size());
     scan_gaps(grid, {vertex_lanes<double>(odd), {}, Scan::ball}, wide);
     std::vector<double> wound(odd.size());
     scan_gaps(helix, {vertex_lanes<double>(odd), {}, Scan::ball}, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
+      EXPECT_TRUE(std::isnan(cornered[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(wide[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(wound[i])) << set << " " << i;
     }
     for (const float value : gap) EXPECT_FALSE(std::isfinite(value)) << set;
+    for (const float value : cornered) EXPECT_FALSE(std::isfinite(value)) << set;
   }
   use_best_instruction_set();
 }

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: every corner of a cell with an answer is within step / 2 + u smallest of the number it was made
+// from; the cells without an answer are the same; and
+//   |gap of the kernel - gap of the scalar look-up in what is stored|
+//     <= u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 (D + r / m)
+#include "kernels/corner_table.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "kernels/lane_fixture.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sampling/exact_raster.hpp"
+
+namespace impinge {
+namespace {
+
+using Cube = InverseDepthTable<CubeGnomonic>;
+using Rows = LaneTable<CubeGnomonic, float>;
+
+constexpr double kFloatUnit = 0x1p-24;
+
+double upper(const CornerTable& table, std::size_t entry) {
+  return static_cast<double>(table.smallest) +
+         static_cast<double>(table.step) * static_cast<double>(table.words[entry] & CornerTable::kMostCode);
+}
+double lower(const CornerTable& table, std::size_t entry) {
+  return static_cast<double>(table.smallest) +
+         static_cast<double>(table.step) * static_cast<double>(table.words[entry] >> 16U);
+}
+
+bool answers(const Rows& rows, std::size_t entry) {
+  return rows.none.empty() || (rows.none[entry / 32] >> (entry % 32) & 1U) == 0U;
+}
+
+// Visits the entry that each cell begins at.
+template <class Visit>
+void for_each_cell(std::size_t n, const Visit& visit) {
+  for (std::size_t row = 0; row < 6 * (n + 1); ++row)
+    for (std::size_t column = 0; column < n && row % (n + 1) != n; ++column) visit(row * (n + 1) + column);
+}
+
+void expect_stored(const Rows& rows) {
+  const CornerTable table = corner_table(rows);
+  ASSERT_EQ(table.words.size(), rows.values.size());
+  EXPECT_EQ(table.bytes(), 4 * rows.values.size());
+  const double most = 0.5 * static_cast<double>(table.step) * (1.0 + 1e-6) +
+                      4.0 * kFloatUnit * static_cast<double>(table.smallest);
+  for_each_cell(rows.divisions, [&](std::size_t entry) {
+    EXPECT_EQ((table.words[entry] & CornerTable::kNone) == 0U, answers(rows, entry));
+    if (!answers(rows, entry)) return;
+    for (const std::size_t e : {entry, entry + 1}) {
+      EXPECT_NEAR(upper(table, e), static_cast<double>(rows.values[e]), most);
+      EXPECT_NEAR(lower(table, e), static_cast<double>(rows.values[e + rows.stride]), most);
+      EXPECT_EQ(lower(table, e), upper(table, e + rows.stride));
+    }
+  });
+}
+
+TEST(CornerTableTest, KeepsNumbersToHalfAStepAndTheCellsThatAnswer) {
+  for (const double precision : {30.0, 3.0}) {
+    expect_stored(lane_table<float>(Cube(test::bumpy_table<CubeGnomonic>(precision))));
+    const BallSocketPair pair = make_ball_socket_pair(1000);
+    const auto scheme = CubeGnomonic::with_precision(precision);
+    expect_stored(lane_table<float>(Cube(fill_exact(pair.socket, scheme, Layer::nearest))));
+    expect_stored(lane_table<float>(Cube(fill_exact(pair.ball, scheme, Layer::farthest))));
+  }
+}
+
+// One number everywhere, and no surface at all.
+TEST(CornerTableTest, HoldsANumberThatIsTheSameEverywhereAndNothing) {
+  Rows rows = lane_table<float>(Cube(test::bumpy_table<CubeGnomonic>(30.0)));
+  for (float& value : rows.values) value = 0.05F;
+  expect_stored(rows);
+  rows.none.assign(rows.values.size() / 32 + 1, ~0U);
+  const CornerTable nothing = corner_table(rows);
+  std::vector<float> gap(3);
+  scan_gaps(nothing, {vertex_lanes<float>(test::random_directions(3, 1)), {}, Scan::ball}, gap);
+  for (const float value : gap) EXPECT_TRUE(std::isnan(value));
+}
+
+// What is stored as a table of the library, with the rim cells of another one.
+RadialTable<CubeGnomonic> stored_radii(const CornerTable& table, const RadialTable<CubeGnomonic>& from) {
+  RadialTable<CubeGnomonic> radii = from;
+  const std::size_t n = table.divisions;
+  for (std::size_t e = 0; e < radii.radii().size(); ++e) {
+    if (std::isnan(radii.radii()[e])) continue;
+    const bool last = e / (n + 1) % (n + 1) == n;
+    const double q = last ? lower(table, e - n - 1) : upper(table, e);
+    radii.radii()[e] = 1.0 / (q * from.scheme().depth(from.scheme().direction(e)));
+  }
+  return radii;
+}
+
+double step_at(const RadialTable<CubeGnomonic>& table, const Vec3& x) {
+  double largest = 0.0;
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const Stencil stencil = table.scheme().stencil(x + 16.0 * kFloatUnit * x.norm() * way);
+    for (std::size_t a = 0; a < stencil.taps; ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        const double step = std::abs(table.radii()[stencil.entry[a]] - table.radii()[stencil.entry[b]]);
+        if (!std::isnan(step)) largest = std::max(largest, step);
+      }
+  }
+  return largest;
+}
+
+TEST(CornerTableTest, AnswersAsTheScalarTable) {
+  for (const double precision : {10.0, 1.5}) {
+    const auto from = test::bumpy_table<CubeGnomonic>(precision);
+    const CornerTable table = corner_table(lane_table<float>(Cube(from)));
+    const auto radii = stored_radii(table, from);
+    const Cube scalar(radii);
+    const auto points = test::float_points(radii.scheme());
+    std::vector<float> gap(points.size());
+    scan_gaps(table, {vertex_lanes<float>(points), {}, Scan::ball}, gap);
+    const double m = static_cast<double>(table.divisions);
+    std::size_t none = 0;
+    std::size_t otherwise = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double radius = scalar.radius_at(points[i]);
+      const double length = points[i].norm();
+      none += std::isnan(gap[i]) ? 1U : 0U;
+      otherwise += std::isnan(gap[i]) != std::isnan(radius) ? 1U : 0U;
+      if (std::isnan(gap[i]) || std::isnan(radius)) continue;
+      const double step = step_at(radii, points[i]);
+      const double bound = kFloatUnit * (20.0 * (radius + length) + 5.0 * 3.0 * radius + 13.0 * m * step) +
+                           0x1p-15 * (step + radius / m);
+      ASSERT_NEAR(gap[i], radius - length, bound) << points[i].transpose();
+    }
+    EXPECT_GT(none, 100U);
+    EXPECT_LT(otherwise, points.size() / 100);
+  }
+}
+
+}  // namespace
+}  // namespace impinge
