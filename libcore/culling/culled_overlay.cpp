@@ -2,18 +2,17 @@
 #include "culling/culled_overlay.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <vector>
 
 #include "culling/face_item.hpp"
 #include "culling/touch_search.hpp"
 #include "detection/face_overlay.hpp"
 #include "sampling/face_index.hpp"
+#include "sphere/orientation.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kWidestLookUp = 0.1;  // radians: faces of wider caps are compared with all others
 
 // One that is edge-on at rest may not be so where rounding moves it: it is always asked.
 std::vector<CapItem> items_of_all(const TriangleMesh& mesh) {
@@ -28,13 +27,44 @@ std::vector<CapItem> items_of_all(const TriangleMesh& mesh) {
   return items;
 }
 
-// Of the caps that are no wider than kWidestLookUp.
-double widest_cap(const TriangleMesh& mesh) {
-  double widest = 0.0;
-  for (const CapItem& item : items_of_all(mesh)) {
-    if (item.cap.radius <= kWidestLookUp) widest = std::max(widest, item.cap.radius);
+// A moved face and the tree of the other surface.
+struct OverlayReach {
+  const CapTree& tree;
+  const FaceIndex::SeenFace& seen;
+  bool of_ball;  // that is moved: it reaches what is no farther than it is
+};
+
+// Calls visit(item) for the items from block `at` on that may share a direction with the face and be reached
+// by it, until it returns true.
+template <class Visit>
+bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& visit) {
+  const CapBlock& block = reach.tree.blocks()[at];
+  const double wide = reach.seen.cap.radius < 0.5 * kPi ? reach.seen.cap.radius : kPi;
+  for (std::size_t k = 0; k < block.nodes; ++k) {
+    if (reach.of_ball ? reach.seen.range.high < block.low[k] : reach.seen.range.low > block.high[k]) continue;
+    const Vec3 axis(block.x[k], block.y[k], block.z[k]);
+    if ((axis - reach.seen.cap.axis).norm() > wide + block.angle[k]) continue;  // no longer than the angle
+    if (!block.leaf(k)) {
+      if (visit_reached(reach, block.first[k], visit)) return true;
+      continue;
+    }
+    for (std::uint32_t item = block.first[k]; item < block.first[k] + block.items[k]; ++item) {
+      if (visit(item)) return true;
+    }
   }
-  return widest * (1.0 + kCapShare) + kCapSlack;
+  return false;
+}
+
+// Orientations of the corners, in the order of the tree: exact ones take their time where a face is edge-on.
+std::vector<std::int8_t> sides_of(const TriangleMesh& mesh, const CapTree& tree) {
+  std::vector<std::int8_t> sides;
+  sides.reserve(mesh.faces.size());
+  for (const std::uint32_t f : tree.order()) {
+    const Face& face = mesh.faces[f];
+    const int side = orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
+    sides.push_back(static_cast<std::int8_t>(side));
+  }
+  return sides;
 }
 
 }  // namespace
@@ -42,8 +72,7 @@ double widest_cap(const TriangleMesh& mesh) {
 CulledOverlay::CulledOverlay(const CulledJoint& joint)
     : joint_(joint),
       trees_{CapTree(items_of_all(joint.meshes().ball)), CapTree(items_of_all(joint.meshes().socket))},
-      near_{NearFaces(joint.meshes().socket, widest_cap(joint.meshes().ball)),
-            NearFaces(joint.meshes().ball, widest_cap(joint.meshes().socket))} {}
+      sides_{sides_of(joint.meshes().ball, trees_[0]), sides_of(joint.meshes().socket, trees_[1])} {}
 
 const TriangleMesh& CulledOverlay::moved(std::size_t scan) const {
   return scan == 0 ? joint_.meshes().ball : joint_.meshes().socket;
@@ -55,20 +84,16 @@ bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Fac
   const FaceIndex::SeenFace seen = see_face(moving.corner);
   moving.side = seen.side;
   if (seen.side == 0) return false;
-  const auto reached = [&](std::uint32_t f) {
+  const CapTree& tree = trees_[1 - scan];
+  if (tree.blocks().empty()) return false;
+  return visit_reached({tree, seen, scan == 0}, 0, [&](std::uint32_t item) {
+    if (sides_[1 - scan][item] == 0) return false;
     OverlayFace resting;
-    for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), at_rest(scan).faces[f], k);
-    const FaceIndex::SeenFace other = see_face(resting.corner);
-    resting.side = other.side;
-    if (other.side == 0) return false;
-    if (scan == 0) return seen.range.high >= other.range.low && reaches(moving, resting);
-    return seen.range.low <= other.range.high && reaches(resting, moving);
-  };
-  if (seen.cap.radius <= near_[scan].margin())
-    return std::ranges::any_of(near_[scan].near(seen.cap.axis).faces, reached);
-  std::vector<std::uint32_t> all(at_rest(scan).faces.size());
-  std::iota(all.begin(), all.end(), 0U);
-  return std::ranges::any_of(all, reached);
+    const Face& other = at_rest(scan).faces[tree.order()[item]];
+    for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), other, k);
+    resting.side = sides_[1 - scan][item];
+    return scan == 0 ? reaches(moving, resting) : reaches(resting, moving);
+  });
 }
 
 bool CulledOverlay::impinged(const Pose& pose) const {
@@ -83,7 +108,7 @@ bool CulledOverlay::impinged(const Pose& pose) const {
 }
 
 std::size_t CulledOverlay::bytes() const {
-  return trees_[0].bytes() + trees_[1].bytes() + near_[0].bytes() + near_[1].bytes();
+  return trees_[0].bytes() + trees_[1].bytes() + sides_[0].size() + sides_[1].size();
 }
 
 }  // namespace impinge

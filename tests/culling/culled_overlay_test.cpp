@@ -36,7 +36,7 @@ OverlaySeen expect_alike(const BallSocketPair& joint, const std::vector<Pose>& p
 TEST(CulledOverlay, AnswersAsAllFacesDoInRandomPoses) {
   const BallSocketPair joint = make_ball_socket_pair(300, impinging_cam());
   for (const double shift : {0.0, 2.0, 5.0, 30.0}) {
-    const OverlaySeen seen = expect_alike(joint, test::random_poses(12, 3.0, shift, 51));
+    const OverlaySeen seen = expect_alike(joint, test::random_poses(6, 3.0, shift, 51));
     EXPECT_GT(seen.impinged, 0U);
   }
 }
@@ -45,15 +45,15 @@ TEST(CulledOverlay, AnswersAsAllFacesDoInRandomPoses) {
 TEST(CulledOverlay, AnswersAsAllFacesDoCloseToContact) {
   const BallSocketPair joint = make_ball_socket_pair(300);
   ContactOptions options;
-  options.count = 40;
+  options.count = 24;
   options.seed = 52;
   std::vector<Pose> poses;
   for (const ContactPose& one : contact_poses(SurfaceOverlay(joint.ball, joint.socket), options))
     poses.push_back(one.pose);
   const OverlaySeen seen = expect_alike(joint, poses);
-  EXPECT_GT(seen.impinged, 10U);
-  EXPECT_LT(seen.impinged, 30U);
-  EXPECT_GT(seen.between_vertices, 3U);
+  EXPECT_GT(seen.impinged, 3U);
+  EXPECT_LT(seen.impinged, 21U);
+  EXPECT_GT(seen.between_vertices, 0U);
 }
 
 // Faces wider than any look-up, and two surfaces that touch everywhere.
