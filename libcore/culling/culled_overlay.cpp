@@ -56,13 +56,12 @@ bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& vis
 }
 
 // Orientations of the corners, in the order of the tree: exact ones take their time where a face is edge-on.
-std::vector<std::int8_t> sides_of(const TriangleMesh& mesh, const CapTree& tree) {
-  std::vector<std::int8_t> sides;
+std::vector<int> sides_of(const TriangleMesh& mesh, const CapTree& tree) {
+  std::vector<int> sides;
   sides.reserve(mesh.faces.size());
   for (const std::uint32_t f : tree.order()) {
     const Face& face = mesh.faces[f];
-    const int side = orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
-    sides.push_back(static_cast<std::int8_t>(side));
+    sides.push_back(orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
   }
   return sides;
 }

@@ -35,8 +35,8 @@ class CulledOverlay {
   const TriangleMesh& at_rest(std::size_t scan) const { return moved(1 - scan); }
 
   const CulledJoint& joint_;
-  std::array<CapTree, 2> trees_;                   // of the faces of ball and socket
-  std::array<std::vector<std::int8_t>, 2> sides_;  // orientations of the faces, in the order of the trees
+  std::array<CapTree, 2> trees_;           // of the faces of ball and socket
+  std::array<std::vector<int>, 2> sides_;  // orientations of the faces, in the order of the trees
 };
 
 }  // namespace impinge
