@@ -55,9 +55,9 @@ EventCounts parse_event_counts(std::string_view dump) {
   std::istringstream names(line_after(dump, "events: "));
   std::istringstream numbers(line_after(dump, "summary: "));
   std::map<std::string, double> events;
-  std::string name;
-  double number = 0.0;
-  while (names >> name && numbers >> number) events[name] = number;
+  // Callgrind leaves out zeros at the end of a line.
+  for (std::string name; names >> name;)
+    if (double number = 0.0; numbers >> number || !events.empty()) events[name] = number;
   if (counts.label.empty() || !events.contains("Ir") || !events.contains("DLmw"))
     throw std::runtime_error(
         "this is no dump of callgrind's that a program asked for: run it by count_events()");

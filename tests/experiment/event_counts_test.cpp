@@ -4,6 +4,7 @@
 #include "experiment/event_counts.hpp"
 
 #include <stdexcept>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -26,11 +27,21 @@ TEST(EventCounts, AreThoseOfTheDump) {
   EXPECT_EQ(counts.second_misses, 9.0);
 }
 
-TEST(EventCounts, NeedALabelAndACache) {
-  const std::string dump = kDump;
+TEST(EventCounts, ThatAreNotInTheSummaryAreZero) {
+  std::string dump = kDump;
+  dump.replace(dump.find(" 7 8 1\n"), 6, "");
+  const EventCounts counts = parse_event_counts(dump);
+  EXPECT_EQ(counts.first_misses, 56.0);
+  EXPECT_EQ(counts.second_misses, 0.0);
+}
+
+TEST(EventCounts, NeedALabelACacheAndASummary) {
+  std::string dump = kDump;
   EXPECT_THROW(parse_event_counts(""), std::runtime_error);
   EXPECT_THROW(parse_event_counts(dump.substr(dump.find("positions"))), std::runtime_error);
   EXPECT_THROW(parse_event_counts(dump.substr(0, dump.find(" DLmw"))), std::runtime_error);
+  dump.erase(dump.find("summary: "), std::string_view("summary: 1000 200 30 4 50 6 7 8 1\n").size());
+  EXPECT_THROW(parse_event_counts(dump), std::runtime_error);
 }
 
 TEST(EventCounts, CountTheThirdRun) {
