@@ -19,6 +19,13 @@ namespace impinge {
 // Tables of more cells are bounded to first order alone: the others take some microseconds a cell.
 inline constexpr std::size_t kMostBoundedCells = 1'500'000;
 
+// The lesser of the bound of a cell and that of the whole table, mm. 0 stands in cells that the search has
+// not met, and says nothing.
+inline double bound_in(const std::vector<float>& of_cells, std::size_t cell, double everywhere) {
+  const auto here = static_cast<double>(of_cells[cell]);
+  return here > 0.0 ? std::min(here, everywhere) : everywhere;
+}
+
 // The bounds of a RadialTable of any scheme.
 template <SamplingScheme S>
 class DirectionBounds {
@@ -45,7 +52,7 @@ class DirectionBounds {
     const double here = error_bound_at(table_, slopes_, x);
     if (std::isnan(here)) return here;
     const double all = std::min(here, everywhere_);
-    return cells_.empty() ? all : std::min(all, static_cast<double>(cells_[table_.scheme().stencil(x).cell]));
+    return cells_.empty() ? all : bound_in(cells_, table_.scheme().stencil(x).cell, all);
   }
 
  private:
@@ -76,7 +83,7 @@ class FlatDirectionBounds {
   double at(const Vec3& x) const {
     if (std::isnan(table_.radius_at(x))) return kNoSurface;
     if (cells_.empty()) return everywhere_;
-    return std::min(everywhere_, static_cast<double>(cells_[table_.scheme().plane_stencil(x).cell]));
+    return bound_in(cells_, table_.scheme().plane_stencil(x).cell, everywhere_);
   }
 
  private:

@@ -16,6 +16,7 @@
 #include "sampling/pairwise.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/fibonacci.hpp"
+#include "sphere/schemes/latitude_rows.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/directions.hpp"
 
@@ -79,6 +80,13 @@ TEST(DirectionBounds, HoldInEveryDirectionForBothInterpolants) {
 TEST(DirectionBounds, HoldInEveryDirectionForOtherSchemes) {
   of_radii<Rsid>(askew(cone()));
   of_radii<Fibonacci>(askew(octahedron(20.0)));
+  of_radii<LatitudeRows>(askew(cone()));
+}
+
+TEST(DirectionBounds, ACellThatTheSearchHasNotMetSaysNothing) {
+  EXPECT_EQ(bound_in({0.0F, 0.5F}, 0, 2.0), 2.0);
+  EXPECT_EQ(bound_in({0.0F, 0.5F}, 1, 2.0), 0.5);
+  EXPECT_EQ(bound_in({0.0F, 0.5F}, 1, 0.25), 0.25);
 }
 
 // Inverse depths are exact on the eight flat faces; only cells that an edge crosses have a bound at all.
