@@ -4,7 +4,7 @@
 // @writes-with-bones  detection_time_bones detection_time_bones_samples
 // @timing    yes
 // @seconds   60 260
-// @links     experiment_detection scene
+// @links     study_detection scene
 //
 // The generated pair, and real joints when they are given. A time is the mean over the six poses of
 // pose_set.hpp.
@@ -12,9 +12,9 @@
 #include <array>
 #include <limits>
 
-#include "experiment/detection_timing.hpp"
 #include "experiment/timing_report.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/detection_timing.hpp"
 
 namespace {
 

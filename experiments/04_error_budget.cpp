@@ -4,7 +4,7 @@
 // @writes-with-bones  error_budget_bones
 // @timing    no
 // @seconds   10 40
-// @links     experiment_sampling scene
+// @links     study_sampling scene
 //
 // The generated pair has a formula, so that the error of its mesh is measured; that of a real joint is
 // estimated from the angles between its faces. The centre that is wrong is the one that a sphere fitted to
@@ -13,11 +13,11 @@
 #include <array>
 
 #include "experiment/driver.hpp"
-#include "experiment/error_budget.hpp"
 #include "joint/sphere_fit.hpp"
 #include "scene/real_joints.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
+#include "studies/error_budget.hpp"
 
 namespace {
 

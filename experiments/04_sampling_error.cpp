@@ -3,7 +3,7 @@
 // @writes    sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds
 // @timing    no
 // @seconds   20 320
-// @links     experiment_sampling
+// @links     study_sampling
 //
 // Eq. 7 is a distance along the surface. The distance that matters is that of the radius: it is measured on
 // the generated head of 44 mm and on surfaces with a formula.
@@ -12,9 +12,9 @@
 #include <concepts>
 
 #include "experiment/driver.hpp"
-#include "experiment/sampling_study.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
+#include "studies/sampling_study.hpp"
 
 namespace {
 

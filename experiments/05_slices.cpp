@@ -4,7 +4,7 @@
 // @writes-with-bones  spectrum_bones band_limit_bones
 // @timing    no
 // @seconds   1 4
-// @links     experiment_spectrum scene
+// @links     study_spectrum scene
 //
 // The thesis' slices of a sphere; then its question put to the surfaces themselves: the power of their
 // spherical harmonics by degree, and the entries that the sampling theorems ask for.
@@ -12,13 +12,13 @@
 #include <utility>
 
 #include "experiment/driver.hpp"
-#include "experiment/spectrum_tables.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "scene/real_joints.hpp"
 #include "spectrum/grid_radii.hpp"
 #include "spectrum/power_spectrum.hpp"
 #include "spectrum/slices.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "studies/spectrum_tables.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 // @writes    helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 // @timing    no
 // @seconds   4 60
-// @links     experiment_curves
+// @links     study_curves
 //
 // "Equally distributed along the curve with a distance dx" has two readings: equal steps of the travelled
 // distance of Eq. 10, and of true arc length.
@@ -16,9 +16,9 @@
 #include "curves/helix_entries.hpp"
 #include "curves/helix_length.hpp"
 #include "experiment/driver.hpp"
-#include "experiment/helix_drawing.hpp"
-#include "experiment/helix_lookup.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "studies/helix_drawing.hpp"
+#include "studies/helix_lookup.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // @writes    conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 // @timing    no
 // @seconds   3 3
-// @links     experiment_curves
+// @links     study_curves
 //
 // Menschik's conchoid of the acetabulum, from its apex to its rim at 90 degrees.
 
@@ -12,9 +12,9 @@
 
 #include "curves/conchoid_rays.hpp"
 #include "curves/conchoid_surface.hpp"
-#include "experiment/conchoid_facts.hpp"
-#include "experiment/conchoid_segments.hpp"
 #include "experiment/driver.hpp"
+#include "studies/conchoid_facts.hpp"
+#include "studies/conchoid_segments.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   15 400
-// @links     experiment_certified scene
+// @links     study_certified scene
 //
 // Poses of the generated pair and of real joints, most of them within 0.3 mm of the first contact. The oracle
 // clips every face against every shadow in exact arithmetic (reference/shadow.hpp), CGAL's tree looks for
@@ -12,11 +12,11 @@
 
 #include <array>
 
-#include "experiment/certified_study.hpp"
 #include "experiment/driver.hpp"
 #include "scene/real_joints.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
+#include "studies/certified_study.hpp"
 
 namespace {
 

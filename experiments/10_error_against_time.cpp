@@ -5,7 +5,7 @@
 // @cache     yes
 // @timing    yes
 // @seconds   60 1200
-// @links     experiment_race scene
+// @links     study_race scene
 //
 // The posed ball's vertices are asked against the surface of the socket. Errors are measured before anything
 // is timed, on the very tables that are timed, and the largest is held against the proven bound: if it is
@@ -15,10 +15,10 @@
 #include <array>
 
 #include "experiment/driver.hpp"
-#include "experiment/race_report.hpp"
-#include "experiment/race_scenes.hpp"
 #include "files/file_bytes.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/race_report.hpp"
+#include "studies/race_scenes.hpp"
 
 namespace {
 

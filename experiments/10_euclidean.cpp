@@ -5,7 +5,7 @@
 // @cache     yes
 // @timing    no
 // @seconds   4 90
-// @links     experiment_reference scene
+// @links     study_reference scene
 //
 // The vertices of each surface against the other one, in several poses, beside the exact distance from the
 // nearest point. A distance that is not between its proven ends fails the run.
@@ -18,11 +18,11 @@
 #include <Eigen/Geometry>
 
 #include "detection/pose.hpp"
-#include "experiment/distance_study.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/statistics.hpp"
 #include "mesh/bodies.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/distance_study.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   40 300
-// @links     experiment experiment_needs scene
+// @links     experiment study_needs scene
 //
 // Everything is done with RSID tables at 0.1 degrees, for four questions about each joint: all gaps in one
 // pose, the smallest gap in it, touch along a motion there and back, and all gaps along the motion within
@@ -15,9 +15,9 @@
 #include <stdexcept>
 
 #include "experiment/driver.hpp"
-#include "experiment/needs_study.hpp"
 #include "experiment/timing_report.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/needs_study.hpp"
 
 namespace {
 

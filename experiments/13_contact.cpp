@@ -4,15 +4,15 @@
 // @writes    contact contact_samples contact_agreement
 // @timing    yes
 // @seconds   10 120
-// @links     experiment_contact
+// @links     study_contact
 //
 // Poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; meshes of ever more triangles. First
 // the answers are compared, close to contact too, with the exact test of every vertex and with FCL. Warm.
 
-#include "experiment/contact_agreement.hpp"
-#include "experiment/contact_study.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
+#include "studies/contact_agreement.hpp"
+#include "studies/contact_study.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // @question  How many instructions does a gap take, and does a table fit the caches?
 // @writes    counts
 // @seconds   12 12
-// @links     experiment_counts
+// @links     study_counts
 //
 // Counted by valgrind, not timed: instructions are the same in every run. The program starts itself under it,
 // with an option of its own. Each way is counted in its third run, with warm caches; on instruction sets up
@@ -11,8 +11,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "experiment/count_study.hpp"
 #include "experiment/driver.hpp"
+#include "studies/count_study.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // @writes    fast fast_samples
 // @timing    yes
 // @seconds   17 150
-// @links     experiment_fast
+// @links     study_fast
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
 // both directions, in one interleaved run. Errors against all triangles come first, and what is too far off
@@ -12,8 +12,8 @@
 // Closest points and voxels are Euclidean distances.
 
 #include "experiment/driver.hpp"
-#include "experiment/fast_study.hpp"
 #include "experiment/timing_report.hpp"
+#include "studies/fast_study.hpp"
 
 namespace {
 

@@ -3,15 +3,15 @@
 // @writes    fill fill_samples
 // @timing    yes
 // @seconds   10 100
-// @links     experiment_fast
+// @links     study_fill
 //
 // Cube maps of both surfaces of the generated pair. Each way is held against the exact rasteriser first.
 // Fresh memory comes from the system in each run, as in a program's first; else the C library keeps it
 // between runs.
 
 #include "experiment/driver.hpp"
-#include "experiment/fill_study.hpp"
 #include "experiment/timing_report.hpp"
+#include "studies/fill_study.hpp"
 
 namespace {
 

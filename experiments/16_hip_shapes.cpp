@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    no
 // @seconds   3 3
-// @links     experiment_hips scene
+// @links     study_hips scene
 //
 // Every preset measured from its meshes alone; the sphere fitted to every ball and socket, with noise and on
 // real joints (Section 3.4, Figures 38 and 39).
@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "experiment/driver.hpp"
-#include "experiment/hip_study.hpp"
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
 #include "joint/hip_surface.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/hip_study.hpp"
 
 namespace {
 

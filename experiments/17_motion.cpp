@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    no
 // @seconds   12 60
-// @links     experiment_limits scene
+// @links     study_limits scene
 //
 // Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no
 // step can jump over (limits/turn_limit.hpp), about the centre of the head and about that of the socket; of
@@ -16,10 +16,10 @@
 #include <stdexcept>
 
 #include "experiment/driver.hpp"
-#include "experiment/limit_study.hpp"
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/limit_study.hpp"
 
 namespace {
 

@@ -4,16 +4,16 @@
 // @bones     yes
 // @timing    yes
 // @seconds   12 120
-// @links     experiment_baselines scene
+// @links     study_baselines scene
 //
 // Hu's table of voxels, Maciel's table of triangles and a Cartesian distance field, each at several
 // resolutions, beside RSID. Each is checked against exact distances or radii before it is timed, and judged
 // in poses on either side of exact contacts.
 
-#include "experiment/baseline_study.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
 #include "scene/real_joints.hpp"
+#include "studies/baseline_study.hpp"
 
 namespace {
 

@@ -4,16 +4,16 @@
 // @writes    slices_to_surface slices_to_surface_image slices_to_surface_mesh
 // @timing    no
 // @seconds   8 60
-// @links     experiment_slices
+// @links     study_slices
 //
 // A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise), its surface
 // drawn and decimated by VTK, the centre fitted and tables filled. An image and the surface at 1.25 mm are
 // kept for Figure 37.
 
 #include "experiment/driver.hpp"
-#include "experiment/slices_tables.hpp"
 #include "imaging/isosurface.hpp"
 #include "joint/hip_presets.hpp"
+#include "studies/slices_tables.hpp"
 
 namespace {
 

@@ -3,14 +3,14 @@
 // @writes    claims claims_samples
 // @timing    yes
 // @seconds   8 40
-// @links     experiment_claims
+// @links     study_claims
 //
 // A deforming surface updated in place, self-collision found while sampling, several layers, several joints
 // in one scene: each a small experiment, with an exact or bit-for-bit check before anything is timed.
 
-#include "experiment/claims_study.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
+#include "studies/claims_study.hpp"
 
 namespace {
 

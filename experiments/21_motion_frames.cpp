@@ -5,17 +5,17 @@
 // @files     motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
 // @timing    no
 // @seconds   3 3
-// @links     experiment_motion joint
+// @links     study_motion joint
 //
 // On stand-ins: the patients' scans are not public (joint/hip_presets.hpp).
 
 #include "experiment/driver.hpp"
-#include "experiment/motion_replay.hpp"
 #include "files/file_bytes.hpp"
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
 #include "joint/recorded_range.hpp"
 #include "joint/sphere_fit.hpp"
+#include "studies/motion_replay.hpp"
 
 namespace {
 

@@ -3,19 +3,19 @@
 // @writes    diagram_sections diagram_rays diagram_bodies diagram_lookups diagram_excerpt diagram_scans
 // @timing    no
 // @seconds   1 1
-// @links     experiment_diagrams
+// @links     study_diagrams
 //
 // The hip is the stand-in for the thesis' patient A (joint/hip_presets.hpp), cut by the patient's frontal
 // plane.
 
-#include "experiment/diagram_bodies.hpp"
-#include "experiment/diagram_lookup.hpp"
-#include "experiment/diagram_tables.hpp"
 #include "experiment/driver.hpp"
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
 #include "joint/motion.hpp"
 #include "sampling/thesis_raster.hpp"
+#include "studies/diagram_bodies.hpp"
+#include "studies/diagram_lookup.hpp"
+#include "studies/diagram_tables.hpp"
 
 namespace {
 

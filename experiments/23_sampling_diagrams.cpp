@@ -4,21 +4,21 @@
 // @files     diagrams/socket_table.pgm
 // @timing    no
 // @seconds   1 1
-// @links     experiment_diagrams
+// @links     study_diagrams
 //
 // The hip is the stand-in for the thesis' patient A (joint/hip_presets.hpp), of about 500 faces where single
 // faces are looked at, so that each fills many entries. All of the socket is drawn from its usual mesh.
 
-#include "experiment/diagram_bodies.hpp"
-#include "experiment/diagram_tables.hpp"
 #include "experiment/driver.hpp"
-#include "experiment/table_image.hpp"
 #include "files/file_bytes.hpp"
 #include "joint/hip.hpp"
 #include "joint/hip_presets.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/chart_coverage.hpp"
 #include "sampling/thesis_raster.hpp"
+#include "studies/diagram_bodies.hpp"
+#include "studies/diagram_tables.hpp"
+#include "studies/table_image.hpp"
 
 namespace {
 

@@ -10,11 +10,11 @@
 #include "contenders/embree_rays.hpp"
 #include "contenders/pairwise_rays.hpp"
 #include "contenders/table_method.hpp"
-#include "experiment/race_methods.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/lengths.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
+#include "studies/race_methods.hpp"
 
 namespace impinge {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/contact_poses.hpp"
 #include "mesh/bodies.hpp"
+#include "studies/contact_poses.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {

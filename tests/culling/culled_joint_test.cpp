@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "detection/exact_side.hpp"
-#include "experiment/contact_poses.hpp"
 #include "mesh/bodies.hpp"
 #include "sampling/near_faces.hpp"
 #include "sphere/infinity.hpp"
+#include "studies/contact_poses.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {

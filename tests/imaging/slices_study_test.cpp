@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: facing directions have the gap of the hip; each stage stands beside the truth and the one before
 // it; a stage that changes nothing adds nothing; finer scans err less.
-#include "experiment/slices_study.hpp"
+#include "studies/slices_study.hpp"
 
 #include <algorithm>
 

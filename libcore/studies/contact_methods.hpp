@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways to say whether a joint touches, as they are timed.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiment/csv.hpp"
+#include "studies/contact_stage.hpp"
+
+namespace impinge {
+
+// Answers of one method in poses of one gap.
+struct AskedContact {
+  std::string method;                        // as results name it
+  std::vector<Pose> poses;                   // fewer for slow ones
+  std::function<bool(const Pose&)> work;     // what is timed
+  std::function<bool(const Pose&)> touches;  // what it says
+};
+
+// Of all ways in the poses; the stage must outlive them.
+std::vector<AskedContact> contact_methods(ContactStage& stage, const std::vector<Pose>& poses);
+
+// What the names of the ways mean.
+Column contact_method_column();
+
+}  // namespace impinge
