@@ -53,6 +53,12 @@ def best_set(table: pd.DataFrame) -> str:
     return table[table.instruction_set != "none"].instruction_set.iloc[0]
 
 
+def set_name(table: pd.DataFrame) -> str:
+    """The same as a reader knows it: Highway calls all of AVX-512 by names that begin with AVX3."""
+    best = best_set(table)
+    return "AVX-512" if best.startswith("AVX3") else best
+
+
 def plain_rows(table: pd.DataFrame) -> pd.DataFrame:
     """The joint that is shown, one thread, the best instruction set."""
     sets = table.instruction_set.isin(["none", best_set(table)])

@@ -20,7 +20,7 @@ def main() -> None:
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)
         panel.set_title(title)
-    axes[0].set_ylabel(f"time a vertex, ns (one thread, {fast.best_set(table)})")
+    axes[0].set_ylabel(f"time a vertex, ns (one thread, {fast.set_name(table)})")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=4)
     figure.tight_layout(rect=(0, 0.15, 1, 1))

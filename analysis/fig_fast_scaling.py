@@ -25,7 +25,7 @@ def main() -> None:
     for line, look in common.look(list(one.line)).items():
         own = one[one.line == line].sort_values("triangles")
         times.errorbar(own.triangles, own.ns_vertex, yerr=own.iqr_ns / 2, label=line, capsize=2, **look)
-    times.set(yscale="log", ylabel=f"time a vertex, ns (one thread, {fast.best_set(table)})")
+    times.set(yscale="log", ylabel=f"time a vertex, ns (one thread, {fast.set_name(table)})")
     times.set_title("socket to ball")
     draw_threads(gains, rows[(rows.method == OWN[0])])
     for axes in (times, gains):

@@ -33,7 +33,7 @@ def main() -> None:
     ends = (rows.times_embree.min() / 4, rows.times_embree.max() * 3)  # room for numbers
     axes.set(xscale="log", xlim=ends, ylim=(-0.6, len(order) - 0.4))
     axes.set_xlabel("times as fast as the fastest of Embree's rays")
-    what = f"{fast.TRIANGLES:,} triangles a model, one thread, {fast.best_set(table)}"
+    what = f"{fast.TRIANGLES:,} triangles a model, one thread, {fast.set_name(table)}"
     axes.set_title(f"{what}; cube of 291 cells, grids of 0.5°, voxels of 0.5 mm")
     axes.grid(axis="y", visible=False)
     axes.legend(loc="lower right")

@@ -29,7 +29,7 @@ def facts(results: Path) -> dict[str, str]:
         found[f"{name}:um"] = common.digits(row.error_um, 2)
         found[f"{name}:kib"] = common.digits(row.bytes / 1024)
     return found | {
-        "fast:set": fast.best_set(table),
+        "fast:set": fast.set_name(table),
         "fast:threads": gain(table, rows),
         "fast:growth": growth(table),
     }
