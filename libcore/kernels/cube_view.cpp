@@ -50,6 +50,10 @@ bool surely_beside(const TriangleMesh& mesh, const Face& face, std::size_t throu
 
 }  // namespace
 
+SeenCorner seen_corner(const Vec3& v, std::size_t divisions) {
+  return project(v, face_before(v), 0.5 * static_cast<double>(divisions));
+}
+
 CubeView::CubeView(const TriangleMesh& mesh, std::size_t divisions)
     : mesh_(&mesh),
       divisions_(divisions),
