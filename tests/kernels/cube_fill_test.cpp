@@ -104,6 +104,17 @@ TEST(CubeFill, LayersOfAThickSocket) {
   expect_as_exact(wall, 64, Layer::farthest);
 }
 
+// The edges of a plate run along grid lines, of which the cells on either side are its rim.
+TEST(CubeFill, RimAlongGridLines) {
+  TriangleMesh plate = octahedron(80.0);
+  const auto first = static_cast<VertexIndex>(plate.vertices.size());
+  plate.vertices.insert(plate.vertices.end(), {{-10, -10, 20}, {10, -10, 20}, {10, 10, 20}, {-10, 10, 20}});
+  plate.faces.insert(plate.faces.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+  expect_as_exact(plate, 16, Layer::nearest);
+  const auto table = filled<float>(plate, {cells(16), Layer::nearest, 1, {}});
+  EXPECT_GE(marked(table), 2U * 4U * 8U - 4U);  // both sides of 8 cells an edge, those in corners once
+}
+
 TEST(CubeFill, SoupOfSteepAndThinFaces) {
   for (const unsigned seed : {1U, 2U}) {
     const TriangleMesh mesh = test::soup(30, seed);
