@@ -25,6 +25,15 @@ std::optional<std::string> git(const std::filesystem::path& folder, const std::s
   return text;
 }
 
+// A note in the root of the clone, or a scene written there, changes no result.
+std::optional<bool> has_changes(const std::filesystem::path& folder) {
+  const auto changed = git(folder, "status --porcelain --untracked-files=no");
+  const auto added =
+      git(folder, "ls-files --others --exclude-standard -- libcore experiments analysis paper");
+  if (!changed || !added) return std::nullopt;
+  return !changed->empty() || !added->empty();
+}
+
 }  // namespace
 
 SourceState source_state(const std::filesystem::path& folder) {
@@ -40,7 +49,7 @@ SourceState source_state(const std::filesystem::path& folder) {
   }
   if (const auto head = git(folder, "rev-parse HEAD")) {
     state.commit = head->substr(0, head->find('\n'));
-    if (const auto changes = git(folder, "status --porcelain")) state.dirty = !changes->empty();
+    state.dirty = has_changes(folder);
   }
   return state;
 }
