@@ -6,7 +6,6 @@ of error and any cost on the axes. From data/error_against_time.csv and error_ag
 from __future__ import annotations
 
 import html
-import json
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +13,7 @@ import pandas as pd
 
 import common
 import pareto
+from markup import data_script
 
 # Columns that may stand on the axes, and what a reader calls them; the first is shown at first.
 ERRORS = {
@@ -22,7 +22,6 @@ ERRORS = {
     "rms_um": "root mean square error, µm",
     "bound_um": "proven bound, µm",
 }
-COSTS = {**pareto.COSTS}
 MARKERS = ["circle", "square", "diamond", "triangle-up", "cross", "x", "star"]
 
 
@@ -45,7 +44,7 @@ def lines(table: pd.DataFrame) -> list[dict]:
                 "colour": common.COLOURS[k % len(common.COLOURS)],
                 "marker": MARKERS[k // len(common.COLOURS) % len(MARKERS)],
                 "setting": [pareto.step_of(row) for row in group.itertuples()],
-                **{column: significant(group[column]) for column in (*ERRORS, *COSTS)},
+                **{column: significant(group[column]) for column in (*ERRORS, *pareto.COSTS)},
             }
         )
     return found
@@ -66,15 +65,13 @@ def section(results: Path) -> str:
     scenes = {
         name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]
     }
-    data = json.dumps(lines(table[pareto.competes(table)]), ensure_ascii=False, separators=(",", ":"))
-    data = data.replace("<", "\\u003c")  # nothing in it may end the script
+    shown = lines(table[pareto.competes(table)])
     return (
         '<h2 id="explore">Error against cost, to explore</h2>'
         "<p>Lower left is better. Click a name to hide its line, double-click to see it alone; point at a marker for its"
         " numbers; drag to look closer, double-click the"
         " plot to see everything, methods that are exact among it. Only methods that give the radius along a direction are here.</p>"
         f'<div class="filters">{choice("scene", "Scene", scenes)}{choice("error", "Across", ERRORS)}'
-        f'{choice("cost", "Upwards", COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
-        ' of every method"></div>'
-        f'<script type="application/json" id="explore-data">{data}</script>'
+        f'{choice("cost", "Upwards", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
+        ' of every method"></div>' + data_script("explore-data", shown)
     )

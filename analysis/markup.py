@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import html
+import json
 import math
 import re
 
@@ -16,6 +17,13 @@ def element(tag: str, inner: str, **attributes: str) -> str:
         f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"' for key, value in attributes.items()
     )
     return f"<{tag}{words}>{inner}</{tag}>"
+
+
+def data_script(name: str, value: object) -> str:
+    """A script element that holds the value as JSON, for the page's own scripts to read."""
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+    text = text.replace("<", "\\u003c")  # nothing in it may end the script
+    return f'<script type="application/json" id="{name}">{text}</script>'
 
 
 def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:

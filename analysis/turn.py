@@ -6,8 +6,9 @@ button wakes it in a frame; turn.js does that. A picture stands there before, an
 from __future__ import annotations
 
 import html
-import json
 from pathlib import Path
+
+from markup import data_script
 
 LOOK = "cartilage=4&view=free&show=ball,socket,clock,smallest"
 # What a reader may choose: a title, and the joint and pose as a link to Joint3D has them.
@@ -27,8 +28,7 @@ def section(results: Path, picture: str) -> str:
         f'<option value="{state}&amp;{LOOK}">{title}</option>'
         for title, state in ((html.escape(t), html.escape(s)) for t, s in JOINTS.items())
     )
-    page = json.dumps((results / "joint3d.html").read_text(), ensure_ascii=False)
-    page = page.replace("<", "\\u003c")  # nothing in it may end the script
+    page = (results / "joint3d.html").read_text()
     return (
         '<h2 id="turn">A joint to turn by hand</h2>'
         "<p>Joint3D, the program of the thesis' Section 3.4, with this library in it: it works out the gap at every vertex as"
@@ -41,6 +41,5 @@ def section(results: Path, picture: str) -> str:
         f'<div id="turn-place">{picture}<button type="button" id="turn-start">Show the joint</button></div>'
         '<p class="soft">Drag with the mouse or a finger to turn, wheel or two fingers to come nearer; or press Tab until the'
         " picture has the frame, then arrow keys, + and −. “Move femur” lets a drag move the bone instead: the gaps follow."
-        " The whole program is joint3d.html beside this report.</p>"
-        f'<script type="application/json" id="turn-page">{page}</script>'
+        " The whole program is joint3d.html beside this report.</p>" + data_script("turn-page", page)
     )
