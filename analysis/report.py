@@ -8,29 +8,20 @@ What is shown is what the graph declares (jobs.tsv): a new table or figure appea
 from __future__ import annotations
 
 import html
-import json
-import re
-from dataclasses import dataclass
 from pathlib import Path
 
 import pandas as pd
 
 import common
-import data_table
 import explore
 import picture
 import reference
+import report_section
+import report_verdicts
 import turn
-from markup import cell, element
+from markup import element
+from report_jobs import Job, load_jobs, place, title_of
 
-MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
-MEANINGS = {
-    "reproduced": "came out again",
-    "differs": "came out otherwise",
-    "thesis-misprint": "wrong in the thesis",
-    "not-comparable": "of another machine or patient",
-    "input": "given, not computed",
-}
 ABOUT = (
     "How far apart are the two bones of a joint in a pose, and where do they touch? A thesis of about 2009, <cite>Rapid"
     " Impingement Detection Systems for Ball-and-Socket Joints</cite>, answers by looking up each vertex of one surface in a"
@@ -39,194 +30,6 @@ ABOUT = (
     " are measured beyond it. Below each table and figure stand the command that makes it again and where its data come"
     " from; a click makes a figure larger. Research software, no medical device."
 )
-PROVENANCE = {
-    "question": "Question",
-    "command": "Command",
-    "profile": "Profile",
-    "seed": "Seed",
-    "commit": "Commit",
-    "dirty": "Uncommitted changes",
-    "driver_sha256": "SHA-256 of the program",
-    "csv_sha256": "SHA-256 of the CSV",
-    "compiler": "Compiler",
-    "flags": "Flags",
-    "cpu": "CPU",
-    "cores": "Cores",
-    "memory_mib": "Memory, MiB",
-    "governor": "Frequency governor",
-    "load": "Load before",
-    "system": "System",
-    "started_utc": "Started",
-    "duration_s": "Took, s",
-    "libraries": "Libraries",
-    "parameters": "Parameters",
-}
-
-
-@dataclass(frozen=True)
-class Job:
-    """What the graph says of one table or figure."""
-
-    name: str
-    kind: str
-    outputs: list[str]
-    data: list[str]  # names of the CSVs that it is made from
-    script: str
-    question: str
-
-
-def load_jobs(path: Path) -> list[Job]:
-    """Tables and figures: those of the thesis by their numbers, then the others in the order of the graph."""
-    jobs = []
-    for line in path.read_text().splitlines():
-        name, kind, _, _, _, _, outputs, depends, command, question = line.split("\t")
-        data = [
-            Path(file).stem
-            for file in depends.split(";")
-            if file.startswith("data/") and file.endswith(".csv")
-        ]
-        script = next((word for word in command.split() if word.endswith(".py")), "")
-        jobs.append(Job(name, kind, outputs.split(";"), data, script, question))
-    return sorted(jobs, key=place)
-
-
-def place(job: Job) -> tuple:
-    """The thesis' tables, then its figures, by number; then all others."""
-    thesis = re.fullmatch(r"(table|figure)-(\d+).*", job.name)
-    return (0, thesis[1] == "figure", int(thesis[2])) if thesis else (1,)
-
-
-def totals(verdicts: pd.DataFrame) -> str:
-    """How often each verdict was given."""
-    counts = verdicts.verdict.value_counts()
-    return element(
-        "ul",
-        "".join(
-            element(
-                "li",
-                f"<b>{counts[name]}</b> "
-                + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name])
-                + f'<br><span class="soft">{MEANINGS[name]}</span>',
-            )
-            for name in MARKS
-            if name in counts
-        ),
-        class_="totals",
-    )
-
-
-def filters(verdicts: pd.DataFrame) -> str:
-    """Choices that report.js reads."""
-
-    def choice(name: str, title: str, values: dict[str, str]) -> str:
-        options = "".join(
-            element("option", text, value=value) for value, text in {"": "all", **values}.items()
-        )
-        return element("label", title + element("select", options, id=f"filter-{name}"))
-
-    found = set(verdicts.verdict)
-    return element(
-        "div",
-        choice("artefact", "Where", {name: title_of(name) for name in verdicts.artefact.unique()})
-        + choice("verdict", "Verdict", {name: name for name in MARKS if name in found})
-        + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
-        class_="filters",
-    )
-
-
-def explanation(row: dict[str, str]) -> str:
-    """The rule of a verdict with its tolerance, and what is to be said of this one."""
-    tolerance = f" ({row['tolerance']})" if row["tolerance"] not in ("", "none") else ""
-    note = element("strong", html.escape(row["note"]) + ". ") if row["note"] else ""
-    return element("td", note + html.escape(f"Rule: {row['rule']}{tolerance}."), class_="why")
-
-
-HEADS = {"measured": "this run", "reference": "reference run", "row": "row or case", "artefact": "where"}
-
-
-def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
-    """Every row, with what the filters need; places: what the page has a section of."""
-    names = [
-        name
-        for name in ("artefact", "row", "column", "thesis", "measured", "reference", "unit")
-        if name in verdicts
-    ]
-    titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
-    head = element("thead", element("tr", "".join(element("th", title) for title in titles)))
-    rows = "".join(verdict_row(row, names, places) for row in verdicts.to_dict("records"))
-    return element("div", element("table", head + element("tbody", rows), id="verdicts"), class_="scroll")
-
-
-def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
-    """Its values, its verdict (and the reference run's where that is another), and why."""
-    where = html.escape(title_of(row["artefact"]))
-    if row["artefact"] in places:
-        where = element("a", where, href=f"#{row['artefact']}")
-    cells = [element("td", where, data_title="where")]
-    for name in names[1:]:
-        rounded = name in ("measured", "reference")
-        cells.append(cell(row[name], title=HEADS.get(name, name), name=name == "row", shorten=rounded))
-    found = row["verdict"]
-    other = row.get("verdict_reference", "")
-    remark = element("span", f"reference: {other}", class_="kept") if other else ""
-    inner = html.escape(found) + ("<br>" + remark if remark else "")
-    mark = MARKS.get(found, "")
-    cells.append(element("td", inner, class_=f"verdict {found}", data_mark=mark, data_title="verdict"))
-    return element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found)
-
-
-def provenance(results: Path, name: str) -> str:
-    """Where a CSV comes from, folded."""
-    record = common.sidecar(results / "data" / f"{name}.csv")
-    lines = []
-    for key, title in PROVENANCE.items():
-        if key in record:
-            value = record[key]
-            text = (
-                json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, bool)) else str(value)
-            )
-            lines.append(element("dt", title) + element("dd", html.escape(text)))
-    for key, title in (
-        ("inconclusive", "Inconclusive timings"),
-        ("control", "Control (one case against itself)"),
-    ):
-        if key in (record.get("timing") or {}):
-            value = record["timing"][key]
-            value = (
-                {k: v for k, v in value.items() if k != "samples_ms"} if isinstance(value, dict) else value
-            )
-            lines.append(
-                element("dt", title) + element("dd", html.escape(json.dumps(value) if value else "none"))
-            )
-    return element(
-        "details", element("summary", f"Where data/{name}.csv comes from") + element("dl", "".join(lines))
-    )
-
-
-def title_of(name: str) -> str:
-    """What a reader calls a table or figure: "Table 9: queries", "Figure 36: cargen left", "Error against time"."""
-    words = re.sub(r"^(table|figure)-(\d+)-", r"\1 \2: ", name).replace("-", " ").replace("_", " ")
-    return words[0].upper() + words[1:]
-
-
-def section(results: Path, job: Job, kept: Path) -> str:
-    """A table or figure with its caption, source and way to make it again; kept: the folder of the reference run."""
-    shown = job.outputs[0]
-    if job.kind == "table":
-        body = element("p", html.escape(job.question)) + data_table.section(results / shown, kept)
-    else:
-        body = element(
-            "figure",
-            picture.image(results / shown, job.question) + element("figcaption", html.escape(job.question)),
-        )
-    again = f"experiments/reproduce --only {job.name}"
-    source = f"{shown} · {job.script} · " + element("code", again)
-    return (
-        element("h3", title_of(job.name), id=job.name)
-        + body
-        + element("p", source, class_="source")
-        + "".join(provenance(results, name) for name in job.data)
-    )
 
 
 def heading(results: Path, jobs: list[Job], kept: Path) -> str:
@@ -287,17 +90,17 @@ def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
     verdicts = reference.with_verdicts(verdicts, kept)
     parts = [
         heading(results, jobs, kept),
-        element("h2", "Verdicts", id="verdicts-title"),
-        totals(verdicts),
-        filters(verdicts),
-        verdict_table(verdicts, {job.name for job in jobs if job.kind in ("table", "figure")}),
+        report_verdicts.section(verdicts, {job.name for job in jobs if job.kind in ("table", "figure")}),
         explore.section(results),
         turn.section(
             results, picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
         ),
     ]
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
-        parts += [element("h2", title), *(section(results, job, kept) for job in jobs if job.kind == kind)]
+        parts += [
+            element("h2", title),
+            *(report_section.section(results, job, kept) for job in jobs if job.kind == kind),
+        ]
     style = (common.HERE / "report.css").read_text()
     scripts = [
         library,
