@@ -10,18 +10,16 @@ import itertools
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.lines import Line2D
 
 import common
+import cost_marks
 import pareto
 
 REFERENCES = ["embree_ray8, robust", "rsid_thesis", "usid_thesis"]  # coloured wherever they are there
-FADED = "#c9c9c9"
-FLOORS = {"float": 2.0**-24, "double": 2.0**-53}  # half an ulp of 1
 # Below this error, um, where only exact methods are, a decade has this share of the width of one above.
 EXACT = 1e-3
 SHARE = 0.18
-LEAST, MOST = 1e-10, 1e5  # um
+LEAST = 1e-10  # um
 
 
 def main() -> None:
@@ -58,7 +56,7 @@ def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
         ha="left",
         fontsize=12,
     )
-    legend(figure, looks, y=-0.02)
+    cost_marks.legend(figure, looks, y=-0.02)
     return figure
 
 
@@ -81,7 +79,7 @@ def queries_of_scenes(table: pd.DataFrame) -> plt.Figure:
         axes.set_ylabel(pareto.COSTS["query_ns"])
     figure.suptitle("Error against the time of a query: lower left is better", x=0.125, y=0.96, ha="left")
     figure.subplots_adjust(hspace=0.32, wspace=0.08)
-    legend(figure, looks, y=0.02 if lines > 1 else -0.06)
+    cost_marks.legend(figure, looks, y=0.02 if lines > 1 else -0.06)
     return figure
 
 
@@ -104,16 +102,16 @@ def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
 def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: bool) -> None:
     """Every line of one scene against one cost; those without a look are faded."""
     axes.set_xscale("function", functions=(squeezed, spread_out))
-    axes.set(yscale="log", xlabel="largest error measured, µm", xlim=(LEAST, 0.3 * MOST))
+    axes.set(yscale="log", xlabel="largest error measured, µm", xlim=(LEAST, 0.3 * cost_marks.MOST))
     ticks = [1e-8, *(10.0**k for k in range(-2, 5))]
     axes.set_xticks(ticks, [f"$10^{{{round(np.log10(tick))}}}$" for tick in ticks])
     axes.axvspan(LEAST, EXACT, color="#f3f3f3", zorder=0)
     own = own[np.isfinite(own.error_um) & np.isfinite(own[cost]) & (own[cost] > 0)]
-    shown = own.assign(x=own.error_um.clip(LEAST, MOST))
+    shown = own.assign(x=own.error_um.clip(LEAST, cost_marks.MOST))
     for line, group in shown.groupby("line", sort=False):
         group = group.sort_values(["precision_deg", "x"], ascending=[False, True])
         look = looks.get(line)
-        colour = look["color"] if look else FADED
+        colour = look["color"] if look else cost_marks.FADED
         axes.plot(
             group.x,
             group[cost],
@@ -125,14 +123,14 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
             markerfacecolor=colour if group.measure.iloc[0] == "radial" else "white",
             zorder=3 if look else 1,
         )
-        failures(axes, group, cost)
+        cost_marks.failures(axes, group, cost)
         if look:
-            whiskers(axes, group, cost, colour)
-            bounds(axes, group, cost, look)
+            cost_marks.whiskers(axes, group, cost, colour)
+            cost_marks.bounds(axes, group, cost, look)
             if labelled:
-                steps(axes, group, cost, colour)
-    staircase(axes, shown, cost)
-    floors(axes)
+                cost_marks.steps(axes, group, cost, colour)
+    cost_marks.staircase(axes, shown, cost)
+    cost_marks.floors(axes)
     axes.set_ylim(0.6 * own[cost].min(), 1.6 * own[cost].max())
 
 
@@ -146,128 +144,6 @@ def spread_out(place: np.ndarray) -> np.ndarray:
     """The inverse of squeezed()."""
     x = np.asarray(place, dtype=float)
     return EXACT * 10 ** np.where(x < 0, x / SHARE, x)
-
-
-def whiskers(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
-    """The spread of the times, between their quartiles."""
-    spread = {"query_ns": "query_iqr_ns", "build_ms": "build_iqr_ms"}.get(cost)
-    if spread and np.isfinite(group[spread]).any():
-        half = group[spread] / 2
-        below = np.minimum(half, 0.9 * group[cost])  # a logarithmic axis has no zero
-        axes.errorbar(
-            group.x, group[cost], yerr=[below, half], fmt="none", ecolor=colour, capsize=2, linewidth=0.8
-        )
-
-
-def bounds(axes: plt.Axes, group: pd.DataFrame, cost: str, look: dict) -> None:
-    """A hollow marker at the proven bound, joined to what was measured."""
-    proven = group[np.isfinite(group.bound_um)]
-    axes.hlines(proven[cost], proven.x, proven.bound_um, color=look["color"], linewidth=0.7, zorder=2)
-    axes.plot(
-        proven.bound_um,
-        proven[cost],
-        linestyle="none",
-        marker=look["marker"],
-        markersize=4.5,
-        markerfacecolor="white",
-        markeredgecolor=look["color"],
-        markeredgewidth=0.9,
-        zorder=2,
-    )
-
-
-def steps(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
-    """The setting beside each point of a line of several."""
-    if len(group) < 2:
-        return
-    for row in group.itertuples():
-        axes.annotate(
-            pareto.step_of(row),
-            (row.x, getattr(row, cost)),
-            xytext=(0, 5),
-            textcoords="offset points",
-            ha="center",
-            fontsize=6.5,
-            color=colour,
-        )
-
-
-def staircase(axes: plt.Axes, shown: pd.DataFrame, cost: str) -> None:
-    """Left of it and below it is nothing."""
-    on = shown[shown[f"{cost}_front"].eq(True)].sort_values("x")
-    if on.empty:
-        return
-    x = np.append(on.x, MOST)
-    y = np.append(on[cost], on[cost].iloc[-1])
-    axes.step(x, y, where="post", color="black", linewidth=0.9, alpha=0.7, zorder=2)
-
-
-def floors(axes: plt.Axes) -> None:
-    """The rounding of a radius of 25 mm in float and double."""
-    for name, share in FLOORS.items():
-        axes.axvline(25e3 * share, color="#888888", linestyle=":", linewidth=0.8, zorder=0)
-        axes.annotate(
-            name,
-            (25e3 * share, 0.01),
-            xycoords=("data", "axes fraction"),
-            xytext=(2, 0),
-            textcoords="offset points",
-            fontsize=7,
-            color="#666666",
-        )
-
-
-def failures(axes: plt.Axes, group: pd.DataFrame, cost: str) -> None:
-    """A cross over what answered where there is no surface."""
-    failed = group[group.false_hits > 0]
-    axes.plot(
-        failed.x,
-        failed[cost],
-        linestyle="none",
-        marker="x",
-        color=common.COLOURS[1],
-        markersize=5,
-        markeredgewidth=0.9,
-        zorder=4,
-    )
-
-
-def legend(figure: plt.Figure, looks: dict, y: float) -> None:
-    """The coloured lines, and what the other signs mean."""
-    handles = [
-        Line2D([], [], label=pareto.label(line), **look | {"markersize": 5.5}) for line, look in looks.items()
-    ]
-    handles += [
-        Line2D([], [], color=FADED, marker=".", label="another method or storage"),
-        Line2D(
-            [],
-            [],
-            color=FADED,
-            marker="o",
-            markersize=4,
-            markerfacecolor="white",
-            label="another question: nearest point or pose",
-        ),
-        Line2D(
-            [],
-            [],
-            color=common.COLOURS[1],
-            marker="x",
-            linestyle="none",
-            label="also answers where no surface is",
-        ),
-        Line2D([], [], color="black", linewidth=0.9, label="Pareto front (radial distance)"),
-        Line2D(
-            [],
-            [],
-            color="black",
-            marker="o",
-            markerfacecolor="white",
-            linewidth=0.7,
-            label="hollow, joined: proven bound",
-        ),
-    ]
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.12, y), ncol=4)
 
 
 common.run(main)
