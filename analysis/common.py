@@ -267,6 +267,16 @@ def look(names: list[str]) -> dict[str, dict]:
     }
 
 
+def scheme_looks(schemes: list[str]) -> dict[str, dict]:
+    """look(), with hollow markers from the second round of colours on."""
+    looks = look(schemes)
+    for i, of_one in enumerate(looks.values()):
+        of_one |= {"linewidth": 1.1, "markersize": 5}
+        if i >= len(COLOURS):
+            of_one |= {"markerfacecolor": "white", "linestyle": DASHES[(i + 1) % len(DASHES)]}
+    return looks
+
+
 def number_clip_paths(svg: Path) -> None:
     """Numbers the clip paths of an SVG in their order: matplotlib names those that are no rectangles after
     addresses in memory, which differ from run to run.

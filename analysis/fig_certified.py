@@ -28,16 +28,6 @@ def main() -> None:
     common.save_figure(figure, options.out, "certified-verdicts")
 
 
-def scheme_looks(schemes: list[str]) -> dict[str, dict]:
-    """common.look(), with hollow markers from the second round of colours on."""
-    looks = common.look(schemes)
-    for i, look in enumerate(looks.values()):
-        look |= {"linewidth": 1.1, "markersize": 5}
-        if i >= len(common.COLOURS):
-            look |= {"markerfacecolor": "white", "linestyle": common.DASHES[(i + 1) % len(common.DASHES)]}
-    return looks
-
-
 def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) -> None:
     """Share of vertices that the ranges leave to the exact test, over the joints that were examined at every
     precision; a line a scheme.
@@ -48,7 +38,7 @@ def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) 
     sums = groups[["undecided", "vertices"]].sum()
     sums["share"] = (100 * sums.undecided / sums.vertices).clip(lower=SHARES[0])
     sums = sums.reset_index()
-    for scheme, look in scheme_looks(list(sums.scheme)).items():
+    for scheme, look in common.scheme_looks(list(sums.scheme)).items():
         lines = sums[sums.scheme == scheme].sort_values("precision_deg")
         axes.plot(lines.precision_deg, lines.share, label=labels[scheme], **look)
     axes.set(

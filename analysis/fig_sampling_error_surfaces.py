@@ -23,7 +23,7 @@ def main() -> None:
     smooth = table[table.interpolant == "smooth"]
     common.style()
     figure, grid = plt.subplots(2, 2, figsize=(9.2, 7.2), sharex=True)
-    looks = scheme_looks(list(smooth.scheme.unique()))
+    looks = common.scheme_looks(list(smooth.scheme.unique()))
     labels = common.scheme_labels(options.results)
     for axes, (surface, title) in zip(grid.flat, PANELS.items()):
         draw(axes, smooth[smooth.surface == surface], looks, labels)
@@ -39,16 +39,6 @@ def main() -> None:
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
     figure.tight_layout()
     common.save_figure(figure, options.out, "sampling-error-surfaces")
-
-
-def scheme_looks(schemes: list[str]) -> dict[str, dict]:
-    """common.look(), with hollow markers from the second round of colours on."""
-    looks = common.look(schemes)
-    for i, look in enumerate(looks.values()):
-        look |= {"linewidth": 1.1, "markersize": 5}
-        if i >= len(common.COLOURS):
-            look |= {"markerfacecolor": "white", "linestyle": common.DASHES[(i + 1) % len(common.DASHES)]}
-    return looks
 
 
 def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, labels: dict[str, str]) -> None:
