@@ -7,8 +7,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kLeastShare = 0.125;     // of the largest coordinate, for a corner to be projected
-constexpr double kMostInverse = 0x1p500;  // 1 / mm: corners nearer to the centre are not projected
+constexpr double kLeastShare = 0.125;  // of the largest coordinate, for a corner to be projected
 
 struct FaceAxes {
   Eigen::Index depth, a, b;
@@ -69,27 +68,6 @@ void CubeView::see(std::size_t first_vertex, std::size_t end_vertex) {
     corners_[v] = project(x, face, half);
     if (inside(corners_[v].x) && inside(corners_[v].y)) margin_face_[v] = static_cast<std::uint8_t>(face);
   }
-}
-
-GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners, double reach) const {
-  const auto [a, b, c] = corners;
-  const double most = static_cast<double>(divisions_);
-  const auto first = [=](double x, double y, double z) {  // rounded up
-    const double from = std::clamp(std::min({x, y, z}) - reach, 0.0, most + 1.0);
-    const auto line = static_cast<long>(from);
-    return static_cast<double>(line) < from ? line + 1 : line;
-  };
-  const auto last = [=](double x, double y, double z) {  // rounded down, from -1 on
-    return static_cast<long>(std::clamp(std::max({x, y, z}) + reach, -1.0, most) + 1.0) - 1;
-  };
-  return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
-}
-
-SeenFace CubeView::seen(const Face& face, std::size_t through, double reach) const {
-  const std::array<SeenCorner, 3> own{corners_[face[0]], corners_[face[1]], corners_[face[2]]};
-  const bool in_front =
-      std::ranges::all_of(own, [&](const SeenCorner& c) { return c.face == through && c.q < kMostInverse; });
-  return in_front ? SeenFace{own, window_of(own, reach), true} : seen_across(face, through, reach);
 }
 
 SeenFace CubeView::seen_across(const Face& face, std::size_t through, double reach) const {

@@ -7,6 +7,7 @@
 // (x, y), and an edge is a straight line.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -60,7 +61,8 @@ class CubeView {
 
  private:
   static constexpr std::uint8_t kNone = 255;
-  static constexpr double kLeastReach = 1e-6;  // far above rounding
+  static constexpr double kLeastReach = 1e-6;      // far above rounding
+  static constexpr double kMostInverse = 0x1p500;  // 1 / mm: corners nearer to the centre are not projected
 
   SeenFace seen_across(const Face& face, std::size_t through, double reach) const;
   GridWindow window_of(const std::array<SeenCorner, 3>& corners, double reach) const;
@@ -70,5 +72,26 @@ class CubeView {
   std::vector<SeenCorner> corners_;
   std::vector<std::uint8_t> margin_face_;  // the same as corners_[v].face, kNone near the edges of the cube
 };
+
+inline GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners, double reach) const {
+  const auto [a, b, c] = corners;
+  const double most = static_cast<double>(divisions_);
+  const auto first = [=](double x, double y, double z) {  // rounded up
+    const double from = std::clamp(std::min({x, y, z}) - reach, 0.0, most + 1.0);
+    const auto line = static_cast<long>(from);
+    return static_cast<double>(line) < from ? line + 1 : line;
+  };
+  const auto last = [=](double x, double y, double z) {  // rounded down, from -1 on
+    return static_cast<long>(std::clamp(std::max({x, y, z}) + reach, -1.0, most) + 1.0) - 1;
+  };
+  return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
+}
+
+inline SeenFace CubeView::seen(const Face& face, std::size_t through, double reach) const {
+  const std::array<SeenCorner, 3> own{corners_[face[0]], corners_[face[1]], corners_[face[2]]};
+  const bool in_front =
+      std::ranges::all_of(own, [&](const SeenCorner& c) { return c.face == through && c.q < kMostInverse; });
+  return in_front ? SeenFace{own, window_of(own, reach), true} : seen_across(face, through, reach);
+}
 
 }  // namespace impinge
