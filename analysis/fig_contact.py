@@ -12,7 +12,7 @@ def main() -> None:
     """Writes figures/contact-time.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     table = contact.load(options.results)
-    looks = common.look(list(contact.NAMES.values()))
+    looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
     common.style()
     figure, axes = plt.subplots(1, 3, figsize=(9.6, 4.4), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,10 @@ namespace impinge {
 
 // Answers of one method in poses of one gap.
 struct AskedContact {
-  std::string method;                        // as results name it
-  std::vector<Pose> poses;                   // fewer for slow ones
-  std::function<bool(const Pose&)> work;     // what is timed
-  std::function<bool(const Pose&)> touches;  // what it says
+  std::string method;                              // as results name it
+  std::vector<Pose> poses;                         // fewer for slow ones
+  std::function<void(std::span<const Pose>)> run;  // what is timed
+  std::function<bool(const Pose&)> touches;        // what it says
 };
 
 // Of all ways in the poses; the stage must outlive them.

@@ -6,19 +6,11 @@
 
 #include "contenders/fcl_obb.hpp"
 #include "contenders/vtk_collision.hpp"
-#include "sampling/exact_raster.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kCubePrecision =
-    90.0 / 291.0;                    // degrees, of the kernels' tables: the main ones of experiment 13_fast
 constexpr double kExactTests = 3e5;  // vertices looked at for each joint and case, to compare
-
-ContactStage::CubeTable cube_table(const TriangleMesh& mesh, Layer layer) {
-  const auto scheme = CubeGnomonic::with_precision(kCubePrecision);
-  return lane_table<std::uint16_t>(InverseDepthTable(fill_exact(mesh, scheme, layer)));
-}
 
 // The exact test of every vertex.
 bool any_impinged(const ContactStage& stage, const Pose& pose) {
@@ -40,24 +32,10 @@ ContactStage::ContactStage(std::size_t triangles)
       fcl(make_fcl_obb(pair.ball, pair.socket)),
       distance(pair.ball, pair.socket),
       vtk(make_vtk_collision(pair.ball, pair.socket)),
-      ball_table(cube_table(pair.ball, Layer::farthest)),
-      socket_table(cube_table(pair.socket, Layer::nearest)),
-      ball(vertex_lanes<float>(pair.ball.vertices)),
-      socket(vertex_lanes<float>(pair.socket.vertices)),
-      ball_gaps(ball.size()),
-      socket_gaps(socket.size()) {}
+      scans(pair) {}
 
-void ContactStage::scan_all(const Pose& pose) {
-  scan_gaps(socket_table, {ball, pose, Scan::ball}, ball_gaps);
-  scan_gaps(ball_table, {socket, pose, Scan::socket}, socket_gaps);
-}
-
-bool ContactStage::any_at_most_zero() const {
-  const auto at_most_zero = [](float gap) { return gap <= 0.0F; };
-  return std::ranges::any_of(ball_gaps, at_most_zero) || std::ranges::any_of(socket_gaps, at_most_zero);
-}
-
-void compare(ContactStage& stage, const std::vector<Pose>& poses) {
+std::map<std::string, double> compare(ContactStage& stage, const std::vector<Pose>& poses) {
+  std::map<std::string, double> largest;
   const auto vertices =
       static_cast<double>(stage.pair.ball.vertices.size() + stage.pair.socket.vertices.size());
   const auto most = static_cast<std::size_t>(kExactTests / vertices) + 1;
@@ -71,7 +49,10 @@ void compare(ContactStage& stage, const std::vector<Pose>& poses) {
     if (stage.vtk->touches(poses[k]) != stage.fcl->touches(poses[k]))
       throw std::runtime_error(
           "VTK and FCL differ on a contact: their times mean nothing until that is resolved");
+    for (const auto& [method, error] : scan_errors(stage.scans, stage.culled, poses[k]))
+      largest[method] = std::max(largest[method], error);
   }
+  return largest;
 }
 
 }  // namespace impinge

@@ -2,11 +2,12 @@
 #include "studies/contact_study.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
-#include <benchmark/benchmark.h>
-
+#include "sphere/radial_table.hpp"
 #include "studies/contact_methods.hpp"
 #include "studies/contact_motions.hpp"
 
@@ -17,8 +18,9 @@ namespace {
 struct ContactCase {
   TimedCase timed;
   std::size_t poses = 0;
-  std::size_t touching = 0;   // of these, by this way
-  double least_gap_mm = 0.0;  // median over the poses
+  std::size_t touching = 0;      // of these, by this way
+  double least_gap_mm = 0.0;     // median over the poses
+  double error_mm = kNoSurface;  // largest of a gap of a table in the poses compared; NaN for other ways
 };
 
 double median_gap(const CulledJoint& joint, const std::vector<Pose>& poses) {
@@ -31,18 +33,17 @@ double median_gap(const CulledJoint& joint, const std::vector<Pose>& poses) {
 void add_cases(ContactStage& stage, const GapCase& gap, const ContactOptionsTimed& options,
                std::vector<ContactCase>& cases) {
   const std::vector<Pose> poses = contact_motions(stage.culled, gap, options.seed);
-  compare(stage, poses);
+  const std::map<std::string, double> errors = compare(stage, poses);
   for (const AskedContact& asked : contact_methods(stage, poses)) {
     ContactCase added;
     added.poses = asked.poses.size();
     added.touching = static_cast<std::size_t>(std::ranges::count_if(asked.poses, asked.touches));
     added.least_gap_mm = median_gap(stage.culled, asked.poses);
+    if (errors.contains(asked.method)) added.error_mm = errors.at(asked.method);
     added.timed.key = {asked.method, gap.name, stage.pair.ball.faces.size()};
     added.timed.units = static_cast<double>(asked.poses.size());
     added.timed.rounds = options.rounds;
-    added.timed.run = [asked] {
-      for (const Pose& pose : asked.poses) benchmark::DoNotOptimize(asked.work(pose));
-    };
+    added.timed.run = [asked] { asked.run(asked.poses); };
     cases.push_back(std::move(added));
   }
 }
@@ -54,6 +55,7 @@ double median_of(const TimingRun& run, const std::string& method, const Timing& 
 
 Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run) {
   constexpr double kMicroseconds = 1e3;  // in a millisecond
+  constexpr double kMicrons = 1e3;       // in a millimetre
   Table table{contact_keys(), {}};
   for (const Column& column : std::vector<Column>{
            {"us_pose", "us", "median time of a pose"},
@@ -62,6 +64,8 @@ Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run)
            {"poses", "1", "poses of a round: motions of 16, half a degree from one to the next"},
            {"touching", "1", "of these, by this method"},
            {"least_gap_mm", "mm", "median of the smallest gap of a pose"},
+           {"error_um", "um",
+            "largest error of a gap at a vertex, in those of the poses that were compared; of tables alone"},
            {"times_fcl_collide", "1", "median of fcl_collide over this one"},
            {"times_fcl_distance", "1", "median of fcl_distance over this one"}}) {
     table.columns.push_back(column);
@@ -72,7 +76,7 @@ Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run)
     std::vector<Cell> row = timing.key;
     row.insert(row.end(), {kMicroseconds * median, kMicroseconds * timing.summary.iqr, timing.summary.count,
                            cases[k].poses, cases[k].touching, cases[k].least_gap_mm,
-                           median_of(run, "fcl_collide", timing) / median,
+                           kMicrons * cases[k].error_mm, median_of(run, "fcl_collide", timing) / median,
                            median_of(run, "fcl_distance", timing) / median});
     table.add_row(std::move(row));
   }
