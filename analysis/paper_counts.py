@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of the paper about experiment 13_counts, cube in 16 bits with the best instruction set that was counted:
-counts:set, counts:cube and counts:floor instructions of a vertex of the socket, counts:over and counts:time the ratio
+counts:set, counts:cube, counts:floor and, of a table of corners, counts:corners instructions of a vertex of the socket, counts:over and counts:time the ratio
 of instructions and of times, counts:cube_misses and counts:floor_misses of 32 KiB, counts:rim and counts:rim_misses of
 the vertices of the ball, counts:rays of the fewest of Embree's, counts:touch and counts:boxes of a pose, culled and by
 FCL."""
@@ -18,14 +18,18 @@ def facts(results: Path) -> dict[str, str]:
     table = counts.first_set(counts.load(results))
     by_method = {
         direction: rows.set_index("method")
-        for direction, rows in table[table.unit == "vertex"].groupby("direction")
+        for direction, rows in table[(table.unit == "vertex") & (table.storage != "corners")].groupby(
+            "direction"
+        )
     }
     socket, ball = by_method["socket->ball"], by_method["ball->socket"]
+    corners = table[(table.storage == "corners") & (table.direction == "socket->ball")].iloc[0]
     cube, floor = socket.loc["cube_gnomonic_mesh_exact"], socket.loc["floor"]
     rim = ball.loc["cube_gnomonic_mesh_exact"]
     poses = table[table.unit == "pose"].set_index("method").instructions
     numbers = {
         "cube": cube.instructions,
+        "corners": corners.instructions,
         "floor": floor.instructions,
         "over": cube.over_floor,
         "time": cube.time_over_floor,

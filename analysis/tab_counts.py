@@ -29,7 +29,8 @@ def latex(table: pd.DataFrame) -> str:
     )
     lines = []
     for row in table.itertuples():
-        cells = [names[row.method], fast.DIRECTIONS.get(row.direction, "")]
+        name = names[row.method] + (", corners" if row.storage == "corners" else "")
+        cells = [name, fast.DIRECTIONS.get(row.direction, "")]
         cells += [common.digits(row.instructions, 3)]
         cells += [common.digits(value, 2) or "---" for value in (row.over_floor, row.time_over_floor)]
         cells += [f"{value:,.2f}" for value in (row.l1_misses, row.l2_misses)]
