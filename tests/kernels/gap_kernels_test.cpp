@@ -88,9 +88,8 @@ double steps(const typename K::S& scheme, const RadialTable<typename K::S>& tabl
 template <class K>
 double steps_at(const RadialTable<typename K::S>& table, const Vec3& x) {
   double largest = 0.0;
-  for (int k = 0; k < 27; ++k) {
-    const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const Stencil stencil = table.scheme().stencil(x + 8.0 * K::kUnit * x.norm() * way);
+  for (const Vec3& near : test::close_to(x, 8.0 * K::kUnit)) {
+    const Stencil stencil = table.scheme().stencil(near);
     for (std::size_t a = 0; a < stencil.taps; ++a)
       for (std::size_t b = 0; b < a; ++b) {
         const double step = std::abs(table.radii()[stencil.entry[a]] - table.radii()[stencil.entry[b]]);
@@ -103,11 +102,8 @@ double steps_at(const RadialTable<typename K::S>& table, const Vec3& x) {
 // Within rounding of x, is there an answer (or none) as the kernel says?
 template <class K, class Table>
 bool said_close_by(const Table& table, const Vec3& x, bool none) {
-  for (int k = 0; k < 27; ++k) {
-    const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    if (std::isnan(table.radius_at(x + 64.0 * K::kUnit * x.norm() * way)) == none) return true;
-  }
-  return false;
+  return std::ranges::any_of(test::close_to(x, 64.0 * K::kUnit),
+                             [&](const Vec3& near) { return std::isnan(table.radius_at(near)) == none; });
 }
 
 template <class K>
