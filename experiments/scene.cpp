@@ -57,7 +57,7 @@ void run_all_gaps(const Joint& joint, const SceneOptions& options) {
   const nlohmann::json report = summary(options, joint, measurement);
   write_scene(options, joint, measurement, report);
   std::cout << describe_scene(report);
-  if (options.explain) std::cout << describe_left_out(report["left_out"]);
+  if (options.explain) std::cout << describe_way(report["way"]) << describe_left_out(report["left_out"]);
   say_what_was_written(options);
 }
 
@@ -65,7 +65,7 @@ void run_question(const Joint& joint, const SceneOptions& options) {
   const nlohmann::json report = question_summary(options, joint, answer_question(joint, options));
   write_if_changed(options.out / "summary.json", json_text(report));
   std::cout << describe_question(report);
-  if (options.explain) std::cout << describe_left_out(report["left_out"]);
+  if (options.explain) std::cout << describe_way(report["way"]) << describe_left_out(report["left_out"]);
   say_what_was_written(options);
 }
 

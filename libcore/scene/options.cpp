@@ -251,7 +251,8 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "--outputs", typed.outputs,
       "with all-gaps, some of gaps,bounds,distances,verdicts [all of them]; what is not asked for is not "
       "worked out");
-  app.add_flag("--explain", options.explain, "say what is left out, why, and what that saves");
+  app.add_flag("--explain", options.explain,
+               "say which way was taken and what is left out, why, and what that saves");
   app.add_flag("--everything", options.everything, "leave nothing out, to compare");
   try {
     app.parse(argc, argv);

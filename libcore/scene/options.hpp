@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "detection/needs.hpp"
 #include "joint/motion.hpp"
+#include "planning/needs.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {

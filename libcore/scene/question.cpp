@@ -67,6 +67,8 @@ std::string describe_left_out(const json& left_out) {
   return text;
 }
 
+std::string describe_way(const json& way) { return "way                 " + way.get<std::string>() + "\n"; }
+
 std::string json_text(const json& summary) {
   return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -89,6 +91,7 @@ json question_summary(const SceneOptions& options, const Joint& joint, const Que
       {"surfaces", surfaces(options)},
       {"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
       {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
+      {"way", answer.path.reason},
       {"left_out", left_out_json(found.left_out)},
       {"table_bytes", answer.cost.bytes},
       {"entries_filled", answer.cost.entries},

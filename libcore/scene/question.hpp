@@ -18,6 +18,9 @@ nlohmann::json left_out_json(const std::vector<LeftOut>& left_out);
 // The same as lines of text.
 std::string describe_left_out(const nlohmann::json& left_out);
 
+// How the answer was found, a line of text of a summary's "way".
+std::string describe_way(const nlohmann::json& way);
+
 // The text of a summary. Names of files may hold any bytes; what is no UTF-8 becomes U+FFFD.
 std::string json_text(const nlohmann::json& summary);
 

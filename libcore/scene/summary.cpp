@@ -122,6 +122,7 @@ nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Me
        {{"ball", levels_json(ball, joint.cartilage.has_value())},
         {"socket", levels_json(socket, joint.cartilage.has_value())},
         {"no_gap_rgb", kNoGapColour}}},
+      {"way", measurement.way},
       {"left_out", left_out(joint, measurement.left_out)},
       {"warnings", warnings_json(joint, measurement, smallest)},
       {"times_ms",

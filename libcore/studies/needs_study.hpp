@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "detection/scene_answer.hpp"
+#include "planning/scene_answer.hpp"
 #include "experiment/csv.hpp"
 #include "experiment/timing.hpp"
 

@@ -97,5 +97,23 @@ TEST(SceneNeeds, WhatIsLeftOutIsSaidWithWhatItSaves) {
   EXPECT_EQ(describe_left_out(nlohmann::json::array()), "left out            nothing\n");
 }
 
+// Which way, why, and from how many poses on the other one would pay; of whole tables, the share of time that
+// their filling has.
+TEST(SceneNeeds, TheWayIsSaidWithItsReason) {
+  const Joint hip = joint();
+  SceneOptions options = flexed("0");
+  const std::string whole = measure(hip, options).way;
+  EXPECT_NE(whole.find("whole tables"), std::string::npos) << whole;
+  EXPECT_NE(whole.find(" ms that all outputs took"), std::string::npos) << whole;
+  options.outputs = {true, false, false, false};
+  EXPECT_EQ(measure(hip, options).way, "each vertex is looked at: the gaps of all are asked for");
+  options.question = Question::touch;
+  const auto summary = question_summary(options, hip, answer_question(hip, options));
+  const std::string touch = describe_way(summary["way"]);
+  EXPECT_EQ(touch.rfind("way                 each vertex is looked at: caps of them would pay from ", 0), 0U)
+      << touch;
+  EXPECT_NE(touch.find(" poses on, and there is 1\n"), std::string::npos) << touch;
+}
+
 }  // namespace
 }  // namespace impinge

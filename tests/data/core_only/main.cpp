@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "detection/scene_answer.hpp"
+#include "planning/scene_answer.hpp"
 #include "joint/sphere_fit.hpp"
 
 int main() {

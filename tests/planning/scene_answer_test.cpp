@@ -2,7 +2,7 @@
 // Leaving out what a scene does not need changes no answer: bit for bit with a given table, within the
 // accuracy of the exact gap where one is stated. The oracle of the answers is the two scans over whole
 // tables.
-#include "detection/scene_answer.hpp"
+#include "planning/scene_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "detection/gap_scan.hpp"
-#include "detection/table_choice.hpp"
 #include "mesh/bodies.hpp"
+#include "planning/table_choice.hpp"
 #include "sampling/pairwise.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/poses.hpp"

@@ -7,9 +7,12 @@
 // or more gives a range that holds all of their radii, hence the answer:
 //   no face within the margin     every entry is empty, and so is the answer
 //   lower end of the gap > limit  the gap is above the limit, or there is none
+//   upper end of the gap <= 0     the vertex touches, away from any rim: nothing else matters for `touch`
 // For `touch` the limit is 0. For `first_contact` it is the least upper end of the gaps of all vertices that
 // are not near a rim, so that there is a gap at or below it (answer_scene() makes sure). A scan without any
-// vertex left is dropped. Entries that no look-up reads cannot change an answer.
+// vertex left is dropped. In many poses whole caps of vertices are left out by one bound
+// (planning/path_choice.hpp, planning/reachable.hpp), which is what NearFaces says of each of them, or less.
+// Entries that no look-up reads cannot change an answer.
 #pragma once
 
 #include <array>
@@ -21,7 +24,8 @@
 #include <vector>
 
 #include "detection/algorithm_2.hpp"
-#include "detection/needs.hpp"
+#include "planning/needs.hpp"
+#include "planning/path_choice.hpp"
 #include "sampling/partial_table.hpp"
 
 namespace impinge {
@@ -60,6 +64,9 @@ struct ScenePlan {
   TableChoice table;                 // what both scans look up
   std::array<ScanPlan, 2> scans;     // ball, socket
   double limit_mm = 0.0;             // gaps above it do not matter; infinite for all_gaps
+  PathChoice path;                   // how the vertices that matter are found
+  std::vector<bool> touches;         // of the poses that are looked at: proven, but for what a rim takes away
+  std::size_t caps_bytes = 0;        // of the caps while the plan was made
   std::vector<LeftOut> left_out;     // what is not done, and why
 
   // Memory of the plan itself, which the answer needs.

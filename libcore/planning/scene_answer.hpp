@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "detection/scene_plan.hpp"
+#include "planning/scene_plan.hpp"
 
 namespace impinge {
 
@@ -41,6 +41,7 @@ struct SceneAnswer {
   std::vector<PoseGaps> gaps;           // for `all_gaps`, of the poses that were looked at
   std::vector<std::size_t> gaps_of;     // place of the gaps of each pose
   SceneCost cost;                       // in memory and look-ups
+  PathChoice path;                      // how the vertices that matter were found, where it was planned here
 };
 
 // Fills the whole table of a surface, for a plan that does not leave any of it out.

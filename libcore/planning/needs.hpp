@@ -33,14 +33,15 @@ struct SceneNeeds {
 
 // Each can be left out or not by itself.
 enum class Omission {
-  vertices,       // that cannot come within reach of the other surface, or cannot change the answer
-  entries,        // of the tables that no vertex reads
-  second_scan,    // where bounds prove that it cannot change the answer
-  equal_poses,    // in which nothing changed
-  fine_table,     // a precision, storage or scheme beyond the accuracy
-  distances,      // brackets of Euclidean distances
-  error_bounds,   // of each gap
-  exact_verdicts  // the exact reference
+  vertices,         // that cannot come within reach of the other surface, or cannot change the answer
+  entries,          // of the tables that no vertex reads
+  second_scan,      // where bounds prove that it cannot change the answer
+  equal_poses,      // in which nothing changed
+  single_vertices,  // one by one, where whole caps of them are decided at once
+  fine_table,       // a precision, storage or scheme beyond the accuracy
+  distances,        // brackets of Euclidean distances
+  error_bounds,     // of each gap
+  exact_verdicts    // the exact reference
 };
 
 // An omission as options and reports name it.
@@ -55,6 +56,7 @@ inline constexpr std::array kOmissions{
     OmissionName{Omission::entries, "entries", "entries that no vertex reads get no memory"},
     OmissionName{Omission::second_scan, "second_scan", "the socket's vertices are not scanned"},
     OmissionName{Omission::equal_poses, "equal_poses", "a pose that comes again is not looked at again"},
+    OmissionName{Omission::single_vertices, "single_vertices", "most vertices are not looked at one by one"},
     OmissionName{Omission::fine_table, "fine_table", "the table is no finer than the accuracy needs"},
     OmissionName{Omission::distances, "distances", "no Euclidean distances"},
     OmissionName{Omission::error_bounds, "error_bounds", "no bounds of single gaps"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "detection/scene_answer.hpp"
+#include "planning/scene_answer.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -141,6 +141,18 @@ class Answering {
   std::vector<double>* gaps_ = nullptr;
 };
 
+// Is there what the plan took for proven? A gap that does not exceed the limit, a touch where it promised
+// one: a rim may have taken the answer of the vertex away that has it.
+bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer) {
+  if (needs.question == Question::first_contact)
+    return std::isinf(plan.limit_mm) || (answer.smallest && answer.smallest->gap_mm <= plan.limit_mm);
+  if (needs.question != Question::touch || plan.touches.empty()) return true;
+  for (std::size_t p = 0; p < needs.poses.size(); ++p) {
+    if (plan.touches[plan.same_as[p]] && !answer.touches[p]) return false;
+  }
+  return true;
+}
+
 // Difference of two gaps of one vertex.
 double difference(double a, double b) {
   if (std::isnan(a) && std::isnan(b)) return 0.0;
@@ -180,14 +192,14 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
                          Omissions omissions, const FillFull& fill_full, std::vector<LeftOut>* left_out) {
   ScenePlan plan = plan_scene(joint, needs, given, omissions);
   SceneAnswer answer = answer_scene(joint, needs, plan, fill_full);
-  // The limit is a gap that some vertex does not exceed, unless a rim has taken its answer away.
-  const bool reached =
-      std::isinf(plan.limit_mm) || (answer.smallest && answer.smallest->gap_mm <= plan.limit_mm);
-  if (needs.question == Question::first_contact && !reached) {
-    const Omissions safe = omissions.without(Omission::vertices).without(Omission::second_scan);
+  if (!keeps_promises(needs, plan, answer)) {
+    const Omissions safe = omissions.without(Omission::vertices)
+                               .without(Omission::second_scan)
+                               .without(Omission::single_vertices);
     plan = plan_scene(joint, needs, given, safe);
     answer = answer_scene(joint, needs, plan, fill_full);
   }
+  answer.path = std::move(plan.path);
   if (left_out) *left_out = std::move(plan.left_out);
   return answer;
 }

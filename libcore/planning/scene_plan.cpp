@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "detection/scene_plan.hpp"
+#include "planning/scene_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "detection/formatted.hpp"
-#include "detection/table_choice.hpp"
+#include "planning/reachable.hpp"
+#include "planning/table_choice.hpp"
 #include "sphere/infinity.hpp"
 
 namespace impinge {
@@ -43,27 +44,6 @@ void choose_poses(const SceneNeeds& needs, Omissions omissions, ScenePlan& plan)
       {Omission::equal_poses, formatted("%zu of %zu poses came before", again, needs.poses.size()), 0.0});
 }
 
-// What is known about the gap of a vertex whose surroundings in the other surface are known.
-RadiusRange gap_range(ScannedSurface scanned, const RadiusRange& radius, double length) {
-  return scanned == ScannedSurface::ball ? RadiusRange{radius.low - length, radius.high - length}
-                                         : RadiusRange{length - radius.high, length - radius.low};
-}
-
-std::vector<bool> vertices_of_faces(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) used[v] = true;
-  }
-  return used;
-}
-
-// Every vertex that meets the other surface, with the lower end of its gap.
-struct Reachable {
-  std::uint32_t vertex;
-  double low;
-};
-using ReachableInPoses = std::vector<std::vector<Reachable>>;
-
 class Planner {
  public:
   Planner(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given, Omissions omissions)
@@ -78,7 +58,8 @@ class Planner {
     plan_.limit_mm = needs_.question == Question::touch ? 0.0 : kInfinity;
     const bool ranges = omissions_.has(Omission::vertices) ||
                         (omissions_.has(Omission::second_scan) && needs_.question != Question::all_gaps);
-    if (ranges) look_around();
+    if (omissions_.has(Omission::single_vertices)) choose_way();
+    if (ranges || plan_.path.culled) look_around();
     const bool by_accuracy = needs_.accuracy_mm && omissions_.has(Omission::fine_table);
     if (by_accuracy) choose();
     if (omissions_.has(Omission::entries) || by_accuracy) {
@@ -108,41 +89,40 @@ class Planner {
     }
   }
 
-  ReachableInPoses reachable(const ScanPlan& scan, double& upper) const {
-    const TriangleMesh& mesh = scanned_mesh(joint_, scan.scanned);
-    const std::vector<bool> used = vertices_of_faces(mesh);
-    ReachableInPoses found(plan_.poses.size());
-    for (std::size_t p = 0; p < plan_.poses.size(); ++p) {
-      const Pose& pose = needs_.poses[plan_.poses[p]];
-      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        if (!used[v]) continue;
-        const Vec3 x = placed(scan.scanned, pose, mesh.vertices[v]);
-        const NearFaces::Near near = scan.faces->near(x);
-        if (near.nothing()) continue;
-        const RadiusRange gap = gap_range(scan.scanned, near.range, x.norm());
-        if (!near.rim) upper = std::min(upper, gap.high);
-        found[p].push_back({static_cast<std::uint32_t>(v), gap.low});
-      }
+  // Whole caps of vertices at once, where that is allowed and pays.
+  void choose_way() {
+    if (needs_.question == Question::all_gaps) {
+      plan_.path.reason = "each vertex is looked at: the gaps of all are asked for";
+      return;
     }
-    return found;
+    PathWork work{plan_.poses.size(), 0, 0};
+    for (const ScanPlan& scan : plan_.scans) {
+      if (!scan.wanted) continue;
+      work.vertices += scanned_mesh(joint_, scan.scanned).vertices.size();
+      work.faces += asked_mesh(joint_, scan.scanned).faces.size();
+    }
+    plan_.path = choose_path(work);
   }
 
   // Decides which vertices and which scans matter.
   void look_around() {
-    std::array<ReachableInPoses, 2> found;
-    double upper = kInfinity;
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (!plan_.scans[k].wanted) continue;
-      make_faces(plan_.scans[k], given_.stencil_radius());
-      found[k] = reachable(plan_.scans[k], upper);
+    for (ScanPlan& scan : plan_.scans) {
+      if (scan.wanted) make_faces(scan, given_.stencil_radius());
     }
-    if (needs_.question == Question::first_contact) plan_.limit_mm = upper;
+    Reach reach =
+        find_reach({joint_, needs_, plan_.poses, plan_.scans, plan_.path.culled}, given_.stencil_radius());
+    plan_.limit_mm = reach.limit_mm;
+    plan_.touches = std::move(reach.touches);
+    plan_.caps_bytes = reach.bytes;
+    if (plan_.path.culled)
+      plan_.left_out.push_back(
+          {Omission::single_vertices, plan_.path.reason, -static_cast<double>(reach.bytes)});
     for (std::size_t k = 0; k < 2; ++k) {
-      if (plan_.scans[k].wanted) select(plan_.scans[k], found[k]);
+      if (plan_.scans[k].wanted) select(plan_.scans[k], reach.found[k]);
     }
   }
 
-  void select(ScanPlan& scan, const ReachableInPoses& found) {
+  void select(ScanPlan& scan, const std::vector<std::vector<Reachable>>& found) {
     std::vector<std::vector<std::uint32_t>> chosen(found.size());
     std::size_t count = 0;
     for (std::size_t p = 0; p < found.size(); ++p) {
@@ -159,10 +139,10 @@ class Planner {
       scan.wanted = false;
       plan_.left_out.push_back(
           {Omission::second_scan,
-           formatted("no gap of the socket's vertices can be below %.3g mm: the ball's table is not made",
-                     plan_.limit_mm),
+           formatted("no gap of the socket's vertices can be below %.3g mm%s: the ball's table is not made",
+                     plan_.limit_mm, needs_.question == Question::touch ? " where the ball's have none" : ""),
            static_cast<double>(given_.size() * sizeof(double))});
-    } else if (omissions_.has(Omission::vertices)) {
+    } else if (omissions_.has(Omission::vertices) || plan_.path.culled) {
       scan.vertices = std::move(chosen);
       plan_.left_out.push_back({Omission::vertices,
                                 formatted("%zu of %zu look-ups of the %s's vertices meet no surface%s",
@@ -244,7 +224,7 @@ class Planner {
 }  // namespace
 
 std::size_t ScenePlan::bytes() const {
-  std::size_t total = 0;
+  std::size_t total = caps_bytes;
   for (const ScanPlan& scan : scans) {
     if (scan.faces) total += scan.faces->bytes();
     if (!scan.vertices) continue;

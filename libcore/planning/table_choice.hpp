@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "detection/scene_plan.hpp"
+#include "planning/scene_plan.hpp"
 
 namespace impinge {
 

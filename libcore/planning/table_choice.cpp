@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "detection/table_choice.hpp"
+#include "planning/table_choice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A path of so many poses that whole caps of vertices are decided at once has the answers of the scans of
+// whole tables, bit for bit: which poses touch, and the smallest gap with its place. So has one with vertices
+// that are proven to touch and have no answer, for being next to a rim of the table.
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "mesh/bodies.hpp"
+#include "planning/reachable.hpp"
+#include "planning/scene_answer.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "support/poses.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kPathPrecision = 2.0;  // degrees
+
+SceneAnswer answer_at(double precision, const BallSocketPair& joint, const SceneNeeds& needs,
+                      Omissions omissions) {
+  const FillFull filler = [precision](const TriangleMesh& mesh, Layer layer) {
+    return std::make_unique<FullTable<Rsid>>(fill_exact(mesh, Rsid::with_precision(precision), layer));
+  };
+  return answer_scene(joint, needs, AnyScheme("rsid", precision), omissions, filler);
+}
+
+// The cam comes under the socket after a third of the way.
+std::vector<Pose> long_path(std::size_t poses) {
+  std::vector<Pose> path;
+  for (std::size_t k = 0; k < poses; ++k) {
+    const double angle = 90.0 * static_cast<double>(k) / static_cast<double>(poses - 1);
+    path.push_back({Eigen::AngleAxisd(-angle * kDegree, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()});
+  }
+  return path;
+}
+
+class CulledPath : public ::testing::TestWithParam<Question> {
+ protected:
+  void expect_same(const SceneNeeds& needs) const {
+    const SceneAnswer everything = answer_at(kPathPrecision, joint_, needs, Omissions::none());
+    EXPECT_FALSE(everything.path.culled);
+    for (const Omissions omissions : {Omissions::none().with(Omission::single_vertices), Omissions::all()}) {
+      const SceneAnswer planned = answer_at(kPathPrecision, joint_, needs, omissions);
+      EXPECT_TRUE(planned.path.culled);
+      EXPECT_TRUE(same_answer(planned, everything));
+      EXPECT_LT(planned.cost.look_ups, everything.cost.look_ups / 10);
+    }
+  }
+
+  BallSocketPair joint_ = make_ball_socket_pair(500, impinging_cam());
+};
+
+TEST_P(CulledPath, HasTheAnswersOfTheScans) {
+  SceneNeeds needs;
+  needs.question = GetParam();
+  needs.poses = long_path(500);
+  expect_same(needs);
+  needs.socket = false;
+  expect_same(needs);
+}
+
+TEST_P(CulledPath, HasThemFarFromAnyPathToo) {
+  SceneNeeds needs;
+  needs.question = GetParam();
+  needs.poses = test::random_poses(180, 1.5, 4.5, 31);
+  const auto near = test::random_poses(180, 0.1, 0.3, 32);
+  needs.poses.insert(needs.poses.end(), near.begin(), near.end());
+  expect_same(needs);
+}
+
+INSTANTIATE_TEST_SUITE_P(Questions, CulledPath, ::testing::Values(Question::touch, Question::first_contact));
+
+// Both ways list all vertices whose gap in the exact table is at the limit or less, the whole one all others
+// within reach too.
+TEST(Reach, BothWaysListWhatMatters) {
+  const BallSocketPair joint = make_ball_socket_pair(500, impinging_cam());
+  const AnyScheme scheme("rsid", kPathPrecision);
+  for (const Question question : {Question::touch, Question::first_contact}) {
+    SceneNeeds needs;
+    needs.question = question;
+    needs.poses = long_path(20);
+    std::vector<std::size_t> poses;
+    for (std::size_t p = 0; p < needs.poses.size(); ++p) poses.push_back(p);
+    std::array<ScanPlan, 2> scans;
+    scans[1].scanned = ScannedSurface::socket;
+    for (ScanPlan& scan : scans)
+      scan.faces = std::make_unique<NearFaces>(asked_mesh(joint, scan.scanned), scheme.stencil_radius());
+    const Reach whole = find_reach({joint, needs, poses, scans, false}, scheme.stencil_radius());
+    const Reach culled = find_reach({joint, needs, poses, scans, true}, scheme.stencil_radius());
+    EXPECT_EQ(whole.limit_mm, culled.limit_mm);
+    EXPECT_EQ(whole.touches, culled.touches);
+    EXPECT_EQ(std::ranges::count(whole.touches, true) > 5, question == Question::touch);
+    EXPECT_EQ(whole.bytes, 0U);
+    EXPECT_GT(culled.bytes, 0U);
+  }
+}
+
+// A vertex may be proven to touch and yet have no answer, where a cell of a coarse table is at a rim that is
+// farther than the stencil radius: then the plan makes no promise.
+TEST(Promises, ThatARimTakesAwayAreLookedAtAgain) {
+  const BallSocketPair joint{sphere(20.0, 2000), cup(19.9, 60.0, 300)};
+  for (const double precision : {4.0, 9.0, 20.0}) {
+    SceneNeeds needs;
+    needs.question = Question::touch;
+    needs.socket = false;
+    needs.poses = test::random_poses(60, 0.05, 0.3, 33);
+    EXPECT_TRUE(same_answer(answer_at(precision, joint, needs, Omissions::all()),
+                            answer_at(precision, joint, needs, Omissions::none())));
+  }
+}
+
+}  // namespace
+}  // namespace impinge
