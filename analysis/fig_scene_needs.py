@@ -14,6 +14,7 @@ QUESTIONS = {
     "all gaps": "all gaps, one pose",
     "smallest gap": "smallest gap, one pose",
     "touch in a motion": "touch, 19 poses",
+    "touch in small steps": "touch, 721 poses",
     "gaps in a motion": "all gaps to 0.05 mm, 181 poses",
     "local change": "table after a local change",
 }
@@ -22,6 +23,7 @@ OMISSIONS = {
     "entries": "entries",
     "second_scan": "second scan",
     "equal_poses": "equal poses",
+    "single_vertices": "single vertices",
     "fine_table": "fine table",
     "all": "all together",
 }
@@ -114,7 +116,7 @@ def draw_alone(axes: plt.Axes, needs: pd.DataFrame, totals: pd.DataFrame, unit: 
             share.to_numpy(),
             height=0.85 * height,
             color=common.COLOURS[k],
-            hatch=["", "//", "..", "xx"][k % 4],
+            hatch=["", "//", "..", "xx", "--"][k % 5],
             edgecolor="white",
             label=QUESTIONS[question],
         )

@@ -141,18 +141,6 @@ class Answering {
   std::vector<double>* gaps_ = nullptr;
 };
 
-// Is there what the plan took for proven? A gap that does not exceed the limit, a touch where it promised
-// one: a rim may have taken the answer of the vertex away that has it.
-bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer) {
-  if (needs.question == Question::first_contact)
-    return std::isinf(plan.limit_mm) || (answer.smallest && answer.smallest->gap_mm <= plan.limit_mm);
-  if (needs.question != Question::touch || plan.touches.empty()) return true;
-  for (std::size_t p = 0; p < needs.poses.size(); ++p) {
-    if (plan.touches[plan.same_as[p]] && !answer.touches[p]) return false;
-  }
-  return true;
-}
-
 // Difference of two gaps of one vertex.
 double difference(double a, double b) {
   if (std::isnan(a) && std::isnan(b)) return 0.0;
@@ -186,6 +174,16 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
     if (scan.wanted) answering.scan(scan, fill_full);
   }
   return answering.finish();
+}
+
+bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer) {
+  if (needs.question == Question::first_contact)
+    return std::isinf(plan.limit_mm) || (answer.smallest && answer.smallest->gap_mm <= plan.limit_mm);
+  if (needs.question != Question::touch || plan.touches.empty()) return true;
+  for (std::size_t p = 0; p < needs.poses.size(); ++p) {
+    if (plan.touches[plan.same_as[p]] && !answer.touches[p]) return false;
+  }
+  return true;
 }
 
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,

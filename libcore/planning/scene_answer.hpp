@@ -51,7 +51,12 @@ using FillFull = std::function<std::unique_ptr<RadiusSource>(const TriangleMesh&
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const ScenePlan& plan,
                          const FillFull& fill_full);
 
-// Plans and answers. `left_out`, if given, gets what the plan has left out.
+// Has the answer what the plan took for proven? A gap that does not exceed the limit, a touch where it
+// promised one: a rim may have taken the answer of the vertex away that has it.
+bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
+
+// Plans and answers; anew and without bounds where a plan could not keep what it promised. `left_out`, if
+// given, gets what the plan has left out.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                          Omissions omissions, const FillFull& fill_full,
                          std::vector<LeftOut>* left_out = nullptr);

@@ -32,6 +32,8 @@ FillFull rsid_filler(double precision_deg) {
 // Those of the plan's omissions that can matter to the scene.
 std::vector<Omission> omissions_of(const SceneNeeds& needs) {
   if (needs.accuracy_mm) return {Omission::equal_poses, Omission::fine_table};
+  constexpr std::size_t kLongPath = 300;  // poses from which caps of vertices may pay
+  if (needs.poses.size() > kLongPath) return {Omission::equal_poses, Omission::single_vertices};
   std::vector<Omission> found{Omission::vertices, Omission::entries};
   if (needs.question != Question::all_gaps) found.push_back(Omission::second_scan);
   if (needs.poses.size() > 1) found.push_back(Omission::equal_poses);
@@ -151,6 +153,7 @@ std::vector<NeedsCase> cases_of(const NeedsScene& scene, const NeedsOptions& opt
   const auto add = [&](std::string name, Omissions omissions) {
     NeedsCase made = case_of(scene, options, std::move(name), omissions);
     const SceneAnswer answer = answer_of(scene, options, omissions);
+    made.culled = answer.path.culled;
     made.bytes = static_cast<double>(answer.cost.bytes);
     if (scene.needs.accuracy_mm && omissions.has(Omission::fine_table)) {
       made.difference_mm = difference_from(truth, answer);

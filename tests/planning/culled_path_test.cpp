@@ -98,6 +98,68 @@ TEST(Reach, BothWaysListWhatMatters) {
   }
 }
 
+// A socket with a narrow dent towards every second corner of a coarse grid: a table reads it from beside it,
+// where the surface itself is far.
+TriangleMesh dented(TriangleMesh mesh, const Rsid& scheme) {
+  for (Vec3& v : mesh.vertices) {
+    for (std::size_t entry = 0; entry < scheme.size(); entry += 2) {
+      if (v.dot(scheme.direction(entry)) > std::cos(3.0 * kDegree) * v.norm()) v = 20.0 * v.normalized();
+    }
+  }
+  return mesh;
+}
+
+// Every vertex that touches by the table is listed, though the faces in its own direction are clear.
+TEST(Reach, HoldsForTablesThatReadFromAfar) {
+  const Rsid scheme = Rsid::with_precision(15.0);
+  const BallSocketPair joint{sphere(23.0, 400), dented(sphere(25.0, 5000), scheme)};
+  const auto table = fill_exact(joint.socket, scheme, Layer::nearest);
+  SceneNeeds needs;
+  needs.question = Question::touch;
+  needs.socket = false;
+  needs.poses = test::random_poses(5, 3.0, 0.3, 34);
+  const std::vector<std::size_t> poses{0, 1, 2, 3, 4};
+  std::array<ScanPlan, 2> scans;
+  scans[1].wanted = false;
+  scans[0].faces = std::make_unique<NearFaces>(joint.socket, scheme.stencil_radius());
+  const Reach reach = find_reach({joint, needs, poses, scans, true}, scheme.stencil_radius());
+  std::size_t clear = 0;
+  for (const std::size_t p : poses) {
+    ASSERT_FALSE(reach.touches[p]);
+    for (std::uint32_t v = 0; v < joint.ball.vertices.size(); ++v) {
+      const Vec3 x = to_socket(needs.poses[p], joint.ball.vertices[v]);
+      if (table.radius_at(x) > x.norm()) continue;
+      EXPECT_TRUE(std::ranges::any_of(reach.found[0][p], [&](const Reachable& r) { return r.vertex == v; }));
+      if (scans[0].faces->radius(x.normalized(), Layer::nearest) > x.norm()) ++clear;
+    }
+  }
+  EXPECT_GT(clear, 20U) << "the faces alone would miss them";
+}
+
+// What the plan took for proven and the answer has not is not kept, whatever the other poses have.
+TEST(Promises, AreKeptPoseByPose) {
+  SceneNeeds needs;
+  needs.question = Question::touch;
+  needs.poses.resize(3);
+  ScenePlan plan(AnyScheme("rsid", kPathPrecision));
+  plan.poses = {0, 1};
+  plan.same_as = {0, 1, 0};
+  SceneAnswer answer;
+  answer.touches = {true, false, true};
+  EXPECT_TRUE(keeps_promises(needs, plan, answer)) << "nothing was promised";
+  plan.touches = {true, false};
+  EXPECT_TRUE(keeps_promises(needs, plan, answer));
+  plan.touches = {false, true};
+  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+  needs.question = Question::first_contact;
+  plan.limit_mm = 0.5;
+  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+  answer.smallest = SmallestGap{0.5, ScannedSurface::ball, 0, 0};
+  EXPECT_TRUE(keeps_promises(needs, plan, answer));
+  answer.smallest->gap_mm = 0.6;
+  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+}
+
 // A vertex may be proven to touch and yet have no answer, where a cell of a coarse table is at a rim that is
 // farther than the stencil radius: then the plan makes no promise.
 TEST(Promises, ThatARimTakesAwayAreLookedAtAgain) {
