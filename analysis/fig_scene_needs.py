@@ -35,7 +35,7 @@ def main() -> None:
     totals = with_question(common.load(options.results, "scene_needs_totals"))
     needs = with_question(common.load(options.results, "scene_needs"))
     common.style()
-    figure, axes = plt.subplots(2, 2, figsize=(10.4, 7.4), sharey="row")
+    figure, axes = plt.subplots(2, 2, figsize=(10.4, 8.6), sharey="row")
     draw_totals(axes[0, 0], totals, "bytes", 1e6, "memory, MB")
     draw_totals(axes[0, 1], totals, "us", 1e3, "time, ms")
     axes[0, 0].set_title("Memory: a dot a joint, the line is the median", fontsize=10)

@@ -33,7 +33,7 @@ FillFull rsid_filler(double precision_deg) {
 std::vector<Omission> omissions_of(const SceneNeeds& needs) {
   if (needs.accuracy_mm) return {Omission::equal_poses, Omission::fine_table};
   constexpr std::size_t kLongPath = 300;  // poses from which caps of vertices may pay
-  if (needs.poses.size() > kLongPath) return {Omission::equal_poses, Omission::single_vertices};
+  if (needs.poses.size() > kLongPath) return {Omission::single_vertices};
   std::vector<Omission> found{Omission::vertices, Omission::entries};
   if (needs.question != Question::all_gaps) found.push_back(Omission::second_scan);
   if (needs.poses.size() > 1) found.push_back(Omission::equal_poses);

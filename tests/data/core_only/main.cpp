@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "planning/scene_answer.hpp"
 #include "joint/sphere_fit.hpp"
+#include "planning/scene_answer.hpp"
 
 int main() {
   using namespace impinge;
