@@ -113,8 +113,9 @@ void add_case(const Asking& asking, const std::vector<Cell>& key, const Work& wo
 }
 
 struct Thoroughness {
-  bool widely;  // with every instruction set and with two threads
-  bool cold;    // cold, too
+  bool sets;     // with every instruction set
+  bool threads;  // with two threads, too
+  bool cold;     // cold, too
 };
 
 // One method.
@@ -135,12 +136,11 @@ void add_method(const Asking& asking, const GapMethodMaker& maker, const std::ve
   for (const std::string& set : instruction_sets()) {
     work.instruction_set = set;
     work.threads = 1;
-    if (set == instruction_sets().front() || (maker.kernel && how.widely))
-      add_case(asking, key(set, 1, "warm"), work, errors);
+    if (set == instruction_sets().front() || how.sets) add_case(asking, key(set, 1, "warm"), work, errors);
   }
   work.instruction_set = instruction_sets().front();
   if (how.cold && !maker.few) add_cold(asking, key(work.instruction_set, 1, "cold"), work, errors);
-  if (!how.widely) return;
+  if (!how.threads) return;
   work.threads = kThreads;
   add_case(asking, key(work.instruction_set, kThreads, "warm"), work, errors);
 }
@@ -157,7 +157,8 @@ void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, 
     const bool widely = maker.kernel && maker.name != "cube_certified" && maker.storage != "float" &&
                         maker.setting == "n=" + std::to_string(kMainCells);
     const AskedPoints& asked = (maker.few ? stage.few : stage.all)[ball ? 0 : 1];
-    add_method(asking, maker, where, {nullptr, asked, "", 1, 1}, probes, {widely, joint.cold});
+    add_method(asking, maker, where, {nullptr, asked, "", 1, 1}, probes,
+               {widely && joint.thorough, widely, joint.thorough});
   }
 }
 

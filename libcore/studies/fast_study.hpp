@@ -17,7 +17,7 @@ namespace impinge {
 struct FastJoint {
   std::size_t triangles = 0;  // of each surface
   FastSizes sizes;            // of the tables
-  bool cold = false;          // are its methods asked cold, too?
+  bool thorough = false;      // are its methods asked cold, too, and with every instruction set?
 };
 
 // What is tried and how often.
