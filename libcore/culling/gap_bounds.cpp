@@ -125,7 +125,8 @@ void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& la
   CapLanes limit;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) limit[k] = ladder.limits[entry[k]];
   const CapLanes reach = reaches_of(level, ladder);
-  const float sign = move.scanned == ScannedSurface::ball ? 1.0F : -1.0F;
+  const bool ball = move.scanned == ScannedSurface::ball;
+  const float sign = ball ? 1.0F : -1.0F;
   WholeLanes open;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
     const float overall = sign * (ladder.overall - caps.length[k]);
@@ -134,6 +135,7 @@ void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& la
     const bool surely = overall > wanted.enough;
     const float bound = surely ? overall : gap;
     bounds.gap[k] = bound;
+    bounds.likely[k] = sign * (limit[k] - dot(move.own, block, k)) - (ball ? block.low[k] : -block.high[k]);
     bounds.spare[k] = surely ? HUGE_VALF : spare;
     open[k] = bound > wanted.enough ? 0 : 1 << k;
   }

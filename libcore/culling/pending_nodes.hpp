@@ -20,25 +20,25 @@ struct PendingNode {
   CapNode node;        // of its tree
 };
 
-// Of those found last the nearest is opened first.
+// Of those found last the one where a touch is likeliest is opened first.
 class PendingNodes {
  public:
   bool empty() const { return count_ == 0; }      // nothing is left to be opened
   PendingNode pop() { return nodes_[--count_]; }  // the last one, which is taken out
 
-  // Takes in the open nodes of a block, the nearest of them as the last.
+  // Takes in the open nodes of a block, the likeliest of them as the last.
   void push_open(std::uint32_t scan, std::uint32_t block, const GapBounds& bounds) {
     const std::size_t first = count_;
-    std::size_t nearest = first;
+    std::size_t likeliest = first;
     float least = HUGE_VALF;
     for (std::uint32_t open = bounds.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
       nodes_[count_] = {scan, {block, lane}};
-      nearest = bounds.gap[lane] < least ? count_ : nearest;
-      least = std::min(least, bounds.gap[lane]);
+      likeliest = bounds.likely[lane] < least ? count_ : likeliest;
+      least = std::min(least, bounds.likely[lane]);
       ++count_;
     }
-    if (count_ > first) std::swap(nodes_[nearest], nodes_[count_ - 1]);
+    if (count_ > first) std::swap(nodes_[likeliest], nodes_[count_ - 1]);
   }
 
  private:
