@@ -23,6 +23,7 @@ inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::siz
 }
 
 // Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
+template <ScannedSurface kScanned>
 inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float shift = move.shift;
   const float square = shift * shift;
@@ -31,14 +32,17 @@ inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k
   const float play = block.angle[k] * (across + 0.5F * shift * block.angle[k]);
   const float low = block.low[k];
   const float high = block.high[k];
-  const float twice = 2.0F * smaller(along + play, shift);
-  const float most = larger(low * (low + twice), high * (high + twice));
-  const float least_along = larger(along - play, -shift);
-  const float nearest = smaller(larger(-least_along, low), high);
-  const float least = nearest * (nearest + 2.0F * least_along) + square;
-  const float slack = kSquareSlack * (nearest * nearest + square);
-  return std::sqrt(move.scanned == ScannedSurface::ball ? (most + square) * (1.0F + kSquareSlack)
-                                                        : larger(least - slack, 0.0F));
+  if constexpr (kScanned == ScannedSurface::ball) {
+    const float twice = 2.0F * smaller(along + play, shift);
+    const float most = larger(low * (low + twice), high * (high + twice));
+    return std::sqrt((most + square) * (1.0F + kSquareSlack));
+  } else {
+    const float least_along = larger(along - play, -shift);
+    const float nearest = smaller(larger(-least_along, low), high);
+    const float least = nearest * (nearest + 2.0F * least_along) + square;
+    const float slack = kSquareSlack * (nearest * nearest + square);
+    return std::sqrt(larger(least - slack, 0.0F));
+  }
 }
 
 inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k) {
@@ -46,6 +50,7 @@ inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k)
   return (block.angle[k] * block.low[k] + move.shift * block.spread[k]) / rest;
 }
 
+template <ScannedSurface kScanned>
 inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
   MovedCaps caps;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
@@ -53,7 +58,7 @@ inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
     caps.y[k] = block.mean[k] * dot(move.rotation[1], block, k) + move.translation[1];
     caps.z[k] = block.mean[k] * dot(move.rotation[2], block, k) + move.translation[2];
     caps.angle[k] = angle_of(block, move, k);
-    caps.length[k] = length_of(block, move, k);
+    caps.length[k] = length_of<kScanned>(block, move, k);
   }
   return caps;
 }
@@ -114,44 +119,88 @@ inline CapLanes reaches_of(const WholeLanes& level, const CapLadder& ladder) {
   return reach;
 }
 
-IMPINGE_VECTOR_CLONES
-void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& ladder,
-                 const GapsWanted& wanted, GapBounds& __restrict bounds) {
-  const MovedCaps caps = moved_lanes(block, move);
-  const WholeLanes level = levels_of(caps.angle, ladder, wanted.lasting ? -1.0F : CapLimits::kAloneReach);
+// What the caps have to spare. A limit that all directions have, if it is good enough, lasts whatever they turn
+// by.
+template <ScannedSurface kScanned>
+inline void make_last(const MovedCaps& caps, const WholeLanes& level, const CapLadder& ladder, float enough,
+                      GapBounds& __restrict bounds) {
+  const CapLanes reach = reaches_of(level, ladder);
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    const float overall = kScanned == ScannedSurface::ball ? ladder.overall - caps.length[k]
+                                                           : caps.length[k] - ladder.overall;
+    const bool surely = overall > enough;
+    bounds.gap[k] = surely ? overall : bounds.gap[k];
+    bounds.spare[k] = surely ? HUGE_VALF : reach[k] - caps.angle[k];
+  }
+}
+
+// The work on a block, once for each scan and kind of answer: what the other one needs is left out.
+template <ScannedSurface kScanned, bool kLasting>
+inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                        GapBounds& __restrict bounds) {
+  const MovedCaps caps = moved_lanes<kScanned>(block, move);
+  const WholeLanes level = levels_of(caps.angle, ladder, kLasting ? -1.0F : CapLimits::kAloneReach);
   WholeLanes steps;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) steps[k] = ladder.steps[level[k]];
   const WholeLanes entry = entries_of(caps, steps);
   CapLanes limit;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) limit[k] = ladder.limits[entry[k]];
-  const CapLanes reach = reaches_of(level, ladder);
-  const bool ball = move.scanned == ScannedSurface::ball;
-  const float sign = ball ? 1.0F : -1.0F;
+  constexpr bool kBall = kScanned == ScannedSurface::ball;
   WholeLanes open;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
-    const float overall = sign * (ladder.overall - caps.length[k]);
-    const float gap = sign * (limit[k] - caps.length[k]);
-    const float spare = reach[k] - caps.angle[k];
-    const bool surely = overall > wanted.enough;
-    const float bound = surely ? overall : gap;
-    bounds.gap[k] = bound;
-    bounds.likely[k] = sign * (limit[k] - dot(move.own, block, k)) - (ball ? block.low[k] : -block.high[k]);
-    bounds.spare[k] = surely ? HUGE_VALF : spare;
-    open[k] = bound > wanted.enough ? 0 : 1 << k;
+    const float gap = kBall ? limit[k] - caps.length[k] : caps.length[k] - limit[k];
+    const float middle = dot(move.own, block, k) + (kBall ? block.low[k] : block.high[k]);
+    bounds.gap[k] = gap;
+    bounds.likely[k] = kBall ? limit[k] - middle : middle - limit[k];
+    open[k] = gap > enough ? 0 : 1 << k;
   }
+  if constexpr (kLasting) make_last<kScanned>(caps, level, ladder, enough, bounds);
   std::int32_t some = 0;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) some |= open[k];
   bounds.open = static_cast<std::uint32_t>(some) & ((1U << block.nodes) - 1U);
 }
 
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES
+void bound_ball(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                GapBounds& bounds) {
+  bound_lanes<ScannedSurface::ball, false>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES
+void bound_socket(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                  GapBounds& bounds) {
+  bound_lanes<ScannedSurface::socket, false>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES
+void bound_ball_lastingly(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                          GapBounds& bounds) {
+  bound_lanes<ScannedSurface::ball, true>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES
+void bound_socket_lastingly(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                            GapBounds& bounds) {
+  bound_lanes<ScannedSurface::socket, true>(block, move, ladder, enough, bounds);
+}
+
 }  // namespace
 
-MovedCaps moved(const CapBlock& block, const CapMove& move) { return moved_lanes(block, move); }
+MovedCaps moved(const CapBlock& block, const CapMove& move) {
+  return move.scanned == ScannedSurface::ball ? moved_lanes<ScannedSurface::ball>(block, move)
+                                              : moved_lanes<ScannedSurface::socket>(block, move);
+}
 
 GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
                      const GapsWanted& wanted) {
   GapBounds bounds;
-  bound_lanes(block, move, limits.ladder(), wanted, bounds);
+  const bool ball = move.scanned == ScannedSurface::ball;
+  const CapLadder ladder = limits.ladder();
+  if (wanted.lasting) {
+    (ball ? bound_ball_lastingly : bound_socket_lastingly)(block, move, ladder, wanted.enough, bounds);
+  } else {
+    (ball ? bound_ball : bound_socket)(block, move, ladder, wanted.enough, bounds);
+  }
   return bounds;
 }
 

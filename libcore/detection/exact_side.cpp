@@ -29,10 +29,8 @@ bool meets(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x, i
 }
 
 bool meets(const NearFaces& surface, const Vec3& x, int order) {
-  return surface.any_met(x, [&](std::uint32_t f) {
-    const Corners corners = corners_of(surface.mesh(), f);
-    return meets(corners, orientation(corners[0], corners[1], corners[2]), x, order);
-  });
+  return surface.any_met(
+      x, [&](std::uint32_t f, int side) { return meets(corners_of(surface.mesh(), f), side, x, order); });
 }
 
 }  // namespace

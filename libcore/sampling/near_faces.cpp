@@ -45,7 +45,7 @@ void NearFaces::see(std::size_t f, const CubeGnomonic::Walker& walker, std::vect
   const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
   FaceIndex::SeenFace seen = see_face(cone.corners());
   const bool small = seen.cap.radius < 0.5 * kPi;
-  caps_.push_back({seen.cap.axis, small ? std::cos(seen.cap.radius) - kCapSlack : -1.0});
+  caps_.push_back({seen.cap.axis, small ? std::cos(seen.cap.radius) - kCapSlack : -1.0, seen.side});
   const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
   seen.range.low = slope > kSteepSlope ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
   seen.range.high *= 1.0 + kRangeSlack;
@@ -83,20 +83,27 @@ NearFaces::Near NearFaces::near(const Vec3& x) const {
   common.slope = std::numeric_limits<double>::infinity();
   if (x.isZero(0.0)) return common;
   const Stencil stencil = grid_.stencil(x);
-  std::size_t fewest = faces_.size() + 1;
   for (std::size_t k = 0; k < stencil.taps; ++k) {
-    const std::size_t i = stencil.entry[k];
-    const Summary& summary = summaries_[i];
+    const Summary& summary = summaries_[stencil.entry[k]];
     common.range.low = std::max(common.range.low, static_cast<double>(summary.low));
     common.range.high = std::min(common.range.high, static_cast<double>(summary.high));
     common.slope = std::min(common.slope, static_cast<double>(summary.slope));
     common.rim = common.rim && summary.rim;
-    const std::size_t count = first_[i + 1] - first_[i];
-    if (count >= fewest) continue;
-    fewest = count;
-    common.faces = std::span(faces_).subspan(first_[i], count);
   }
+  common.faces = listed(stencil);
   return common;
+}
+
+std::span<const std::uint32_t> NearFaces::listed(const Stencil& stencil) const {
+  std::size_t first = 0;
+  std::size_t fewest = faces_.size() + 1;
+  for (std::size_t k = 0; k < stencil.taps; ++k) {
+    const std::size_t i = stencil.entry[k];
+    const std::size_t count = first_[i + 1] - first_[i];
+    first = count < fewest ? first_[i] : first;
+    fewest = std::min(fewest, count);
+  }
+  return std::span(faces_).subspan(first, fewest);
 }
 
 double NearFaces::radius(const Vec3& u, Layer layer) const { return radius(u, near(u), layer); }

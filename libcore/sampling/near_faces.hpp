@@ -45,12 +45,14 @@ class NearFaces {
   // The same, for u within the margin of the direction that `near` was asked for.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
-  // Does test(face) hold for some face that may be met in the direction of x?
+  // Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation of its
+  // corners.
   template <class Test>
   bool any_met(const Vec3& x, Test&& test) const {
     const Vec3 u = x.stableNormalized();
-    for (const std::uint32_t f : near(u).faces) {
-      if (caps_[f].axis.dot(u) >= caps_[f].cosine && test(f)) return true;
+    for (const std::uint32_t f : listed(grid_.stencil(u))) {
+      const Cap& cap = caps_[f];
+      if (cap.axis.dot(u) >= cap.cosine && test(f, cap.side)) return true;
     }
     return false;
   }
@@ -68,6 +70,7 @@ class NearFaces {
   struct Cap {
     Vec3 axis;
     double cosine;  // of the angle that holds the face; -1 where it does not
+    int side;       // orientation of its corners
   };
   // Of the faces within reach of an entry of the grid; as floats, rounded outwards, for a look-up to find
   // those of neighbours together.
@@ -81,6 +84,8 @@ class NearFaces {
 
   void see(std::size_t f, const CubeGnomonic::Walker& walker, std::vector<Listed>& listed);
   void sort(const std::vector<Listed>& listed);
+  // The faces of that entry of the stencil which has the fewest: none that is met there is missing.
+  std::span<const std::uint32_t> listed(const Stencil& stencil) const;
 
   const TriangleMesh& mesh_;
   double margin_;
