@@ -59,6 +59,9 @@ std::optional<ScannedVertex> CoherentContact::impinged(const Pose& pose) {
       return impinging_;
   }
   impinging_.reset();
+  // Without proofs a search that goes straight for a touch comes first: making them goes through all that is
+  // open.
+  if (!last_ && (impinging_ = joint_.impinged(pose))) return impinging_;
   const bool anew = !last_ || scans_[0].proofs.size() + scans_[1].proofs.size() > most_proofs_;
   const double turn = anew ? kInfinity : turn_between(*last_, pose);
   for (Scan& scan : scans_) {

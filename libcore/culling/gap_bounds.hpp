@@ -40,10 +40,11 @@ struct MovedCaps {
 // No vertex of the node has a smaller gap.
 struct GapBounds {
   CapLanes gap;  // mm, infinite where no vertex meets the other surface
-  // mm: gap of a vertex in the middle of the cap, of the radius that is farther from contact; where it is least a
-  // touch is likely. It bounds nothing.
+  // mm: gap of a vertex in the middle of the cap, of the radius that is farther from contact; where it is
+  // least a touch is likely. It bounds nothing.
   CapLanes likely;
-  // If asked for: radians that the directions may turn by without changing that; infinite or NaN: by any angle.
+  // If asked for: radians that the directions may turn by without changing that; infinite or NaN: by any
+  // angle.
   CapLanes spare;
   std::uint32_t open;  // a bit a node: those whose bound is not above `enough`
 };

@@ -45,8 +45,8 @@ class NearFaces {
   // The same, for u within the margin of the direction that `near` was asked for.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
-  // Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation of its
-  // corners.
+  // Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
+  // of its corners.
   template <class Test>
   bool any_met(const Vec3& x, Test&& test) const {
     const Vec3 u = x.stableNormalized();

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a pose takes the caps of a block, in loops without a branch that the compiler turns into vector
+// instructions, for whoever includes them with its own; see culling/gap_bounds.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "culling/gap_bounds.hpp"
+
+namespace impinge::lanes {
+
+inline float larger(float a, float b) { return a > b ? a : b; }   // of NaN the second
+inline float smaller(float a, float b) { return a < b ? a : b; }  // likewise
+inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }
+inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
+
+// Of a vector with the axis of a node.
+inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::size_t k) {
+  return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
+}
+
+// Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
+template <ScannedSurface kScanned>
+inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
+  const float shift = move.shift;
+  const float square = shift * shift;
+  const float along = dot(move.own, block, k);
+  const float across = std::sqrt(larger(square - along * along, 0.0F));
+  const float play = block.angle[k] * (across + 0.5F * shift * block.angle[k]);
+  const float low = block.low[k];
+  const float high = block.high[k];
+  if constexpr (kScanned == ScannedSurface::ball) {
+    const float twice = 2.0F * smaller(along + play, shift);
+    const float most = larger(low * (low + twice), high * (high + twice));
+    return std::sqrt((most + square) * (1.0F + kSquareSlack));
+  } else {
+    const float least_along = larger(along - play, -shift);
+    const float nearest = smaller(larger(-least_along, low), high);
+    const float least = nearest * (nearest + 2.0F * least_along) + square;
+    const float slack = kSquareSlack * (nearest * nearest + square);
+    return std::sqrt(larger(least - slack, 0.0F));
+  }
+}
+
+// Angle that holds the directions of a node's vertices, radians; infinite or NaN where any is possible.
+inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k) {
+  const float rest = larger(block.low[k] * (1.0F - static_cast<float>(kNodeSlack)) - move.shift, 0.0F);
+  return (block.angle[k] * block.low[k] + move.shift * block.spread[k]) / rest;
+}
+
+// Where the pose takes the caps of a block.
+template <ScannedSurface kScanned>
+inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
+  MovedCaps caps;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    caps.x[k] = block.mean[k] * dot(move.rotation[0], block, k) + move.translation[0];
+    caps.y[k] = block.mean[k] * dot(move.rotation[1], block, k) + move.translation[1];
+    caps.z[k] = block.mean[k] * dot(move.rotation[2], block, k) + move.translation[2];
+    caps.angle[k] = angle_of(block, move, k);
+    caps.length[k] = length_of<kScanned>(block, move, k);
+  }
+  return caps;
+}
+
+}  // namespace impinge::lanes
