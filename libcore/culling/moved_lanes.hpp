@@ -12,10 +12,10 @@
 
 namespace impinge::lanes {
 
-inline float larger(float a, float b) { return a > b ? a : b; }   // of NaN the second
-inline float smaller(float a, float b) { return a < b ? a : b; }  // likewise
-inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }
-inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
+inline float larger(float a, float b) { return a > b ? a : b; }                        // of NaN the second
+inline float smaller(float a, float b) { return a < b ? a : b; }                       // likewise
+inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }   // of the two
+inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }  // of the two
 
 // Of a vector with the axis of a node.
 inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::size_t k) {

@@ -85,14 +85,14 @@ TEST(GapBounds, AreTightBetweenSpheres) {
 // Where the ball of 22 mm is moved by 2 mm along z, the gap beside direction a is 4 mm less a_z of 2 mm; seen
 // from the ball the socket comes nearer at the same place.
 TEST(GapBounds, ATouchIsLikeliestWhereTheBallIsMovedTo) {
-  const BallSocketPair joint{sphere(22.0, 3000), sphere(26.0, 3000)};
+  const BallSocketPair joint{sphere(22.0, 1000), sphere(26.0, 1000)};
   const CulledJoint culled(joint);
   const Pose pose{Eigen::Matrix3d::Identity(), Vec3(0.0, 0.0, 2.0)};
   for (const CulledScan& scan : culled.scans()) {
     for (const CapBlock& block : scan.tree().blocks()) {
       const GapBounds bounds = gap_bounds(block, CapMove(scan.scanned(), pose), scan.limits(), {});
       for (std::size_t lane = 0; lane < block.nodes; ++lane)
-        EXPECT_NEAR(bounds.likely[lane], 4.0F - 2.0F * block.z[lane], 0.1F);
+        EXPECT_NEAR(bounds.likely[lane], 4.0F - 2.0F * block.z[lane], 0.3F);
     }
   }
 }
