@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of the paper about experiment 13_contact: contact:METHOD:us the longest time of the three gaps at 12,000
-triangles, contact:METHOD:fcl the ratio to FCL's answer, of touch the least of the three gaps, of distance the median,
+triangles, contact:METHOD:um the largest error of its gaps, contact:METHOD:fcl the ratio to FCL's answer, of touch the least of the three gaps, of distance the median,
 contact:poses, :impinged, :wrong, :between, :beyond and :unexplained of the agreement.
 """
 
@@ -23,6 +23,7 @@ def facts(results: Path) -> dict[str, str]:
             ratio = contact.ratios(table, method, contact.TRIANGLES, "fcl_collide").min()
         found[f"contact:{method}:us"] = common.digits(rows.us_pose.max(), 2)
         found[f"contact:{method}:fcl"] = common.digits(ratio, 2)
+        found[f"contact:{method}:um"] = common.digits(rows.error_um.max(), 2)
     agreed = common.load(results, "contact_agreement").iloc[0]
     wrong = agreed.culled_wrong + agreed.coherent_wrong + agreed.least_gap_wrong
     counts = {
