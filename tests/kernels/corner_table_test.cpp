@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/corner_fixture.hpp"
 #include "kernels/lane_fixture.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/exact_raster.hpp"
@@ -20,17 +21,11 @@ namespace {
 
 using Cube = InverseDepthTable<CubeGnomonic>;
 using Rows = LaneTable<CubeGnomonic, float>;
+using test::lower;
+using test::stored_radii;
+using test::upper;
 
 constexpr double kFloatUnit = 0x1p-24;
-
-double upper(const CornerTable& table, std::size_t entry) {
-  return static_cast<double>(table.smallest) +
-         static_cast<double>(table.step) * static_cast<double>(table.words[entry] & CornerTable::kMostCode);
-}
-double lower(const CornerTable& table, std::size_t entry) {
-  return static_cast<double>(table.smallest) +
-         static_cast<double>(table.step) * static_cast<double>(table.words[entry] >> 16U);
-}
 
 bool answers(const Rows& rows, std::size_t entry) {
   return rows.none.empty() || (rows.none[entry / 32] >> (entry % 32) & 1U) == 0U;
@@ -80,19 +75,6 @@ TEST(CornerTableTest, HoldsANumberThatIsTheSameEverywhereAndNothing) {
   std::vector<float> gap(3);
   scan_gaps(nothing, {vertex_lanes<float>(test::random_directions(3, 1)), {}, Scan::ball}, gap);
   for (const float value : gap) EXPECT_TRUE(std::isnan(value));
-}
-
-// What is stored as a table of the library, with the rim cells of another one.
-RadialTable<CubeGnomonic> stored_radii(const CornerTable& table, const RadialTable<CubeGnomonic>& from) {
-  RadialTable<CubeGnomonic> radii = from;
-  const std::size_t n = table.divisions;
-  for (std::size_t e = 0; e < radii.radii().size(); ++e) {
-    if (std::isnan(radii.radii()[e])) continue;
-    const bool last = e / (n + 1) % (n + 1) == n;
-    const double q = last ? lower(table, e - n - 1) : upper(table, e);
-    radii.radii()[e] = 1.0 / (q * from.scheme().depth(from.scheme().direction(e)));
-  }
-  return radii;
 }
 
 double step_at(const RadialTable<CubeGnomonic>& table, const Vec3& x) {

@@ -51,8 +51,11 @@ std::vector<Vec3> float_points(const S& scheme) {
 // The point and 26 round it, off by `share` of its length along each coordinate.
 inline std::vector<Vec3> close_to(const Vec3& x, double share) {
   std::vector<Vec3> points;
-  for (int k = 0; k < 27; ++k)
-    points.push_back(x + share * x.norm() * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+  points.reserve(27);
+  const double off = share * x.norm();
+  for (const double a : {-off, 0.0, off})
+    for (const double b : {-off, 0.0, off})
+      for (const double c : {-off, 0.0, off}) points.emplace_back(x + Vec3(a, b, c));
   return points;
 }
 
