@@ -7,64 +7,20 @@
 #include "culling/culled_joint.hpp"
 
 #include <cmath>
+#include <exception>
+#include <string>
 
 #include <gtest/gtest.h>
 
-#include "detection/exact_side.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/near_faces.hpp"
-#include "sphere/infinity.hpp"
 #include "studies/contact_poses.hpp"
+#include "support/every_vertex.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {
 namespace {
 
-// Every vertex of both surfaces, in the order of scans and vertices, with its place in the frame of the other
-// one.
-template <class Visit>
-void for_each_vertex(const BallSocketPair& joint, const Pose& pose, Visit&& visit) {
-  for (std::size_t v = 0; v < joint.ball.vertices.size(); ++v)
-    visit(ScannedVertex{ScannedSurface::ball, v}, to_socket(pose, joint.ball.vertices[v]));
-  for (std::size_t v = 0; v < joint.socket.vertices.size(); ++v)
-    visit(ScannedVertex{ScannedSurface::socket, v}, to_ball(pose, joint.socket.vertices[v]));
-}
-
-class EveryVertex {
- public:
-  explicit EveryVertex(const BallSocketPair& joint)
-      : joint_(joint),
-        index_{FaceIndex(joint.ball), FaceIndex(joint.socket)},
-        near_{NearFaces(joint.ball, 0.0), NearFaces(joint.socket, 0.0)} {}
-
-  bool impinged(const ScannedVertex& at, const Vec3& x) const {
-    return at.scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, index_[1], x)
-                                              : on_or_within(joint_.ball, index_[0], x);
-  }
-  bool impinged(const Pose& pose) const {
-    bool found = false;
-    for_each_vertex(joint_, pose,
-                    [&](const ScannedVertex& at, const Vec3& x) { found = found || impinged(at, x); });
-    return found;
-  }
-  std::optional<LeastGap> least_gap(const Pose& pose) const {
-    std::optional<LeastGap> least;
-    for_each_vertex(joint_, pose, [&](const ScannedVertex& at, const Vec3& x) {
-      const bool ball = at.scanned == ScannedSurface::ball;
-      if (x.isZero(0.0)) return;
-      const double radius = ball ? near_[1].radius(x.normalized(), Layer::nearest)
-                                 : near_[0].radius(x.normalized(), Layer::farthest);
-      const double gap = ball ? radius - x.norm() : x.norm() - radius;
-      if (gap < (least ? least->gap_mm : kInfinity)) least = LeastGap{gap, at};
-    });
-    return least;
-  }
-
- private:
-  const BallSocketPair& joint_;
-  std::array<FaceIndex, 2> index_;
-  std::array<NearFaces, 2> near_;
-};
+using test::EveryVertex;
 
 // Poses that touch, and poses that do not, of all of them.
 struct Seen {
@@ -165,6 +121,38 @@ TEST(CulledJoint, StrayVerticesAreNotAsked) {
   BallSocketPair joint = make_ball_socket_pair(100);
   joint.ball.vertices.emplace_back(0.0, 0.0, 40.0);
   EXPECT_FALSE(CulledJoint(joint).impinged({}));
+}
+
+TriangleMesh in_units(TriangleMesh mesh, double unit) {
+  for (Vec3& v : mesh.vertices) v *= unit;
+  return mesh;
+}
+
+// All lengths times a power of two: the same answers, or a refusal of one line.
+TEST(CulledJoint, UnitsOfAPowerOfTwoAreTheSameBitsOrRefused) {
+  const BallSocketPair joint = make_ball_socket_pair(120, impinging_cam());
+  const CulledJoint culled(joint);
+  for (const int exponent : {-200, -110, -40, -10, 10, 40, 110, 200}) {
+    SCOPED_TRACE(exponent);
+    const double unit = std::ldexp(1.0, exponent);
+    const BallSocketPair scaled{in_units(joint.ball, unit), in_units(joint.socket, unit)};
+    try {
+      const CulledJoint asked(scaled);
+      for (Pose pose : test::random_poses(12, 3.0, 4.0, 8)) {
+        const auto impinged = culled.impinged(pose);
+        const auto gap = culled.least_gap(pose);
+        pose.translation *= unit;
+        EXPECT_EQ(asked.impinged(pose).has_value(), impinged.has_value());
+        const auto same = asked.least_gap(pose);
+        ASSERT_EQ(same.has_value(), gap.has_value());
+        EXPECT_EQ(same->gap_mm, unit * gap->gap_mm);
+        EXPECT_EQ(same->at, gap->at);
+      }
+    } catch (const std::exception& refused) {
+      EXPECT_EQ(std::string(refused.what()).find('\n'), std::string::npos) << refused.what();
+      EXPECT_GT(std::abs(exponent), 40) << refused.what();
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What culling must not change: the answers of asking every vertex of both surfaces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "culling/culled_joint.hpp"
+#include "detection/exact_side.hpp"
+#include "sampling/near_faces.hpp"
+#include "sphere/infinity.hpp"
+
+namespace impinge::test {
+
+// Every vertex of both surfaces, in the order of scans and vertices, with its place in the frame of the other
+// one.
+template <class Visit>
+void for_each_vertex(const BallSocketPair& joint, const Pose& pose, Visit&& visit) {
+  for (std::size_t v = 0; v < joint.ball.vertices.size(); ++v)
+    visit(ScannedVertex{ScannedSurface::ball, v}, to_socket(pose, joint.ball.vertices[v]));
+  for (std::size_t v = 0; v < joint.socket.vertices.size(); ++v)
+    visit(ScannedVertex{ScannedSurface::socket, v}, to_ball(pose, joint.socket.vertices[v]));
+}
+
+class EveryVertex {
+ public:
+  explicit EveryVertex(const BallSocketPair& joint)
+      : joint_(joint),
+        index_{FaceIndex(joint.ball), FaceIndex(joint.socket)},
+        near_{NearFaces(joint.ball, 0.0), NearFaces(joint.socket, 0.0)} {}
+
+  bool impinged(const ScannedVertex& at, const Vec3& x) const {
+    return at.scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, index_[1], x)
+                                              : on_or_within(joint_.ball, index_[0], x);
+  }
+  bool impinged(const Pose& pose) const {
+    bool found = false;
+    for_each_vertex(joint_, pose,
+                    [&](const ScannedVertex& at, const Vec3& x) { found = found || impinged(at, x); });
+    return found;
+  }
+  std::optional<LeastGap> least_gap(const Pose& pose) const {
+    std::optional<LeastGap> least;
+    for_each_vertex(joint_, pose, [&](const ScannedVertex& at, const Vec3& x) {
+      const bool ball = at.scanned == ScannedSurface::ball;
+      if (x.isZero(0.0)) return;
+      const double radius = ball ? near_[1].radius(x.normalized(), Layer::nearest)
+                                 : near_[0].radius(x.normalized(), Layer::farthest);
+      const double gap = ball ? radius - x.norm() : x.norm() - radius;
+      if (gap < (least ? least->gap_mm : kInfinity)) least = LeastGap{gap, at};
+    });
+    return least;
+  }
+
+ private:
+  const BallSocketPair& joint_;
+  std::array<FaceIndex, 2> index_;
+  std::array<NearFaces, 2> near_;
+};
+
+}  // namespace impinge::test
