@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "culling/culled_scan.hpp"
 
+#include "mesh/lengths.hpp"
+
 namespace impinge {
 namespace {
 
@@ -17,6 +19,7 @@ std::vector<std::uint32_t> vertices_of_faces(const TriangleMesh& mesh) {
 }
 
 CapTree tree_of(const TriangleMesh& mesh) {
+  require_float_lengths(mesh);
   std::vector<CapItem> items;
   for (const std::uint32_t v : vertices_of_faces(mesh)) {
     const double length = mesh.vertices[v].norm();

@@ -90,7 +90,7 @@ void list_blocks(std::span<const std::uint32_t> places, ExactCell& cell, ExactCe
 }  // namespace
 
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face) {
-  require_lengths(mesh);
+  require_float_lengths(mesh);
   ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, faces_along_curve(mesh)};
   const std::size_t lines = made.divisions + 1;
   made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});

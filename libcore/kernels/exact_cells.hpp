@@ -78,7 +78,7 @@ struct ExactCells {
 
 // mesh in the centre frame; it must outlive the cells. Faces whose plane holds the centre cover no direction.
 // Linear in faces to make; with fewer cells a face more of them are not smooth: less memory, more time.
-// std::invalid_argument for lengths beyond those of mesh/lengths.hpp.
+// std::invalid_argument for lengths beyond those of floats in mesh/lengths.hpp.
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face = 4.0);
 
 // Gap at x in the frame of the mesh, the faces of a cell that is not smooth met without rounding and the

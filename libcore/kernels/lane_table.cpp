@@ -2,11 +2,13 @@
 #include "kernels/lane_table.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "mesh/lengths.hpp"
 #include "sphere/stored_values.hpp"
 
 namespace impinge {
@@ -63,6 +65,19 @@ void mask(const Rows& rows, const CellMask& rim, std::size_t cells, StartOf&& st
   }
 }
 
+// A kernel in float squares what it compares with these radii.
+void require_float_radii(std::span<const double> radii) {
+  for (const double r : radii) {
+    if (std::isnan(r) || (r >= kLeastFloatLength && r <= kMostFloatLength)) continue;
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "a kernel in float takes radii from %.2g to %.2g mm, not %.3g: scale the mesh to millimetres",
+        kLeastFloatLength, kMostFloatLength, r);
+    throw std::invalid_argument(text);
+  }
+}
+
 }  // namespace
 
 void require_lane_entries(std::size_t entries) {
@@ -90,6 +105,7 @@ LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>&
 
 template <LaneValue Value>
 LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table) {
+  if constexpr (!LaneTable<Rsid, Value>::kDouble) require_float_radii(table.radii());
   const std::size_t columns = table.scheme().columns();
   require_lane_entries(table.scheme().size() + table.scheme().rows());
   Rows rows{{}, columns + 1};

@@ -60,7 +60,8 @@ inline constexpr std::size_t kMostLaneEntries = std::size_t{1} << 28;
 // std::invalid_argument for more than that.
 void require_lane_entries(std::size_t entries);
 
-// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold.
+// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold; for
+// a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in mesh/lengths.hpp.
 template <LaneValue Value>
 LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table);
 template <LaneValue Value>

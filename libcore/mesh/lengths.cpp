@@ -10,14 +10,19 @@
 namespace impinge {
 namespace {
 
-[[noreturn]] void refuse(std::size_t face, double length) {
+struct LengthRange {
+  double least;  // mm
+  double most;   // mm
+};
+
+[[noreturn]] void refuse(std::size_t face, double length, const LengthRange& range) {
   char text[240];
   if (std::isfinite(length)) {
     std::snprintf(
         text, sizeof text,
         "face %zu reaches to coordinates of %.3g mm, and lengths are from %.2g to %.2g mm: scale the "
         "mesh to millimetres",
-        face, length, kLeastLength, kMostLength);
+        face, length, range.least, range.most);
   } else {
     std::snprintf(
         text, sizeof text,
@@ -42,21 +47,25 @@ double extent(const TriangleMesh& mesh, const Face& face) {
 
 // Then so is each face: vertices are read once each and in a row, those of faces six times. No is no answer:
 // it may be the sum alone, or a vertex of no face.
-bool all_vertices_within(const TriangleMesh& mesh) {
-  return std::ranges::all_of(mesh.vertices, [](const Vec3& v) {
+bool all_vertices_within(const TriangleMesh& mesh, const LengthRange& range) {
+  return std::ranges::all_of(mesh.vertices, [&range](const Vec3& v) {
     const double sum = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
-    return sum >= 3.0 * kLeastLength && sum <= kMostLength;
+    return sum >= 3.0 * range.least && sum <= range.most;
   });
+}
+
+void require(const TriangleMesh& mesh, const LengthRange& range) {
+  if (all_vertices_within(mesh, range)) return;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const double length = extent(mesh, mesh.faces[f]);
+    if (length != 0.0 && !(length >= range.least && length <= range.most)) refuse(f, length, range);
+  }
 }
 
 }  // namespace
 
-void require_lengths(const TriangleMesh& mesh) {
-  if (all_vertices_within(mesh)) return;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const double length = extent(mesh, mesh.faces[f]);
-    if (length != 0.0 && !(length >= kLeastLength && length <= kMostLength)) refuse(f, length);
-  }
-}
+void require_lengths(const TriangleMesh& mesh) { require(mesh, {kLeastLength, kMostLength}); }
+
+void require_float_lengths(const TriangleMesh& mesh) { require(mesh, {kLeastFloatLength, kMostFloatLength}); }
 
 }  // namespace impinge

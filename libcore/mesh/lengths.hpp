@@ -21,4 +21,12 @@ inline constexpr double kMostLength = 0x1p100;    // 1.3e30 mm
 // face may be anything.
 void require_lengths(const TriangleMesh& mesh);
 
+// What squares lengths in floats takes fewer of them: 2^120 leaves room for sums of squares, and 2^-100 is
+// 2^-26 of itself above the least number that a float has with all its digits, for rounding.
+inline constexpr double kLeastFloatLength = 0x1p-50;  // 8.9e-16 mm
+inline constexpr double kMostFloatLength = 0x1p60;    // 1.2e18 mm
+
+// As require_lengths() of these lengths; what is made for kernels in float, or holds caps, calls it.
+void require_float_lengths(const TriangleMesh& mesh);
+
 }  // namespace impinge
