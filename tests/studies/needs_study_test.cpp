@@ -32,10 +32,10 @@ TEST(NeedsStudy, EveryAnswerIsTheSame) {
 
 TEST(NeedsStudy, AnOutputIsCountedInEverythingAndNotInTheTables) {
   const auto nothing = [] {};
-  const std::vector<NeedsCase> cases{{"joint all gaps", "nothing", nothing, 100.0, true, 0.0},
-                                     {"joint all gaps", "entries", nothing, 40.0, true, 0.0},
-                                     {"joint all gaps", "distances", nothing, 60.0, true, 0.0},
-                                     {"joint all gaps", "all", nothing, 10.0, true, 0.0}};
+  const std::vector<NeedsCase> cases{{"joint all gaps", "nothing", nothing, 100.0, true, false, 0.0},
+                                     {"joint all gaps", "entries", nothing, 40.0, true, false, 0.0},
+                                     {"joint all gaps", "distances", nothing, 60.0, true, false, 0.0},
+                                     {"joint all gaps", "all", nothing, 10.0, true, false, 0.0}};
   Progress silent("test", nullptr);
   const NeedsTables made = time_needs(cases, kOptions, silent);
   ASSERT_EQ(made.needs.columns.size(), 5U);
