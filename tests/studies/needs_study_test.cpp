@@ -38,7 +38,7 @@ TEST(NeedsStudy, AnOutputIsCountedInEverythingAndNotInTheTables) {
                                      {"joint all gaps", "all", nothing, 10.0, true, false, 0.0}};
   Progress silent("test", nullptr);
   const NeedsTables made = time_needs(cases, kOptions, silent);
-  ASSERT_EQ(made.needs.columns.size(), 5U);
+  ASSERT_EQ(made.needs.columns.size(), 6U);
   ASSERT_EQ(made.needs.rows.size(), 3U);
   EXPECT_EQ(made.needs.rows[0][2].text(), "60");
   EXPECT_EQ(made.needs.rows[1][2].text(), "60");
