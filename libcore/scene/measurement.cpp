@@ -187,8 +187,7 @@ Measurement measure_gaps(const Joint& joint, const SceneOptions& options, const 
 // Whole tables. Without times, which are in a summary's times_ms: the rest of it is the same in every run.
 constexpr const char* kWholeTables =
     "whole tables, filled and scanned in double: the times of filling and scanning, beside those of the "
-    "other "
-    "outputs, are the most that faster kernels could save";
+    "other outputs, are the most that faster kernels could save";
 
 // What was not asked for, in words.
 void say_left_out(const SceneOutputs& outputs, Measurement& result) {
