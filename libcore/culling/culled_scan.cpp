@@ -2,26 +2,20 @@
 #include "culling/culled_scan.hpp"
 
 #include "mesh/lengths.hpp"
+#include "mesh/surface_vertices.hpp"
 
 namespace impinge {
 namespace {
 
-std::vector<std::uint32_t> vertices_of_faces(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) used[v] = true;
-  }
-  std::vector<std::uint32_t> found;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v]) found.push_back(static_cast<std::uint32_t>(v));
-  }
-  return found;
+// The mesh, whose lengths its caps can hold.
+const TriangleMesh& checked(const TriangleMesh& mesh) {
+  require_float_lengths(mesh);
+  return mesh;
 }
 
 CapTree tree_of(const TriangleMesh& mesh) {
-  require_float_lengths(mesh);
   std::vector<CapItem> items;
-  for (const std::uint32_t v : vertices_of_faces(mesh)) {
+  for (const std::uint32_t v : surface_vertices(mesh)) {
     const double length = mesh.vertices[v].norm();
     CapItem item{{Vec3::UnitZ(), kPi}, {length, length}};  // the centre has any direction
     if (length > 0.0) item.cap = {mesh.vertices[v].stableNormalized(), 0.0};
@@ -38,8 +32,10 @@ Layer layer_asked(ScannedSurface scanned) {
 
 CulledScan::CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
                        double margin)
-    : scanned_(scanned), tree_(tree_of(vertices_of)), limits_(asked, layer_asked(scanned), margin) {
-  const std::vector<std::uint32_t> used = vertices_of_faces(vertices_of);
+    : scanned_(scanned),
+      tree_(tree_of(checked(vertices_of))),
+      limits_(checked(asked), layer_asked(scanned), margin) {
+  const std::vector<std::uint32_t> used = surface_vertices(vertices_of);
   for (const std::uint32_t item : tree_.order()) {
     vertex_.push_back(used[item]);
     position_.push_back(vertices_of.vertices[used[item]]);

@@ -24,7 +24,7 @@ struct ScannedVertex {
 class CulledScan {
  public:
   // Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
-  // lengths beyond those of floats in mesh/lengths.hpp.
+  // lengths of either beyond those of floats in mesh/lengths.hpp.
   CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
              double margin = 0.0);
 

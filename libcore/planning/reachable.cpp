@@ -6,6 +6,7 @@
 
 #include "culling/culled_scan.hpp"
 #include "culling/near_items.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 
 namespace impinge {
@@ -17,18 +18,6 @@ constexpr std::size_t kWholePoses = 8;  // of a path: all of their vertices set 
 RadiusRange gap_range(ScannedSurface scanned, const RadiusRange& radius, double length) {
   return scanned == ScannedSurface::ball ? RadiusRange{radius.low - length, radius.high - length}
                                          : RadiusRange{length - radius.high, length - radius.low};
-}
-
-std::vector<std::uint32_t> vertices_in_faces(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) used[v] = true;
-  }
-  std::vector<std::uint32_t> found;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v]) found.push_back(static_cast<std::uint32_t>(v));
-  }
-  return found;
 }
 
 class ReachSearch {
@@ -44,7 +33,7 @@ class ReachSearch {
                            stencil_radius);
         reach_.bytes += culled_[k]->bytes();
       }
-      vertices_[k] = vertices_in_faces(scanned_mesh(task.joint, scanned));
+      vertices_[k] = surface_vertices(scanned_mesh(task.joint, scanned));
       reach_.found[k].resize(task.poses.size());
     }
   }

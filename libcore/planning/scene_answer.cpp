@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/surface_vertices.hpp"
+
 namespace impinge {
 namespace {
 
@@ -72,10 +74,7 @@ class Answering {
       answer_.cost.bytes += source->bytes();
       answer_.cost.entries += source->entries();
     }
-    std::vector<bool> used(mesh.vertices.size(), false);
-    for (const Face& face : mesh.faces) {
-      for (const VertexIndex v : face) used[v] = true;
-    }
+    const std::vector<bool> used = on_surface(mesh);
     for (std::size_t p = 0; p < plan_.poses.size(); ++p) {
       begin_pose(scan.scanned, p, mesh.vertices.size());
       if (needs_.question == Question::touch && touches_[p]) continue;

@@ -5,21 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "mesh/surface_vertices.hpp"
+
 namespace impinge {
 namespace {
-
-std::vector<bool> vertices_of_faces(const TriangleMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) used[v] = true;
-  }
-  return used;
-}
 
 // `exactly(i)` says whether vertex i is impinged.
 template <class Exactly>
 VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, const Exactly& exactly) {
-  const std::vector<bool> used = vertices_of_faces(mesh);
+  const std::vector<bool> used = on_surface(mesh);
   VertexVerdicts verdicts;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) continue;

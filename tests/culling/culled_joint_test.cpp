@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -126,6 +127,15 @@ TEST(CulledJoint, StrayVerticesAreNotAsked) {
 TriangleMesh in_units(TriangleMesh mesh, double unit) {
   for (Vec3& v : mesh.vertices) v *= unit;
   return mesh;
+}
+
+// Neither surface may be longer than a float's square is, whichever is scanned.
+TEST(CulledScan, LengthsOfEitherSurfaceAreChecked) {
+  const TriangleMesh body = octahedron(20.0);
+  const TriangleMesh longest = octahedron(0x1p61);
+  EXPECT_NO_THROW(CulledScan(ScannedSurface::ball, body, octahedron(26.0)));
+  EXPECT_THROW(CulledScan(ScannedSurface::ball, body, longest), std::invalid_argument);
+  EXPECT_THROW(CulledScan(ScannedSurface::ball, longest, body), std::invalid_argument);
 }
 
 // All lengths times a power of two: the same answers, or a refusal of one line.
