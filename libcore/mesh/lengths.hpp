@@ -21,8 +21,9 @@ inline constexpr double kMostLength = 0x1p100;    // 1.3e30 mm
 // face may be anything.
 void require_lengths(const TriangleMesh& mesh);
 
-// What squares lengths in floats takes fewer of them: 2^120 leaves room for sums of squares, and 2^-100 is
-// 2^-26 of itself above the least number that a float has with all its digits, for rounding.
+// What squares lengths in floats takes fewer of them. Squares of the largest are 2^120, which leaves room for
+// sums of them below 2^128; squares of the least are 2^-100, 2^26 times the least float that has all its
+// digits (2^-126), so that what is smaller than they by rounding has its digits too.
 inline constexpr double kLeastFloatLength = 0x1p-50;  // 8.9e-16 mm
 inline constexpr double kMostFloatLength = 0x1p60;    // 1.2e18 mm
 

@@ -36,6 +36,25 @@ TEST(Lengths, BeyondAreRefusedInOneLine) {
   }
 }
 
+// The sum of three coordinates may be long enough where none of them is.
+TEST(Lengths, CornersThatAreLongInSumAloneAreRefused) {
+  TriangleMesh mesh;
+  const double share = 0.9 * kLeastLength;
+  mesh.vertices = {{share, share, share}, {-share, share, share}, {share, -share, share}};
+  mesh.faces = {{0, 1, 2}};
+  EXPECT_NE(refusal(mesh).find("face 0 reaches"), std::string::npos) << refusal(mesh);
+}
+
+// In floats fewer lengths are taken, and they are named.
+TEST(Lengths, OfFloatsAreFewer) {
+  for (const double radius : {kLeastFloatLength, 26.0, kMostFloatLength})
+    EXPECT_NO_THROW(require_float_lengths(octahedron(radius))) << radius;
+  for (const double radius : {0.5 * kLeastFloatLength, 2.0 * kMostFloatLength}) {
+    EXPECT_EQ(refusal(octahedron(radius)), "") << radius;
+    EXPECT_THROW(require_float_lengths(octahedron(radius)), std::invalid_argument) << radius;
+  }
+}
+
 TEST(Lengths, NumbersThatAreNoneAreRefused) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
