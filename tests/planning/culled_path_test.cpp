@@ -73,11 +73,45 @@ TEST_P(CulledPath, HasThemFarFromAnyPathToo) {
 
 INSTANTIATE_TEST_SUITE_P(Questions, CulledPath, ::testing::Values(Question::touch, Question::first_contact));
 
-// Both ways list all vertices whose gap in the exact table is at the limit or less, the whole one all others
-// within reach too.
+// By the table of the other surface, mm; NaN for none.
+double gap_in_table(const RadialTable<Rsid>& table, ScannedSurface scanned, const Vec3& x) {
+  const double gap = table.radius_at(x) - x.norm();
+  return scanned == ScannedSurface::ball ? gap : -gap;
+}
+
+bool lists(const std::vector<Reachable>& found, std::uint32_t vertex) {
+  return std::ranges::any_of(found, [vertex](const Reachable& r) { return r.vertex == vertex; });
+}
+
+// What two ways found of one scan in one pose.
+struct Listed {
+  const std::vector<Reachable>& whole;
+  const std::vector<Reachable>& culled;
+  double limit_mm;
+};
+
+// Each vertex whose gap in the table is at the limit or less is listed by both; caps list none at the limit
+// or less that looking at each leaves out. Returns how many such gaps there are.
+std::size_t expect_listed(const Listed& listed, const std::vector<double>& gaps) {
+  for (const Reachable& r : listed.culled)
+    EXPECT_TRUE(r.low > listed.limit_mm || lists(listed.whole, r.vertex)) << r.vertex;
+  std::size_t matter = 0;
+  for (std::uint32_t v = 0; v < gaps.size(); ++v) {
+    if (!(gaps[v] <= listed.limit_mm)) continue;
+    ++matter;
+    EXPECT_TRUE(lists(listed.culled, v)) << v;
+    EXPECT_TRUE(lists(listed.whole, v)) << v;
+  }
+  return matter;
+}
+
+// So it is in every pose in which no vertex is proven to touch.
 TEST(Reach, BothWaysListWhatMatters) {
   const BallSocketPair joint = make_ball_socket_pair(500, impinging_cam());
   const AnyScheme scheme("rsid", kPathPrecision);
+  const Rsid rsid = Rsid::with_precision(kPathPrecision);
+  const std::array tables{fill_exact(joint.socket, rsid, Layer::nearest),
+                          fill_exact(joint.ball, rsid, Layer::farthest)};
   for (const Question question : {Question::touch, Question::first_contact}) {
     SceneNeeds needs;
     needs.question = question;
@@ -95,6 +129,18 @@ TEST(Reach, BothWaysListWhatMatters) {
     EXPECT_EQ(std::ranges::count(whole.touches, true) > 5, question == Question::touch);
     EXPECT_EQ(whole.bytes, 0U);
     EXPECT_GT(culled.bytes, 0U);
+    std::size_t matter = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const ScannedSurface scanned = scans[k].scanned;
+      for (const std::size_t p : poses) {
+        if (whole.touches[p]) continue;
+        std::vector<double> gaps;
+        for (const Vec3& v : scanned_mesh(joint, scanned).vertices)
+          gaps.push_back(gap_in_table(tables[k], scanned, placed(scanned, needs.poses[p], v)));
+        matter += expect_listed({whole.found[k][p], culled.found[k][p], culled.limit_mm}, gaps);
+      }
+    }
+    EXPECT_GT(matter, 0U);
   }
 }
 
