@@ -11,6 +11,7 @@
 #include "detection/gap_scan.hpp"
 #include "experiment/machine.hpp"
 #include "joint/motion.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "sampling/direction_bounds.hpp"
 #include "sampling/exact_raster.hpp"
 #include "sphere/scheme_choice.hpp"
@@ -47,10 +48,7 @@ void require_memory(const S& scheme) {
 
 // A vertex of no face belongs to no surface: it has no gap.
 void forget_stray_vertices(const TriangleMesh& mesh, std::vector<double>& gap) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) used[v] = true;
-  }
+  const std::vector<bool> used = on_surface(mesh);
   for (std::size_t i = 0; i < gap.size(); ++i) {
     if (!used[i]) gap[i] = kNoSurface;
   }
@@ -186,8 +184,8 @@ Measurement measure_gaps(const Joint& joint, const SceneOptions& options, const 
 
 // Whole tables. Without times, which are in a summary's times_ms: the rest of it is the same in every run.
 constexpr const char* kWholeTables =
-    "whole tables, filled and scanned in double: the times of filling and scanning, beside those of the "
-    "other outputs, are the most that faster kernels could save";
+    "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
+    "most that faster kernels could save";
 
 // What was not asked for, in words.
 void say_left_out(const SceneOutputs& outputs, Measurement& result) {

@@ -49,7 +49,7 @@ struct Measurement {
 // 0.8 to 1.4 % of a run with default options, of a generated hip of 12,000 faces a surface, a femoral head of
 // as many in its acetabulum, and a whole femur of 73,000. The bounds of all gaps take 50 to 64 % of it,
 // reading, fit and checks of the meshes and writing 24 to 35 %, Euclidean distances 9 to 14 %, verdicts below
-// 1 %. --explain has those times of its own run.
+// 1 %. A summary has those times of its own run.
 //
 // std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take) or
 // no precision is fine enough.

@@ -104,7 +104,7 @@ TEST(SceneNeeds, TheWayIsSaidWithItsReason) {
   SceneOptions options = flexed("0");
   const std::string whole = measure(hip, options).way;
   EXPECT_NE(whole.find("whole tables"), std::string::npos) << whole;
-  EXPECT_NE(whole.find("the times of filling and scanning"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("fill_tables and scan in times_ms"), std::string::npos) << whole;
   options.outputs = {true, false, false, false};
   EXPECT_EQ(measure(hip, options).way, "each vertex is looked at: the gaps of all are asked for");
   options.question = Question::touch;
