@@ -3,7 +3,7 @@
 // vertices?
 // @writes    contact contact_samples contact_agreement
 // @timing    yes
-// @seconds   10 120
+// @seconds   10 140
 // @links     study_contact
 //
 // Poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; meshes of ever more triangles. First

@@ -2,7 +2,7 @@
 // @question  How fast are all gaps of a pose found, beside other libraries and beside the machine's limit?
 // @writes    fast fast_samples
 // @timing    yes
-// @seconds   15 150
+// @seconds   15 165
 // @links     study_fast
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
