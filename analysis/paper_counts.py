@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of the paper about experiment 13_counts, cube in 16 bits with the best instruction set that was counted:
-counts:set, counts:cube, counts:floor and, of a table of corners, counts:corners instructions of a vertex of the socket, counts:over and counts:time the ratio
-of instructions and of times, counts:cube_misses and counts:floor_misses of 32 KiB, counts:rim and counts:rim_misses of
-the vertices of the ball, counts:rays of the fewest of Embree's, counts:touch and counts:boxes of a pose, culled and by
-FCL."""
+counts:set, counts:cube, counts:floor and, of a table of corners, counts:corners instructions of a vertex of the
+socket, counts:over and counts:time the ratio of instructions and of times, counts:cube_misses and counts:floor_misses
+of 32 KiB, counts:rim and counts:rim_misses of the vertices of the ball, counts:rays of the fewest of Embree's,
+counts:touch and counts:boxes of a pose, culled and by FCL.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of the paper about experiment 13_fill: fill:start_us, :triangle_ns, :entry_ns and :largest_residual (percent)
-of the growth of one thread that stores 16 bits in memory that is used again, fill:double how many times longer the
-rasteriser of all schemes takes, and fill:fresh what fresh memory costs, both at the finest of the tables;
+"""Numbers of the paper about experiment 13_fill: fill:start_us, :triangle_ns, :entry_ns and :largest_residual
+(percent) of the growth of one thread that stores 16 bits in memory that is used again, fill:double how many times
+longer the rasteriser of all schemes takes, and fill:fresh what fresh memory costs, both at the finest of the tables;
 fill:worst_triangles and :worst_cells where the ratio to Embree is least, and fill:few the least for 12,000 or fewer.
 """
 
