@@ -2,56 +2,15 @@
 #include "planning/scene_answer.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
+#include <ranges>
 #include <utility>
 
 #include "mesh/surface_vertices.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
-
-// A table where it keeps the accuracy, and the faces themselves elsewhere: beyond the bound and next to a
-// rim.
-class AccurateSource final : public RadiusSource {
- public:
-  AccurateSource(const NearFaces& faces, const TableChoice& choice, std::unique_ptr<PartialTable> table,
-                 Layer layer)
-      : faces_(faces), choice_(choice), table_(std::move(table)), layer_(layer) {}
-
-  double radius_at(const Vec3& x) const override {
-    const NearFaces::Near near = faces_.near(x);
-    if (near.nothing()) return kNoSurface;
-    if (table_ && keeps_accuracy(choice_, table_->storage_bound(), near)) {
-      const double radius = table_->radius_at(x);
-      if (!std::isnan(radius)) return radius;
-    }
-    return faces_.radius(x.normalized(), near, layer_);
-  }
-  std::size_t bytes() const override { return table_ ? table_->bytes() : 0; }
-  std::size_t entries() const override { return table_ ? table_->entries() : 0; }
-
- private:
-  const NearFaces& faces_;
-  const TableChoice& choice_;
-  std::unique_ptr<PartialTable> table_;
-  Layer layer_;
-};
-
-std::unique_ptr<RadiusSource> make_source(const BallSocketPair& joint, const ScenePlan& plan,
-                                          const ScanPlan& scan, const FillFull& fill_full) {
-  const Layer layer = asked_layer(scan.scanned);
-  if (!scan.entries) return fill_full(asked_mesh(joint, scan.scanned), layer);
-  if (!plan.table.accuracy_mm) return fill_partial(*scan.faces, plan.table.scheme, *scan.entries, layer);
-  std::unique_ptr<PartialTable> table;
-  if (!plan.table.rays_only) {
-    table = fill_partial(*scan.faces, plan.table.scheme, *scan.entries, layer);
-    table->store(plan.table.storage);
-  }
-  return std::make_unique<AccurateSource>(*scan.faces, plan.table, std::move(table), layer);
-}
 
 bool has_look_ups(const ScanPlan& scan) {
   return !scan.vertices || std::ranges::any_of(*scan.vertices, [](const auto& v) { return !v.empty(); });
@@ -67,34 +26,17 @@ class Answering {
   }
 
   void scan(const ScanPlan& scan, const FillFull& fill_full) {
-    const TriangleMesh& mesh = scanned_mesh(joint_, scan.scanned);
     std::unique_ptr<RadiusSource> source;
     if (has_look_ups(scan)) {
-      source = make_source(joint_, plan_, scan, fill_full);
+      source = make_scan_source(joint_, plan_, scan, fill_full);
       answer_.cost.bytes += source->bytes();
       answer_.cost.entries += source->entries();
     }
-    const std::vector<bool> used = on_surface(mesh);
+    const std::vector<bool> used = on_surface(scanned_mesh(joint_, scan.scanned));
     for (std::size_t p = 0; p < plan_.poses.size(); ++p) {
-      begin_pose(scan.scanned, p, mesh.vertices.size());
+      begin_pose(scan.scanned, p, used.size());
       if (needs_.question == Question::touch && touches_[p]) continue;
-      const Pose& pose = needs_.poses[plan_.poses[p]];
-      const auto look_up = [&](std::size_t v) {
-        if (!used[v]) return true;
-        const Vec3 x = placed(scan.scanned, pose, mesh.vertices[v]);
-        const double radius = source->radius_at(x);
-        return note(p, v, scan.scanned == ScannedSurface::ball ? radius - x.norm() : x.norm() - radius);
-      };
-      if (scan.vertices) {
-        answer_.cost.look_ups += (*scan.vertices)[p].size();
-        for (const std::uint32_t v : (*scan.vertices)[p]) {
-          if (!look_up(v)) break;
-        }
-      } else {
-        answer_.cost.look_ups += mesh.vertices.size();
-        for (std::size_t v = 0; v < mesh.vertices.size() && look_up(v); ++v) {
-        }
-      }
+      scan_pose(scan, p, used, source.get());
     }
   }
 
@@ -114,6 +56,27 @@ class Answering {
     gaps_->assign(vertices, kNoSurface);
   }
 
+  // Notes the gaps of the scan's vertices, so far as they are `used`, until there is no more to ask. A scan
+  // without look-ups has no source.
+  void scan_pose(const ScanPlan& scan, std::size_t p, const std::vector<bool>& used,
+                 const RadiusSource* source) {
+    const TriangleMesh& mesh = scanned_mesh(joint_, scan.scanned);
+    const Pose& pose = needs_.poses[plan_.poses[p]];
+    const auto look_up = [&](std::size_t v) {
+      if (!used[v]) return true;
+      const Vec3 x = placed(scan.scanned, pose, mesh.vertices[v]);
+      const double radius = source->radius_at(x);
+      return note(p, v, scan.scanned == ScannedSurface::ball ? radius - x.norm() : x.norm() - radius);
+    };
+    if (scan.vertices) {
+      answer_.cost.look_ups += (*scan.vertices)[p].size();
+      static_cast<void>(std::ranges::all_of((*scan.vertices)[p], look_up));
+    } else {
+      answer_.cost.look_ups += mesh.vertices.size();
+      static_cast<void>(std::ranges::all_of(std::views::iota(std::size_t{0}, mesh.vertices.size()), look_up));
+    }
+  }
+
   // Whether there is more to ask about the pose.
   bool note(std::size_t p, std::size_t vertex, double gap) {
     switch (needs_.question) {
@@ -121,7 +84,7 @@ class Answering {
         if (gap <= 0.0) touches_[p] = true;
         return !touches_[p];
       case Question::first_contact:
-        if (gap < (answer_.smallest ? answer_.smallest->gap_mm : std::numeric_limits<double>::infinity()))
+        if (gap < (answer_.smallest ? answer_.smallest->gap_mm : kInfinity))
           answer_.smallest = SmallestGap{gap, scanned_, plan_.poses[p], vertex};
         return true;
       case Question::all_gaps:
@@ -139,30 +102,6 @@ class Answering {
   ScannedSurface scanned_ = ScannedSurface::ball;
   std::vector<double>* gaps_ = nullptr;
 };
-
-// Difference of two gaps of one vertex.
-double difference(double a, double b) {
-  if (std::isnan(a) && std::isnan(b)) return 0.0;
-  return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : std::abs(a - b);
-}
-
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, difference(a[i], b[i]));
-  return largest;
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::ranges::equal(a, b, [](double x, double y) {
-    return (std::isnan(x) && std::isnan(y)) ||
-           std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  });
-}
-
-bool same_bits(const PoseGaps& a, const PoseGaps& b) {
-  return same_bits(a.ball, b.ball) && same_bits(a.socket, b.socket);
-}
 
 }  // namespace
 
@@ -199,30 +138,6 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
   answer.path = std::move(plan.path);
   if (left_out) *left_out = std::move(plan.left_out);
   return answer;
-}
-
-bool same_answer(const SceneAnswer& a, const SceneAnswer& b) {
-  if (a.touches != b.touches || a.smallest != b.smallest || a.gaps_of.size() != b.gaps_of.size())
-    return false;
-  for (std::size_t p = 0; p < a.gaps_of.size(); ++p) {
-    if (!same_bits(a.gaps[a.gaps_of[p]], b.gaps[b.gaps_of[p]])) return false;
-  }
-  return true;
-}
-
-double gap_difference(const PoseGaps& a, const PoseGaps& b) {
-  return std::max(difference(a.ball, b.ball), difference(a.socket, b.socket));
-}
-
-double answer_difference(const SceneAnswer& a, const SceneAnswer& b) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  if (a.touches != b.touches || a.gaps_of.size() != b.gaps_of.size() || !a.smallest != !b.smallest)
-    return kNever;
-  double largest = a.smallest ? difference(a.smallest->gap_mm, b.smallest->gap_mm) : 0.0;
-  for (std::size_t p = 0; p < a.gaps_of.size(); ++p) {
-    largest = std::max(largest, gap_difference(a.gaps[a.gaps_of[p]], b.gaps[b.gaps_of[p]]));
-  }
-  return largest;
 }
 
 }  // namespace impinge

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "planning/scene_plan.hpp"
+#include "planning/scan_source.hpp"
 
 namespace impinge {
 
@@ -44,9 +42,6 @@ struct SceneAnswer {
   PathChoice path;                      // how the vertices that matter were found, where it was planned here
 };
 
-// Fills the whole table of a surface, for a plan that does not leave any of it out.
-using FillFull = std::function<std::unique_ptr<RadiusSource>(const TriangleMesh&, Layer)>;
-
 // Vertices of no face belong to no surface and have no gap. `joint` and `needs` are those of the plan.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const ScenePlan& plan,
                          const FillFull& fill_full);
@@ -60,15 +55,5 @@ bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneA
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                          Omissions omissions, const FillFull& fill_full,
                          std::vector<LeftOut>* left_out = nullptr);
-
-// Are the answers the same, bit for bit?
-bool same_answer(const SceneAnswer& a, const SceneAnswer& b);
-
-// Largest difference of the gaps of one pose, mm; infinite where one has a gap that the other has not.
-double gap_difference(const PoseGaps& a, const PoseGaps& b);
-
-// Largest difference of two answers' gaps, mm; infinite where one has a gap or a touch that the other has
-// not.
-double answer_difference(const SceneAnswer& a, const SceneAnswer& b);
 
 }  // namespace impinge

@@ -14,6 +14,7 @@
 #include "contenders/heap_use.hpp"
 #include "detection/euclidean_bracket.hpp"
 #include "detection/gap_scan.hpp"
+#include "planning/answer_difference.hpp"
 #include "sampling/error_bound.hpp"
 #include "sampling/local_refill.hpp"
 #include "sampling/pairwise.hpp"

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "planning/answer_difference.hpp"
 #include "planning/reachable.hpp"
 #include "planning/scene_answer.hpp"
 #include "sphere/schemes/rsid.hpp"

@@ -13,6 +13,7 @@
 
 #include "detection/gap_scan.hpp"
 #include "mesh/bodies.hpp"
+#include "planning/answer_difference.hpp"
 #include "planning/table_choice.hpp"
 #include "sampling/pairwise.hpp"
 #include "sphere/schemes/rsid.hpp"

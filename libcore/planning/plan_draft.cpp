@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planning/plan_draft.hpp"
+
+namespace impinge {
+
+void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan) {
+  if (scan.faces && scan.faces->margin() >= margin) return;
+  scan.faces = std::make_unique<NearFaces>(asked_mesh(joint, scan.scanned), margin);
+}
+
+}  // namespace impinge

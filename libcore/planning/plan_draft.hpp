@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plan in the making, with all that it is made from. Its steps are planning/vertex_choice.hpp and then
+// planning/entry_choice.hpp.
+#pragma once
+
+#include <cstdint>
+
+#include "planning/scene_plan.hpp"
+
+namespace impinge {
+
+// What plan_scene() was given, and how far the plan is.
+struct PlanDraft {
+  const BallSocketPair& joint;  // centre frames, mm
+  const SceneNeeds& needs;      // what is asked
+  const AnyScheme& given;       // the table that everything would be done with
+  Omissions omissions;          // what may be left out
+  ScenePlan plan;               // so far
+};
+
+// Makes the scan know the faces near a direction, with a margin of that many radians or more.
+void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
+
+// Calls visit(x) for each look-up of the scan, so far as it is planned, in the order of poses and vertices; x
+// is in the frame of the surface that is asked.
+template <class Visit>
+void for_each_look_up(const PlanDraft& draft, const ScanPlan& scan, Visit&& visit) {
+  const TriangleMesh& mesh = scanned_mesh(draft.joint, scan.scanned);
+  for (std::size_t p = 0; p < draft.plan.poses.size(); ++p) {
+    const Pose& pose = draft.needs.poses[draft.plan.poses[p]];
+    if (scan.vertices) {
+      for (const std::uint32_t v : (*scan.vertices)[p]) visit(placed(scan.scanned, pose, mesh.vertices[v]));
+    } else {
+      for (const Vec3& v : mesh.vertices) visit(placed(scan.scanned, pose, v));
+    }
+  }
+}
+
+}  // namespace impinge
