@@ -22,6 +22,7 @@ import common  # noqa: E402
 import data_table  # noqa: E402
 import diagram_chart  # noqa: E402
 import diagram_section  # noqa: E402
+from drawing import plt  # noqa: E402
 import finding  # noqa: E402
 import hip  # noqa: E402
 import log_plot  # noqa: E402
@@ -382,9 +383,9 @@ class Figures(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for run in range(2):
                 common.style()
-                figure, axes = common.plt.subplots()
+                figure, axes = plt.subplots()
                 line = axes.plot([0, 1])[0]
-                circle = common.plt.Circle((0.5, 0.5), 0.3, transform=axes.transData)
+                circle = plt.Circle((0.5, 0.5), 0.3, transform=axes.transData)
                 line.set_clip_path(circle)
                 kept.append(circle)
                 common.save_figure(figure, Path(folder) / str(run), "x")

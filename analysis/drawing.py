@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Colours, style and saving of every figure: the same figure gives the same bytes."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+os.environ.setdefault("SOURCE_DATE_EPOCH", "0")  # figures carry no date
+
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
+# of its own, for readers in grey.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+DASHES = ["-", "--", "-.", ":"]
+THESIS_GREY = "#8c8c8c"
+
+
+def style() -> None:
+    """Fonts, sizes and lines of every figure; no date and no random name in a file."""
+    plt.rcParams.update(
+        {
+            "figure.figsize": (6.4, 4.4),
+            "figure.dpi": 100,
+            "savefig.dpi": 200,
+            "font.size": 10,
+            "axes.titlesize": 11,
+            "axes.titlelocation": "left",
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.grid": True,
+            "grid.color": "#dddddd",
+            "grid.linewidth": 0.6,
+            "axes.axisbelow": True,
+            "lines.linewidth": 1.5,
+            "lines.markersize": 6,
+            "legend.frameon": False,
+            "legend.fontsize": 9,
+            "svg.hashsalt": "impinge",
+            "svg.fonttype": "path",
+            "pdf.fonttype": 42,
+        }
+    )
+
+
+def look(names: list[str]) -> dict[str, dict]:
+    """Colour, marker and dash of each name, by first appearance."""
+    return {
+        name: {
+            "color": COLOURS[i % len(COLOURS)],
+            "marker": MARKERS[i % len(MARKERS)],
+            "linestyle": DASHES[i % len(DASHES)],
+        }
+        for i, name in enumerate(dict.fromkeys(names))
+    }
+
+
+def scheme_looks(schemes: list[str]) -> dict[str, dict]:
+    """look(), with hollow markers from the second round of colours on."""
+    looks = look(schemes)
+    for i, of_one in enumerate(looks.values()):
+        of_one |= {"linewidth": 1.1, "markersize": 5}
+        if i >= len(COLOURS):
+            of_one |= {"markerfacecolor": "white", "linestyle": DASHES[(i + 1) % len(DASHES)]}
+    return looks
+
+
+def number_clip_paths(svg: Path) -> None:
+    """Numbers the clip paths of an SVG in their order: matplotlib names those that are no rectangles after
+    addresses in memory, which differ from run to run.
+    """
+    text = svg.read_text(encoding="utf-8")
+    for number, name in enumerate(re.findall(r'<clipPath id="([^"]+)"', text)):
+        text = text.replace(f'"{name}"', f'"clip{number}"').replace(f"#{name})", f"#clip{number})")
+    svg.write_text(text, encoding="utf-8", newline="\n")
+
+
+def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
+    """figures/NAME.svg, .png and .pdf, the same bytes for the same figure."""
+    folder = out / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
+    number_clip_paths(folder / f"{name}.svg")
+    figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight")
+    figure.savefig(
+        folder / f"{name}.pdf",
+        metadata={"CreationDate": None, "Creator": None, "Producer": None},
+        bbox_inches="tight",
+    )
+    plt.close(figure)
