@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 from typing import NoReturn
 
-from drawing import COLOURS, THESIS_GREY, look, save_figure, scheme_looks, style
+from drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, look, save_figure, scheme_looks, style
 from loading import Refused, load, sidecar
 from thesis_values import HERE, counterparts, methods_of, thesis
 from wording import digits, label, number, plain, scheme_labels, tex
@@ -24,7 +24,9 @@ __all__ = [
     "COLOURS",
     "HERE",
     "Refused",
+    "SMALL",
     "THESIS_GREY",
+    "WIDTH",
     "arguments",
     "counterparts",
     "digits",

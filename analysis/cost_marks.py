@@ -47,19 +47,22 @@ def bounds(axes: plt.Axes, group: pd.DataFrame, cost: str, look: dict) -> None:
 
 
 def steps(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
-    """The setting beside each point of a line of several."""
+    """The setting beside the ends of a line of several, where it covers no other."""
     if len(group) < 2:
         return
-    for row in group.itertuples():
-        axes.annotate(
+    for row in group.iloc[[0, -1]].itertuples():
+        taken = [text.get_window_extent() for text in axes.texts]
+        text = axes.annotate(
             pareto.step_of(row),
             (row.x, getattr(row, cost)),
             xytext=(0, 5),
             textcoords="offset points",
             ha="center",
-            fontsize=6.5,
+            fontsize=common.SMALL,
             color=colour,
         )
+        if text.get_window_extent().count_overlaps(taken):
+            text.remove()
 
 
 def staircase(axes: plt.Axes, shown: pd.DataFrame, cost: str) -> None:
@@ -82,7 +85,7 @@ def floors(axes: plt.Axes) -> None:
             xycoords=("data", "axes fraction"),
             xytext=(2, 0),
             textcoords="offset points",
-            fontsize=7,
+            fontsize=common.SMALL,
             color="#666666",
         )
 
@@ -102,8 +105,8 @@ def failures(axes: plt.Axes, group: pd.DataFrame, cost: str) -> None:
     )
 
 
-def legend(figure: plt.Figure, looks: dict, y: float) -> None:
-    """The coloured lines, and what the other signs mean."""
+def legend(where: plt.Figure | plt.Axes, looks: dict, **place) -> None:
+    """The coloured lines, and what the other signs mean; place is what matplotlib's legend() takes."""
     handles = [
         Line2D([], [], label=pareto.label(line), **look | {"markersize": 5.5}) for line, look in looks.items()
     ]
@@ -137,4 +140,4 @@ def legend(figure: plt.Figure, looks: dict, y: float) -> None:
             label="hollow, joined: proven bound",
         ),
     ]
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.12, y), ncol=4)
+    where.legend(handles=handles, **place)

@@ -26,7 +26,7 @@ def radius(joint: hip.Hip) -> float:
 def camera(joint: hip.Hip, pixels: int = hip.PIXELS) -> render.View:
     """The medial view, with room for the dial."""
     seen = hip.view("medial", joint, [joint.socket], pixels)
-    return render.View(hip.dial(joint).middle, seen.towards, seen.up, 1.42 * radius(joint), pixels)
+    return render.View(hip.dial(joint).middle, seen.towards, seen.up, 1.52 * radius(joint), pixels)
 
 
 def draw(axes: plt.Axes, panel: panels.Panel, joint: hip.Hip, fontsize: float = 9) -> None:

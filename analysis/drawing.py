@@ -22,6 +22,10 @@ MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
 THESIS_GREY = "#8c8c8c"
 
+# Inches of a figure that is as wide as the paper's text, and points of the smallest text in it: 6.5 in print. A narrower
+# figure of the paper is drawn as much narrower.
+WIDTH, SMALL = 9.2, 9
+
 
 def style() -> None:
     """Fonts, sizes and lines of every figure; no date and no random name in a file."""

@@ -45,7 +45,7 @@ def main() -> None:
         Patch(color=LEFT_OUT, label="left out"),
         Patch(color=WIRES, label="sphere"),
     ]
-    figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=8, fontsize=9)
+    figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=common.SMALL)
     panels.save(figure, options.out, options.name)
 
 

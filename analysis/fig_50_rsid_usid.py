@@ -38,7 +38,9 @@ def main() -> None:
             titles.append(f"{letter}) {common.label(scheme)}: {smallest(gaps[-1])}")
     figure = compose(images, titles, heading(options.joint, summary, gaps))
     handles = gap_colours.legend(summary, ("socket",))
-    figure.legend(handles=handles, loc="lower center", ncol=3, title="gap, mm", fontsize=9)
+    figure.legend(
+        handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="gap, mm"
+    )
     common.save_figure(figure, options.out, sample_points.name("figure-50", options.joint))
 
 
@@ -52,20 +54,22 @@ def heading(joint: str, summary: dict, gaps: list[np.ndarray]) -> str:
     name = "generated pair" if joint == sample_points.GENERATED else joint.replace("_", " ")
     pose = summary["pose"].replace("=", " ").replace("_", " ") + ("°" if "=" in summary["pose"] else "")
     apart = np.abs(gaps[0] - gaps[1])
-    largest = "" if np.isnan(apart).all() else f"; gaps differ by at most {np.nanmax(apart):.3f} mm"
-    return f"Socket, {name}, {pose}{largest}\npoints: entries of its table at {summary['precision_deg']:.3g}°"
+    largest = "" if np.isnan(apart).all() else f"gaps differ by at most {np.nanmax(apart):.3f} mm"
+    return (
+        f"Socket, {name}, {pose}\n{largest}\npoints: entries of its table at {summary['precision_deg']:.3g}°"
+    )
 
 
 def compose(images: list[np.ndarray], titles: list[str], heading_text: str) -> plt.Figure:
     """The two views side by side, with room for a legend below."""
     common.style()
-    figure, grid = plt.subplots(1, len(images), figsize=(6.8, 4.9))
+    figure, grid = plt.subplots(1, len(images), figsize=(4.35, 3.7))
     for axes, image, title in zip(grid, images, titles):
         axes.imshow(image, interpolation="none")
-        axes.set_title(title, loc="center", fontsize=10)
+        axes.set_title(title, loc="center", fontsize=common.SMALL)
         axes.axis("off")
-    figure.suptitle(heading_text, fontsize=10.5, y=0.985)
-    figure.subplots_adjust(left=0.01, right=0.99, top=0.86, bottom=0.15, wspace=0.03)
+    figure.suptitle(heading_text, fontsize=9.5, y=0.985)
+    figure.subplots_adjust(left=0.01, right=0.99, top=0.80, bottom=0.15, wspace=0.03)
     return figure
 
 

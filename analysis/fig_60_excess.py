@@ -37,7 +37,7 @@ def main() -> None:
             ),
         ]
     found = (
-        f"the ring marks the largest rise of {sphere_deviation.EXCESS:g} mm or more on the head: {region.most:.1f} mm"
+        f"ring: largest rise of {sphere_deviation.EXCESS:g} mm or more on the head, {region.most:.1f} mm"
         if region
         else f"no rise of {sphere_deviation.EXCESS:g} mm on the head"
     )

@@ -19,12 +19,12 @@ def main() -> None:
     verdicts = common.load(options.results, "certified")
     poses = common.load(options.results, "certified_poses")
     common.style()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.6))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.6))
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
     draw_missed(right, poses)
     figure.tight_layout()
     handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=5, fontsize=8)
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
     common.save_figure(figure, options.out, "certified-verdicts")
 
 
@@ -87,7 +87,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
             xytext=(0, 6),
             textcoords="offset points",
             ha="center",
-            fontsize=8,
+            fontsize=common.SMALL,
         )
     axes.set(
         xscale="log",
@@ -101,7 +101,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
     axes.minorticks_off()
     axes.set_ylim(top=axes.get_ylim()[1] * 3)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
-    axes.legend(loc="upper right", fontsize=8)
+    axes.legend(loc="lower left")
 
 
 common.run(main)

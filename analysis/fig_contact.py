@@ -14,14 +14,14 @@ def main() -> None:
     table = contact.load(options.results)
     looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
     common.style()
-    figure, axes = plt.subplots(1, 3, figsize=(9.6, 4.4), sharey=True)
+    figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)
         panel.set_title(title)
     axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
-    figure.tight_layout(rect=(0, 0.13, 1, 1))
+    figure.tight_layout(rect=(0, 0.19, 1, 1))
     common.save_figure(figure, options.out, "contact-time")
 
 

@@ -3,6 +3,8 @@
 data/lookup_time.csv and data/schemes.csv.
 """
 
+import textwrap
+
 import matplotlib.pyplot as plt
 
 import common
@@ -18,12 +20,12 @@ def main() -> None:
     )
     top = 1.1 * scheme_plot.reach(table.constant)
     names = [
-        labels[row.scheme] + (f" ({row.constant:,.0f} ↑)" if row.constant > top else "")
+        textwrap.fill(labels[row.scheme] + (f" ({row.constant:,.0f} ↑)" if row.constant > top else ""), 22)
         for row in table.itertuples()
     ]
     height = table.constant.clip(upper=top)
     common.style()
-    figure, axes = plt.subplots(figsize=(7.6, 5.4))
+    figure, axes = plt.subplots(figsize=(4.5, 4.5))
     axes.set(
         xscale="log",
         xlim=(0.7 * table.median_ns.min(), 2.2 * table.median_ns.max()),
@@ -72,7 +74,7 @@ def main() -> None:
         ylabel=r"covering constant $N\rho^2$",
         title="Memory against time: lower left is better",
     )
-    axes.legend(loc="upper left", bbox_to_anchor=(0, -0.14), ncol=2)
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.12, -0.12))
     common.save_figure(figure, options.out, "covering-cost")
 
 

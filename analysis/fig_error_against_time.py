@@ -46,17 +46,16 @@ def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
     scene = pareto.main_scene(names)
     own = table[table.scene == scene]
     looks = looks_of(own, list(pareto.COSTS))
-    figure, grid = plt.subplots(1, 3, figsize=(15.5, 6.2), sharex=True)
-    for axes, cost in zip(grid, pareto.COSTS):
+    figure, grid = plt.subplots(2, 2, figsize=(common.WIDTH, 5.4))
+    for axes, cost in zip(grid.flat, pareto.COSTS):
         panel(axes, own, cost, looks, labelled=True)
         axes.set(title=pareto.COSTS[cost].split(",")[0].capitalize(), ylabel=pareto.COSTS[cost])
     figure.suptitle(
-        f"Error against cost, {scene.replace('_', ' ')}: lower left is better",
-        x=0.125,
-        ha="left",
-        fontsize=12,
+        f"Error against cost, {scene.replace('_', ' ')}: lower left is better", x=0.01, ha="left", fontsize=11
     )
-    cost_marks.legend(figure, looks, y=-0.02)
+    figure.tight_layout()
+    grid[1, 1].set_axis_off()
+    cost_marks.legend(grid[1, 1], looks, loc="upper left", bbox_to_anchor=(-0.12, 1.05))
     return figure
 
 
@@ -79,7 +78,9 @@ def queries_of_scenes(table: pd.DataFrame) -> plt.Figure:
         axes.set_ylabel(pareto.COSTS["query_ns"])
     figure.suptitle("Error against the time of a query: lower left is better", x=0.125, y=0.96, ha="left")
     figure.subplots_adjust(hspace=0.32, wspace=0.08)
-    cost_marks.legend(figure, looks, y=0.02 if lines > 1 else -0.06)
+    cost_marks.legend(
+        figure, looks, loc="upper left", bbox_to_anchor=(0.12, 0.02 if lines > 1 else -0.06), ncol=4
+    )
     return figure
 
 
@@ -107,6 +108,7 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
     axes.set_xticks(ticks, [f"$10^{{{round(np.log10(tick))}}}$" for tick in ticks])
     axes.axvspan(LEAST, EXACT, color="#f3f3f3", zorder=0)
     own = own[np.isfinite(own.error_um) & np.isfinite(own[cost]) & (own[cost] > 0)]
+    axes.set_ylim(0.6 * own[cost].min(), 1.6 * own[cost].max())
     shown = own.assign(x=own.error_um.clip(LEAST, cost_marks.MOST))
     for line, group in shown.groupby("line", sort=False):
         group = group.sort_values(["precision_deg", "x"], ascending=[False, True])
@@ -131,7 +133,6 @@ def panel(axes: plt.Axes, own: pd.DataFrame, cost: str, looks: dict, labelled: b
                 cost_marks.steps(axes, group, cost, colour)
     cost_marks.staircase(axes, shown, cost)
     cost_marks.floors(axes)
-    axes.set_ylim(0.6 * own[cost].min(), 1.6 * own[cost].max())
 
 
 def squeezed(error: np.ndarray) -> np.ndarray:

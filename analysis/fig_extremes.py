@@ -24,16 +24,16 @@ def main() -> None:
     with render.screen():
         taken = [picture(joint, name) for joint, name in zip(joints, replay.MOTIONS.values())]
     heading = (
-        f"{hip.title(options.joint)}\nsocket of the {joints[0].side} hip at the ends of the recorded motions, medial "
-        "view\nand below unrolled: hours of its clock, degrees from its pole"
+        f"{hip.title(options.joint)}\nsocket of the {joints[0].side} hip at the ends of the recorded motions:\n"
+        "smallest gap, medial view, and unrolled with hours and degrees"
     )
     rows = [taken[:3], taken[:3], taken[3:], taken[3:]]
-    figure, grid = panels.sheet(rows, heading, legend=0.85, titles=2)
+    figure, grid = panels.sheet(rows, heading, legend=1.0, titles=2, width=4.6)
     unrolled = socket_map.unroll(joints[0], PIXELS)
     shades = gap_colours.shades(gap_colours.colours_of(joints[0].summary, "socket"))
     for k, joint in enumerate(joints):
         line, column = 2 * (k // 3), k % 3
-        dial_plot.draw(grid[line][column], taken[k], joint, fontsize=8)
+        dial_plot.draw(grid[line][column], taken[k], joint, fontsize=common.SMALL)
         below = grid[line + 1][column]
         below.clear()
         box = below.get_position()
@@ -49,7 +49,7 @@ def picture(joint: hip.Hip, name: str) -> panels.Panel:
     """The socket from medial, under what happens there."""
     angle = float(joint.summary["pose"].partition("=")[2])
     gap = joint.summary["smallest_gap"]
-    title = f"{name} {angle:g}°\nsmallest gap {gap['gap_mm']:.2f} mm at {gap['clock']}"
+    title = f"{name} {angle:g}°\n{gap['gap_mm']:.2f} mm at {gap['clock']}"
     return panels.take(title, [gap_colours.of_part(joint, "socket")], dial_plot.camera(joint, PIXELS))
 
 

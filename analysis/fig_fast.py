@@ -14,16 +14,16 @@ def main() -> None:
     options = common.arguments(__doc__)
     table = fast.load(options.results)
     rows = with_one_embree(shown(fast.plain_rows(table)))
-    looks = common.look([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
+    looks = common.scheme_looks([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
     common.style()
-    figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.8), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.2), sharey=True)
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)
         panel.set_title(title)
-    axes[0].set_ylabel(f"time a vertex, ns (one thread, {fast.set_name(table)})")
+    axes[0].set_ylabel(f"time a vertex, ns\n(one thread, {fast.set_name(table)})")
     handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=4)
-    figure.tight_layout(rect=(0, 0.15, 1, 1))
+    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.tight_layout(rect=(0, 0.23, 1, 1))
     common.save_figure(figure, options.out, "fast-gaps")
 
 

@@ -17,7 +17,7 @@ def main() -> None:
     shown = table[table.memory == "used again"]
     looks = common.look(list(shown.line))
     common.style()
-    figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.8), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8), sharey=True)
     draw(axes[0], shown[shown.cells == CELLS], "triangles", looks)
     axes[0].set(xlabel="triangles of each model", ylabel="time to fill both tables, ms")
     axes[0].set_title(f"{CELLS} cells along an edge ({90 / CELLS:.2g}°)")

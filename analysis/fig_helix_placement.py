@@ -18,7 +18,7 @@ def main() -> None:
     curves = common.load(options.results, "helix_mismatch")
     largest = common.load(options.results, "helix_placement").set_index("turns")
     common.style()
-    figure, panels = plt.subplots(1, 2, figsize=(10.2, 4.4))
+    figure, panels = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8))
     for axes, (column, maximum, title) in zip(panels, PANELS):
         for k, look in common.look(list(curves.turns)).items():
             line = curves[curves.turns == k]
@@ -31,10 +31,7 @@ def main() -> None:
             )
         axes.set(title=title, xlabel="polar angle φ on the helix, degrees", xticks=range(0, 181, 30))
         axes.legend()
-    panels[0].set_ylabel("index by Eq. 10 minus true index, entries")
-    figure.suptitle(
-        "Entries at equal true arc length: the look-up T/Δx of Eq. 10 misses them", x=0.01, ha="left"
-    )
+    panels[0].set_ylabel("index by Eq. 10 minus\ntrue index, entries")
     figure.tight_layout()
     common.save_figure(figure, options.out, "helix-placement")
 

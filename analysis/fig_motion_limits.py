@@ -20,9 +20,8 @@ def main() -> None:
     real = limits[~limits.joint.isin(motion_limits.GENERATED)]
     parts = [("Generated hips", generated)] + ([("Real joints", real)] if len(real) else [])
     common.style()
-    figure, panels = plt.subplots(
-        1, len(parts), figsize=(1.2 + 4.9 * len(parts), 7.4), sharey=True, squeeze=False
-    )
+    width = 0.5 * common.WIDTH * len(parts)
+    figure, panels = plt.subplots(1, len(parts), figsize=(width, 4.7), sharey=True, squeeze=False)
     for axes, (title, part) in zip(panels[0], parts):
         draw(axes, part)
         axes.set_title(title)
@@ -39,7 +38,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
             axes.axhspan(k - 0.5, k + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
         if motion in motion_limits.CLINICAL:
             low, high = motion_limits.CLINICAL[motion]
-            label = "clinical range, as commonly quoted" if k == 0 else None
+            label = "clinical range" if k == 0 else None
             axes.barh(k, high - low, left=low, height=0.9, color="#c9c9c9", zorder=1, label=label)
     joints = list(dict.fromkeys(limits.joint))
     looks = common.look(joints)
@@ -56,7 +55,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
             linestyle="none",
             marker=looks[joint]["marker"],
             color=looks[joint]["color"],
-            markersize=5,
+            markersize=4,
             linewidth=1.0,
             label=motion_limits.label(joint),
             zorder=3,
@@ -65,7 +64,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
     axes.axvline(180, color="black", linestyle=":", linewidth=1)
     axes.set_xticks(range(0, 181, 30))
     axes.grid(visible=False, axis="y")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.13), ncol=2, columnspacing=1.0, handlelength=1.4)
 
 
 common.run(main)

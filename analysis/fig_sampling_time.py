@@ -18,7 +18,7 @@ def main() -> None:
         lines,
         "points",
         ticks,
-        "precision, finer to the right (exponents are of 1/precision)",
+        "precision, finer to the right\n(exponents are of 1/precision)",
         "Filling a table, 3,000 triangles a model",
     )
     common.save_figure(figure, options.out, "sampling-time")

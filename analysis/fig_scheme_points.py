@@ -23,12 +23,12 @@ def main() -> None:
         draw_line(axes, np.radians(90))
         draw_pole(axes)
         front = towards > 0
-        axes.scatter(x[front], y[front], s=2.2, color=common.COLOURS[0], linewidths=0, zorder=3)
-        axes.text(0, -1.1, f"{len(x):,} entries", ha="center", va="top", fontsize=7.5, color="#555555")
+        axes.scatter(x[front], y[front], s=0.9, color=common.COLOURS[0], linewidths=0, zorder=3)
+        axes.text(0, -1.1, f"{len(x):,}", ha="center", va="top", fontsize=common.SMALL, color="#555555")
         axes.set(xlim=(-1.03, 1.03), ylim=(-1.25, 1.03), aspect="equal")
 
-    title = "Where each scheme samples (ring: the north pole; line: the equator)"
-    figure = scheme_plot.panels(title, common.scheme_labels(options.results), draw, (2.0, 2.3))
+    title = "Where each scheme samples, and its entries\n(ring: the north pole; line: the equator)"
+    figure = scheme_plot.panels(title, common.scheme_labels(options.results), draw, (1.05, 1.6))
     common.save_figure(figure, options.out, "scheme-points")
 
 

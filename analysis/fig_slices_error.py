@@ -21,7 +21,7 @@ def main() -> None:
     table = common.load(options.results, "slices_to_surface")
     looks = common.look(list(STAGES))
     common.style()
-    figure, axes = plt.subplots(figsize=(5.6, 3.8))
+    figure, axes = plt.subplots(figsize=(0.66 * common.WIDTH, 2.6))
     for stage, label in STAGES.items():
         mine = table[table.stage == stage]
         axes.plot(mine.slice_mm, 1e3 * mine.added_rms_mm, label=label, **looks[stage])
@@ -34,10 +34,11 @@ def main() -> None:
     axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
     axes.xaxis.set_minor_locator(plt.NullLocator())
     axes.set(
-        ylabel="error of a gap, root mean square, µm",
+        ylabel="rms error of a gap, µm",
         title="What each stage adds (dotted: the thesis' slices)",
     )
-    axes.legend(fontsize=8, ncol=2)
+    axes.set_ylim(top=5 * axes.get_ylim()[1])
+    axes.legend(ncol=2, loc="upper left")
     figure.tight_layout()
     common.save_figure(figure, options.out, "slices-error")
 

@@ -19,7 +19,7 @@ def main() -> None:
     limits = common.load(options.results, options.limits)
     slices = common.load(options.results, "slice_band_limit")
     common.style()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.6))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.1))
     looks = common.look(list(spectrum.surface.unique()))
     for (surface, filling), lines in spectrum.groupby(["surface", "filling"], sort=False):
         if filling == "membrane":
@@ -60,15 +60,15 @@ def mark_slices(left: plt.Axes, right: plt.Axes, slices: pd.DataFrame) -> None:
         name = {"slices, middle": "CT slices", "pixel": "CT pixels"}[line.distance]
         for axes in (left, right):
             axes.axvline(line.band_limit, color="#555555", linewidth=0.9, linestyle=(0, (1, 2)))
-        left.text(
+        right.text(
             line.band_limit * 0.97,
             0.985,
             f"{name}, L = {line.band_limit}",
             rotation=90,
             ha="right",
             va="top",
-            fontsize=8,
-            transform=left.get_xaxis_transform(),
+            fontsize=common.SMALL,
+            transform=right.get_xaxis_transform(),
         )
 
 
@@ -84,6 +84,7 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
         plt.Line2D([], [], label=surface.replace("_", " "), markeredgecolor="black", **look)
         for surface, look in looks
     ]
+    right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.05, 0.0), ncols=3)
     figure.tight_layout()
 

@@ -17,7 +17,7 @@ import stability_family
 import stability_plot
 
 ALL = "stability-overview"
-COLUMNS = 4
+COLUMNS = 5
 TOP = 1e8  # of the overview: larger errors stand at its edge
 
 
@@ -39,37 +39,41 @@ def main() -> None:
 
 
 def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
-    """A panel a family, the same scale in all."""
+    """A panel a family, the same scale in all; what is turned, and how far, is in the figure of each."""
     of_all = stability_plot.looks(cases)
     rows = -(-len(families) // COLUMNS)
-    figure, grid = plt.subplots(rows, COLUMNS, figsize=(3.6 * COLUMNS, 2.9 * rows), squeeze=False)
+    figure, grid = plt.subplots(
+        rows, COLUMNS, figsize=(common.WIDTH, 1.42 * rows), sharey=True, squeeze=False
+    )
     high = min(stability_plot.ceiling(cases), TOP)
     for axes, (name, family) in zip(grid.flat, families.iterrows()):
         of_family = cases[cases.family == name]
         stability_plot.band(axes, family.threshold, high)
         stability_plot.draw_errors(axes, of_family, "error_over_condition_u", of_all)
         failing = draw_failures(axes, of_family, of_all)
-        stability_plot.ticks(axes, of_family)
-        stability_plot.fewer_ticks(axes)
-        axes.tick_params(axis="x", labelsize=7.5)
-        axes.set_title(name.replace("_", " "), pad=8 + 9 * failing, fontsize=10.5)
-        axes.set_xlabel(textwrap.fill(f"{family.knob}{stability_plot.unit_text(family)}", 50), fontsize=7.5)
+        axes.set_xticks(range(len(stability.magnitudes(of_family))), [])
+        axes.set_title(textwrap.fill(name.replace("_", " "), 20), pad=5 + 6 * failing, fontsize=9.5)
     for axes in list(grid.flat)[len(families) :]:
         axes.set_visible(False)
-    for axes in grid[:, 0]:
-        axes.set_ylabel("error / (condition · u)")
-    figure.tight_layout(h_pad=1.6)
-    figure.suptitle(
-        "Every method from harmless (left) to extreme (right): error over what the input's rounding may cost",
-        x=0.01,
-        ha="left",
-        y=1.015,
-        fontsize=12,
-    )
-    figure.legend(
-        handles=stability_plot.legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=4
-    )
+    for axes in list(grid.flat)[max(len(families) - COLUMNS, 0) : len(families)]:
+        axes.set_xlabel("harmless → extreme", fontsize=common.SMALL)
+    figure.supylabel("error / (condition · u)", fontsize=10)
+    figure.tight_layout(h_pad=0.6, w_pad=0.3)
+    draw_legend(figure, of_all, room=rows * COLUMNS - len(families))
     return figure
+
+
+def draw_legend(figure: plt.Figure, of_all: dict[str, dict], room: int) -> None:
+    """Beside the last panels where three are left empty, or else below."""
+    beside = {
+        "loc": "lower right",
+        "bbox_to_anchor": (1.0, 0.0),
+        "ncols": 2,
+        "columnspacing": 1.2,
+        "handlelength": 1.6,
+    }
+    below = {"loc": "upper left", "bbox_to_anchor": (0.02, 0.0), "ncols": 3}
+    figure.legend(handles=stability_plot.legend_of(of_all), **(beside if room >= 3 else below))
 
 
 def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) -> int:

@@ -11,7 +11,9 @@ import numpy as np
 from matplotlib.patches import Patch
 from vtkmodules.vtkRenderingCore import vtkActor
 
+import common
 import hip
+import panels
 import ply
 import render
 
@@ -76,11 +78,12 @@ def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[P
 
 def add_legend(figure, summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> None:
     """At the foot of a sheet of panels.py, with what the letters in them mean."""
-    figure.legend(
+    box = figure.legend(
         handles=legend(summary, parts),
         loc="lower center",
-        ncol=3,
-        title=f"gap, mm (radial)      {hip.WAYS}",
-        title_fontsize=8,
-        fontsize=8.5,
+        ncol=3 if figure.get_figwidth() > 6 else 2,
+        title=panels.wrapped(figure, f"gap, mm (radial)      {hip.WAYS}"),
+        title_fontsize=common.SMALL,
+        fontsize=common.SMALL,
     )
+    box.get_title().set_multialignment("center")

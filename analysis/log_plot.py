@@ -60,7 +60,7 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
     exponent, from what was measured, and the thesis'.
     """
     common.style()
-    figure, axes = plt.subplots()
+    figure, axes = plt.subplots(figsize=(0.46 * common.WIDTH, 3.4))
     looks = common.look(list(lines.method))
     legend = []
     for method, look in looks.items():
@@ -98,5 +98,5 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
     axes.set(xscale="log", yscale="log", xlabel=x_title, ylabel="time, ms", title=title)
     axes.set_xticks(list(ticks), list(ticks.values()))
     axes.minorticks_off()
-    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(0, -0.16))
+    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(-0.15, -0.2))
     return figure

@@ -42,7 +42,7 @@ def take(title: str, actors: list, view: render.View) -> Panel:
 def draw(axes: plt.Axes, panel: Panel) -> None:
     """One panel; points of the view's frame are at view.place() of its axes."""
     axes.imshow(panel.image, interpolation="none")
-    axes.set_title(panel.title, loc="center", fontsize=9.5)
+    axes.set_title(panel.title, loc="center", fontsize=common.SMALL)
     axes.axis("off")
     axes.autoscale(False)  # what is drawn later may leave the picture
     if not panel.letters:
@@ -56,7 +56,7 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
             transform=axes.transAxes,
             ha=across,
             va=along,
-            fontsize=9,
+            fontsize=common.SMALL,
             color=INK,
             weight="bold",
             path_effects=[withStroke(linewidth=2.5, foreground="white")],
@@ -77,23 +77,23 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
         (0, 3),
         textcoords="offset points",
         ha="center",
-        fontsize=8,
+        fontsize=common.SMALL,
         color=INK,
         path_effects=halo,
     )
 
 
 def sheet(
-    rows: list[list[Panel]], heading: str, legend: float = 0.55, titles: int = 1
+    rows: list[list[Panel]], heading: str, legend: float = 0.55, titles: int = 1, width: float | None = None
 ) -> tuple[plt.Figure, np.ndarray]:
     """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
-    The axes have the shape of the rows.
+    The axes have the shape of the rows. The width, inches, is by default that which the paper has room for.
     """
     common.style()
     columns = max(len(row) for row in rows)
-    width = {1: 3.6, 2: 6.6}.get(columns, 8.6)
+    width = width or {1: 3.6, 2: 4.6}.get(columns, 7.0)
     side = width / columns
-    head = 0.30 + 0.19 * heading.count("\n")
+    head = 0.30 + 0.17 * heading.count("\n")
     above = 0.12 + 0.15 * titles
     height = (side + above) * len(rows) + head + legend
     figure, grid = plt.subplots(len(rows), columns, figsize=(width, height), squeeze=False)
@@ -102,12 +102,19 @@ def sheet(
             draw(axes, panel)
         for axes in line[len(row) :]:
             axes.axis("off")
-    figure.suptitle(heading, fontsize=10.5, y=1 - 0.08 / height, va="top")
+    figure.suptitle(heading, fontsize=9.5, y=1 - 0.08 / height, va="top")
     top = 1 - (head + above - 0.05) / height
     figure.subplots_adjust(
         left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=above / side
     )
     return figure, grid
+
+
+def wrapped(figure: plt.Figure, text: str) -> str:
+    """Small text that ends in hip.WAYS, in three lines where the figure is too narrow for one."""
+    if len(text) < 16 * figure.get_figwidth():
+        return text
+    return text.replace("      ", "\n").replace(", R and", ",\nR and")
 
 
 def save(figure: plt.Figure, out: Path, name: str) -> None:

@@ -7,6 +7,7 @@ No scheme is named here but the reference, the thesis' own first table.
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Callable
 
 import matplotlib.pyplot as plt
@@ -71,7 +72,7 @@ def dots(
                     textcoords="offset points",
                     ha=side,
                     va="center",
-                    fontsize=8.5,
+                    fontsize=common.SMALL,
                 )
 
 
@@ -91,7 +92,7 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
                 textcoords="offset points",
                 ha="left" if dx > 0 else "right" if dx < 0 else "center",
                 va="center",
-                fontsize=8.5,
+                fontsize=common.SMALL,
                 bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
                 arrowprops={
                     "arrowstyle": "-",
@@ -141,7 +142,7 @@ def panels(
         axes.set_axis_off()
     for axes, (scheme, label) in zip(grid.flat, names.items()):
         draw(axes, scheme)
-        axes.set_title(label, fontsize=8.5, loc="center", pad=3)
+        axes.set_title(textwrap.fill(label, int(11.5 * size[0])), fontsize=common.SMALL, loc="center", pad=3)
     figure.subplots_adjust(wspace=0.06, hspace=0.2)
     figure.suptitle(title, x=0.125, y=0.88 + 0.5 / (lines * size[1]), ha="left", va="bottom", fontsize=11)
     return figure

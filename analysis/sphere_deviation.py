@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import common
 import hip
+import panels
 import ply
 import render
 
@@ -119,5 +120,6 @@ def colour_bar(figure) -> None:
     bar = figure.colorbar(colours(), cax=axes, orientation="horizontal", extend="both", extendfrac="auto")
     bar.set_ticks(np.arange(-2, 3))
     bar.set_ticks([], minor=True)
-    bar.ax.tick_params(labelsize=8, length=2, pad=1)
-    bar.set_label(f"distance from the sphere, mm, outwards positive\n{hip.WAYS}", fontsize=8, labelpad=2)
+    bar.ax.tick_params(labelsize=common.SMALL, length=2, pad=1)
+    text = f"distance from the sphere, mm, outwards positive\n{panels.wrapped(figure, hip.WAYS)}"
+    bar.set_label(text, fontsize=common.SMALL, labelpad=2)

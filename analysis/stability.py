@@ -19,7 +19,7 @@ CONTENDERS = {
     "embree_fast": "Embree, fast",
     "embree_robust": "Embree, robust",
     "cgal_first_hit": "CGAL, first hit",
-    "float_before_centre": "coordinates in float before the centre is taken off",
+    "float_before_centre": "coordinates in float before centring",
     "radius_as_eq_11": "radius as Eq. 11 has it",
     "speed_as_eq_12": "speed as Eq. 12 has it",
     "azimuths_in_float": "azimuths in float degrees",

@@ -16,7 +16,7 @@ FLOOR = 1e-3  # smaller errors, and none at all, are drawn here
 BAND = "#dceefb"  # errors of order one
 MOST_TICKS = 8  # of a panel
 LIMIT = (0, (5, 3))  # the dashes of a threshold
-FAILURES = "failures: hits missed or false, wrong values"
+FAILURES = "hits missed or false, wrong values"
 
 
 def looks(cases: pd.DataFrame) -> dict[str, dict]:
@@ -71,7 +71,7 @@ def legend_of(of_all: dict[str, dict]) -> list:
     """The lines, and what else is drawn."""
     lines = [Line2D([], [], **look, label=name) for name, look in of_all.items()]
     return lines + [
-        Patch(color=BAND, label="as good as the input: one rounding of it costs as much"),
+        Patch(color=BAND, label="as good as the input, rounded once"),
         Line2D([], [], color="black", linewidth=0.8, linestyle=LIMIT, label="allowed of ours (analysis)"),
         Line2D([], [], color="black", marker="x", linestyle="none", label=FAILURES),
     ]

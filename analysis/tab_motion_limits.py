@@ -42,7 +42,7 @@ def latex(table: pd.DataFrame) -> str:
         for joint in joints:
             found = table[(table.joint == joint) & (table.motion == motion)]
             cells.append(" ".join(found.iloc[0][["limit_deg", "clock"]]).strip() if len(found) else "")
-        lines.append(motion.replace("°", r"\textdegree") + " & " + " & ".join(cells) + r" \\")
+        lines.append(motion.replace("°", r"\textdegree{}") + " & " + " & ".join(cells) + r" \\")
     return common.tabular("l" + "r" * len(joints), ["motion & " + " & ".join(names) + r" \\"], lines)
 
 
