@@ -11,8 +11,8 @@
 // A longer translation allows any direction.
 // Length. |x|^2 = s^2 + 2 s g + T^2, g = w.o, a parabola in s whose least is at -g, if that is a radius of
 // the cap, and whose largest at low or high; it grows with g. b being the angle between a and o,
-//   cos(b + angle) <= g / T <= cos(b - angle), and cos(b -+ angle) is within angle sin(b) + angle^2 / 2 of
-//   cos b.
+//   cos(b + angle) <= g / T <= cos(b - angle), 1 and -1 where the cap holds the direction of o and of -o:
+// sums of cos b cos(angle) and sin b sin(angle), with bounds of the latter two by their series.
 //
 // With the limit of the other surface over that cap (culling/cap_limits.hpp) the gap, S - |x| for vertices of
 // the ball and |x| - B for those of the socket, is bounded below. Rounding: all in floats, 6e-8 of high + T

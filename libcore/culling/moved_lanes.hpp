@@ -22,22 +22,32 @@ inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::siz
   return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
 }
 
+// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger. Sums of so many terms of
+// a series whose signs change are above or below sine and cosine of any angle.
+inline float most_along(float along, float angle, float shift) {
+  const float square = angle * angle;
+  const float low = 1.0F - 0.5F * square;
+  const float high = low + square * square * (1.0F / 24.0F);
+  const float sine = angle * (1.0F - square * (1.0F / 6.0F) * (1.0F - square * (1.0F / 20.0F)));
+  const float across = std::sqrt(larger(shift * shift - along * along, 0.0F));
+  const float edge = along * (along > 0.0F ? high : low) + across * sine;
+  return along >= low * shift ? shift : smaller(edge, shift);
+}
+
 // Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
 template <ScannedSurface kScanned>
 inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float shift = move.shift;
   const float square = shift * shift;
   const float along = dot(move.own, block, k);
-  const float across = std::sqrt(larger(square - along * along, 0.0F));
-  const float play = block.angle[k] * (across + 0.5F * shift * block.angle[k]);
   const float low = block.low[k];
   const float high = block.high[k];
   if constexpr (kScanned == ScannedSurface::ball) {
-    const float twice = 2.0F * smaller(along + play, shift);
+    const float twice = 2.0F * most_along(along, block.angle[k], shift);
     const float most = larger(low * (low + twice), high * (high + twice));
     return std::sqrt((most + square) * (1.0F + kSquareSlack));
   } else {
-    const float least_along = larger(along - play, -shift);
+    const float least_along = -most_along(-along, block.angle[k], shift);
     const float nearest = smaller(larger(-least_along, low), high);
     const float least = nearest * (nearest + 2.0F * least_along) + square;
     const float slack = kSquareSlack * (nearest * nearest + square);

@@ -6,12 +6,14 @@
 //   gap_bounds()  no vertex of a node has a gap below `gap`; `open` are the nodes for which !(gap > enough)
 #include "culling/gap_bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "culling/culled_joint.hpp"
 #include "mesh/ball_socket_pair.hpp"
+#include "sphere/infinity.hpp"
 #include "support/cap_nodes.hpp"
 #include "support/poses.hpp"
 
@@ -37,6 +39,45 @@ TEST(MovedCaps, HoldTheirVertices) {
                       any ? 0.0 : static_cast<double>(caps.angle[lane]));
           }
         });
+      }
+    }
+  }
+}
+
+// A cap of that angle, of one radius, whose axis is b away from +z.
+CapBlock one_cap(float angle, double b) {
+  CapBlock block;
+  for (CapLanes* all : {&block.x, &block.y, &block.z, &block.spread}) all->fill(0.0F);
+  block.x.fill(static_cast<float>(std::sin(b)));
+  block.z.fill(static_cast<float>(std::cos(b)));
+  block.angle.fill(angle);
+  for (CapLanes* radius : {&block.low, &block.high, &block.mean}) radius->fill(22.0F);
+  block.nodes = 1;
+  return block;
+}
+
+// The largest |s w + o| of directions w within an angle of an axis b away from o is that for
+//   w.o = T cos(max(b - angle, 0)),
+// the least that for T cos(min(b + angle, pi)). No bound is closer than that but for its rounding, and up to
+// half a radian they are as close as 40 um.
+TEST(MovedCaps, LengthsAreThoseOfTheEdge) {
+  for (const double shift : {0.5, 4.0, 8.0}) {
+    const Pose pose{Eigen::Matrix3d::Identity(), Vec3(0.0, 0.0, shift)};
+    const auto length = [&](double cosine) {
+      return std::sqrt(22.0 * 22.0 + 2.0 * 22.0 * shift * cosine + shift * shift);
+    };
+    for (double b = 0.0; b < kPi; b += 0.02) {
+      for (const float angle : {0.0F, 1e-4F, 1e-3F, 0.02F, 0.1F, 0.3F, 0.5F, 1.0F, 2.0F, 3.14F}) {
+        const double most = length(std::cos(std::max(b - static_cast<double>(angle), 0.0)));
+        const double least = length(std::cos(std::min(kPi - b + static_cast<double>(angle), kPi)));
+        const CapBlock block = one_cap(angle, b);
+        const double ball = moved(block, CapMove(ScannedSurface::ball, pose)).length[0];
+        const double socket = moved(block, CapMove(ScannedSurface::socket, pose)).length[0];
+        const double close = angle <= 0.5F ? 0.04 : kInfinity;
+        EXPECT_GE(ball, most - 1e-6);
+        EXPECT_LE(ball, most + close);
+        EXPECT_LE(socket, least + 1e-6);
+        EXPECT_GE(socket, least - close);
       }
     }
   }
