@@ -29,11 +29,11 @@ namespace impinge {
 
 // The grids of all levels, as kernels read them.
 struct CapLadder {
-  const std::int32_t*
-      steps;            // of each level: cells along an edge in kLineBits, above the place of its limits
-  const float* limits;  // of each level by face, row and column, mm
-  std::int32_t finest;  // level of caps; the next one is that of single vertices
-  float overall;        // limit of all directions
+  const std::int32_t* steps;  // of each level: cells along an edge in kLineBits, above the place of its
+                              // limits; all 32 bits count
+  const float* limits;        // of each level by face, row and column, mm
+  std::int32_t finest;        // level of caps; the next one is that of single vertices
+  float overall;              // limit of all directions
 };
 
 class CapLimits {

@@ -55,7 +55,9 @@ inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
     const float scale = 0.5F * static_cast<float>(cells) *
                         (1.0F / larger(std::abs(along), std::numeric_limits<float>::min()));
     const std::int32_t row = face * (cells + 1) + line(b, scale, cells);
-    entry[k] = (steps[k] >> CapLimits::kLineBits) + row * (cells + 1) + line(a, scale, cells);
+    const auto first =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(steps[k]) >> CapLimits::kLineBits);
+    entry[k] = first + row * (cells + 1) + line(a, scale, cells);
   }
   return entry;
 }

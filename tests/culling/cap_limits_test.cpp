@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "culling/ladder_lanes.hpp"
 #include "mesh/bodies.hpp"
 #include "sampling/pairwise.hpp"
 #include "support/cap_nodes.hpp"
@@ -85,6 +86,21 @@ TEST_P(LimitsOf, AreKeptInEveryCap) {
       EXPECT_GE(high.beside(ways[k]), narrow);
     }
   }
+}
+
+// The finest ladder holds 6e6 limits and more: kernels find the last of them, too. Along +x of a face of n
+// cells that is the entry (n / 2) (n + 1) + n / 2.
+TEST(CapLimits, KernelsReachTheEndOfALongLadder) {
+  constexpr std::uint32_t kPlace = 8'000'000;
+  constexpr std::uint32_t kCells = 510;
+  MovedCaps caps;
+  caps.x.fill(20.0F);
+  caps.y.fill(0.0F);
+  caps.z.fill(0.0F);
+  lanes::WholeLanes steps;
+  steps.fill(static_cast<std::int32_t>((kPlace << CapLimits::kLineBits) + kCells));
+  for (const std::int32_t entry : lanes::entries_of(caps, steps))
+    EXPECT_EQ(entry, static_cast<std::int32_t>(kPlace + kCells / 2 * (kCells + 1) + kCells / 2));
 }
 
 // Small caps of a fine mesh have limits that are worth something: a radius changes by 2 mm a radian, over the
