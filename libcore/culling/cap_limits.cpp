@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostCells = 255.0;
 // At least: c is at most an eleventh of the reach, where the grid is not too fine.
 constexpr float kCellsPerReach = 16.0F;
-constexpr float kFinestReach = 4.0F;      // in cells of the finest grid
+constexpr float kFinestReach = 2.0F;      // in cells of the finest grid
 constexpr double kEntriesPerFace = 0.35;  // of the finest grid for caps
 constexpr double kResolution = 0.5;       // of c: nodes as narrow as that are taken whole
 
