@@ -5,9 +5,9 @@ the timed data.
 Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
-one for each number of further CSVs (see paper_cells.py, paper_contact.py, paper_counts.py, paper_fast.py, paper_fill.py, paper_limits.py, paper_race.py, paper_replay.py
-and paper_stability.py), as scheme:usid:covering_constant; difference:JOINT:SURFACE:largest (mm), :changed and
-:vertices of the gaps by the thesis' two tables; and the machine: cpu, cores, compiler, flags, commit, profile ...
+one for each number of further CSVs (see the other modules paper_*.py), as scheme:usid:covering_constant;
+difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
+machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
 from __future__ import annotations
@@ -149,33 +149,8 @@ def finding_facts(results: Path) -> dict[str, str]:
     return facts | {"finding:all": str(len(table))}
 
 
-def judged_table(verdicts: pd.DataFrame) -> str:
-    """The rows that are judged by order or ratio, as a table of the paper."""
-    judged = verdicts[verdicts.unit.isin(["ratio", "order"]) & verdicts.artefact.str.startswith("table")]
-    judged = judged.drop_duplicates(
-        ["row", "column", "thesis", "measured"], keep="last"
-    )  # of a table that repeats one
-    rows = [
-        " & ".join(
-            common.tex(grouped(value))
-            for value in (row.artefact, row.row, row.column, row.thesis, row.measured, row.verdict)
-        )
-        + " \\\\"
-        for row in judged.itertuples()
-    ]
-    return common.tabular(
-        "@{}llllll@{}",
-        [
-            "table & row & what & thesis & here & verdict \\\\",
-        ],
-        [
-            *rows,
-        ],
-    )
-
-
 def main() -> None:
-    """Writes paper/facts.tex and paper/judged.tex."""
+    """Writes paper/facts.tex."""
     options = common.arguments(__doc__)
     verdicts = pd.read_csv(options.results / "verdicts.csv", dtype=str, keep_default_na=False)
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
@@ -201,7 +176,6 @@ def main() -> None:
         facts |= timing_facts(options.results, table)
     lines = [f"\\setfact{{{key}}}{{{common.tex(value)}}}" for key, value in facts.items()]
     common.write(options.out / "paper" / "facts.tex", "\n".join(lines) + "\n")
-    common.write(options.out / "paper" / "judged.tex", judged_table(verdicts))
 
 
 common.run(main)

@@ -61,9 +61,7 @@ def latex(rows: pd.DataFrame) -> str:
         [
             r"anatomy & computer graphics & camera, right hip & camera, left hip \\",
         ],
-        [
-            *lines,
-        ],
+        lines,
     )
 
 

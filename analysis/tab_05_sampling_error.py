@@ -63,9 +63,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(lr){2-3}\\cmidrule(lr){4-5}\\cmidrule(l){7-9}",
             "Precision & thesis & here & thesis & here & surface, mm & rms & largest & proven \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

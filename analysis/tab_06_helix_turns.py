@@ -49,9 +49,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}",
             "Precision & points & thesis & here & thesis & here \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

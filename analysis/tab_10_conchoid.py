@@ -48,9 +48,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(lr){3-5}\\cmidrule(lr){6-8}",
             "$i$ & $\\varphi$, \\textdegree & thesis & Eq.~16 & exact & thesis & Eq.~16 & exact \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

@@ -53,9 +53,7 @@ def latex(table: pd.DataFrame) -> str:
             r"\cmidrule(lr){2-5}\cmidrule(lr){6-9}",
             r"motion & recorded & gap, mm & at & limit & recorded & gap, mm & at & limit \\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

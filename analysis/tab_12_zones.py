@@ -55,9 +55,7 @@ def latex(table: pd.DataFrame) -> str:
             r"\cmidrule(lr){3-4}\cmidrule(lr){5-6}",
             r"motion & \textdegree & mm & at & clock & mm$^2$ & mm$^2$ \\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

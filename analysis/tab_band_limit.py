@@ -53,9 +53,7 @@ def latex(table: pd.DataFrame) -> str:
         [
             " & ".join(HEADS[name] for name in columns) + " \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

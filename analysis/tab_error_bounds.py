@@ -40,9 +40,7 @@ def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
         [
             f"Scheme & {' & '.join(PROMISES.values())} \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

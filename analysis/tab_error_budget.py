@@ -66,9 +66,7 @@ def latex(table: pd.DataFrame) -> str:
         [
             f"Joint & Precision & {' & '.join(shown.values())} \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

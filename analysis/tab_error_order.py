@@ -57,9 +57,7 @@ def latex(lines: pd.DataFrame) -> str:
         [
             f"Method & {' & '.join(titles)} \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

@@ -84,9 +84,7 @@ def latex(table: pd.DataFrame) -> str:
         [
             " & ".join(heads) + " \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

@@ -37,9 +37,7 @@ def latex(points) -> str:
         [
             f"Method & {' & '.join(titles[cost] for cost in pareto.COSTS)} \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

@@ -46,9 +46,7 @@ def latex(lines: pd.DataFrame) -> str:
             "".join(rules),
             " & ".join(["Triangles a model", "queries", *["thesis & here"] * len(methods)]) + " \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 

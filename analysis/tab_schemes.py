@@ -69,9 +69,7 @@ def latex(lines: pd.DataFrame) -> str:
             r"\cmidrule(lr){4-5}\cmidrule(l){8-10}",
             r"Scheme & Source & entries & all & off poles & ratio & ns & gap & $e_{99.99}$ & rms \\",
         ],
-        [
-            *body,
-        ],
+        body,
     )
 
 

@@ -74,9 +74,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(lr){4-7}\\cmidrule(l){8-9}",
             "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Worst & Fail \\\\",
         ],
-        [
-            *rows,
-        ],
+        rows,
     )
 
 
