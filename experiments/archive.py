@@ -26,6 +26,7 @@ SHA256SUMS   of every file here
 recheck      ./recheck holds every file against SHA256SUMS and every CSV against its sidecar, then makes tables,
              figures, report and paper again and compares them; --only NAME makes that one, --sums none of them
 
+BONES in a command, or in the summary of a scene, is the folder of real joints, which are not packed.
 recheck needs Python 3 with numpy, pandas, matplotlib, pillow and VTK, and latexmk for the paper.
 """
 
@@ -37,9 +38,18 @@ def relative(text: str, places: dict[str, str]) -> str:
     return text
 
 
-def members(outputs: Iterable[str], results: Path, jobs: str) -> dict[str, bytes | Path]:
-    """Every file by its name in the archive."""
+def members(outputs: Iterable[str], results: Path, places: dict[str, str]) -> dict[str, bytes | Path]:
+    """Every file of the results by its name in the archive; the summaries of scenes name their meshes as found there."""
     files: dict[str, bytes | Path] = {f"results/{output}": results / output for output in outputs}
+    for name, file in files.items():
+        if name.endswith("/summary.json"):
+            files[name] = relative(file.read_text(), places).encode()
+    return files
+
+
+def sources(jobs: str) -> dict[str, bytes | Path]:
+    """What stands beside the results, by its name in the archive."""
+    files: dict[str, bytes | Path] = {}
     for folder, kinds in (("analysis", ("py", "css", "js", "csv")), ("paper", ("tex", "bib"))):
         for kind in kinds:
             for file in sorted((SOURCE / folder).glob(f"*.{kind}")):
@@ -78,9 +88,8 @@ def add(tar: tarfile.TarFile, name: str, content: bytes | Path) -> None:
         tar.addfile(info, file)
 
 
-def write(results: Path, outputs: Iterable[str], jobs: str, say: Callable[[str], None]) -> Path:
-    """Writes results/impinge-results.tar.gz, whole or not at all. `jobs` is jobs.tsv with the archive's names."""
-    files = members(outputs, results, jobs)
+def write(results: Path, files: dict[str, bytes | Path], say: Callable[[str], None]) -> Path:
+    """Writes results/impinge-results.tar.gz of these files, whole or not at all."""
     files["SHA256SUMS"] = "".join(f"{digest(files[name])}  {name}\n" for name in sorted(files)).encode()
     archive = results / "impinge-results.tar.gz"
     partial = archive.with_suffix(".partial")

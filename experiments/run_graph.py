@@ -367,7 +367,9 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
 def pack(build: Path, results: Path, jobs: dict[str, Job]) -> None:
     """The results as one archive, which names no folder of this machine."""
     source = Path(__file__).resolve().parent.parent
+    bones = re.search(r"^IMPINGE_BONES:PATH=(.+)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
     places = {
+        **({bones[1]: "BONES"} if bones else {}),
         str(results): "results",
         f"{build.relative_to(source) if build.is_relative_to(source) else build}/": "",
     }
@@ -379,7 +381,8 @@ def pack(build: Path, results: Path, jobs: dict[str, Job]) -> None:
             fields[8] = Path(fields[8].split()[0]).stem
         lines.append(archive.relative("\t".join(fields), places))
     outputs = [output for job in jobs.values() for output in job.outputs]
-    path = archive.write(results, outputs, "\n".join(lines) + "\n", lambda text: print(text, flush=True))
+    files = archive.members(outputs, results, places) | archive.sources("\n".join(lines) + "\n")
+    path = archive.write(results, files, lambda text: print(text, flush=True))
     print(f"archive  {path}")
 
 

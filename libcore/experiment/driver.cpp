@@ -2,6 +2,7 @@
 #include "experiment/driver.hpp"
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 
@@ -36,15 +37,20 @@ void declare(CLI::App& app, Options& options, const DriverInfo& info) {
     app.add_option("--cache", options.cache, "folder that keeps exact distances for the next run");
 }
 
-// The call without the folder of the program, and without --cache, which no result depends on.
+// The call without the folder of the program, and without --cache, which no result depends on. Where the
+// joints lie on this machine is nobody's business: an absolute folder is called BONES.
 std::string command_text(int argc, const char* const* argv, const std::string& name) {
   std::string text = name;
+  std::string_view before;
   for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--cache") {
+    const std::string_view word = argv[i];
+    if (word == "--cache") {
       ++i;
       continue;
     }
-    text += std::string(" ") + argv[i];
+    const bool place = before == "--bones" && std::filesystem::path(word).is_absolute();
+    text.append(" ").append(place ? "BONES" : word);
+    before = word;
   }
   return text;
 }

@@ -30,11 +30,11 @@ struct Result {
 
 // What all results of one run of a driver share.
 struct RunRecord {
-  std::string driver;                                                              // name of the program
-  std::string command;                                                             // as it was called
-  std::string profile = "full";                                                    // quick or full
-  std::uint64_t seed = 0;                                                          // of all random numbers
-  std::filesystem::path folder;                                                    // of the results
+  std::string driver;            // name of the program
+  std::string command;           // as it was called, an absolute folder of joints as BONES
+  std::string profile = "full";  // quick or full
+  std::uint64_t seed = 0;        // of all random numbers
+  std::filesystem::path folder;  // of the results
   std::chrono::system_clock::time_point start = std::chrono::system_clock::now();  // of the run
 };
 

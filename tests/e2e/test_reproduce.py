@@ -243,6 +243,8 @@ class Reproduce(unittest.TestCase):
             unpacked = Path(folder) / "impinge-results"
             for text in ("graph/jobs.tsv", "README"):
                 self.assertNotIn(str(RESULTS), (unpacked / text).read_text())
+            for file in (unpacked / "results").rglob("*.json"):
+                self.assertNotIn(str(RESULTS), file.read_text(), file)
             for name in ("table-2", "figure-47", "report"):
                 done = recheck(unpacked, "--only", name)
                 self.assertEqual((done.returncode, f"{name}: same" in done.stdout), (0, True), done.stdout)
