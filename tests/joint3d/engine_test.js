@@ -115,10 +115,10 @@ test('gaps are those of this machine, and so is what follows from them', () => {
 function verdictsAreThoseOf(native, bound) {
   const found = ask('verdicts', native.pose);
   for (const count of ['clear', 'impinged', 'undecided']) assert.equal(found[count], native[count], count);
-  for (const length of ['largest_mm', 'low_mm', 'high_mm'])
+  for (const length of ['largest_mm', 'median_mm', 'low_mm', 'high_mm'])
     assert.ok(Math.abs(found[length] - native[length]) <= kAngle + 2 ** -23 * Math.abs(native[length]), `${length} ${found[length]} ${native[length]}`);
   assert.equal(found.unbounded, 0);
-  assert.ok(found.largest_mm > 0 && found.largest_mm <= bound);
+  assert.ok(found.median_mm > 0 && found.median_mm <= found.largest_mm && found.largest_mm <= bound);
   const pose = ask('pose', native.pose);
   const gaps = [...pose.ball_gap, ...pose.socket_gap].filter((gap) => !Number.isNaN(gap));
   assert.equal(found.clear + found.impinged + found.undecided, gaps.length);

@@ -135,6 +135,7 @@ json verdicts_json(Session& session) {
           {"impinged", found.vertices.impinged},
           {"undecided", found.vertices.undecided},
           {"largest_mm", found.largest_mm},
+          {"median_mm", found.median_mm},
           {"low_mm", found.low_mm},
           {"high_mm", found.high_mm}};
 }

@@ -138,8 +138,8 @@ val verdicts_reply(const PoseVerdicts& found) {
   return object(
       std::pair("clear", count(found.vertices.clear)), std::pair("impinged", count(found.vertices.impinged)),
       std::pair("undecided", count(found.vertices.undecided)), std::pair("unbounded", count(found.unbounded)),
-      std::pair("largest_mm", found.largest_mm), std::pair("low_mm", number_or_null(found.low_mm)),
-      std::pair("high_mm", number_or_null(found.high_mm)));
+      std::pair("largest_mm", found.largest_mm), std::pair("median_mm", found.median_mm),
+      std::pair("low_mm", number_or_null(found.low_mm)), std::pair("high_mm", number_or_null(found.high_mm)));
 }
 
 val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found) {

@@ -14,6 +14,7 @@ struct PoseVerdicts {
   VerdictCount vertices;      // of those that have a gap, on both surfaces
   std::size_t unbounded = 0;  // of the undecided ones, those about which nothing is proven
   double largest_mm = 0.0;    // the largest bound of the others
+  double median_mm = 0.0;     // and their median, the upper one of two
   double low_mm = 0.0;        // the smallest gap of the others is proven to be from here
   double high_mm = 0.0;       // to here; infinite where no vertex has a gap and a bound
 };

@@ -17,7 +17,7 @@ export function showReadouts(pose, took) {
   const { smallest, ball, socket } = pose;
   put("smallest-gap", smallest ? signed(smallest.gap_mm) : "–");
   put("smallest-where", smallest
-    ? `on the ${smallest.surface}${smallest.clock ? `, at ${smallest.clock} o’clock` : ""}`
+    ? `on the ${smallest.surface}${smallest.clock ? `, at ${smallest.clock} o’clock` : ""}${smallest.gap_mm < 0 ? ": depth along the ray from the centre" : ""}`
     : "the surfaces do not face each other");
   put("stage-gap", smallest ? `${signed(smallest.gap_mm)} mm` : "no gap");
   byId("stage-state").textContent = smallest && smallest.gap_mm <= 0 ? "bones overlap" : "smallest gap";

@@ -8,7 +8,7 @@ const ROWS = [
   ["Memory, both tables", (t) => bytesText(t.bytes), (t) => t.bytes],
   ["Time to fill both", (t) => `${t.fill_ms.toFixed(1)} ms`, (t) => t.fill_ms],
   ["Largest error measured", (t) => t.error_mm === null ? "–" : length(t.error_mm), (t) => t.error_mm],
-  ["Proven, any direction", (t) => (t.bound_mm === undefined ? "working …" : t.bound_mm === null ? "none for this scheme" : length(t.bound_mm)), (t) => t.bound_mm],
+  ["Proven, any direction", (t) => (t.bound_mm === undefined ? "proving …" : t.bound_mm === null ? "none for this scheme" : length(t.bound_mm)), (t) => t.bound_mm],
 ];
 
 /** "×1.9" where both are known and differ. */
