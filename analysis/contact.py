@@ -15,13 +15,13 @@ NAMES = {
     "all_vertices": "all gaps, 16 bits",
     "all_corners": "all gaps, corners",
     "all_corners_2_threads": "all gaps, corners, two threads",
-    "all_corners_small": "all gaps, small corners",
+    "all_corners_sampled": "all gaps, corners, not centred",
     "fcl_collide": "FCL, touch",
     "culled_least_gap": "smallest gap, culled",
     "culled": "touch, culled",
     "coherent": "touch, culled, from pose to pose",
 }
-NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_small"]  # beside all_corners in the figure
+NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_sampled"]  # beside all_corners in the figure
 CASES = {"over 2 mm": "gap over 2 mm", "0.5 mm": "gap 0.5 mm", "touching": "touching in most poses"}
 TOUCH = {3000: 250, 12000: 200, 100000: 75, 400000: 25}  # triangles of a model, and what is aimed at there
 DISTANCE = 100  # aimed at, against FCL's distance

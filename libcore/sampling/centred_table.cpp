@@ -16,10 +16,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kInset = 1e-6;     // of a stretch: its ends are looked up so far inside of its cell
-constexpr double kMostTaken = 0.5;  // of an inverse depth, which stays above zero
-constexpr double kAlike =
-    1e-9;  // as a share: radii of an edge that several faces have corners of their own at
+constexpr double kInset = 1e-6;       // of a stretch: its ends are looked up so far inside of its cell
+constexpr double kMostTaken = 0.5;    // of an inverse depth, which stays above zero
+constexpr double kAlike = 1e-9;       // as a share: radii of faces with corners of their own along an edge
 constexpr double kNearMargin = 1e-9;  // rad, about a direction whose faces are looked for
 
 // What is found about the errors of a table around each of its entries.

@@ -52,9 +52,9 @@ Column contact_method_column() {
       "method", "",
       "fcl_collide, vtk_collide: trees of oriented boxes; fcl_distance: smallest distance; "
       "all_vertices: both scans by the kernels, all gaps, of tables in 16 bits; all_corners: of tables with "
-      "the corners of a cell together, as accurate; all_corners_2_threads: the same, two threads sharing "
-      "the poses; all_corners_small: tables of 128 cells; culled: touch; coherent: touch, from one pose "
-      "to the next; culled_least_gap: smallest gap"};
+      "the corners of a cell together and centred errors, as accurate; all_corners_2_threads: the same, two "
+      "threads sharing the poses; all_corners_sampled: corners of finer tables, not centred, as accurate; "
+      "culled: touch; coherent: touch, from one pose to the next; culled_least_gap: smallest gap"};
 }
 
 }  // namespace impinge

@@ -17,6 +17,7 @@
 #include "sampling/exact_raster.hpp"
 #include "sampling/pairwise.hpp"
 #include "sampling/table_bound.hpp"
+#include "support/bits.hpp"
 #include "support/bound_probes.hpp"
 
 namespace impinge {
@@ -85,23 +86,23 @@ TEST(CentredTable, HasABound) {
 }
 
 constexpr double kD = 20.0;
-constexpr double kG = 0.3;
 
-// Two planes x +- g y = d that meet at y = 0, up to |y| = width.
-TriangleMesh roof(double width) {
+// Two planes x + g |y| = d that meet at y = 0, up to |y| = width.
+TriangleMesh roof(double width, double g = 0.3) {
   TriangleMesh mesh;
   for (const double y : {-width, 0.0, width})
-    for (const double z : {-8.0, 8.0}) mesh.vertices.emplace_back(kD - kG * std::abs(y), y, z);
+    for (const double z : {-8.0, 8.0}) mesh.vertices.emplace_back(kD - g * std::abs(y), y, z);
   mesh.faces = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}};
   return mesh;
 }
 
 // They meet in a line through the middle of a cell of width w = 2 / n: y = (1 + g |b|) / d is interpolated
-// too high by e = g w / 2 d there. Half of it is taken from the entries beside the line, nothing from others.
-TEST(CentredTable, TakesHalfOfTheErrorOfOneEdge) {
+// too high by e = g w / 2 d there, too low where g < 0. Half of it is taken from the entries beside the line,
+// nothing from others.
+void expect_half_of(double g) {
   constexpr std::size_t kCells = 9;  // the middle of the fifth is in the middle of the face
-  const Gnomonic one(roof(8.0), 90.0 / kCells, Layer::nearest);
-  const double e = kG / (kCells * kD);
+  const Gnomonic one(roof(8.0, g), 90.0 / kCells, Layer::nearest);
+  const double e = g / (kCells * kD);
   std::size_t moved = 0;
   for (std::size_t i = 0; i < one.table.inverse_depths().size(); ++i) {
     const double before = one.exact.inverse_depths()[i];
@@ -116,6 +117,9 @@ TEST(CentredTable, TakesHalfOfTheErrorOfOneEdge) {
   EXPECT_NEAR(one.exact.radius_at(Vec3::UnitX()), 1.0 / (1.0 / kD + e), 1e-12);
   EXPECT_NEAR(one.table.radius_at(Vec3::UnitX()), 1.0 / (1.0 / kD + 0.5 * e), 1e-9);
 }
+
+TEST(CentredTable, TakesHalfOfTheErrorOfARidge) { expect_half_of(0.3); }
+TEST(CentredTable, AddsHalfOfTheErrorOfAValley) { expect_half_of(-0.3); }
 
 // f(t) = (t - 1/4)^2 - 1/16 has its least value between the three places; a line its own at the ends.
 TEST(CentredTable, KnowsTheRangeOfAQuadratic) {
@@ -141,17 +145,15 @@ TEST(CentredTable, IsThatOfTheLayer) {
     EXPECT_EQ(both.table.inverse_depths()[i], one.table.inverse_depths()[i]);
 }
 
-// A strip that no cell answers on: its entries keep their numbers. Cells at the rim answer none as before.
+// Where no cell answers, entries keep their numbers. Cells at the rim answer none as before.
 TEST(CentredTable, LeavesTheRimAlone) {
-  const Gnomonic strip(roof(2.0), 9.0, Layer::nearest);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < strip.table.inverse_depths().size(); ++i) {
-    const double number = strip.exact.inverse_depths()[i];
-    if (std::isnan(number)) continue;
-    EXPECT_EQ(strip.table.inverse_depths()[i], number);
-    ++kept;
-  }
-  EXPECT_EQ(kept, 3U);
+  const TriangleMesh mesh = roof(8.0);
+  auto filled = fill_exact(mesh, CubeGnomonic::with_precision(10.0), Layer::nearest);
+  for (std::size_t cell = 0; cell < filled.scheme().cells(); ++cell) filled.mark_rim_cell(cell);
+  const InverseDepthTable<CubeGnomonic> before(filled);
+  const auto after = centred_table(mesh, filled, Layer::nearest);
+  for (std::size_t i = 0; i < filled.radii().size(); ++i)
+    EXPECT_EQ(test::bits(after.inverse_depths()[i]), test::bits(before.inverse_depths()[i]));
   const Gnomonic socket(cup(26.0, 60.0, 300), 5.0, Layer::nearest);
   for (const Vec3& u : test::bound_probes(socket.mesh, socket.table.scheme(), 1000))
     EXPECT_EQ(std::isnan(socket.table.radius_at(u)), std::isnan(socket.exact.radius_at(u)));
