@@ -21,7 +21,7 @@ NAMES = {
     "culled": "touch, culled",
     "coherent": "touch, culled, from pose to pose",
 }
-NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_sampled"]  # beside all_corners in the figure
+NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_sampled"]  # in the figure
 CASES = {"over 2 mm": "gap over 2 mm", "0.5 mm": "gap 0.5 mm", "touching": "touching in most poses"}
 TOUCH = {3000: 250, 12000: 200, 100000: 75, 400000: 25}  # triangles of a model, and what is aimed at there
 DISTANCE = 100  # aimed at, against FCL's distance
