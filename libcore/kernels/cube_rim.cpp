@@ -86,7 +86,9 @@ void for_each_rim_cell(const CubeGnomonic& scheme, const Vec3& from, const Vec3&
   }
 }
 
-// Marks the cells along one side of an edge where it may be seen; the others are put down as doubtful.
+// Marks the cells along one side of an edge where it may be seen; the others are put down as doubtful. It
+// only saves time not to put down all of them: the faces at the edge are within the reach of every tap, so
+// that mask_doubtful() marks what they make visible as well.
 template <class Value>
 void follow(const JumpEdge& edge, const Vec3& from, const Vec3& to, StoredRim<Value>& rim,
             std::vector<DoubtfulRim>& doubtful) {
