@@ -45,6 +45,14 @@ TEST(Lengths, CornersThatAreLongInSumAloneAreRefused) {
   EXPECT_NE(refusal(mesh).find("face 0 reaches"), std::string::npos) << refusal(mesh);
 }
 
+TEST(Lengths, EveryCoordinateOfEveryCornerCounts) {
+  for (std::size_t k = 0; k < 9; ++k) {
+    TriangleMesh mesh{{{20, 1, 2}, {1, 20, 2}, {1, 2, 20}}, {{0, 1, 2}}};
+    mesh.vertices[k / 3][static_cast<Eigen::Index>(k % 3)] = -2.0 * kMostLength;
+    EXPECT_NE(refusal(mesh).find("face 0 reaches"), std::string::npos) << k << ": " << refusal(mesh);
+  }
+}
+
 // In floats fewer lengths are taken, and they are named.
 TEST(Lengths, OfFloatsAreFewer) {
   for (const double radius : {kLeastFloatLength, 26.0, kMostFloatLength})
