@@ -39,7 +39,8 @@ class CubeTiling {
   explicit CubeTiling(std::size_t divisions)
       : side_(divisions + 1),
         per_side_((side_ + kMostSeen - 2) / (kMostSeen - 1)),
-        size_((side_ + per_side_ - 1) / per_side_) {}
+        size_((side_ + per_side_ - 1) / per_side_),
+        inverse_size_((std::size_t{1} << kShift) / size_ + 1) {}
 
   std::size_t size() const { return 6 * per_side_ * per_side_; }  // tiles of all six faces
 
@@ -61,8 +62,8 @@ class CubeTiling {
   template <class Visit>
   void for_each_seeing(std::size_t face, const GridWindow& window, Visit&& visit) const {
     if (window.empty()) return;
-    const std::size_t last_column = static_cast<std::size_t>(window.last_column) / size_;
-    const std::size_t last_row = static_cast<std::size_t>(window.last_row) / size_;
+    const std::size_t last_column = keeping(static_cast<std::size_t>(window.last_column));
+    const std::size_t last_row = keeping(static_cast<std::size_t>(window.last_row));
     for (std::size_t j = first_seeing(window.first_row); j <= last_row; ++j)
       for (std::size_t i = first_seeing(window.first_column); i <= last_column; ++i)
         visit((face * per_side_ + j) * per_side_ + i);
@@ -72,12 +73,16 @@ class CubeTiling {
   std::size_t kept(std::size_t first) const { return std::min(size_, side_ - first); }
   // The tile before the one that keeps a line sees its first one.
   std::size_t first_seeing(long line) const {
-    return static_cast<std::size_t>(std::max(line - 1, 0L)) / size_;
+    return keeping(static_cast<std::size_t>(std::max(line - 1, 0L)));
   }
+  // line / size_ for lines below 2^24, without a division: the inverse is too large by less than 2^-40.
+  std::size_t keeping(std::size_t line) const { return line * inverse_size_ >> kShift; }
 
   std::size_t side_;
   std::size_t per_side_;
   std::size_t size_;
+  static constexpr unsigned kShift = 40;
+  std::size_t inverse_size_;  // 2^kShift / size_, rounded up
 };
 
 }  // namespace impinge

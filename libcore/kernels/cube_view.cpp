@@ -31,20 +31,19 @@ std::size_t face_before(const Vec3& v) {
   return 2 * static_cast<std::size_t>(axis) + (v[axis] < 0.0 ? 1U : 0U);
 }
 
-// Do all corners lie beyond one side of the pyramid over a face of the cube, by a share of their distance?
-bool surely_beside(const TriangleMesh& mesh, const Face& face, std::size_t through, double share) {
-  const FaceAxes& axes = kFaceAxes[through / 2];
-  const auto all = [&](auto&& beyond) {
-    return std::ranges::all_of(face, [&](VertexIndex v) {
-      const Vec3& x = mesh.vertices[v];
-      return beyond(x, depth_through(x, through)) > share * x.cwiseAbs().maxCoeff();
-    });
-  };
-  return all([](const Vec3&, double depth) { return -depth; }) ||
-         all([&](const Vec3& x, double depth) { return x[axes.a] - depth; }) ||
-         all([&](const Vec3& x, double depth) { return -x[axes.a] - depth; }) ||
-         all([&](const Vec3& x, double depth) { return x[axes.b] - depth; }) ||
-         all([&](const Vec3& x, double depth) { return -x[axes.b] - depth; });
+// Bit 6 f + g: v lies beyond the plane that separates what is seen through face f of the cube from face g, by
+// a share of its distance; behind the centre where g is opposite to f.
+std::uint64_t beyond(const Vec3& v, double share) {
+  const std::array<double, 6> depth{v.x(), -v.x(), v.y(), -v.y(), v.z(), -v.z()};
+  const double least = share * v.cwiseAbs().maxCoeff();
+  std::uint64_t bits = 0;
+  for (std::size_t f = 0; f < 6; ++f) {
+    for (std::size_t g = 0; g < 6; ++g) {
+      const double by = g == (f ^ 1U) ? depth[g] : depth[g] - depth[f];
+      bits |= static_cast<std::uint64_t>(by > least) << (6 * f + g);
+    }
+  }
+  return bits;
 }
 
 }  // namespace
@@ -65,14 +64,24 @@ void CubeView::see(std::size_t first_vertex, std::size_t end_vertex) {
   for (std::size_t v = first_vertex; v < end_vertex; ++v) {
     const Vec3& x = mesh_->vertices[v];
     const std::size_t face = face_before(x);
-    corners_[v] = project(x, face, half);
-    if (inside(corners_[v].x) && inside(corners_[v].y)) margin_face_[v] = static_cast<std::uint8_t>(face);
+    const SeenCorner& seen = corners_[v] = project(x, face, half);
+    if (inside(seen.x) && inside(seen.y) && seen.q < kMostInverse)
+      margin_face_[v] = static_cast<std::uint8_t>(face);
   }
+}
+
+unsigned CubeView::may_be_seen(const Face& face, double reach) const {
+  const double share = 4.0 * reach / static_cast<double>(divisions_);
+  std::uint64_t all_beyond = ~std::uint64_t{0};
+  for (const VertexIndex v : face) all_beyond &= beyond(mesh_->vertices[v], share);
+  unsigned faces = 0;
+  for (unsigned f = 0; f < 6; ++f)
+    if ((all_beyond >> 6 * f & 0x3FU) == 0) faces |= 1U << f;
+  return faces;
 }
 
 SeenFace CubeView::seen_across(const Face& face, std::size_t through, double reach) const {
   SeenFace seen;
-  if (surely_beside(*mesh_, face, through, 4.0 * reach / static_cast<double>(divisions_))) return seen;
   seen.projected = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& v = mesh_->vertices[face[k]];

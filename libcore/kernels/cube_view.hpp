@@ -39,6 +39,8 @@ struct SeenFace {
 // All corners, each through the face that it is in front of. Corners at the centre are seen through none.
 class CubeView {
  public:
+  static constexpr double kLeastReach = 1e-6;  // cells, of a window beyond its face: far above rounding
+
   // Of a cube map with so many cells along an edge; the mesh, in the centre frame, must outlive this.
   CubeView(const TriangleMesh& mesh, std::size_t divisions);
 
@@ -48,22 +50,36 @@ class CubeView {
   const TriangleMesh& mesh() const { return *mesh_; }   // that is seen
   std::size_t divisions() const { return divisions_; }  // cells along an edge
 
-  // Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through.
+  // Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through,
+  // and its corners are known.
   bool inside_one(const Face& face) const {
     return margin_face_[face[0]] != kNone && margin_face_[face[0]] == margin_face_[face[1]] &&
            margin_face_[face[1]] == margin_face_[face[2]];
   }
-  // The face that a corner is in front of.
-  std::size_t cube_face(VertexIndex v) const { return corners_[v].face; }
+  // A corner through the face that it is in front of.
+  const SeenCorner& corner(VertexIndex v) const { return corners_[v]; }
+  // Is the face of the cube in front of all corners? They are known then.
+  bool in_front(const Face& face, std::size_t through) const {
+    return in_front(corners_[face[0]], through) && in_front(corners_[face[1]], through) &&
+           in_front(corners_[face[2]], through);
+  }
+  // Of a face that is inside_one(), through that one.
+  GridWindow window_inside(const Face& face) const;
 
-  // With the entries of the window up to `reach` cells beyond the face.
+  // Bit f: the face may be seen through face f of the cube, or up to `reach` cells beyond it.
+  unsigned may_be_seen(const Face& face, double reach = kLeastReach) const;
+
+  // Through a face of the cube for which that is so; with the entries of the window up to `reach` cells
+  // beyond the face.
   SeenFace seen(const Face& face, std::size_t through, double reach = kLeastReach) const;
 
  private:
   static constexpr std::uint8_t kNone = 255;
-  static constexpr double kLeastReach = 1e-6;      // far above rounding
   static constexpr double kMostInverse = 0x1p500;  // 1 / mm: corners nearer to the centre are not projected
 
+  static bool in_front(const SeenCorner& corner, std::size_t through) {
+    return corner.face == through && corner.q < kMostInverse;
+  }
   SeenFace seen_across(const Face& face, std::size_t through, double reach) const;
   GridWindow window_of(const std::array<SeenCorner, 3>& corners, double reach) const;
 
@@ -87,11 +103,25 @@ inline GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners, 
   return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
 }
 
+inline GridWindow CubeView::window_inside(const Face& face) const {
+  const SeenCorner& a = corners_[face[0]];
+  const SeenCorner& b = corners_[face[1]];
+  const SeenCorner& c = corners_[face[2]];
+  const auto first = [](double x, double y, double z) {  // rounded up
+    const double from = std::min(std::min(x, y), z) - kLeastReach;
+    const auto line = static_cast<long>(from);
+    return line + static_cast<long>(static_cast<double>(line) < from);
+  };
+  const auto last = [](double x, double y, double z) {
+    return static_cast<long>(std::max(std::max(x, y), z) + kLeastReach + 1.0) - 1;
+  };
+  return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
+}
+
 inline SeenFace CubeView::seen(const Face& face, std::size_t through, double reach) const {
+  if (!in_front(face, through)) return seen_across(face, through, reach);
   const std::array<SeenCorner, 3> own{corners_[face[0]], corners_[face[1]], corners_[face[2]]};
-  const bool in_front =
-      std::ranges::all_of(own, [&](const SeenCorner& c) { return c.face == through && c.q < kMostInverse; });
-  return in_front ? SeenFace{own, window_of(own, reach), true} : seen_across(face, through, reach);
+  return {own, window_of(own, reach), true};
 }
 
 }  // namespace impinge

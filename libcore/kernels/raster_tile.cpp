@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/raster_tile.hpp"
 
+#include <bit>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -17,14 +18,26 @@ namespace {
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
+// One of the triangles of a batch.
+struct One {
+  const TileTriangles& all;
+  std::size_t k;
+
+  std::size_t first_column() const { return static_cast<std::size_t>(all.first_column[k]); }
+  std::size_t first_row() const { return static_cast<std::size_t>(all.first_row[k]); }
+  std::size_t columns() const { return static_cast<std::size_t>(all.columns[k]); }
+  std::size_t rows() const { return static_cast<std::size_t>(all.rows[k]); }
+};
+
 // Which of the lanes in doubt, those of entries from (column, row) of the triangle on, the face covers.
-HWY_NOINLINE hn::Mask<Floats> decided(Floats d, hn::Mask<Floats> doubtful, const TileTriangle& one,
-                                      std::size_t column, std::size_t row, const ExactTest& exact) {
+HWY_NOINLINE hn::Mask<Floats> decided(Floats d, hn::Mask<Floats> doubtful, const One& one, std::size_t column,
+                                      std::size_t row, const ExactTest& exact) {
   HWY_ALIGN float covered[hn::MaxLanes(Floats())];
   hn::Store(hn::IfThenElseZero(doubtful, hn::Set(d, 1.0F)), d, covered);
   for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
-    const bool asked = covered[k] > 0.0F && column + k < one.columns;
-    if (!asked || !exact.covers(exact.context, one.face, one.first_column + column + k, one.first_row + row))
+    const bool asked = covered[k] > 0.0F && column + k < one.columns();
+    if (!asked || !exact.covers(exact.context, one.all.faces[one.k], one.first_column() + column + k,
+                                one.first_row() + row))
       covered[k] = 0.0F;
   }
   return hn::Gt(hn::Load(d, covered), hn::Zero(d));
@@ -32,21 +45,24 @@ HWY_NOINLINE hn::Mask<Floats> decided(Floats d, hn::Mask<Floats> doubtful, const
 
 // The columns from `column` on of a triangle, as many as a vector has lanes.
 template <bool nearest>
-HWY_INLINE void draw_columns(Floats d, const TileTriangle& one, std::size_t column, const ExactTest& exact,
+HWY_INLINE void draw_columns(Floats d, const One& one, std::size_t column, const ExactTest& exact,
                              float* canvas) {
+  const TileTriangles& all = one.all;
+  const std::size_t k = one.k;
   const Lanes i = hn::Iota(d, static_cast<float>(column));
   const auto along = [&](float first, float step)
                          HWY_ATTR { return hn::Add(hn::Set(d, first), hn::Mul(hn::Set(d, step), i)); };
-  const Lanes e0 = along(one.edge[0], one.edge_x[0]);
-  const Lanes e1 = along(one.edge[1], one.edge_x[1]);
-  const Lanes e2 = along(one.edge[2], one.edge_x[2]);
-  const Lanes q0 = along(one.q, one.q_x);
-  const Lanes y0 = hn::Set(d, one.edge_y[0]);
-  const Lanes y1 = hn::Set(d, one.edge_y[1]);
-  const Lanes y2 = hn::Set(d, one.edge_y[2]);
-  const Lanes q_y = hn::Set(d, one.q_y);
-  const Lanes doubt = hn::Set(d, one.doubt);
-  for (std::size_t row = 0; row < one.rows; ++row) {
+  const Lanes e0 = along(all.edge[0][k], all.edge_x[0][k]);
+  const Lanes e1 = along(all.edge[1][k], all.edge_x[1][k]);
+  const Lanes e2 = along(all.edge[2][k], all.edge_x[2][k]);
+  const Lanes q0 = along(all.q[k], all.q_x[k]);
+  const Lanes y0 = hn::Set(d, all.edge_y[0][k]);
+  const Lanes y1 = hn::Set(d, all.edge_y[1][k]);
+  const Lanes y2 = hn::Set(d, all.edge_y[2][k]);
+  const Lanes q_y = hn::Set(d, all.q_y[k]);
+  const Lanes doubt = hn::Set(d, all.doubt[k]);
+  const std::size_t rows = one.rows();
+  for (std::size_t row = 0; row < rows; ++row) {
     const Lanes j = hn::Set(d, static_cast<float>(row));
     const Lanes least = hn::Min(hn::Min(hn::Add(e0, hn::Mul(y0, j)), hn::Add(e1, hn::Mul(y1, j))),
                                 hn::Add(e2, hn::Mul(y2, j)));
@@ -63,19 +79,21 @@ HWY_INLINE void draw_columns(Floats d, const TileTriangle& one, std::size_t colu
 }
 
 template <bool nearest>
-void draw_layer(std::span<const TileTriangle> triangles, const ExactTest& exact, TileCanvas& canvas) {
+HWY_INLINE void draw_layer(const TileTriangles& triangles, const ExactTest& exact, TileCanvas& canvas) {
   const Floats d;
-  for (const TileTriangle& one : triangles) {
-    float* const first = canvas.q.data() + one.first_row * TileCanvas::kStride + one.first_column;
-    for (std::size_t column = 0; column < one.columns; column += hn::Lanes(d))
+  for (std::uint64_t left = triangles.clear; left != 0; left &= left - 1) {
+    const One one{triangles, static_cast<std::size_t>(std::countr_zero(left))};
+    float* const first = canvas.q.data() + one.first_row() * TileCanvas::kStride + one.first_column();
+    const std::size_t columns = one.columns();
+    for (std::size_t column = 0; column < columns; column += hn::Lanes(d))
       draw_columns<nearest>(d, one, column, exact, first + column);
   }
 }
 
-void draw_nearest(std::span<const TileTriangle> triangles, const ExactTest& exact, TileCanvas& canvas) {
+void draw_nearest(const TileTriangles& triangles, const ExactTest& exact, TileCanvas& canvas) {
   draw_layer<true>(triangles, exact, canvas);
 }
-void draw_farthest(std::span<const TileTriangle> triangles, const ExactTest& exact, TileCanvas& canvas) {
+void draw_farthest(const TileTriangles& triangles, const ExactTest& exact, TileCanvas& canvas) {
   draw_layer<false>(triangles, exact, canvas);
 }
 
@@ -97,7 +115,7 @@ float no_depth(Layer layer) {
   return layer == Layer::nearest ? -kInfinite : kInfinite;
 }
 
-void draw(std::span<const TileTriangle> triangles, Layer layer, const ExactTest& exact, TileCanvas& canvas) {
+void draw(const TileTriangles& triangles, Layer layer, const ExactTest& exact, TileCanvas& canvas) {
   if (layer == Layer::nearest) {
     HWY_DYNAMIC_DISPATCH(draw_nearest)(triangles, exact, canvas);
   } else {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "kernels/tile_triangle.hpp"
 #include "sampling/layer.hpp"
@@ -32,7 +31,7 @@ struct ExactTest {
   void* context;  // handed to `covers`
 };
 
-// Draws all triangles into the canvas, which keeps the right layer of each entry.
-void draw(std::span<const TileTriangle> triangles, Layer layer, const ExactTest& exact, TileCanvas& canvas);
+// Draws the clear triangles into the canvas, which keeps the right layer of each entry.
+void draw(const TileTriangles& triangles, Layer layer, const ExactTest& exact, TileCanvas& canvas);
 
 }  // namespace impinge

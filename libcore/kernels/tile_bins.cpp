@@ -2,6 +2,7 @@
 #include "kernels/tile_bins.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -45,33 +46,38 @@ DepthRange unprojected_range(const TriangleMesh& mesh, const Face& face) {
   return {1.0 / farthest, std::numbers::sqrt3 / (plane > kLeastPlane * nearest ? plane : nearest)};
 }
 
-// Calls visit(seen, through) for each face of the cube that a face of the mesh may be seen through.
-template <class Visit>
-void for_each_view(const CubeView& view, const Face& face, Visit&& visit) {
-  const bool one = view.inside_one(face);
-  const std::size_t first = one ? view.cube_face(face[0]) : 0;
-  for (std::size_t through = first; through < (one ? first + 1 : 6); ++through) {
-    const SeenFace seen = view.seen(face, through);
-    if (!seen.window.empty()) visit(seen, through);
-  }
+DepthRange seen_range(const CubeView& view, const Face& face, const SeenFace& seen) {
+  return seen.projected ? range_of(seen, plane_of(seen, view.divisions()))
+                        : unprojected_range(view.mesh(), face);
 }
 
-DepthRange seen_range(const CubeView& view, const Face& face, const SeenFace& seen) {
-  if (!seen.projected) return unprojected_range(view.mesh(), face);
-  const SeenPlane plane = view.inside_one(face) ? SeenPlane{} : plane_of(seen, view.divisions());
-  return range_of(seen, plane);
+DepthRange range_of_corners(const CubeView& view, const Face& face) {
+  const double a = view.corner(face[0]).q;
+  const double b = view.corner(face[1]).q;
+  const double c = view.corner(face[2]).q;
+  return {std::min(std::min(a, b), c), std::max(std::max(a, b), c)};
 }
 
 void find_meetings(const CubeView& view, const CubeTiling& tiling, const Share& faces, Found& found) {
   found.meetings.reserve((faces.end - faces.first) * 3 / 2);
   for (std::size_t f = faces.first; f < faces.end; ++f) {
     const Face& face = view.mesh().faces[f];
-    for_each_view(view, face, [&](const SeenFace& seen, std::size_t through) {
-      found.cover(seen_range(view, face, seen));
-      tiling.for_each_seeing(through, seen.window, [&](std::size_t tile) {
+    const auto meet = [&](std::size_t through, const GridWindow& window, auto&& range) {
+      if (window.empty()) return;
+      found.cover(range());
+      tiling.for_each_seeing(through, window, [&](std::size_t tile) {
         found.meetings.push_back({static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(f)});
       });
-    });
+    };
+    if (view.inside_one(face)) {
+      meet(view.corner(face[0]).face, view.window_inside(face), [&] { return range_of_corners(view, face); });
+      continue;
+    }
+    for (unsigned left = view.may_be_seen(face); left != 0; left &= left - 1) {
+      const auto through = static_cast<std::size_t>(std::countr_zero(left));
+      const SeenFace seen = view.seen(face, through);
+      meet(through, seen.window, [&] { return seen_range(view, face, seen); });
+    }
   }
 }
 
@@ -101,8 +107,10 @@ TileBins tile_bins(const CubeView& view, const CubeTiling& tiling, std::size_t t
 void mark_tiles(const CubeView& view, const CubeTiling& tiling, std::span<const std::size_t> faces,
                 std::vector<bool>& marked) {
   for (const std::size_t f : faces) {
-    for (std::size_t through = 0; through < 6; ++through) {
-      const GridWindow window = view.seen(view.mesh().faces[f], through, kRimReach).window;
+    const Face& face = view.mesh().faces[f];
+    for (unsigned left = view.may_be_seen(face, kRimReach); left != 0; left &= left - 1) {
+      const auto through = static_cast<std::size_t>(std::countr_zero(left));
+      const GridWindow window = view.seen(face, through, kRimReach).window;
       tiling.for_each_seeing(through, window, [&](std::size_t tile) { marked[tile] = true; });
     }
   }

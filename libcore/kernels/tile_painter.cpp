@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 
 #include "kernels/tile_rows.hpp"
 
@@ -13,31 +14,53 @@ template <LaneValue Value>
 void TilePainter<Value>::paint(std::size_t tile, std::span<const std::uint32_t> faces) {
   tile_ = task_.tiling[tile];
   std::fill_n(canvas_.q.begin(), tile_.seen_rows * TileCanvas::kStride, no_depth(task_.layer));
-  triangles_.clear();
   cone_.reset();
-  for (const std::uint32_t face : faces) draw_face(face);
-  const auto test = [](void* self, std::uint32_t face, std::size_t column, std::size_t row) {
-    return static_cast<TilePainter*>(self)->covers(face, column, row);
-  };
-  draw(triangles_, task_.layer, {test, this}, canvas_);
+  for (const std::uint32_t face : faces) add(face);
+  draw_added();
   store();
 }
 
 template <LaneValue Value>
-void TilePainter<Value>::draw_face(std::uint32_t face) {
-  const SeenFace seen = task_.view.seen(task_.view.mesh().faces[face], tile_.face);
-  const GridWindow window = window_in(tile_, seen.window);
-  if (window.empty()) return;
-  TileTriangle drawn;
-  if (!set_up(seen, window, task_.view.divisions(), drawn)) {
-    draw_exactly(face, window);
-    return;
+void TilePainter<Value>::add(std::uint32_t face) {
+  const CubeView& view = task_.view;
+  const Face& own = view.mesh().faces[face];
+  if (view.in_front(own, tile_.face)) {
+    add(face, {&view.corner(own[0]), &view.corner(own[1]), &view.corner(own[2])});
+  } else if (const SeenFace seen = view.seen(own, tile_.face); seen.projected) {
+    add(face, {&seen.corners[0], &seen.corners[1], &seen.corners[2]});
+  } else {
+    draw_exactly(face, window_in(tile_, seen.window));
   }
-  drawn.face = face;
-  drawn.first_column =
-      static_cast<std::uint16_t>(static_cast<std::size_t>(window.first_column) - tile_.first_column);
-  drawn.first_row = static_cast<std::uint16_t>(static_cast<std::size_t>(window.first_row) - tile_.first_row);
-  triangles_.push_back(drawn);
+}
+
+template <LaneValue Value>
+void TilePainter<Value>::add(std::uint32_t face, const std::array<const SeenCorner*, 3>& corners) {
+  const std::size_t at = corners_.count++;
+  corners_.faces[at] = face;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SeenCorner& corner = *corners[k];
+    corners_.x[k][at] = corner.x;
+    corners_.y[k][at] = corner.y;
+    corners_.q[k][at] = corner.q;
+  }
+  if (corners_.count == CornerBatch::kMost) draw_added();
+}
+
+template <LaneValue Value>
+void TilePainter<Value>::draw_added() {
+  const auto test = [](void* self, std::uint32_t face, std::size_t column, std::size_t row) {
+    return static_cast<TilePainter*>(self)->covers(face, column, row);
+  };
+  set_up(corners_, tile_, task_.view.divisions(), triangles_);
+  draw(triangles_, task_.layer, {test, this}, canvas_);
+  for (std::uint64_t left = triangles_.seen & ~triangles_.clear; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const long column = triangles_.first_column[k] + static_cast<long>(tile_.first_column);
+    const long row = triangles_.first_row[k] + static_cast<long>(tile_.first_row);
+    draw_exactly(corners_.faces[k],
+                 {column, column + triangles_.columns[k] - 1, row, row + triangles_.rows[k] - 1});
+  }
+  corners_.count = 0;
 }
 
 template <LaneValue Value>

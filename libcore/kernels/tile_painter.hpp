@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "kernels/cube_view.hpp"
 #include "kernels/lane_table.hpp"
@@ -37,7 +36,9 @@ class TilePainter {
   void paint(std::size_t tile, std::span<const std::uint32_t> faces);
 
  private:
-  void draw_face(std::uint32_t face);
+  void add(std::uint32_t face);
+  void add(std::uint32_t face, const std::array<const SeenCorner*, 3>& corners);
+  void draw_added();
   void draw_exactly(std::uint32_t face, const GridWindow& window);
   void store();
   void mark_cells(std::size_t row, std::uint64_t cells);
@@ -47,7 +48,8 @@ class TilePainter {
 
   const PaintTask<Value>& task_;
   CubeTile tile_;
-  std::vector<TileTriangle> triangles_;
+  CornerBatch corners_;  // of faces that are not drawn yet
+  TileTriangles triangles_;
   std::optional<TriangleCone> cone_;  // of the face that was asked last
   std::uint32_t cone_face_ = 0;
   TileCanvas canvas_;

@@ -8,11 +8,6 @@
 namespace impinge {
 namespace {
 
-constexpr double kMostThin = 4096.0;  // the parts of the area over the area, for gradient and side to be good
-constexpr double kUlp = 0x1p-24;
-
-double place_error(std::size_t divisions) { return 0x1p-49 * static_cast<double>(divisions); }
-
 double extent(const SeenFace& seen) {
   const auto [a, b, c] = seen.corners;
   return std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) + std::max({a.y, b.y, c.y}) -
@@ -30,23 +25,6 @@ double most_q(const SeenFace& seen) {
 double q_at(const SeenFace& seen, const SeenPlane& plane, double x, double y) {
   const SeenCorner& from = seen.corners[0];
   return from.q + plane.q_x * (x - from.x) + plane.q_y * (y - from.y);
-}
-
-// Edge k at the first entry and its steps, in double; returns the largest rounding that it gets in float.
-double set_edge(const SeenFace& seen, const SeenPlane& plane, const GridWindow& window, std::size_t k,
-                TileTriangle& drawn) {
-  const SeenCorner& from = seen.corners[k];
-  const SeenCorner& to = seen.corners[(k + 1) % 3];
-  const double along_x = plane.side * (from.y - to.y);
-  const double along_y = plane.side * (to.x - from.x);
-  const double first = along_x * (static_cast<double>(window.first_column) - from.x) +
-                       along_y * (static_cast<double>(window.first_row) - from.y);
-  drawn.edge[k] = static_cast<float>(first);
-  drawn.edge_x[k] = static_cast<float>(along_x);
-  drawn.edge_y[k] = static_cast<float>(along_y);
-  return 8.0 * kUlp *
-         (std::abs(first) + std::abs(along_x) * static_cast<double>(drawn.columns) +
-          std::abs(along_y) * static_cast<double>(drawn.rows));
 }
 
 }  // namespace
@@ -74,26 +52,6 @@ GridWindow window_in(const CubeTile& tile, const GridWindow& window) {
           std::min(window.last_column, last(tile.first_column, tile.seen_columns)),
           std::max(window.first_row, static_cast<long>(tile.first_row)),
           std::min(window.last_row, last(tile.first_row, tile.seen_rows))};
-}
-
-bool set_up(const SeenFace& seen, const GridWindow& window, std::size_t divisions, TileTriangle& drawn) {
-  const SeenPlane plane = plane_of(seen, divisions);
-  if (!plane.clear) return false;
-  drawn.columns = static_cast<std::uint16_t>(window.last_column - window.first_column + 1);
-  drawn.rows = static_cast<std::uint16_t>(window.last_row - window.first_row + 1);
-  const double q =
-      q_at(seen, plane, static_cast<double>(window.first_column), static_cast<double>(window.first_row));
-  const double terms = std::abs(q) + std::abs(plane.q_x) * static_cast<double>(drawn.columns) +
-                       std::abs(plane.q_y) * static_cast<double>(drawn.rows);
-  if (!(terms <= kMostTerms * least_q(seen))) return false;
-  drawn.q = static_cast<float>(q);
-  drawn.q_x = static_cast<float>(plane.q_x);
-  drawn.q_y = static_cast<float>(plane.q_y);
-  double doubt = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) doubt = std::max(doubt, set_edge(seen, plane, window, k, drawn));
-  doubt += place_error(divisions) * (5.0 * extent(seen) + 4.0);
-  drawn.doubt = static_cast<float>(doubt * (1.0 + 2.0 * kUlp)) + std::numeric_limits<float>::min();
-  return true;
 }
 
 DepthRange range_of(const SeenFace& seen, const SeenPlane& plane) {

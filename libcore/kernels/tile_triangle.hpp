@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A face of a mesh as the raster of a tile draws it: three edge functions and the inverse depth, all affine
+// Faces of a mesh as the raster of a tile draws them: three edge functions and the inverse depth, all affine
 // over the grid, in float, from the first entry of its window on.
 //
 // Certainty. Corners are at their places on the grid to within e = 2^-49 n cells (at most 4.5 n cells, four
@@ -15,29 +15,58 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "kernels/cube_view.hpp"
 
 namespace impinge {
 
 inline constexpr double kMostTerms = 8.0;  // see above
+inline constexpr double kMostThin =
+    4096.0;  // parts of the area over the area, for gradient and side to be good
 
-// A face ready to be drawn into a tile.
-struct TileTriangle {
-  std::array<float, 3> edge{};     // at the first entry; above zero inside
-  std::array<float, 3> edge_x{};   // from a column to the next
-  std::array<float, 3> edge_y{};   // from a row to the next
-  float q = 0.0F;                  // 1 / mm, the same
-  float q_x = 0.0F;                // from a column to the next
-  float q_y = 0.0F;                // from a row to the next
-  float doubt = 0.0F;              // of an edge function, see above
-  std::uint32_t face = 0;          // of the mesh
-  std::uint16_t first_column = 0;  // of the tile
-  std::uint16_t first_row = 0;     // likewise
-  std::uint16_t columns = 0;       // of the window
-  std::uint16_t rows = 0;          // of the window
+// e above.
+constexpr double place_error(std::size_t divisions) { return 0x1p-49 * static_cast<double>(divisions); }
+
+// Faces on the grid of a face of the cube, their corners known; number by number, so that a vector holds
+// several of them.
+struct CornerBatch {
+  static constexpr std::size_t kMost = 64;  // faces: one bit each in 64
+  using Numbers = std::array<double, kMost>;
+
+  alignas(64) std::array<Numbers, 3> x{};    // of each corner, cells
+  alignas(64) std::array<Numbers, 3> y{};    // likewise
+  alignas(64) std::array<Numbers, 3> q{};    // likewise, 1 / mm
+  std::array<std::uint32_t, kMost> faces{};  // of the mesh
+  std::size_t count = 0;                     // of the faces
 };
+
+// The same faces, ready to be drawn into a tile.
+struct TileTriangles {
+  using Numbers = std::array<float, CornerBatch::kMost>;
+  using Places = std::array<std::int32_t, CornerBatch::kMost>;
+
+  alignas(64) std::array<Numbers, 3> edge{};    // at the first entry; above zero inside
+  alignas(64) std::array<Numbers, 3> edge_x{};  // from a column to the next
+  alignas(64) std::array<Numbers, 3> edge_y{};  // from a row to the next
+  alignas(64) Numbers q{};                      // 1 / mm, at the first entry
+  alignas(64) Numbers q_x{};                    // from a column to the next
+  alignas(64) Numbers q_y{};                    // from a row to the next
+  alignas(64) Numbers doubt{};                  // of an edge function, see above
+  alignas(64) Places first_column{};            // of the window, in the tile
+  alignas(64) Places first_row{};               // likewise
+  alignas(64) Places columns{};                 // of the window
+  alignas(64) Places rows{};                    // likewise
+  std::span<const std::uint32_t> faces;         // of the mesh
+  std::uint64_t seen = 0;                       // bit k: the window of face k holds an entry
+  std::uint64_t clear = 0;                      // of those that are seen; the others are drawn in double
+};
+
+// `corners` of faces as the tile sees them, of a cube map with so many cells along an edge. The same bits
+// with all sets of instructions; numbers of faces that are not seen or not clear mean nothing.
+void set_up(const CornerBatch& corners, const CubeTile& tile, std::size_t divisions, TileTriangles& drawn);
 
 // The inverse depth over the plane of a face: q + q_x (x - x_0) + q_y (y - y_0), from corner 0 on.
 struct SeenPlane {
@@ -50,9 +79,6 @@ SeenPlane plane_of(const SeenFace& seen, std::size_t divisions);  // of a face w
 
 // The part of the window within the tile; empty where there is none.
 GridWindow window_in(const CubeTile& tile, const GridWindow& window);
-
-// Fills `drawn` but for its `face`; false where it is unclear. `window` is within the tile.
-bool set_up(const SeenFace& seen, const GridWindow& window, std::size_t divisions, TileTriangle& drawn);
 
 // Least and largest inverse depth of a face in its window, 1 / mm, from outside.
 struct DepthRange {
