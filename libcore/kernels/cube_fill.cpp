@@ -61,7 +61,7 @@ void paint(const PaintTask<Value>& task, const TileBins& bins, int threads, cons
   std::vector<JumpEdge> jumps;
   std::atomic<std::size_t> next{0};
   on_threads(static_cast<std::size_t>(threads), [&](std::size_t thread) {
-    if (thread == 0) jumps = jump_edges(task.view.mesh());
+    if (thread == 0) jumps = jump_edges(task.view.mesh(), bins.sides);
     TilePainter<Value> painter(task);
     for (std::size_t tile = next++; tile < task.tiling.size(); tile = next++)
       if (wanted(tile)) painter.paint(tile, bins[tile]);

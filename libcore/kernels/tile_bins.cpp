@@ -23,6 +23,7 @@ struct Meeting {
 // What one thread found.
 struct Found {
   std::vector<Meeting> meetings;
+  std::span<std::int8_t> sides;  // of all faces
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
 
@@ -70,6 +71,8 @@ void find_meetings(const CubeView& view, const CubeTiling& tiling, const Share& 
       });
     };
     if (view.inside_one(face)) {
+      found.sides[f] =
+          side_of({&view.corner(face[0]), &view.corner(face[1]), &view.corner(face[2])}, view.divisions());
       meet(view.corner(face[0]).face, view.window_inside(face), [&] { return range_of_corners(view, face); });
       continue;
     }
@@ -84,11 +87,13 @@ void find_meetings(const CubeView& view, const CubeTiling& tiling, const Share& 
 }  // namespace
 
 TileBins tile_bins(const CubeView& view, const CubeTiling& tiling, std::size_t threads) {
+  TileBins bins;
+  bins.sides.resize(view.mesh().faces.size());
   std::vector<Found> found(threads);
   on_threads(threads, [&](std::size_t thread) {
+    found[thread].sides = bins.sides;
     find_meetings(view, tiling, share_of(view.mesh().faces.size(), thread, threads), found[thread]);
   });
-  TileBins bins;
   bins.first.assign(tiling.size() + 1, 0);
   Found all;
   for (const Found& part : found) {

@@ -15,6 +15,7 @@ namespace impinge {
 struct TileBins {
   std::vector<std::uint32_t> faces;  // those of a tile next to each other
   std::vector<std::size_t> first;    // of each tile, and one more
+  std::vector<std::int8_t> sides;    // of all faces: orientation(), or 0 for those that are not known
   DepthRange range;                  // of all inverse depths that may be seen, 1 / mm; zeros for none
 
   // The faces that may be seen in that tile, each once.

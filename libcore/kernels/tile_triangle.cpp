@@ -46,6 +46,23 @@ SeenPlane plane_of(const SeenFace& seen, std::size_t divisions) {
   return plane;
 }
 
+std::int8_t side_of(const std::array<const SeenCorner*, 3>& corners, std::size_t divisions) {
+  constexpr std::array<std::int8_t, 6> kWayRound{1, -1, -1, 1, 1, -1};  // of x and y beside the depth
+  const auto [a, b, c] = corners;
+  const double part = (b->x - a->x) * (c->y - a->y);
+  const double other = (c->x - a->x) * (b->y - a->y);
+  const double area = part - other;
+  const double parts = std::abs(part) + std::abs(other);
+  const double width = std::max(std::max(a->x, b->x), c->x) - std::min(std::min(a->x, b->x), c->x);
+  const double height = std::max(std::max(a->y, b->y), c->y) - std::min(std::min(a->y, b->y), c->y);
+  const double error = place_error(divisions);
+  const bool certain =
+      std::abs(area) * kMostThin > parts && std::abs(area) > 16.0 * error * (width + height + error);
+  if (!certain) return 0;
+  const std::int8_t way = kWayRound[a->face];
+  return area > 0.0 ? way : static_cast<std::int8_t>(-way);
+}
+
 GridWindow window_in(const CubeTile& tile, const GridWindow& window) {
   const auto last = [](std::size_t first, std::size_t seen) { return static_cast<long>(first + seen) - 1; };
   return {std::max(window.first_column, static_cast<long>(tile.first_column)),

@@ -77,6 +77,10 @@ struct SeenPlane {
 };
 SeenPlane plane_of(const SeenFace& seen, std::size_t divisions);  // of a face whose corners are known
 
+// orientation() of the corners of a face, all of them through the same face of the cube that is in front of
+// them; 0 where the grid does not tell for certain.
+std::int8_t side_of(const std::array<const SeenCorner*, 3>& corners, std::size_t divisions);
+
 // The part of the window within the tile; empty where there is none.
 GridWindow window_in(const CubeTile& tile, const GridWindow& window);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 #include <stdexcept>
 
 namespace impinge {
@@ -11,6 +12,11 @@ namespace impinge {
 bool has_three_corners(const TriangleMesh& mesh, const Face& face) {
   const auto exists = [&mesh](VertexIndex v) { return v < mesh.vertices.size(); };
   return std::ranges::all_of(face, exists) && face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+}
+
+void require_countable_edges(const TriangleMesh& mesh) {
+  if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max() / 3)
+    throw std::invalid_argument("a mesh of more than 1,431,655,765 faces: decimate it");
 }
 
 namespace {
@@ -29,35 +35,37 @@ struct Spokes {
   std::vector<std::uint32_t> first;
 };
 
-template <class Visit>
-void for_each_half_edge(const TriangleMesh& mesh, Visit&& visit) {
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+// Calls visit(half_edge, its ends) for those of the faces, if they have three corners, whose lower end is
+// wanted.
+template <class Faces, class Wanted, class Visit>
+void for_each_half_edge(const TriangleMesh& mesh, const Faces& faces, const Wanted& wanted, Visit&& visit) {
+  for (const std::size_t f : faces) {
     if (!has_three_corners(mesh, mesh.faces[f])) continue;
-    for (std::size_t side = 0; side < 3; ++side) visit(HalfEdge{f, side});
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Edge edge = ends(mesh, {f, side});
+      if (wanted(std::ranges::min(edge))) visit(HalfEdge{f, side}, edge);
+    }
   }
 }
 
 // A counting sort, so that the time is linear.
-Spokes spokes_of(const TriangleMesh& mesh) {
-  if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max() / 3)
-    throw std::invalid_argument("a mesh of more than 1,431,655,765 faces: decimate it");
+template <class Faces, class Wanted>
+Spokes spokes_of(const TriangleMesh& mesh, const Faces& faces, const Wanted& wanted) {
+  require_countable_edges(mesh);
   Spokes all;
   all.first.assign(mesh.vertices.size() + 2, 0);
-  for_each_half_edge(mesh, [&](HalfEdge h) { ++all.first[std::ranges::min(ends(mesh, h)) + 2]; });
+  for_each_half_edge(mesh, faces, wanted,
+                     [&](HalfEdge, const Edge& edge) { ++all.first[std::ranges::min(edge) + 2]; });
   for (std::size_t v = 2; v < all.first.size(); ++v) all.first[v] += all.first[v - 1];
   all.spokes.resize(all.first.back());
-  for_each_half_edge(mesh, [&](HalfEdge h) {
-    const Edge edge = ends(mesh, h);
+  for_each_half_edge(mesh, faces, wanted, [&](HalfEdge h, const Edge& edge) {
     all.spokes[all.first[std::ranges::min(edge) + 1]++] = {std::ranges::max(edge),
                                                            static_cast<std::uint32_t>(3 * h.face + h.side)};
   });
   return all;
 }
 
-}  // namespace
-
-void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit) {
-  Spokes all = spokes_of(mesh);
+void for_each_edge_of(Spokes all, const std::function<void(std::span<const HalfEdge>)>& visit) {
   std::vector<HalfEdge> uses;
   for (std::size_t v = 0; v + 1 < all.first.size(); ++v) {
     const std::span own = std::span(all.spokes).subspan(all.first[v], all.first[v + 1] - all.first[v]);
@@ -71,6 +79,22 @@ void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<
       uses.clear();
     }
   }
+}
+
+}  // namespace
+
+void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit) {
+  const auto faces = std::views::iota(std::size_t{0}, mesh.faces.size());
+  for_each_edge_of(spokes_of(mesh, faces, [](VertexIndex) { return true; }), visit);
+}
+
+void for_each_edge(const TriangleMesh& mesh, const std::vector<bool>& lower_ends,
+                   const std::function<void(std::span<const HalfEdge>)>& visit) {
+  const auto wanted = [&](VertexIndex v) { return v < lower_ends.size() && lower_ends[v]; };
+  std::vector<std::size_t> faces;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (std::ranges::any_of(mesh.faces[f], wanted)) faces.push_back(f);
+  for_each_edge_of(spokes_of(mesh, faces, wanted), visit);
 }
 
 EdgeList edges(const TriangleMesh& mesh) {

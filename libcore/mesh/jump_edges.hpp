@@ -2,6 +2,7 @@
 // Edges at which the radius, seen from the centre, may end or jump.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -16,8 +17,12 @@ struct JumpEdge {
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-// mesh in the centre frame. Sides are decided exactly and orientation of faces is
-// ignored.
+// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. By the places of
+// the ends, the smaller one first.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
+
+// The same with the sides of faces that are known, +1 or -1 as orientation() has them, one a face; 0 for
+// those that are to be found out.
+std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh, std::vector<std::int8_t> sides);
 
 }  // namespace impinge
