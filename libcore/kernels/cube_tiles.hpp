@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace impinge {
 
@@ -40,7 +41,7 @@ class CubeTiling {
       : side_(divisions + 1),
         per_side_((side_ + kMostSeen - 2) / (kMostSeen - 1)),
         size_((side_ + per_side_ - 1) / per_side_),
-        inverse_size_((std::size_t{1} << kShift) / size_ + 1) {}
+        inverse_size_((std::uint64_t{1} << kShift) / size_ + 1) {}
 
   std::size_t size() const { return 6 * per_side_ * per_side_; }  // tiles of all six faces
 
@@ -75,14 +76,16 @@ class CubeTiling {
   std::size_t first_seeing(long line) const {
     return keeping(static_cast<std::size_t>(std::max(line - 1, 0L)));
   }
-  // line / size_ for lines below 2^24, without a division: the inverse is too large by less than 2^-40.
-  std::size_t keeping(std::size_t line) const { return line * inverse_size_ >> kShift; }
+  // line / size_ of lines below 2^24: the inverse is too large by less than 2^-40.
+  std::size_t keeping(std::size_t line) const {
+    return static_cast<std::size_t>(line * inverse_size_ >> kShift);
+  }
 
   std::size_t side_;
   std::size_t per_side_;
   std::size_t size_;
   static constexpr unsigned kShift = 40;
-  std::size_t inverse_size_;  // 2^kShift / size_, rounded up
+  std::uint64_t inverse_size_;  // 2^kShift / size_, rounded up
 };
 
 }  // namespace impinge

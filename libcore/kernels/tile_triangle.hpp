@@ -33,8 +33,8 @@ constexpr double place_error(std::size_t divisions) { return 0x1p-49 * static_ca
 // Faces on the grid of a face of the cube, their corners known; number by number, so that a vector holds
 // several of them.
 struct CornerBatch {
-  static constexpr std::size_t kMost = 64;  // faces: one bit each in 64
-  using Numbers = std::array<double, kMost>;
+  static constexpr std::size_t kMost = 64;    // faces: one bit each in 64
+  using Numbers = std::array<double, kMost>;  // one a face
 
   alignas(64) std::array<Numbers, 3> x{};    // of each corner, cells
   alignas(64) std::array<Numbers, 3> y{};    // likewise
@@ -45,8 +45,8 @@ struct CornerBatch {
 
 // The same faces, ready to be drawn into a tile.
 struct TileTriangles {
-  using Numbers = std::array<float, CornerBatch::kMost>;
-  using Places = std::array<std::int32_t, CornerBatch::kMost>;
+  using Numbers = std::array<float, CornerBatch::kMost>;        // one a face
+  using Places = std::array<std::int32_t, CornerBatch::kMost>;  // one a face
 
   alignas(64) std::array<Numbers, 3> edge{};    // at the first entry; above zero inside
   alignas(64) std::array<Numbers, 3> edge_x{};  // from a column to the next

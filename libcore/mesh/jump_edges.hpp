@@ -17,8 +17,8 @@ struct JumpEdge {
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. By the places of
-// the ends, the smaller one first.
+// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. Sorted by the
+// smaller of the two ends, then by the larger one.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
 
 // The same with the sides of faces that are known, +1 or -1 as orientation() has them, one a face; 0 for

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract: side_of() is orientation() of the corners, or 0 where the grid does not tell; planes that are
-// clear pass through the corners; what is ready to be drawn agrees with both, face by face
+// Contract: side_of() is orientation() of the corners, or 0 where the grid does not tell; a face has the same
+// window, plane and edges in a batch of any size as alone, and faces behind the batch are not seen
 #include "kernels/tile_triangle.hpp"
 
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -61,7 +62,37 @@ TEST(TileTriangle, SidesAreThoseOfTheExactTest) {
   EXPECT_GT(unknown, 100U);  // the faces through the centre
 }
 
-// 100 faces in batches of 1, 7, 63 and 64: each has the numbers of its own plane and edges.
+CornerBatch batch_of(const CubeView& view, std::span<const std::uint32_t> faces) {
+  CornerBatch batch;
+  for (const std::uint32_t f : faces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SeenCorner& corner = view.corner(view.mesh().faces[f][k]);
+      batch.x[k][batch.count] = corner.x;
+      batch.y[k][batch.count] = corner.y;
+      batch.q[k][batch.count] = corner.q;
+    }
+    batch.faces[batch.count++] = f;
+  }
+  return batch;
+}
+
+// Face k of the batch is that of the mesh.
+void expect_drawn(const TileTriangles& drawn, std::size_t k, const CubeTile& tile, const SeenFace& seen) {
+  const GridWindow window = window_in(tile, seen.window);
+  ASSERT_EQ((drawn.seen >> k & 1U) != 0U, !window.empty());
+  if (window.empty()) return;
+  const SeenPlane plane = plane_of(seen, kCells);
+  EXPECT_EQ(drawn.first_column[k], window.first_column - static_cast<long>(tile.first_column));
+  EXPECT_EQ(drawn.first_row[k], window.first_row - static_cast<long>(tile.first_row));
+  EXPECT_EQ(drawn.columns[k], window.last_column - window.first_column + 1);
+  EXPECT_EQ(drawn.rows[k], window.last_row - window.first_row + 1);
+  EXPECT_EQ(drawn.q_x[k], static_cast<float>(plane.q_x));
+  EXPECT_EQ(drawn.q_y[k], static_cast<float>(plane.q_y));
+  EXPECT_EQ(drawn.edge_x[1][k], static_cast<float>(plane.side * (seen.corners[1].y - seen.corners[2].y)));
+  EXPECT_EQ(drawn.edge_y[2][k], static_cast<float>(plane.side * (seen.corners[0].x - seen.corners[2].x)));
+  EXPECT_GT(drawn.doubt[k], 0.0F);
+}
+
 TEST(TileTriangle, BatchesOfAnySize) {
   const TriangleMesh mesh = sphere(22.0, 4000);
   CubeView view(mesh, kCells);
@@ -70,40 +101,27 @@ TEST(TileTriangle, BatchesOfAnySize) {
   std::vector<std::uint32_t> faces;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
     if (view.in_front(mesh.faces[f], tile.face)) faces.push_back(f);
-  ASSERT_GT(faces.size(), 100U);
-  for (const std::size_t size : {1U, 7U, 63U, 64U}) {
-    CornerBatch batch;
-    for (; batch.count < size; ++batch.count) {
-      const SeenFace seen = view.seen(mesh.faces[faces[batch.count]], tile.face);
-      batch.faces[batch.count] = faces[batch.count];
-      for (std::size_t k = 0; k < 3; ++k) {
-        batch.x[k][batch.count] = seen.corners[k].x;
-        batch.y[k][batch.count] = seen.corners[k].y;
-        batch.q[k][batch.count] = seen.corners[k].q;
-      }
-    }
+  ASSERT_GT(faces.size(), CornerBatch::kMost);
+  for (const std::size_t size : {0U, 1U, 7U, 63U, 64U}) {
     TileTriangles drawn;
+    const CornerBatch batch = batch_of(view, std::span(faces).first(size));
     set_up(batch, tile, kCells, drawn);
-    EXPECT_EQ(drawn.seen & ~drawn.clear, 0U);
-    for (std::size_t f = 0; f < CornerBatch::kMost; ++f) {
-      const bool is_seen = (drawn.seen >> f & 1U) != 0U;
-      if (f >= size) {
-        EXPECT_FALSE(is_seen);
-        continue;
-      }
-      const SeenFace seen = view.seen(mesh.faces[faces[f]], tile.face);
-      const GridWindow window = window_in(tile, seen.window);
-      ASSERT_EQ(is_seen, !window.empty());
-      if (!is_seen) continue;
-      const SeenPlane plane = plane_of(seen, kCells);
-      EXPECT_EQ(drawn.first_column[f], window.first_column - static_cast<long>(tile.first_column));
-      EXPECT_EQ(drawn.first_row[f], window.first_row - static_cast<long>(tile.first_row));
-      EXPECT_EQ(drawn.columns[f], window.last_column - window.first_column + 1);
-      EXPECT_EQ(drawn.rows[f], window.last_row - window.first_row + 1);
-      EXPECT_EQ(drawn.q_x[f], static_cast<float>(plane.q_x));
-      EXPECT_EQ(drawn.q_y[f], static_cast<float>(plane.q_y));
-      EXPECT_EQ(drawn.edge_x[1][f], static_cast<float>(plane.side * (seen.corners[1].y - seen.corners[2].y)));
-      EXPECT_GT(drawn.doubt[f], 0.0F);
+    EXPECT_EQ(drawn.clear, drawn.seen);
+    EXPECT_EQ(size == 64U ? 0U : drawn.seen >> size, 0U);
+    for (std::size_t k = 0; k < size; ++k)
+      expect_drawn(drawn, k, tile, view.seen(mesh.faces[faces[k]], tile.face));
+  }
+}
+
+// Lines are kept by the tile that a division finds, up to the largest table that a kernel reads.
+TEST(TileTriangle, TilesOfLines) {
+  for (const std::size_t cells : {1U, 62U, 63U, 64U, 256U, 1000U, 18917U}) {
+    const CubeTiling tiling(cells);
+    const CubeTile first = tiling[0];
+    for (long line = 0; line <= static_cast<long>(cells); ++line) {
+      std::size_t last = 0;
+      tiling.for_each_seeing(0, {line, line, 0, 0}, [&](std::size_t tile) { last = tile; });
+      ASSERT_EQ(last, static_cast<std::size_t>(line) / first.columns) << cells << ' ' << line;
     }
   }
 }
