@@ -2,11 +2,11 @@
 #include "experiment/cold_timing.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <random>
 
 #include <benchmark/benchmark.h>
+#include "experiment/stopwatch.hpp"
 
 namespace impinge {
 namespace {
@@ -20,9 +20,9 @@ void overwrite(std::vector<char>& block) {
 }
 
 double milliseconds_of(const std::function<void()>& run) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   run();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return watch.lap_ms();
 }
 
 }  // namespace

@@ -2,18 +2,19 @@
 #include "experiment/timed_case.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+
+#include "experiment/stopwatch.hpp"
 
 namespace impinge {
 namespace {
 
 double seconds_of(const std::function<void()>& run, std::int64_t times) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   for (std::int64_t i = 0; i < times; ++i) run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.lap_s();
 }
 
 }  // namespace

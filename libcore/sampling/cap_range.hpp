@@ -18,6 +18,7 @@
 #include <limits>
 #include <optional>
 
+#include "sampling/direction_cap.hpp"
 #include "sphere/triangle_cone.hpp"
 
 namespace impinge {
@@ -33,12 +34,6 @@ struct RadiusRange {
     high = std::max(high, radius);
   }
   bool empty() const { return low > high; }  // nothing has been included
-};
-
-// All directions within `radius` radians of a unit axis.
-struct DirectionCap {
-  Vec3 axis;            // unit vector
-  double radius = 0.0;  // radians
 };
 
 // What of a face lies in a cap.

@@ -56,7 +56,7 @@ struct CornerSample {
 // A rectangle of a patch. Corners in the order (from, from), (to, from), (from, to), (to, to).
 struct PatchView {
   PatchMotion motion;                  // over the rectangle
-  Cap cap;                             // holds all of its directions
+  DirectionCap cap;                    // holds all of its directions
   std::array<Vec3, 4> point;           // x(s, t) at the corners; unit vectors unless flat
   std::array<CornerSample, 4> corner;  // interpolant and surface there
   double least_tap = 0.0;              // y

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/edges.hpp"
 #include "mesh/lengths.hpp"
 #include "mesh/star_shape.hpp"
 #include "sphere/infinity.hpp"
@@ -12,47 +11,6 @@
 
 namespace impinge {
 namespace {
-
-constexpr double kSlack = 1e-12;  // of unit vectors and their products, far above their rounding
-
-SurfacePlane plane_of(const TriangleCone& cone) {
-  const FacePlane& face = cone.plane();
-  SurfacePlane plane{.cone = cone};
-  plane.slope = cone.edge_on() ? kInfinity : cone.largest_slope();
-  plane.condition = kInfinity;
-  for (const Vec3& x : cone.corners()) plane.largest_radius = std::max(plane.largest_radius, x.norm());
-  if (face.offset > 0.0 && std::isfinite(plane.slope)) {
-    plane.inverse = face.normal / face.offset;
-    plane.distance = cone.plane_distance();
-    plane.least_radius = plane.distance;
-    plane.condition = face.size * plane.largest_radius / face.offset;
-  }
-  for (const Vec3& x : cone.corners()) plane.middle += x.normalized();
-  plane.middle.normalize();
-  // A cap of less than a quarter turn that holds the corners holds the face.
-  for (const Vec3& x : cone.corners())
-    plane.chord = std::max(plane.chord, (x.normalized() - plane.middle).norm());
-  if (plane.chord > 1.0) plane.chord = 2.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 across = cone.side() * cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
-    const double length = across.norm();
-    plane.inward[k] = length > 0.0 ? Vec3(across / length) : Vec3::Zero();
-  }
-  return plane;
-}
-
-// Is one face beyond an edge of the other, by more than rounding? Faces that are seen edge-on overlap none.
-bool clearly_apart(const SurfacePlane& a, const SurfacePlane& b) {
-  if (a.cone.edge_on() || b.cone.edge_on()) return true;
-  if ((a.middle - b.middle).norm() > a.chord + b.chord + kSlack) return true;
-  const auto beyond_an_edge = [](const SurfacePlane& here, const SurfacePlane& there) {
-    return std::ranges::any_of(here.inward, [&there](const Vec3& inward) {
-      const double slack = kSlack * there.largest_radius;
-      return std::ranges::all_of(there.cone.corners(), [&](const Vec3& x) { return inward.dot(x) < -slack; });
-    });
-  };
-  return beyond_an_edge(a, b) || beyond_an_edge(b, a);
-}
 
 // Each level is for caps that much smaller than those of the level before.
 constexpr double kFiner = 0.25;
@@ -84,7 +42,7 @@ SurfaceIndex::Lists SurfaceIndex::gather(std::size_t count,
 
 void SurfaceIndex::find_planes(const TriangleMesh& mesh) {
   planes_.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) planes_.push_back(plane_of(cone_of(mesh, face)));
+  for (const Face& face : mesh.faces) planes_.push_back(surface_plane(cone_of(mesh, face)));
 }
 
 // Bins as wide as the caps.
@@ -120,29 +78,30 @@ const SurfaceIndex::Level& SurfaceIndex::level_for(double angle) const {
   return levels_[k];
 }
 
+// The largest difference of the planes of two of these faces.
+Vec3 SurfaceIndex::largest_jump(std::span<const HalfEdge> sides) const {
+  Vec3 jump = Vec3::Zero();
+  for (std::size_t a = 0; a < sides.size(); ++a) {
+    for (std::size_t b = a + 1; b < sides.size(); ++b) {
+      const Vec3 here = planes_[sides[a].face].inverse - planes_[sides[b].face].inverse;
+      if (here.squaredNorm() > jump.squaredNorm()) jump = here;
+    }
+  }
+  return jump;
+}
+
 void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   const EdgeList list = edges(mesh);
   for (std::size_t e = 0; e < list.size(); ++e) {
     const auto sides = list[e];
     if (sides.size() < 2) continue;
-    const auto [i, j] = ends(mesh, sides.front());
-    const Vec3& from = mesh.vertices[i];
-    const Vec3& to = mesh.vertices[j];
-    const Vec3 cross = from.cross(to);
-    if (cross.squaredNorm() == 0.0) continue;  // seen as a point
-    const double line_distance = cross.norm() / (to - from).norm();
-    Vec3 jump = Vec3::Zero();
-    for (std::size_t a = 0; a < sides.size(); ++a) {
-      for (std::size_t b = a + 1; b < sides.size(); ++b) {
-        const Vec3 here = planes_[sides[a].face].inverse - planes_[sides[b].face].inverse;
-        if (here.squaredNorm() > jump.squaredNorm()) jump = here;
-      }
-    }
-    const auto number = static_cast<std::uint32_t>(kinks_.size());
-    kinks_.push_back({cross.normalized(), from.normalized(), to.normalized(), jump,
-                      line_distance * (1.0 - kSlack), std::max(from.norm(), to.norm()) * (1.0 + kSlack)});
-    pairs.push_back({static_cast<std::uint32_t>(sides.front().face), number});
+    const auto [from, to] = ends(mesh, sides.front());
+    const auto kink = surface_kink(mesh.vertices[from], mesh.vertices[to], largest_jump(sides));
+    if (!kink) continue;
+    pairs.push_back(
+        {static_cast<std::uint32_t>(sides.front().face), static_cast<std::uint32_t>(kinks_.size())});
+    kinks_.push_back(*kink);
   }
   kinks_of_face_ = gather(planes_.size(), pairs);
 }
@@ -194,10 +153,10 @@ double SurfaceIndex::radius(const Vec3& u) const {
   return radius;
 }
 
-void SurfaceIndex::faces_near(const Cap& cap, std::vector<std::uint32_t>& found) const {
+void SurfaceIndex::faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const {
   found.clear();
-  const double outside = -std::sin(std::min(cap.angle, 0.5 * kPi)) - kSlack;
-  for (const std::uint32_t f : level_for(cap.angle).near(cap.axis)) {
+  const double outside = -std::sin(std::min(cap.radius, 0.5 * kPi)) - kDirectionSlack;
+  for (const std::uint32_t f : level_for(cap.radius).near(cap.axis)) {
     const auto& inward = planes_[f].inward;
     if (inward[0].dot(cap.axis) < outside || inward[1].dot(cap.axis) < outside ||
         inward[2].dot(cap.axis) < outside) {
@@ -205,36 +164,6 @@ void SurfaceIndex::faces_near(const Cap& cap, std::vector<std::uint32_t>& found)
     }
     found.push_back(f);
   }
-}
-
-bool meets(const SurfaceKink& kink, const Cap& cap) {
-  if (cap.angle >= 0.5 * kPi) return true;
-  const double sine = std::sin(cap.angle) + kSlack;
-  if (std::abs(kink.across.dot(cap.axis)) > sine) return false;
-  const double cosine = std::cos(cap.angle) - kSlack;
-  if (kink.from.dot(cap.axis) >= cosine || kink.to.dot(cap.axis) >= cosine) return true;
-  // Is the point of the great circle nearest to the axis between the ends?
-  return kink.across.cross(kink.from).dot(cap.axis) >= -kSlack &&
-         kink.across.cross(kink.to).dot(cap.axis) <= kSlack;
-}
-
-PlaneRange range_within(const SurfacePlane& plane, const Cap& cap) {
-  if (!std::isfinite(plane.slope)) return {0.0, plane.largest_radius, kInfinity};
-  const double cosine = std::clamp(plane.inverse.dot(cap.axis) * plane.distance, -1.0, 1.0);
-  const double psi = std::acos(cosine);
-  const double steepest = psi + cap.angle + 1e-9;
-  PlaneRange range{plane.least_radius, plane.largest_radius, plane.slope};
-  if (psi > cap.angle)
-    range.least =
-        std::max(range.least, plane.distance / std::cos(std::min(psi - cap.angle, 0.5 * kPi - 1e-9)));
-  range.least *= 1.0 - kSlack;
-  if (steepest < 0.5 * kPi) {
-    range.largest = std::min(range.largest, plane.distance / std::cos(steepest));
-    range.slope = std::min(range.slope, std::tan(steepest));
-  }
-  range.largest *= 1.0 + kSlack;
-  range.slope *= 1.0 + kSlack;
-  return range;
 }
 
 }  // namespace impinge

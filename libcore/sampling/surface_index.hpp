@@ -8,42 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/edges.hpp"
 #include "sampling/layer.hpp"
+#include "sampling/surface_kink.hpp"
+#include "sampling/surface_plane.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 
 namespace impinge {
-
-// The plane q . x = 1 of a face as the centre sees it: r(u) = 1 / (q . u) along unit u.
-struct SurfacePlane {
-  TriangleCone cone;             // the face itself
-  Vec3 inverse = Vec3::Zero();   // q, 1/mm
-  double distance = 0.0;         // of the plane from the centre, 1 / |q|, mm
-  double slope = 0.0;            // largest tan psi over the face; infinite for a face that is seen edge-on
-  double least_radius = 0.0;     // over the face, mm
-  double largest_radius = 0.0;   // over the face, mm
-  double condition = 0.0;        // relative error of r that one rounding of the plane makes
-  std::array<Vec3, 3> inward{};  // unit normals of the planes through the centre and an edge
-  Vec3 middle = Vec3::Zero();    // a direction inside
-  double chord = 0.0;            // longest from there to a direction of the face
-};
-
-// An edge of two or more faces: the inverse radius q . u is continuous across it, its slope jumps by that of
-// q. Only edges between faces that lie on opposite sides of it; the others are jump edges (rim.hpp).
-struct SurfaceKink {
-  Vec3 across;            // unit normal of the plane through the centre and the edge
-  Vec3 from;              // unit vectors to its ends
-  Vec3 to;                // unit vector to the other end
-  Vec3 jump;              // difference of q, 1/mm
-  double least_radius;    // along the edge, mm
-  double largest_radius;  // likewise
-};
-
-// A cap: all directions within `angle` radians of the unit vector `axis`.
-struct Cap {
-  Vec3 axis;     // the middle
-  double angle;  // from the middle to the border
-};
 
 class SurfaceIndex {
  public:
@@ -53,8 +24,8 @@ class SurfaceIndex {
   // Radius of the layer along unit u, mm; kNoSurface where it is not met.
   double radius(const Vec3& u) const;
 
-  // Faces that may meet a cap, and edges. Not fewer than do; cap.angle <= reach.
-  void faces_near(const Cap& cap, std::vector<std::uint32_t>& found) const;
+  // Faces that may meet a cap, and edges. Not fewer than do; cap.radius <= reach.
+  void faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const;
   std::span<const std::uint32_t> kinks_of(std::uint32_t face) const;  // edges of a face, which kink() has
   // Faces that share directions with this one, so that a layer may change between them off their edges.
   std::span<const std::uint32_t> overlaps_of(std::uint32_t face) const;
@@ -85,6 +56,7 @@ class SurfaceIndex {
   Level make_level(double reach) const;
   void find_planes(const TriangleMesh& mesh);
   void find_levels();
+  Vec3 largest_jump(std::span<const HalfEdge> sides) const;
   void find_kinks(const TriangleMesh& mesh);
   void find_overlaps();
 
@@ -96,18 +68,5 @@ class SurfaceIndex {
   Lists kinks_of_face_;        // each kink at one of its faces
   Lists overlaps_of_face_;
 };
-
-// May the edge meet the cap?
-bool meets(const SurfaceKink& kink, const Cap& cap);
-
-// Largest and least radius of a plane within a cap and the face's own limits, mm, and its largest tan psi
-// there. infinite slope where the cap may see the plane edge-on.
-struct PlaneRange {
-  double least;    // mm
-  double largest;  // mm
-  double slope;    // tan psi
-};
-// Of the part of the plane that the cap sees, or of the face where that is less.
-PlaneRange range_within(const SurfacePlane& plane, const Cap& cap);
 
 }  // namespace impinge

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/certificate.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <vector>
 
+#include "experiment/stopwatch.hpp"
 #include "mesh/surface_vertices.hpp"
 
 namespace impinge {
@@ -35,7 +35,7 @@ VertexVerdicts decide(const TriangleMesh& mesh, const GapEvidence& evidence, con
 
 Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
                     const GapEvidence& socket) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   Certificate certificate;
   certificate.ball = decide(joint.ball(), ball, [&](std::size_t i) {
     return on_or_beyond(joint.socket(), joint.socket_index(), to_socket(pose, joint.ball().vertices[i]));
@@ -45,7 +45,7 @@ Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvid
   });
   certificate.deepest = joint.deepest(pose);
   certificate.surfaces_impinged = certificate.deepest.has_value();
-  certificate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  certificate.seconds = watch.lap_s();
   return certificate;
 }
 

@@ -2,11 +2,11 @@
 #include "scene/limit.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "experiment/stopwatch.hpp"
 #include "joint/clock.hpp"
 #include "joint/sphere_fit.hpp"
 #include "limits/turn_limit.hpp"
@@ -77,7 +77,7 @@ std::string sentence(const json& limit) {
 }  // namespace
 
 json limit_summary(const SceneOptions& options, const Joint& joint) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   const Eigen::Matrix3d axes = input_to_joint(options.axes);
   const TriangleMesh ball = rotated(joint.ball.mesh, axes);
   const TriangleMesh socket = rotated(joint.socket.mesh, axes);
@@ -93,7 +93,7 @@ json limit_summary(const SceneOptions& options, const Joint& joint) {
     contact.push_back(
         limit_json(turning, TurnLimits({ball, relative_to(socket, *centre)}).first_contact(turn, largest)));
   }
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  const double took_ms = watch.lap_ms();
   return {{"units", {{"length", "mm"}, {"angle", "deg"}, {"time", "ms"}}},
           {"ball", {{"file", options.ball.string()}}},
           {"socket", {{"file", options.socket.string()}}},
@@ -105,7 +105,7 @@ json limit_summary(const SceneOptions& options, const Joint& joint) {
           {"cartilage_mm", options.cartilage_mm},
           {"cartilage", cartilage},
           {"warnings", joint.warnings},
-          {"times_ms", {{"answer", took.count()}}}};
+          {"times_ms", {{"answer", took_ms}}}};
 }
 
 std::string describe_limits(const json& summary) {

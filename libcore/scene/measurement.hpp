@@ -55,15 +55,8 @@ struct Measurement {
 // no precision is fine enough.
 Measurement measure(const Joint& joint, const SceneOptions& options);
 
-// The answer to another question than all_gaps, and the plan that it was found by.
-struct QuestionAnswer {
-  Pose pose;                      // of the ball, in the centre frame
-  SceneAnswer answer;             // to options.question
-  std::vector<LeftOut> left_out;  // work and memory that the question did not need
-  double milliseconds = 0.0;      // of planning and answering
-};
-// Plans and answers options.question in the pose that the options name.
-QuestionAnswer answer_question(const Joint& joint, const SceneOptions& options);
+// The pose that the options name, of the ball in the centre frame.
+Pose scene_pose(const SceneOptions& options);
 
 // Largest bound over the vertices that have a gap; 0 if none has.
 double largest_bound(const SurfaceGaps& gaps);

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/joint.hpp"
-#include "scene/measurement.hpp"
+#include "scene/planned_answer.hpp"
 
 namespace impinge {
 

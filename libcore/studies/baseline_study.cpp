@@ -2,10 +2,11 @@
 #include "studies/baseline_study.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <benchmark/benchmark.h>
+
+#include "experiment/stopwatch.hpp"
 
 namespace impinge {
 namespace {
@@ -40,9 +41,9 @@ TimedCase build_case(const Prepared& prepared, const BaselineMethod& method, con
   timed.key = key_of(prepared, method, "build");
   timed.run = method.build;
   timed.rounds = options.build_rounds;
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   method.build();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = watch.lap_s();
   if (seconds > options.slow_s) {
     timed.expected_s = seconds;
     timed.rounds = 1;

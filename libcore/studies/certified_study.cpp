@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/certified_study.hpp"
+#include "experiment/stopwatch.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,7 +16,6 @@
 namespace impinge {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 
 constexpr double kMicrometres = 1000.0;  // in a millimetre
 
@@ -67,9 +67,9 @@ void add_delay(const SurfaceOverlay& joint, const ContactPose& pose, PoseSummary
 void add_pose(CertifiedStudy& study, CertifiedJoint& joint, Contender& tree, const Pose& pose,
               PoseSummary& summary) {
   JudgedPose judged = judge(joint.overlay, pose);
-  const auto start = Clock::now();
+  Stopwatch watch;
   const bool impinged = joint.overlay.impinged(pose);
-  summary.overlay_s += std::chrono::duration<double>(Clock::now() - start).count();
+  summary.overlay_s += watch.lap_s();
   const bool common = tree.touches(pose);
   if (impinged != judged.surfaces || (common && !impinged)) {
     refute(study, joint.name, pose, "the surfaces have the wrong verdict");

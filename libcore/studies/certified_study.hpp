@@ -3,7 +3,6 @@
 // miss of the surfaces?
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -14,6 +13,7 @@
 #include "detection/certified_gap.hpp"
 #include "detection/overlay.hpp"
 #include "experiment/csv.hpp"
+#include "experiment/stopwatch.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/cell_range.hpp"
 #include "studies/contact_poses.hpp"
@@ -94,19 +94,18 @@ SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, 
     const JudgedPose& judged = joint.poses[k];
     const Pose& pose = judged.pose;
     ++found.poses;
-    const auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     certify_ball(socket_ranges, ball.vertices, pose, ball_gaps);
     certify_socket(ball_ranges, socket.vertices, pose, socket_gaps);
-    const auto scanned = std::chrono::steady_clock::now();
+    found.seconds += watch.lap_s();
     found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
     found.vertices += count_verdicts(ball_gaps);
     found.vertices += count_verdicts(socket_gaps);
-    const auto resumed = std::chrono::steady_clock::now();
+    watch.lap_s();  // the counting is not of the method
     resolve_ball(socket, joint.overlay.socket_index(), ball.vertices, pose, ball_gaps);
     resolve_socket(ball, joint.overlay.ball_index(), socket.vertices, pose, socket_gaps);
-    const auto resolved = std::chrono::steady_clock::now();
+    found.seconds += watch.lap_s();
     found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
-    found.seconds += std::chrono::duration<double>((scanned - start) + (resolved - resumed)).count();
   }
   return found;
 }

@@ -2,7 +2,6 @@
 #include "studies/race_timing.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -11,19 +10,19 @@
 #include <benchmark/benchmark.h>
 
 #include "experiment/statistics.hpp"
+#include "experiment/stopwatch.hpp"
 
 namespace impinge {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr double kNanoseconds = 1e6;    // in a millisecond
 constexpr std::size_t kFirstBatch = 8;  // points that tell how long a batch will take
 
 template <class Work>
 double milliseconds(Work&& work) {
-  const auto start = Clock::now();
+  Stopwatch watch;
   work();
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return watch.lap_ms();
 }
 
 // One method between the rounds.

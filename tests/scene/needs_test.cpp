@@ -7,7 +7,7 @@
 
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/pairwise.hpp"
-#include "scene/measurement.hpp"
+#include "scene/planned_answer.hpp"
 #include "scene/question.hpp"
 
 namespace impinge {

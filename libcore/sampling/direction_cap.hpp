@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+// All directions within `radius` radians of a unit axis.
+struct DirectionCap {
+  Vec3 axis;            // unit vector
+  double radius = 0.0;  // radians
+};
+
+// Of unit vectors and their products, far above their rounding.
+inline constexpr double kDirectionSlack = 1e-12;
+
+}  // namespace impinge
