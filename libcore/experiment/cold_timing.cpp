@@ -6,6 +6,7 @@
 #include <random>
 
 #include <benchmark/benchmark.h>
+
 #include "experiment/stopwatch.hpp"
 
 namespace impinge {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a stretch of work takes on the wall clock. How often it is repeated, and in which order, is not decided
-// here (experiment/timing.hpp).
+// What a stretch of work takes on the wall clock. How often it is repeated, and in which order, is not
+// decided here (experiment/timing.hpp).
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/certified_study.hpp"
-#include "experiment/stopwatch.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,12 +9,12 @@
 
 #include "contenders/cgal_tree.hpp"
 #include "experiment/statistics.hpp"
+#include "experiment/stopwatch.hpp"
 #include "files/file_bytes.hpp"
 #include "reference/shadow.hpp"
 
 namespace impinge {
 namespace {
-
 
 constexpr double kMicrometres = 1000.0;  // in a millimetre
 
