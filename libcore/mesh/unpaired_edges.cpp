@@ -11,6 +11,9 @@ namespace impinge {
 namespace {
 
 constexpr std::size_t kAtOnce = 4;  // edges of a vertex that are compared without a loop: three are usual
+// Edges of a vertex that are gone through for each of them. Of the hub of a larger fan they count as
+// unpaired, so that the time stays linear.
+constexpr std::size_t kMostGoneThrough = 64;
 
 // A side of a face, as it runs through it once that it is turned round.
 struct Run {
@@ -52,7 +55,8 @@ Upwards upwards(const TriangleMesh& mesh, std::span<const std::int8_t> sides) {
   return all;
 }
 
-// Takes the one edge to `upper` from those of `lower`; false where there is none, or another one.
+// Takes the one edge to `upper` from those of `lower`; false where there is none, or another one, or where
+// there are too many to look.
 bool take(VertexIndex lower, VertexIndex upper, Upwards& all) {
   const std::uint32_t first = all.first[lower];
   const std::uint32_t count = all.first[lower + 1] - first;
@@ -65,6 +69,7 @@ bool take(VertexIndex lower, VertexIndex upper, Upwards& all) {
     own[std::countr_zero(hits)] = lower;
     return true;
   }
+  if (count > kMostGoneThrough) return false;
   const std::span many(own, count);
   if (std::ranges::count(many, upper) != 1) return false;
   *std::ranges::find(many, upper) = lower;

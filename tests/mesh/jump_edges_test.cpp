@@ -112,7 +112,7 @@ TEST(JumpEdges, OfAnyFaces) {
 
 // A body about the centre whose vertices have up to as many edges as it has others.
 TEST(JumpEdges, NoneOnAFan) {
-  for (const std::size_t around : {3U, 4U, 5U, 8U, 9U, 40U}) {
+  for (const std::size_t around : {3U, 4U, 5U, 8U, 9U, 40U, 64U, 65U, 100U}) {
     for (const bool ends_first : {true, false}) {
       TriangleMesh mesh;
       if (ends_first) mesh.vertices = {{0, 0, 20}, {0, 0, -20}};
@@ -144,6 +144,23 @@ TEST(JumpEdges, LowerEndsAreMarkedForThemAlone) {
   std::vector<bool> expected(mesh.vertices.size());
   for (const JumpEdge& jump : jump_edges(mesh)) expected[std::min(jump.from, jump.to)] = true;
   EXPECT_EQ(unpaired_lower_ends(mesh, sides), expected);
+}
+
+// The hubs of a large fan: the general matching sorts what begins there, and still finds no jump.
+TEST(JumpEdges, HubsAreLeftToTheGeneralMatching) {
+  TriangleMesh mesh{{{0, 0, 20}, {0, 0, -20}}, {}};
+  constexpr VertexIndex kAround = 65;
+  for (VertexIndex k = 0; k < kAround; ++k) {
+    const double angle = 2.0 * kPi * k / kAround;
+    mesh.vertices.emplace_back(20.0 * std::cos(angle), 20.0 * std::sin(angle), 0.0);
+    const VertexIndex next = 2 + (k + 1) % kAround;
+    mesh.faces.insert(mesh.faces.end(), {{2 + k, next, 0}, {next, 2 + k, 1}});
+  }
+  const std::vector<std::int8_t> sides(mesh.faces.size(), 1);
+  const std::vector<bool> unpaired = unpaired_lower_ends(mesh, sides);
+  EXPECT_TRUE(unpaired[0] && unpaired[1]);
+  EXPECT_EQ(std::ranges::count(unpaired, true), 2);
+  EXPECT_TRUE(jump_edges(mesh, sides).empty());
 }
 
 TEST(JumpEdges, EdgesOfSomeVertices) {
