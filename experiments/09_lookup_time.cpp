@@ -32,7 +32,6 @@ constexpr std::size_t kLookups = 20000;  // in one run
 constexpr std::size_t kChecked = 2000;   // of them, compared with what is known before anything is timed
 constexpr double kNearest = 20.0;        // mm
 constexpr double kFarthest = 30.0;       // mm
-constexpr double kNanoseconds = 1e6;     // in a millisecond
 const Vec3 kSlope(0.3, -0.5, 0.8);       // mm, of a body whose radius is kMean + kSlope . u
 constexpr double kMean = 25.0;           // mm
 
@@ -96,15 +95,9 @@ void body(DriverRun& run) {
   Result result;
   result.name = "lookup_time";
   result.question = "How long does one look-up take with each scheme?";
-  result.table.columns = timing_columns(keys);
-  result.table.columns.push_back({"median_ns", "ns", "the median for one look-up"});
+  result.table = medians_in_ns(keys, timed, "look-up");
   result.parameters = {
       {"lookups", kLookups}, {"directions", "random"}, {"distances_mm", {kNearest, kFarthest}}};
-  for (const Timing& timing : timed.timings) {
-    std::vector<Cell> row = timing_cells(timing);
-    row.emplace_back(kNanoseconds * timing.summary.median);
-    result.table.add_row(std::move(row));
-  }
   write_timed(run, result, keys, timed);
 }
 

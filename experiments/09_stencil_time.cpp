@@ -27,7 +27,6 @@ using namespace impinge;
 
 constexpr std::array<std::size_t, 2> kEntries{1000, 1000000};  // a search would take twice as many steps
 constexpr std::size_t kStencils = 20000;                       // in one run
-constexpr double kNanoseconds = 1e6;                           // in a millisecond
 
 std::vector<Vec3> directions(std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -82,14 +81,8 @@ void body(DriverRun& run) {
   Result result;
   result.name = "stencil_time";
   result.question = "Does finding the entries of a look-up take longer the more of them there are?";
-  result.table.columns = timing_columns(keys);
-  result.table.columns.push_back({"median_ns", "ns", "the median for one stencil"});
+  result.table = medians_in_ns(keys, timed, "stencil");
   result.parameters = {{"stencils", kStencils}, {"directions", "random"}};
-  for (const Timing& timing : timed.timings) {
-    std::vector<Cell> row = timing_cells(timing);
-    row.emplace_back(kNanoseconds * timing.summary.median);
-    result.table.add_row(std::move(row));
-  }
   write_timed(run, result, keys, timed);
 }
 

@@ -43,6 +43,18 @@ std::vector<Cell> timing_cells(const Timing& timing) {
   return row;
 }
 
+Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const std::string& unit) {
+  constexpr double kNanoseconds = 1e6;  // in a millisecond
+  Table table{timing_columns(std::move(key_columns)), {}};
+  table.columns.push_back({"median_ns", "ns", "the median for one " + unit});
+  for (const Timing& timing : run.timings) {
+    std::vector<Cell> row = timing_cells(timing);
+    row.emplace_back(kNanoseconds * timing.summary.median);
+    table.add_row(std::move(row));
+  }
+  return table;
+}
+
 std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms) {
   key.insert(key.end(), {median_ms, Cell(), 0, true});
   return key;

@@ -3,6 +3,7 @@
 // protocol.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +20,10 @@ std::vector<Column> timing_columns(std::vector<Column> key_columns);
 // Cells of such a row: key, median, IQR, rounds, no.
 std::vector<Cell> timing_cells(const Timing& timing);
 
-// The same for a value that was scaled from a smaller measurement: no IQR, no rounds, yes.
+// A table of these, one row a case, and the median of a unit of work once more in nanoseconds, as median_ns.
+Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const std::string& unit);
+
+// Cells of a row whose value was scaled from a smaller measurement: no IQR, no rounds, yes.
 std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms);
 
 // One row a round: the key of the case under the given columns, then round (from 1) and ms (a unit of work).

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests of Joint3D share: a browser that asks nobody for anything, and a page that is watched for faults.
+// What the tests of Joint3D share: its page in a browser, and what they do with it.
 "use strict";
 const assert = require("node:assert/strict");
-const path = require("node:path");
-const { pathToFileURL } = require("node:url");
-const { chromium } = require("../../analysis/node_modules/playwright-core");
-
-const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic",
-  "--no-first-run", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 40000; // ms: of a machine that does other things, too
+const { PATIENCE, address, faultsOf, launch } = require("./watched_page.cjs");
 
 /** A page at that size: { page, faults }. fragment: the state in its address. */
 async function open(browser, [width, height], fragment = "") {
   const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true });
   const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE);
-  const faults = [];
-  page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
-  page.on("pageerror", (error) => faults.push(error.message));
-  page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) faults.push(`asks for ${request.url()}`);
-  });
-  await page.goto(pathToFileURL(path.resolve(process.argv[2])).href + fragment);
+  const faults = faultsOf(page);
+  await page.goto(address() + fragment);
   await page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
   return { page, faults, close: () => context.close() };
 }
@@ -69,7 +57,7 @@ const overdue = () => new Promise((_, reject) => setTimeout(() => reject(new Err
 
 /** Runs the tests, each with the browser, and says which failed and why. Names after that of the page: these tests alone. */
 async function run(tests) {
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
+  const browser = await launch();
   let failed = 0;
   const [, , , ...names] = process.argv;
   const chosen = tests.filter(({ name }) => !names.length || names.includes(name));

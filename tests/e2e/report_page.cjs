@@ -2,25 +2,7 @@
 // report_page.cjs REPORT: uses the report in a real browser as a reader does. Prints what is wrong; exit code 1 if anything is.
 "use strict";
 const assert = require("node:assert/strict");
-const path = require("node:path");
-const { pathToFileURL } = require("node:url");
-const { chromium } = require("../../analysis/node_modules/playwright-core");
-
-const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic",
-  "--no-first-run", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 40000; // ms: of a machine that does other things, too
-
-async function watched(browser, width, height) {
-  const page = await browser.newPage({ viewport: { width, height } });
-  page.setDefaultTimeout(PATIENCE);
-  const faults = [];
-  page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
-  page.on("pageerror", (error) => faults.push(error.message));
-  page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) faults.push(`asks for ${request.url()}`);
-  });
-  return { page, faults };
-}
+const { address, faultsOf, launch } = require("./watched_page.cjs");
 
 const shownRows = (page) => page.locator("#verdicts tbody tr:not([hidden])").count();
 
@@ -142,11 +124,12 @@ async function figures(page) {
 }
 
 async function main() {
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
+  const browser = await launch();
   try {
     for (const [width, height] of [[1440, 900], [390, 844]]) {
-      const { page, faults } = await watched(browser, width, height);
-      await page.goto(pathToFileURL(path.resolve(process.argv[2])).href);
+      const page = await browser.newPage({ viewport: { width, height } });
+      const faults = faultsOf(page);
+      await page.goto(address());
       await filters(page);
       await exploring(page);
       await turning(page);

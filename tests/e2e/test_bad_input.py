@@ -17,13 +17,13 @@ import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bad_meshes import MESHES  # noqa: E402
 from bad_options import OPTIONS  # noqa: E402
+from generated_pair import GeneratedPair  # noqa: E402
 
 FIVE = ["ball.ply", "socket.ply", "gaps.csv", "distances.csv", "summary.json"]  # in the order of writing
 NOBODY = 65534
@@ -58,22 +58,13 @@ def bytes_of(folder: Path) -> dict[str, str]:
     return {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in folder.iterdir()}
 
 
-class BadInput(unittest.TestCase):
+class BadInput(GeneratedPair):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-bad-")
-        cls.root = Path(cls.folder.name)
+        super().setUpClass()
         cls.root.chmod(0o755)  # for a child that is nobody
         cls.program = cls.root / "scene"
         shutil.copy(os.environ["SCENE"], cls.program)
-        made = run(os.environ["MAKE_PAIR"], "--faces", 1000, "--out", cls.root / "pair")
-        assert made.returncode == 0, made.stderr
-        cls.ball = cls.root / "pair" / "ball.ply"
-        cls.socket = cls.root / "pair" / "socket.ply"
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def scene(self, *more, ball=None, socket=None, out=None, **keywords) -> subprocess.CompletedProcess:
         files = (

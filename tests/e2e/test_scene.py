@@ -12,9 +12,12 @@ import os
 import resource
 import signal
 import subprocess
-import tempfile
+import sys
 import unittest
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from generated_pair import GeneratedPair  # noqa: E402
 
 SCENE = os.environ["SCENE"]
 MAKE_PAIR = os.environ["MAKE_PAIR"]
@@ -25,20 +28,7 @@ def run(*arguments: str | Path, **keywords) -> subprocess.CompletedProcess:
     return subprocess.run([str(a) for a in arguments], capture_output=True, text=True, check=False, **keywords)
 
 
-class Scene(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-scene-")
-        cls.root = Path(cls.folder.name)
-        made = run(MAKE_PAIR, "--faces", 1000, "--out", cls.root / "pair")
-        assert made.returncode == 0, made.stderr
-        cls.ball = cls.root / "pair" / "ball.ply"
-        cls.socket = cls.root / "pair" / "socket.ply"
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
+class Scene(GeneratedPair):
     def scene(self, out: str, *more, ball=None, socket=None, **keywords) -> subprocess.CompletedProcess:
         return run(SCENE, "--ball", ball or self.ball, "--socket", socket or self.socket, "--out", self.root / out,
                    *more, **keywords)

@@ -14,6 +14,7 @@
 #include "mesh/io.hpp"
 #include "scene/cartilage_file.hpp"
 #include "scene/report.hpp"
+#include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -41,15 +42,6 @@ class Cartilage : public testing::Test {
     write_mesh(options.ball, made.ball);
     write_mesh(options.socket, made.socket);
     return options;
-  }
-
-  nlohmann::json run(const SceneOptions& options) {
-    const Joint joint = load_joint(options);
-    const Measurement measurement = measure(joint, options);
-    const nlohmann::json report = summary(options, joint, measurement);
-    require_writable_folder(options.out);
-    write_scene(options, joint, measurement, report);
-    return report;
   }
 
   test::TemporaryFolder folder_;
@@ -94,11 +86,11 @@ TEST_F(Cartilage, AnEvenMapIsOneThickness) {
   SceneOptions options = hip(hip_preset("patient_a"));
   options.motion = parse_motion("abduction=48.7");
   options.cartilage_mm = 3.0;
-  const auto uniform = run(options);
+  const auto uniform = test::run_scene(options);
   const std::string ball = read_bytes(options.out / "ball.ply");
   const std::string gaps = read_bytes(options.out / "gaps.csv");
   options.cartilage_map = file("x,y,z,thickness_mm\n9,0,0,3\n-9,0,0,3\n0,9,0,3\n");
-  const auto map = run(options);
+  const auto map = test::run_scene(options);
   EXPECT_TRUE(map["cartilage_mm"].is_null());
   EXPECT_EQ(map["cartilage_map"]["points"], 3);
   for (const char* surface : {"ball", "socket"}) {
@@ -115,7 +107,7 @@ TEST_F(Cartilage, AnEvenMapIsOneThickness) {
 TEST_F(Cartilage, AMapTouchesWhereItIsThickerThanTheGap) {
   SceneOptions options = hip({.joint_space = 3.0, .fossa_depth = 0.0});
   options.cartilage_map = file("x,y,z,thickness_mm\n0,9,0,8\n0,-9,0,0\n");
-  const auto report = run(options);
+  const auto report = test::run_scene(options);
   const TriangleMesh socket = read_mesh(options.socket);
   const std::vector<double> area = vertex_areas(socket);
   double expected = 0.0;
@@ -128,7 +120,7 @@ TEST_F(Cartilage, AMapTouchesWhereItIsThickerThanTheGap) {
 // The histogram holds the area of the surface; a joint space of 3 mm fills the bin from 3 mm, or that before
 // it where the table falls short of the mesh.
 TEST_F(Cartilage, GapsOfAHipAreInTheHistogram) {
-  const auto report = run(hip({.joint_space = 3.05, .fossa_depth = 0.0}));
+  const auto report = test::run_scene(hip({.joint_space = 3.05, .fossa_depth = 0.0}));
   const auto& histogram = report["gap_histogram"];
   EXPECT_EQ(histogram["first_mm"], -5.0);
   const auto& socket = histogram["socket"];
@@ -165,18 +157,18 @@ TEST_F(Cartilage, ABallThatPenetratesAllOverIsAnAnswer) {
   TriangleMesh ball = read_mesh(options.ball);
   for (Vec3& v : ball.vertices) v *= 1.1;
   write_mesh(options.ball, ball);
-  EXPECT_LT(run(options)["smallest_gap"]["gap_mm"], -1.0);
+  EXPECT_LT(test::run_scene(options)["smallest_gap"]["gap_mm"], -1.0);
 }
 
 TEST_F(Cartilage, BonesThatOverlapAsScannedAreWarnedOf) {
   const SceneOptions sound = hip({.joint_space = 2.0});
-  EXPECT_EQ(run(sound)["warnings"].dump().find("overlap as scanned"), std::string::npos);
+  EXPECT_EQ(test::run_scene(sound)["warnings"].dump().find("overlap as scanned"), std::string::npos);
   SceneOptions options = sound;
   options.centre = Vec3::Zero();
   TriangleMesh ball = read_mesh(options.ball);
   for (Vec3& v : ball.vertices) v += Vec3(-3.0, 0.0, 0.0);
   write_mesh(options.ball, ball);
-  EXPECT_NE(run(options)["warnings"].dump().find("overlap as scanned"), std::string::npos);
+  EXPECT_NE(test::run_scene(options)["warnings"].dump().find("overlap as scanned"), std::string::npos);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "reference/closest_point.hpp"
 #include "sampling/pairwise.hpp"
 #include "scene/report.hpp"
+#include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -36,15 +37,6 @@ class Scene : public ::testing::Test {
     return options;
   }
 
-  nlohmann::json run(const SceneOptions& options) {
-    const Joint joint = load_joint(options);
-    const Measurement measurement = measure(joint, options);
-    const nlohmann::json report = summary(options, joint, measurement);
-    require_writable_folder(options.out);
-    write_scene(options, joint, measurement, report);
-    return report;
-  }
-
   test::TemporaryFolder folder_;
 };
 
@@ -55,7 +47,7 @@ TriangleMesh opened_to_the_right(TriangleMesh socket) {
 
 TEST_F(Scene, ConcentricSpheresHaveTheirGapEverywhere) {
   SceneOptions options = joint_of(sphere(22.0, 20000), opened_to_the_right(cup(25.0, 80.0, 10000)));
-  const auto report = run(options);
+  const auto report = test::run_scene(options);
   EXPECT_LT((Vec3(report["centre"]["x"], report["centre"]["y"], report["centre"]["z"]) - kScanned).norm(),
             1e-3);
   EXPECT_NEAR(report["centre"]["radius_mm"], 22.0, 1e-3);
@@ -79,11 +71,11 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
   SceneOptions options = joint_of(pair.ball, pair.socket);
   options.centre = kScanned;
   options.axes = "ALS";
-  const auto at_rest = run(options);
+  const auto at_rest = test::run_scene(options);
   EXPECT_GT(at_rest["smallest_gap"]["gap_mm"], 3.5);
   EXPECT_EQ(at_rest["impingement"][0]["ball"]["vertices"], 0);
   options.motion = parse_motion("flexion=60");
-  const auto flexed = run(options);
+  const auto flexed = test::run_scene(options);
   EXPECT_NEAR(flexed["smallest_gap"]["gap_mm"], 4.0 - shape.cam_height, 0.05);
   EXPECT_GT(flexed["impingement"][0]["ball"]["vertices"], 0);
   EXPECT_TRUE(flexed["impingement"][0]["ball"]["clock_zones"].is_null()) << "this socket looks straight up";
@@ -91,7 +83,7 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
   const Vec3 direction = Vec3(where["x"], where["y"], where["z"]) - kScanned;
   EXPECT_NEAR(to_angles(direction).phi, 70.0 * kDegree, 5.0 * kDegree);
   options.motion = parse_motion("extension=60");
-  EXPECT_GT(run(options)["smallest_gap"]["gap_mm"], 3.5);
+  EXPECT_GT(test::run_scene(options)["smallest_gap"]["gap_mm"], 3.5);
 }
 
 // Every gap is within its bound of the gap to the mesh itself, found by rays.
@@ -135,7 +127,7 @@ TEST_F(Scene, DistancesHoldTheExactOnes) {
     EXPECT_GE(found.ball.distance[i].upper_mm, distance[i]);
     smallest = std::min(smallest, distance[i]);
   }
-  const auto report = run(options);
+  const auto report = test::run_scene(options);
   EXPECT_LE(report["euclidean_distance_mm"]["smallest_between"][0], smallest);
   const std::string csv = read_bytes(options.out / "distances.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm");
@@ -191,7 +183,7 @@ TEST_F(Scene, AnAccuracyChoosesThePrecision) {
 
 TEST_F(Scene, WritesTheFilesOfTheContract) {
   SceneOptions options = joint_of(sphere(22.0, 500), opened_to_the_right(cup(25.0, 80.0, 300)));
-  const auto report = run(options);
+  const auto report = test::run_scene(options);
   const std::string csv = read_bytes(options.out / "gaps.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "surface,vertex,x,y,z,gap_mm");
   const TriangleMesh ball = read_mesh(options.out / "ball.ply");
@@ -246,7 +238,7 @@ TEST_F(Scene, AThickSocketIsReportedAndItsNearLayerUsed) {
   for (const Face& f : outside.faces) wall.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
   wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
   SceneOptions options = joint_of(sphere(22.0, 2000), opened_to_the_right(wall));
-  const auto report = run(options);
+  const auto report = test::run_scene(options);
   EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.1);
   EXPECT_NEAR(report["socket"]["directions_met_more_than_once"], 0.5 * (1.0 - std::cos(80.0 * kDegree)),
               0.01);

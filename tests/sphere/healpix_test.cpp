@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sphere/largest_gap.hpp"
 #include "support/directions.hpp"
+#include "support/ring_order.hpp"
 
 namespace impinge {
 namespace {
@@ -50,19 +52,7 @@ TEST(Healpix, WeightsAreThoseOfTheHealpixSoftware) {
 }
 
 TEST(Healpix, RingsFollowOneAnother) {
-  for (const std::size_t nside : {1U, 2U, 3U, 18U}) {
-    const Healpix scheme = of_nside(nside);
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < scheme.rings(); ++k) {
-      const Ring ring = scheme.ring(k);
-      EXPECT_EQ(ring.first, next);
-      EXPECT_NEAR(scheme.ring_position(std::atan2(ring.polar.sin, ring.polar.cos)), static_cast<double>(k),
-                  1e-12);
-      for (std::size_t t = 0; t < ring.count; ++t) EXPECT_EQ(scheme.direction(next + t), ring.direction(t));
-      next += ring.count;
-    }
-    EXPECT_EQ(next, scheme.size());
-  }
+  for (const std::size_t nside : {1U, 2U, 3U, 18U}) test::expect_rings_in_order(of_nside(nside));
 }
 
 TEST(Healpix, CoveringRadiusIsTheLargestGap) {

@@ -11,6 +11,7 @@
 
 #include "sphere/largest_gap.hpp"
 #include "support/directions.hpp"
+#include "support/ring_order.hpp"
 
 namespace impinge {
 namespace {
@@ -31,17 +32,7 @@ TEST(OctahedralEqualArea, AxesAreEntries) {
 }
 
 TEST(OctahedralEqualArea, RingsFollowOneAnother) {
-  const auto scheme = OctahedralEqualArea::with_precision(5.0);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < scheme.rings(); ++k) {
-    const Ring ring = scheme.ring(k);
-    EXPECT_EQ(ring.first, next);
-    EXPECT_NEAR(scheme.ring_position(std::atan2(ring.polar.sin, ring.polar.cos)), static_cast<double>(k),
-                1e-12);
-    for (std::size_t t = 0; t < ring.count; ++t) EXPECT_EQ(scheme.direction(next + t), ring.direction(t));
-    next += ring.count;
-  }
-  EXPECT_EQ(next, scheme.size());
+  test::expect_rings_in_order(OctahedralEqualArea::with_precision(5.0));
 }
 
 // Every cell has the area 4 pi / (4 n^2): uniform directions meet each as often.
