@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <stdexcept>
 
 namespace impinge {
@@ -35,11 +34,20 @@ struct Spokes {
   std::vector<std::uint32_t> first;
 };
 
+// The faces of a mesh, in the place of a list of them.
+struct EveryFace {
+  std::size_t count;
+
+  std::size_t size() const { return count; }
+  std::size_t operator[](std::size_t k) const { return k; }
+};
+
 // Calls visit(half_edge, its ends) for those of the faces, if they have three corners, whose lower end is
 // wanted.
 template <class Faces, class Wanted, class Visit>
 void for_each_half_edge(const TriangleMesh& mesh, const Faces& faces, const Wanted& wanted, Visit&& visit) {
-  for (const std::size_t f : faces) {
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const std::size_t f = faces[k];
     if (!has_three_corners(mesh, mesh.faces[f])) continue;
     for (std::size_t side = 0; side < 3; ++side) {
       const Edge edge = ends(mesh, {f, side});
@@ -84,7 +92,7 @@ void for_each_edge_of(Spokes all, const std::function<void(std::span<const HalfE
 }  // namespace
 
 void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit) {
-  const auto faces = std::views::iota(std::size_t{0}, mesh.faces.size());
+  const EveryFace faces{mesh.faces.size()};
   for_each_edge_of(spokes_of(mesh, faces, [](VertexIndex) { return true; }), visit);
 }
 

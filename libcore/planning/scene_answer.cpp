@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "mesh/surface_vertices.hpp"
@@ -73,7 +72,8 @@ class Answering {
       static_cast<void>(std::ranges::all_of((*scan.vertices)[p], look_up));
     } else {
       answer_.cost.look_ups += mesh.vertices.size();
-      static_cast<void>(std::ranges::all_of(std::views::iota(std::size_t{0}, mesh.vertices.size()), look_up));
+      for (std::size_t v = 0; v < mesh.vertices.size() && look_up(v); ++v) {
+      }
     }
   }
 
