@@ -42,6 +42,7 @@ class StoredRim {
                                          : std::ranges::min(taps) / squared_edge;
   }
 
+  // mask_doubtful() would mark them again, and only takes longer.
   void drop_marked(std::vector<DoubtfulRim>& doubtful) const {
     std::erase_if(doubtful, [this](const DoubtfulRim& one) { return marked(one.reader.cell); });
   }
