@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // |table.radius_at(u) - radius of the mesh along u| <= at(u) <= everywhere(), and for tables of radii
-// at(u) <= error_bound_at(u), wherever the table has a surface.
+// at(u) <= error_bound_at(u), wherever the table has a surface. Every scheme: scheme_bounds_test.cpp.
 #include "sampling/direction_bounds.hpp"
 
 #include <algorithm>
@@ -15,9 +15,6 @@
 #include "sampling/exact_raster.hpp"
 #include "sampling/pairwise.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
-#include "sphere/schemes/fibonacci.hpp"
-#include "sphere/schemes/latitude_rows.hpp"
-#include "sphere/schemes/rsid.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -75,12 +72,6 @@ TEST(DirectionBounds, HoldInEveryDirectionForBothInterpolants) {
     of_radii<CubeGnomonic>(mesh);
     of_inverse_depths(mesh);
   }
-}
-
-TEST(DirectionBounds, HoldInEveryDirectionForOtherSchemes) {
-  of_radii<Rsid>(askew(cone()));
-  of_radii<Fibonacci>(askew(octahedron(20.0)));
-  of_radii<LatitudeRows>(askew(cone()));
 }
 
 TEST(DirectionBounds, ACellThatTheSearchHasNotMetSaysNothing) {

@@ -29,7 +29,7 @@ struct Scene {
 };
 
 std::vector<Scene> scenes() {
-  const BallSocketPair pair = make_ball_socket_pair(300);
+  const BallSocketPair pair = make_ball_socket_pair(120);
   return {{"ball", pair.ball, Layer::farthest},
           {"socket", pair.socket, Layer::nearest},
           {"offset sphere", sphere(22.0, 100, {12.0, 3.0, -9.0}), Layer::farthest}};
@@ -67,7 +67,7 @@ TEST(TableBound, HoldsAndIsTightForEverySchemeAndInterpolant) {
   for (const Scene& scene : scenes()) {
     for_each_scheme([&]<class S>() {
       const S scheme = S::with_precision(6.0);
-      const std::vector<Vec3> probes = test::bound_probes(scene.mesh, scheme, 1500);
+      const std::vector<Vec3> probes = test::bound_probes(scene.mesh, scheme, 300);
       const auto table = fill_exact(scene.mesh, scheme, scene.layer);
       expect_tight_bound(scene, table, probes);
       if constexpr (PlaneExactScheme<S>) expect_tight_bound(scene, InverseDepthTable<S>(table), probes);

@@ -119,17 +119,19 @@ TEST(ThesisRaster, EdgesBesideThePoleAreUnrolledTheRightWay) {
 }
 
 TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {
+  constexpr std::size_t kStep = 37;  // of the entries whose errors are looked at, in every column of the grid
   for (const std::size_t faces : {300U, 1000U, 3000U}) {
     for (const TriangleMesh& mesh :
          {sphere(22.0, faces), sphere(22.0, faces, {5.0, -4.0, 3.0}), make_ball_socket_pair(faces).ball}) {
       const Rsid scheme = Rsid::with_precision(1.0);
       const auto table = fill_thesis(mesh, scheme, Layer::farthest);
-      const auto oracle = fill_pairwise(mesh, scheme, Layer::farthest);
+      for (const double radius : table.radii()) ASSERT_FALSE(std::isnan(radius));
+      const RayCaster oracle(mesh);
       const double bound = thesis_raster_bound(mesh);
       double worst = 0.0;
-      for (std::size_t i = 0; i < scheme.size(); ++i) {
-        ASSERT_FALSE(std::isnan(table.radii()[i])) << i;
-        worst = std::max(worst, std::abs(table.radii()[i] - oracle.radii()[i]));
+      for (std::size_t i = 0; i < scheme.size(); i += kStep) {
+        const double exact = oracle.cast(scheme.direction(i), Layer::farthest);
+        worst = std::max(worst, std::abs(table.radii()[i] - exact));
       }
       EXPECT_LE(worst, bound);
       EXPECT_GE(worst, bound / 40.0) << "the bound says nothing";
