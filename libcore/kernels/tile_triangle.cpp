@@ -8,10 +8,21 @@
 namespace impinge {
 namespace {
 
-double extent(const SeenFace& seen) {
-  const auto [a, b, c] = seen.corners;
-  return std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) + std::max({a.y, b.y, c.y}) -
-         std::min({a.y, b.y, c.y});
+// Twice that of a face on the grid, above zero where the corners go round from x to y.
+struct SeenArea {
+  double value;
+  bool certain;  // are its sign, and what is divided by it?
+};
+
+SeenArea area_of(const SeenCorner& a, const SeenCorner& b, const SeenCorner& c, std::size_t divisions) {
+  const double part = (b.x - a.x) * (c.y - a.y);
+  const double other = (c.x - a.x) * (b.y - a.y);
+  const double area = part - other;
+  const double extent = std::max(std::max(a.x, b.x), c.x) - std::min(std::min(a.x, b.x), c.x) +
+                        std::max(std::max(a.y, b.y), c.y) - std::min(std::min(a.y, b.y), c.y);
+  const double error = place_error(divisions);
+  return {area, std::abs(area) * kMostThin > std::abs(part) + std::abs(other) &&
+                    std::abs(area) > 16.0 * error * (extent + error)};
 }
 
 double least_q(const SeenFace& seen) {
@@ -30,37 +41,22 @@ double q_at(const SeenFace& seen, const SeenPlane& plane, double x, double y) {
 }  // namespace
 
 SeenPlane plane_of(const SeenFace& seen, std::size_t divisions) {
-  const auto [a, b, c] = seen.corners;
+  const auto& [a, b, c] = seen.corners;
+  const SeenArea area = area_of(a, b, c, divisions);
+  if (!seen.projected || !area.certain) return {};
   const double x1 = b.x - a.x, y1 = b.y - a.y, q1 = b.q - a.q;
   const double x2 = c.x - a.x, y2 = c.y - a.y, q2 = c.q - a.q;
-  const double area = x1 * y2 - x2 * y1;
-  const double parts = std::abs(x1 * y2) + std::abs(x2 * y1);
-  const double error = place_error(divisions);
-  SeenPlane plane;
-  plane.clear = seen.projected && std::abs(area) * kMostThin > parts &&
-                std::abs(area) > 16.0 * error * (extent(seen) + error);
-  if (!plane.clear) return plane;
-  plane.side = area > 0.0 ? 1.0 : -1.0;
-  plane.q_x = (q1 * y2 - q2 * y1) / area;
-  plane.q_y = (x1 * q2 - x2 * q1) / area;
-  return plane;
+  return {(q1 * y2 - q2 * y1) / area.value, (x1 * q2 - x2 * q1) / area.value, area.value > 0.0 ? 1.0 : -1.0,
+          true};
 }
 
 std::int8_t side_of(const std::array<const SeenCorner*, 3>& corners, std::size_t divisions) {
   constexpr std::array<std::int8_t, 6> kWayRound{1, -1, -1, 1, 1, -1};  // of x and y beside the depth
   const auto [a, b, c] = corners;
-  const double part = (b->x - a->x) * (c->y - a->y);
-  const double other = (c->x - a->x) * (b->y - a->y);
-  const double area = part - other;
-  const double parts = std::abs(part) + std::abs(other);
-  const double width = std::max(std::max(a->x, b->x), c->x) - std::min(std::min(a->x, b->x), c->x);
-  const double height = std::max(std::max(a->y, b->y), c->y) - std::min(std::min(a->y, b->y), c->y);
-  const double error = place_error(divisions);
-  const bool certain =
-      std::abs(area) * kMostThin > parts && std::abs(area) > 16.0 * error * (width + height + error);
-  if (!certain) return 0;
+  const SeenArea area = area_of(*a, *b, *c, divisions);
+  if (!area.certain) return 0;
   const std::int8_t way = kWayRound[a->face];
-  return area > 0.0 ? way : static_cast<std::int8_t>(-way);
+  return area.value > 0.0 ? way : static_cast<std::int8_t>(-way);
 }
 
 GridWindow window_in(const CubeTile& tile, const GridWindow& window) {

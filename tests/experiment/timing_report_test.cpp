@@ -41,6 +41,15 @@ TEST(TimingReport, RowsHaveTheColumnsOfTheContract) {
             "pairwise,3000,20,10,3,no\npairwise,12000,320,,0,yes\n");
 }
 
+// A unit of work once more in nanoseconds: a million a millisecond.
+TEST(TimingReport, MediansAreInNanosecondsToo) {
+  const Table table = medians_in_ns({{"method", "", ""}, {"triangles", "1", ""}}, known_run(), "look-up");
+  EXPECT_EQ(to_csv(table),
+            "method,triangles,median_ms,iqr_ms,rounds,extrapolated,median_ns\n"
+            "rsid,3000,2,0,3,no,2e+06\npairwise,3000,20,10,3,no,2e+07\n");
+  EXPECT_EQ(table.columns.back().meaning, "the median for one look-up");
+}
+
 TEST(TimingReport, RecordsControlAndInconclusiveCases) {
   const nlohmann::json record = timing_record(known_run());
   EXPECT_EQ(record["control"]["case"], "rsid/3000");
