@@ -32,7 +32,7 @@ def main() -> None:
 
 
 def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
-    """One panel: a mark a joint, with what half a millimetre changes; an arrow where it is free."""
+    """One panel: a mark a joint, from end to end of where it is for any centre within half a millimetre."""
     for k, motion in enumerate(motion_limits.MOTIONS):
         if k % 2 == 0:
             axes.axhspan(k - 0.5, k + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
@@ -51,7 +51,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
         axes.errorbar(
             rows.limit_low_deg,
             y,
-            xerr=rows.uncertainty_deg.fillna(0),
+            xerr=reach(rows),
             linestyle="none",
             marker=looks[joint]["marker"],
             color=looks[joint]["color"],
@@ -65,6 +65,13 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
     axes.set_xticks(range(0, 181, 30))
     axes.grid(visible=False, axis="y")
     axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.13), ncol=2, columnspacing=1.0, handlelength=1.4)
+
+
+def reach(limits: pd.DataFrame) -> list[pd.Series]:
+    """What is to the left and to the right of each mark; nothing where the start is blocked, 180 where no end is known."""
+    low = limits.centre_low_deg.where(limits.state != "blocked", limits.limit_low_deg)
+    high = limits.centre_high_deg.where(limits.state != "blocked", limits.limit_low_deg).fillna(180)
+    return [limits.limit_low_deg - low, (high - limits.limit_low_deg).clip(lower=0)]
 
 
 common.run(main)

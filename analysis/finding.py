@@ -13,12 +13,14 @@ import pandas as pd
 import common
 
 COLUMNS = ["where", "claim", "computed", "evidence", "verdict", "source"]
-VERDICTS = ("holds", "wrong", "misprint", "imprecise")
+VERDICTS = ("holds", "wrong", "misprint", "imprecise", "inconclusive")
+ARITHMETIC = "no data: arithmetic with the thesis' own numbers"  # evidence of what needs no experiment
 
 
 def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> dict[str, str]:
     """One line of findings.csv. rest: holds (bool), otherwise (the verdict if it does not; wrong unless given),
-    and source, the key of a reference that the statement is held against.
+    source, the key of a reference that the statement is held against, and inconclusive: whether it rests on a timing
+    that was disqualified.
     """
     otherwise = str(rest.get("otherwise", "wrong"))
     if otherwise not in VERDICTS:
@@ -28,7 +30,7 @@ def finding(where: str, claim: str, computed: str, evidence: str, **rest: object
         "claim": claim,
         "computed": computed,
         "evidence": evidence,
-        "verdict": "holds" if rest["holds"] else otherwise,
+        "verdict": "inconclusive" if rest.get("inconclusive") else "holds" if rest["holds"] else otherwise,
         "source": str(rest.get("source", "")),
     }
 
@@ -46,6 +48,13 @@ def one(table: pd.DataFrame, column: str, **chosen: object) -> float:
     for key, value in chosen.items():
         table = table[table[key] == value]
     (value,) = table[column]
+    return value
+
+
+def printed(artefact: str, column: str, row: str) -> str:
+    """What the thesis prints there."""
+    values = common.thesis(artefact)
+    (value,) = values.value[(values.column == column) & (values.row == row)]
     return value
 
 

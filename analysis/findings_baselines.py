@@ -1,16 +1,95 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements about the methods that Section 3.6 compares with."""
+"""Statements about the methods that Chapter 2 and Section 3.6 compare with."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
-from finding import finding, load, rounded
+import pandas as pd
+
+import fast
+import timing
+from finding import ARITHMETIC, finding, load, one, rounded
+
+PATIENT = 12000  # triangles of each model, as the thesis' patient
+TABLE = "cube_gnomonic_mesh_exact"
+EXACT_UM = 1  # micrometres: nearer to the surface than any table of the thesis
 
 
 def rows(results: Path) -> list[dict]:
     """All of them."""
-    return [every_triangle(results), lost_triangles(results), field_memory(results)]
+    return [
+        grid_memory(),
+        no_distances(results),
+        tree_growth(results),
+        every_triangle(results),
+        lost_triangles(results),
+        field_memory(results),
+    ]
+
+
+def grid_memory() -> dict:
+    """Section 2.2.2."""
+    size = 1024**3 * 8
+    return finding(
+        "2.2.2",
+        "A distance field of 1024 x 1024 x 1024 in double takes 8 GB.",
+        f"{size:,} bytes: {size / 2**30:g} GiB, {size / 1e9:.2f} GB.",
+        ARITHMETIC,
+        holds=size == 8 * 2**30,
+    )
+
+
+def vertex_times(results: Path) -> pd.DataFrame:
+    """Time of a vertex of the ball by every way to find its gap, one thread, the widest instructions."""
+    table = fast.load(results)
+    table = table[(table.direction == "ball->socket") & (table.threads == 1)]
+    return table[table.instruction_set.isin(["none", fast.best_set(table)])]
+
+
+def doubtful(results: Path, *methods: str) -> bool:
+    """Whether a time of one of these at a size that is compared is disqualified."""
+    table = load(results, "fast")
+    return any(timing.disqualified(table, method, "ball->socket") for method in methods)
+
+
+def no_distances(results: Path) -> dict:
+    """Sections 2.2.1, 3.4 and 3.6.1."""
+    times = vertex_times(results)
+    times = times[times.triangles == PATIENT].set_index("method")
+    rays, closest = times.loc["embree_ray8"], times.loc["embree_closest"]
+    doubt = " (inconclusive times)" if doubtful(results, "embree_ray8", "embree_closest") else ""
+    return finding(
+        "2.2.1, 3.4, 3.6.1",
+        "Hierarchies of bounding volumes cannot give the distances between two surfaces.",
+        f"Embree's give them of every vertex at {PATIENT:,} triangles: along the ray to {rounded(1e3 * rays.error_um, 1)} nm in "
+        f"{rounded(rays.ns_vertex, 2)} ns a vertex, of the closest point in {rounded(closest.ns_vertex, 2)} ns{doubt}.",
+        "fast: error_um, ns_vertex",
+        holds=bool(rays.error_um > EXACT_UM),
+    )
+
+
+def tree_growth(results: Path) -> dict:
+    """Section 3.6.1, by the time of one of the n points."""
+    times = vertex_times(results)
+    cube = (times.method == TABLE) & (times.setting == "n=291") & (times.storage == "uint16")
+    small, large = times.triangles[cube].min(), PATIENT
+    tree, table = (
+        one(rows, "ns_vertex", triangles=large) / one(rows, "ns_vertex", triangles=small)
+        for rows in (times[times.method == "embree_ray8"], times[cube])
+    )
+    by_log = math.log(large) / math.log(small)
+    return finding(
+        "3.6.1",
+        "The distances of n points take O(n log n) with a tree, and O(n) with the table.",
+        f"From {small:,} to {large:,} triangles the time of a point grows by the factor {tree:.2f} with Embree's tree, where log n "
+        f"grows by {by_log:.2f}, and by {table:.2f} with a table of one size, which has to be filled first.",
+        "fast: ns_vertex",
+        holds=bool(tree < 1.5 * by_log and table < by_log),
+        otherwise="imprecise",
+        inconclusive=doubtful(results, "embree_ray8", TABLE),
+    )
 
 
 def generated(results: Path, method: str):
@@ -66,4 +145,8 @@ def field_memory(results: Path) -> dict:
         "baselines: bytes, build_ms, rms_error_mm",
         holds=bool(enough.bytes < field.bytes and enough.build_ms < field.build_ms),
         otherwise="imprecise",
+        inconclusive=any(
+            timing.disqualified(load(results, "baselines"), line.joint, line.method, line.setting, "build")
+            for line in (field, enough)
+        ),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import timing
 from finding import finding, load, rounded
 
 
@@ -35,6 +36,7 @@ def deforming(results: Path) -> dict:
         "claims: time in place, time anew",
         holds=min(gains) > 1,
         otherwise="imprecise",
+        inconclusive=timing.disqualified(load(results, "claims"), "deforming surface updated in place"),
     )
 
 

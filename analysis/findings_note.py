@@ -100,7 +100,7 @@ def equal_covering(results: Path) -> dict:
         "At equal covering radius the helix saves 34 to 35 %.",
         f"{saved.min():.1f} to {saved.max():.1f} % with tables as small as the covering allows, entries on the poles included.",
         "scheme_savings: saved_percent",
-        holds=saved.min() >= 33.5 and saved.max() < 35.5,
+        holds=(round(saved.min()), round(saved.max())) == (34, 35),
         otherwise="imprecise",
     )
 

@@ -31,6 +31,7 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
                 "bytes_per_entry": row.bytes_per_entry,
                 "thesis_mib": thesis.memory[f"{precision:g}deg"],
                 "measured_mib": row.bytes / MIB,
+                "filled_mib": row.filled_bytes / MIB,
             }
             for precision, row in ours(results, artefact).iterrows()
             if f"{precision:g}deg" in thesis.index
@@ -62,10 +63,11 @@ def latex(groups: list[tuple[str, int]], rows: list[list[str]]) -> str:
 
 
 def cells(line) -> list[str]:
-    """Entries and MiB of a line of compare(), thesis and here."""
+    """Entries and MiB of a line of compare(), thesis and here, and MiB once a rim mask is beside the radii."""
     return [
         f"{line.thesis_entries:,}",
         f"{line.measured_entries:,.0f}",
         line.thesis_mib,
         f"{line.measured_mib:,.3f}",
+        f"{line.filled_mib:,.3f}",
     ]

@@ -55,4 +55,15 @@ def text(row) -> str:
         return "free"
     if row.state == "blocked":
         return "blocked"
+    if row.state == "unknown":
+        return f"unknown beyond {row.limit_low_deg:.1f}"
     return f"{row.limit_low_deg:.1f}"
+
+
+def interval(row) -> str:
+    """The limit for every common centre within half a millimetre: both ends, or what is known of them."""
+    if row.state == "blocked":
+        return ""
+    if pd.isna(row.centre_high_deg):
+        return f"{row.centre_low_deg:.1f} or more"
+    return f"{row.centre_low_deg:.1f} to {row.centre_high_deg:.1f}"

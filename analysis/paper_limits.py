@@ -2,7 +2,9 @@
 """Numbers of the paper about limits of motion and phantoms.
 
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count, :widest (of a bracket, degrees),
-:joints, :uncertainty:least and :most (degrees, of half a millimetre; 5 % and 95 % of the contacts), :shift:most (mm,
+:joints, :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
+contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
+:unbounded (limits without a proven upper end), :hanging (limits that hang on less than that), :shift:most (mm,
 between the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit);
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
@@ -28,18 +30,24 @@ def limits(results: Path) -> dict[str, str]:
         found[f"limit:{row.joint}:{row.motion}"] = motion_limits.text(row)
         found[f"limit:{row.joint}:{row.motion}:clock"] = str(row.clock)
     every = common.load(results, "motion_limit_details")
-    width = (every.limit_high_deg - every.limit_low_deg).max()
+    brackets = every[every.state == "limited"]
+    width = (brackets.limit_high_deg - brackets.limit_low_deg).max()
     keys = ["joint", "motion"]
     both = table.merge(motion_limits.contacts(results, "socket"), on=keys, suffixes=("", "_socket"))
-    both = both[(both.state == "reached") & (both.state_socket == "reached")]
+    both = both[(both.state == "limited") & (both.state_socket == "limited")]
     moved = (both.limit_low_deg - both.limit_low_deg_socket).abs()
-    reached = table[table.state == "reached"].uncertainty_deg
+    limited = table[table.state == "limited"]
+    interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
         "limits:count": str(len(every)),
         "limits:joints": str(table.joint.nunique()),
         "limits:widest": f"{width:.7f}".rstrip("0").rstrip("."),
-        "limits:uncertainty:least": common.digits(reached.quantile(0.05), 2),
-        "limits:uncertainty:most": common.digits(reached.quantile(0.95), 2),
+        "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),
+        "limits:uncertainty:most": common.digits(limited.surface_deg.quantile(0.95), 2),
+        "limits:interval:median": common.digits(interval.median(), 2),
+        "limits:interval:most": common.digits(interval.max(), 2),
+        "limits:unbounded": str(int(interval.isna().sum())),
+        "limits:hanging": str(int(limited.hangs_on_less.sum())),
         "limits:shift:most": common.digits(both.shift_mm_socket.max(), 2),
         "limits:centre:median": common.digits(moved.median(), 2),
         "limits:centre:most": common.digits(moved.max(), 2),

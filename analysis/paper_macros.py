@@ -2,7 +2,8 @@
 """Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
 the timed data.
 
-Keys: count:VERDICT, count:ARTEFACT:VERDICT or :all; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
+Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once,
+count:again of those that it prints twice; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see the other modules paper_*.py), as scheme:usid:covering_constant;
@@ -29,7 +30,9 @@ import paper_limits
 import paper_race
 import paper_replay
 import paper_stability
+import strain
 import timing
+import verdict
 
 MACHINE = [
     "cpu",
@@ -46,20 +49,14 @@ MACHINE = [
 
 
 def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
-    """How often each verdict was given, and the values of each row."""
-    facts = {f"count:{name}": str(count) for name, count in verdicts.verdict.value_counts().items()}
-    facts |= {
-        f"count:{name}": "0"
-        for name in ("reproduced", "differs", "thesis-misprint")
-        if f"count:{name}" not in facts
-    }
-    facts["count:all"] = str(len(verdicts))
-    for artefact, rows in verdicts.groupby("artefact"):
-        facts |= {
-            f"count:{artefact}:{name}": str((rows.verdict == name).sum())
-            for name in ("reproduced", "differs", "thesis-misprint")
-        }
-        facts[f"count:{artefact}:all"] = str(len(rows))
+    """How often each verdict was given, each number once, and the values of each row."""
+    counted = verdict.counted(verdicts)
+    facts = {f"count:{name}": str((counted.verdict == name).sum()) for name in verdict.VERDICTS}
+    facts["count:all"] = str(len(counted))
+    facts["count:again"] = str(verdicts.rule.str.contains("the same number as|part of").sum())
+    for artefact, rows in counted.groupby("artefact"):
+        facts |= {f"count:{artefact}:{name}": str((rows.verdict == name).sum()) for name in verdict.VERDICTS}
+        facts[f"count:{artefact}:all"] = str((rows.verdict != "input").sum())
     for row in verdicts.itertuples():
         name = f"{row.artefact}:{row.row}:{row.column}"
         facts |= {
@@ -170,6 +167,7 @@ def main() -> None:
     facts |= paper_race.facts(options.results)
     facts |= paper_replay.facts(options.results)
     facts |= paper_stability.facts(options.results)
+    facts |= strain.facts(options.results)
     facts |= paper_baselines.facts(options.results)
     facts |= paper_limits.facts(options.results)
     for table in (timing.TABLE_8, timing.TABLE_9):  # they hold Tables 3 and 4

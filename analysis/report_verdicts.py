@@ -7,13 +7,15 @@ import html
 
 import pandas as pd
 
+import verdict
 from markup import cell, element
 from report_jobs import title_of
 
-MARKS = {"reproduced": "✓", "differs": "≠", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
+MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
     "reproduced": "came out again",
     "differs": "came out otherwise",
+    "inconclusive": "its timing was disqualified",
     "thesis-misprint": "wrong in the thesis",
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
@@ -34,9 +36,11 @@ def section(verdicts: pd.DataFrame, places: set[str]) -> str:
 
 
 def totals(verdicts: pd.DataFrame) -> str:
-    """How often each verdict was given."""
-    counts = verdicts.verdict.value_counts()
-    return element(
+    """How often each verdict was given, each number of the thesis once."""
+    counted = verdict.counted(verdicts)
+    counts = counted.verdict.value_counts()
+    left_out = f"{len(verdicts) - len(counted)} more rows are not counted: their rule says where their number is, or that there is none."
+    return element("p", left_out, class_="soft") + element(
         "ul",
         "".join(
             element(

@@ -10,7 +10,7 @@ def main() -> None:
     options = common.arguments(__doc__)
     lines = memory.compare(options.results, "table-2")
     rows = [[f"{line.precision_deg:g}\\textdegree", *memory.cells(line)] for line in lines.itertuples()]
-    latex = memory.latex([("entries", 2), ("memory, MiB", 2)], rows)
+    latex = memory.latex([("entries", 2), ("memory, MiB", 2), ("with rim", 1)], rows)
     common.write_table(options.out, "table-2", lines, latex)
 
 

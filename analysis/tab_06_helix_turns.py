@@ -24,7 +24,9 @@ def main() -> None:
                 "thesis_helix_turns": int(thesis.helix_turns[f"{precision:g}deg"]),
                 "measured_helix_turns": int(row.helix_turns),
                 "thesis_equator_points": int(thesis.equator_points[f"{precision:g}deg"]),
-                "measured_equator_points": row.equator_points,
+                "equator_points_by_formula": row.equator_points,
+                "counted_least": int(row.equator_least),
+                "counted_most": int(row.equator_most),
             }
             for precision, row in helix.iterrows()
             if f"{precision:g}deg" in thesis.index
@@ -34,12 +36,12 @@ def main() -> None:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """Turns and points, thesis and here."""
+    """Turns and points, thesis and here: a turn holds one more or less by where it begins."""
     rows = [
         f"{line.precision_deg:g}\\textdegree & {line.grid_equator_points:,} & {line.thesis_helix_turns:,} & "
         f"{line.measured_helix_turns:,} & {line.thesis_equator_points:,} & "
-        f"{line.measured_equator_points:,} \\\\"
-        for line in lines.astype({"measured_equator_points": int}).itertuples()
+        f"{line.counted_least:,} to {line.counted_most:,} \\\\"
+        for line in lines.itertuples()
     ]
     return common.tabular(
         "@{}lrrrrr@{}",
@@ -47,7 +49,7 @@ def latex(lines: pd.DataFrame) -> str:
             " & grid & \\multicolumn{2}{c}{turns $k$ of the helix} & "
             "\\multicolumn{2}{c}{its points at the equator} \\\\",
             "\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}",
-            "Precision & points & thesis & here & thesis & here \\\\",
+            "Precision & points & thesis & here & thesis & counted \\\\",
         ],
         rows,
     )

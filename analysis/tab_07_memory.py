@@ -13,20 +13,24 @@ def main() -> None:
     lines = memory.compare(options.results, "table-7")
     grid = memory.compare(options.results, "table-2")
     lines = lines.merge(
-        grid[["precision_deg", "thesis_mib", "measured_mib"]], on="precision_deg", suffixes=("", "_rsid")
+        grid[["precision_deg", "thesis_mib", "measured_mib", "filled_mib"]], on="precision_deg", suffixes=("", "_rsid")
     )
-    lines["saved_percent"] = 100 * (1 - lines.measured_mib / lines.measured_mib_rsid)
+    for kind in ("measured", "filled"):
+        lines[f"saved_{kind}_percent"] = 100 * (1 - lines[f"{kind}_mib"] / lines[f"{kind}_mib_rsid"])
     rows = [
         [
             f"{line.precision_deg:g}\\textdegree",
             *memory.cells(line),
             line.thesis_mib_rsid,
             f"{line.measured_mib_rsid:,.3f}",
-            f"{line.saved_percent:.1f}",
+            f"{line.filled_mib_rsid:,.3f}",
+            f"{line.saved_measured_percent:.1f}",
+            f"{line.saved_filled_percent:.1f}",
         ]
         for line in lines.itertuples()
     ]
-    groups = [("entries", 2), ("memory, MiB", 2), ("RSID, MiB", 2), ("saved, \\%", 1)]
+    groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
+    groups += [("RSID, MiB", 2), ("with rim", 1), ("saved, \\%", 1), ("with rim", 1)]
     common.write_table(options.out, "table-7", lines, memory.latex(groups, rows))
 
 

@@ -15,7 +15,7 @@ import common
 import finding
 
 # The thesis from front to back, then the note; those without a place stand between.
-FIRST, LATER = "findings_grid", ["findings_conchoid", "findings_claims", "findings_note"]
+FIRST, LATER = "findings_grid", ["findings_conchoid", "findings_slips", "findings_claims", "findings_note"]
 
 HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{50mm}
   >{\raggedright\arraybackslash}p{82mm}l@{}}

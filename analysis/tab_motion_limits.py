@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How far each joint turns until its surfaces touch, about the centre of the head and about that of the socket, with
-the clock position of the contact. From data/motion_limit_details.csv.
+the clock position of the contact, the interval that holds for every centre within half a millimetre, and where the gap
+first falls to that. From data/motion_limit_details.csv.
 """
 
 import pandas as pd
@@ -24,7 +25,9 @@ def main() -> None:
                 "motion": motion_limits.MOTIONS[row.motion],
                 "limit_deg": motion_limits.text(row),
                 "clock": "" if pd.isna(row.clock) else row.clock,
-                "plus_minus_deg": "" if pd.isna(row.uncertainty_deg) else f"{row.uncertainty_deg:.1f}",
+                "any_centre_deg": motion_limits.interval(row),
+                "half_mm_gap_deg": "" if pd.isna(row.half_mm_gap_deg) else f"{row.half_mm_gap_deg:.1f}",
+                "hangs_on_less": row.hangs_on_less,
                 "about_socket_centre_deg": "" if other is None else motion_limits.text(other),
             }
         )

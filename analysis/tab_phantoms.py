@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits and gaps of joints with closed forms: what the formula says, what was measured, and the bound on the
-difference. From data/phantoms.csv.
+"""Limits and gaps of joints with closed forms: what the formula says, what was measured, and what the difference
+keeps: a limit a target that was chosen, a gap a bound that is proven. From data/phantoms.csv.
 """
 
 import pandas as pd
@@ -17,13 +17,14 @@ def main() -> None:
 
 def latex(phantoms: pd.DataFrame) -> str:
     """A line a quantity."""
-    head = [r"phantom & quantity & closed form & measured & error & bound \\"]
+    head = [r"phantom & quantity & closed form & measured & error & target & bound \\"]
     lines = []
     for row in phantoms.itertuples():
         cells = [common.tex(row.phantom), common.tex(row.quantity)]
-        cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}", f"{row.bound:.5f}"]
+        cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}"]
+        cells += ["" if pd.isna(value) else f"{value:.5f}" for value in (row.target, row.bound)]
         lines.append(" & ".join(cells) + r" \\")
-    return common.tabular("llrrrr", head, lines)
+    return common.tabular("llrrrrr", head, lines)
 
 
 common.run(main)

@@ -12,6 +12,8 @@ MEASURES = [
     "iqr_ms",
     "rounds",
     "extrapolated",
+    "inconclusive",
+    "repeats",
     "gives_distance",
 ]  # every other column names the case
 

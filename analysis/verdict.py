@@ -3,14 +3,28 @@
 
 from __future__ import annotations
 
+import pandas as pd
+
 import common
 
 COLUMNS = ["artefact", "row", "column", "thesis", "measured", "unit", "rule", "tolerance", "verdict", "note"]
+VERDICTS = ("reproduced", "differs", "inconclusive", "thesis-misprint", "not-comparable", "input")
+NOT_COUNTED = "not counted: "  # how the rule begins of a row that no sum holds
 
 
 def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, object]:
     """One line of verdicts.csv; what is not given stays empty."""
     return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, **rest}
+
+
+def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
+    """The same line, left out of every sum: its number is counted elsewhere, or is none."""
+    return {**line, "rule": NOT_COUNTED + why, "tolerance": ""}
+
+
+def counted(rows: pd.DataFrame) -> pd.DataFrame:
+    """The rows that sums are made of: each number of the thesis once."""
+    return rows[~rows.rule.str.startswith(NOT_COUNTED)]
 
 
 def rounds_to(measured: float, printed: str) -> bool:
@@ -38,8 +52,8 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
     )
 
 
-def input_row(value) -> dict[str, object]:
-    """A value that the thesis takes from elsewhere and we take from it."""
+def input_row(value, rule: str = "given, not computed") -> dict[str, object]:
+    """A value that the thesis takes from elsewhere and we take from it, or that could not be another."""
     return row(
         value.artefact,
         value.row,
@@ -47,6 +61,6 @@ def input_row(value) -> dict[str, object]:
         thesis=value.value,
         measured=value.value,
         unit=value.unit,
-        rule="given, not computed",
+        rule=rule,
         verdict="input",
     )

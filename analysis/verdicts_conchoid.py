@@ -37,6 +37,9 @@ def table_10(angles: pd.DataFrame) -> list[dict]:
     lines = []
     for value in common.thesis("table-10").itertuples():
         i = int(value.row.removeprefix("i="))
+        if i == 0 or value.column == "original_angle":
+            lines.append(input_row(value, "given: rays at equal angles, of which the first is not turned"))
+            continue
         note = f"{exact[value.column][i]:.2f} by the exact length" if value.column in exact else ""
         lines.append(printed_row(value, ours[value.column][i], note))
     return lines
@@ -53,7 +56,7 @@ def section_5_1(angles: pd.DataFrame, shape: pd.Series, origins: pd.DataFrame) -
             values["conchoid", "quarter_length_over_b"], shape.closed_form_quarter_over_b, quarter_note(shape)
         ),
         largest_adjustment(values["conchoid", "largest_adjustment"], angles),
-        centre_claim(values["spacing", "centre_origin_excess"], origins.loc["cap_extent_middle"], origins),
+        centre_claim(values["spacing", "centre_origin_excess"], origins),
         origin_claim(values["spacing", "conchoid_origin_excess"], origins.loc["conchoid_origin"]),
     ]
 
@@ -80,19 +83,23 @@ def largest_adjustment(value, angles: pd.DataFrame) -> dict:
     return printed_row(value, moved.thesis_deg.min(), note)
 
 
-def claim_row(value, measured: float, reading: str, note: str) -> dict:
-    """A claim in tens of per cent under a named reading."""
-    good = abs(measured - float(value.value)) <= CLAIM_TOLERANCE
+def within(percent: float, value) -> bool:
+    """Whether it meets a claim in tens of per cent."""
+    return abs(percent - float(value.value)) <= CLAIM_TOLERANCE
+
+
+def claim_row(value, measured: str, verdict: str, rule: str, note: str) -> dict:
+    """A claim in tens of per cent."""
     return row(
         value.artefact,
         value.row,
         value.column,
         thesis=value.value,
-        measured=common.plain(measured),
+        measured=measured,
         unit=value.unit,
-        rule=f"within {CLAIM_TOLERANCE} percentage points, read as: {reading}",
+        rule=f"within {CLAIM_TOLERANCE} percentage points{rule}",
         tolerance=f"{CLAIM_TOLERANCE} percentage points",
-        verdict="reproduced" if good else "differs",
+        verdict=verdict,
         note=note,
     )
 
@@ -102,24 +109,24 @@ def excess(numerator: float, denominator: float) -> float:
     return 100 * (numerator / denominator - 1)
 
 
-def centre_claim(value, origin: pd.Series, origins: pd.DataFrame) -> dict:
-    """Segments in the middle against those at the bottom, from the centre of the object."""
-    others = origins.drop(index=["conchoid_origin", origin.name])
-    listed = ", ".join(
-        f"{excess(other.middle_mm_per_deg, other.apex_mm_per_deg):.1f} from {name.replace('_', ' ')}"
-        for name, other in others.iterrows()
-    )
-    note = (
-        "the thesis does not say which centre it means, and this one is taken because it meets the claim; others give "
-        f"{listed}; from this one the longest segments, {excess(origin.largest_mm_per_deg, origin.apex_mm_per_deg):.1f} % "
-        "longer than those at the apex, are at the rim"
-    )
+def centre_claim(value, origins: pd.DataFrame) -> dict:
+    """Segments in the middle against those at the bottom, from the centre of the object: it has one answer only if all
+    that may be meant by the centre agree.
+    """
+    centres = origins.drop(index="conchoid_origin")
+    found = {
+        name.replace("_", " "): excess(centre.middle_mm_per_deg, centre.apex_mm_per_deg)
+        for name, centre in centres.iterrows()
+    }
+    met = sum(within(percent, value) for percent in found.values())
+    listed = ", ".join(f"{percent:.1f} from {name}" for name, percent in found.items())
     return claim_row(
         value,
-        excess(origin.middle_mm_per_deg, origin.apex_mm_per_deg),
-        "many rays at equal angles from the middle of the cap's extent on its axis; middle is halfway from the apex "
-        "(bottom) to the rim",
-        note,
+        f"{min(found.values()):.1f} to {max(found.values()):.1f}",
+        "reproduced" if met == len(found) else "not-comparable" if met else "differs",
+        " from every point that the centre may be; not comparable where that depends on the point",
+        f"the thesis does not say which centre it means: {met} of {len(found)} meet the claim; {listed}; middle is halfway "
+        "from the apex (bottom) to the rim",
     )
 
 
@@ -132,9 +139,11 @@ def origin_claim(value, origin: pd.Series) -> dict:
         f"{excess(origin.middle_mm_per_deg, origin.rim_mm_per_deg):.1f} % longer than those at the top, either of "
         "which may be meant"
     )
+    longer = excess(origin.apex_mm_per_deg, origin.rim_mm_per_deg)
     return claim_row(
         value,
-        excess(origin.apex_mm_per_deg, origin.rim_mm_per_deg),
-        "many rays at equal angles from the conchoid's origin; bottom is the apex, top the rim at 90 degrees",
+        common.plain(longer),
+        "reproduced" if within(longer, value) else "differs",
+        ", read as: many rays at equal angles from the conchoid's origin; bottom is the apex, top the rim at 90 degrees",
         note,
     )

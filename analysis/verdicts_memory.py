@@ -7,13 +7,12 @@ from pathlib import Path
 
 import common
 import memory
-from verdict import printed_row, rounds_to
+from verdict import printed_row, rounds_to, row
 
 COLUMNS = {
     "lut_entries": ("entries", 1),
     "memory": ("bytes", memory.MIB),
     "helix_turns": ("helix_turns", 1),
-    "equator_points": ("equator_points", 1),
 }  # of lut_memory.csv, and what to divide by
 
 
@@ -24,10 +23,36 @@ def rows(results: Path) -> list[dict]:
         table = memory.ours(results, artefact)
         values = common.thesis(artefact)
         for value in values.itertuples():
+            line = table.loc[common.number(value.row)]
+            if value.column == "equator_points":
+                lines.append(equator_row(value, line))
+                continue
             name, divisor = COLUMNS[value.column]
-            measured = table[name][common.number(value.row)] / divisor
-            lines.append(printed_row(value, measured, **contradiction(value, values)))
+            extra = contradiction(value, values)
+            if value.column == "memory":
+                mask = f"{line.filled_bytes / memory.MIB:.4g} MiB with the rim mask of a filled table"
+                extra["note"] = "; ".join(filter(None, [extra.get("note"), mask]))
+            lines.append(printed_row(value, line[name] / divisor, **extra))
     return lines
+
+
+def equator_row(value, line) -> dict:
+    """Entries that were counted on the turns of the helix that cross the equator: they are not whole turns, so that there
+    is one more or less by where a turn begins.
+    """
+    least, most = int(line.equator_least), int(line.equator_most)
+    return row(
+        value.artefact,
+        value.row,
+        value.column,
+        thesis=value.value,
+        measured=f"{least}" if least == most else f"{least} to {most}",
+        unit=value.unit,
+        rule="one of the numbers that are counted on turns across the equator",
+        tolerance="none",
+        verdict="reproduced" if least <= int(value.value) <= most else "differs",
+        note=f"{line.equator_points:g} by the helix' own formula, which counts nothing",
+    )
 
 
 def contradiction(value, values) -> dict[str, str]:

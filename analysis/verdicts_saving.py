@@ -14,15 +14,18 @@ PRECISION = 1.0  # degrees
 
 
 def rows(results: Path) -> list[dict]:
-    """One, with the four meanings in its note."""
+    """One, with the other meanings in its note."""
     memory = common.load(results, "lut_memory")
-    memory = memory[memory.precision_deg == PRECISION].set_index("scheme").bytes
-    measured = 100 * (1 - memory[HELIX] / memory[GRID])
+    memory = memory[memory.precision_deg == PRECISION].set_index("scheme")
+    measured, filled = (
+        100 * (1 - memory[column][HELIX] / memory[column][GRID]) for column in ("bytes", "filled_bytes")
+    )
     savings = common.load(results, "scheme_savings")
     savings = savings[(savings.scheme == HELIX) & (savings.precision_deg == PRECISION)]
     saved = savings.set_index("meaning").saved_percent
     note = (
-        f"at equal spacing on the equator, at {PRECISION:g} deg; the limit for fine tables is 1 - 8/pi^2 = "
+        f"of the radii, at equal spacing on the equator, at {PRECISION:g} deg; {filled:.1f} % with the rim masks of filled "
+        f"tables; the limit for fine tables is 1 - 8/pi^2 = "
         f"{100 * (1 - 8 / math.pi**2):.1f} %. At equally wide gaps (covering radius) the helix saves "
         f"{saved.covering_radius:.1f} %, at equal interpolation error {saved.interpolation_p9999:.1f} % "
         f"(99.99th percentile) and {saved.interpolation_rms:.1f} % (root mean square): scheme_savings.csv"

@@ -13,10 +13,13 @@ from loading import load
 # How methods and schemes are called in a legend; one that is not here goes by its own name.
 LABELS = {
     "pairwise": "pairwise",
+    "pairwise_thesis": "pairwise, each pair by itself (thesis)",
     "rsid": "RSID",
     "rsid_thesis": "RSID, raster of the thesis",
+    "rsid_thesis_kept": "RSID, raster of the thesis, tables kept",
     "usid": "USID",
     "usid_thesis": "USID, resampled (thesis)",
+    "usid_thesis_kept": "USID, resampled (thesis), tables kept",
     "usid_pairwise": "USID, pairwise",
     "fcl_obb": "OBB tree (FCL)",
     "rapid": "OBB tree (RAPID)",

@@ -2,17 +2,23 @@
 // @question  How long does filling the two tables of a joint take? (Tables 3 and 8)
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
-// @seconds   105 550
+// @seconds   140 330
 // @links     experiment contenders
 //
-// The generated pair of 3,000 triangles a model. One run makes and fills the table of the ball and that of
-// the socket.
+// The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.
+// Tables are made, emptied, masked along their rim and freed within it, but for the methods that end in
+// _kept: there they are made once, and what is timed is drawing into them, as in the thesis.
+//
+// A pairwise filling does one test for each triangle and entry, so where all entries would take too long, a
+// part of them that is spread evenly over the table is timed, and scaled by their number.
 
 #include <array>
+#include <memory>
 
 #include <benchmark/benchmark.h>
 
 #include "contenders/fill_method.hpp"
+#include "contenders/kept_tables.hpp"
 #include "experiment/driver.hpp"
 #include "experiment/timing_report.hpp"
 
@@ -23,15 +29,33 @@ using namespace impinge;
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 3000;                // of each model
 constexpr std::size_t kChecked = 2000;                  // entries of a table, before it is timed
-constexpr double kTestSeconds = 2e-9;                   // a ray against a triangle, for the time left alone
-constexpr double kScaledFrom = 0.5;  // finest precision of a pairwise filling that scales to others
+constexpr double kCheckedAt = 6.0;                      // degrees, of the table of a slow filling
+constexpr double kTestSeconds = 1e-9;  // a ray against a prepared triangle, for the time left alone
+constexpr double kLong = 5e9;  // tests of a filling that is not run once more to find out how long it takes
+constexpr int kRoundsOfAPart = 9;  // of a pairwise filling
+
+// How many tests of a ray against a triangle a pairwise filling may take to be timed whole, and how many of
+// a larger one are timed in a round.
+struct PairwiseSize {
+  double most_whole;
+  double in_a_part;
+};
+
+int rounds_at(double precision) { return precision < 0.1 ? 5 : precision < 0.5 ? 9 : 15; }
+int rounds_by_grid(double precision) {
+  return precision < 0.1 ? 3 : precision < 0.5 ? 5 : 9;
+}  // seconds each
+
+std::vector<Cell> key_of(std::string_view method, double precision) {
+  return {method, precision, kTriangles};
+}
 
 template <SamplingScheme S>
 TimedCase make_case(const FillMethod<S>& method, const BallSocketPair& pair, double precision) {
   const S scheme = S::with_precision(precision);
   TimedCase timed;
-  timed.key = {method.name, precision, kTriangles};
-  timed.rounds = precision < 0.1 ? 5 : precision < 0.5 ? 9 : 15;
+  timed.key = key_of(method.name, precision);
+  timed.rounds = rounds_at(precision);
   timed.verify = [=, &pair] { require_filling(method, pair, scheme, kChecked); };
   timed.run = [=, &pair] {
     for_both_tables(method, pair, scheme,
@@ -42,62 +66,122 @@ TimedCase make_case(const FillMethod<S>& method, const BallSocketPair& pair, dou
   return timed;
 }
 
-// Every ray against every face. Fine tables take long and get few rounds.
-template <SamplingScheme S>
-TimedCase pairwise_case(const FillMethod<S>& method, const BallSocketPair& pair, double precision) {
-  TimedCase timed = make_case(method, pair, precision);
-  const auto tests = static_cast<double>(2 * kTriangles * S::with_precision(precision).size());
-  timed.rounds = precision < 0.1 ? 1 : precision < 0.5 ? 2 : 3;
-  if (precision < 0.5) timed.expected_s = kTestSeconds * tests;
+// Both fillings of tables that are there already; the first makes them.
+void add_kept(std::vector<TimedCase>& cases, const BallSocketPair& pair, double precision) {
+  const auto kept = std::make_shared<KeptTables>(pair, precision);
+  TimedCase grids;
+  grids.key = key_of("rsid_thesis_kept", precision);
+  grids.rounds = rounds_at(precision);
+  grids.verify = [=, &pair] { require_kept(*kept, pair, kChecked); };
+  grids.run = [=] {
+    kept->fill_grids();
+    benchmark::DoNotOptimize(kept->socket_grid().radii().data());
+  };
+  TimedCase helices = grids;
+  helices.key = key_of("usid_thesis_kept", precision);
+  helices.rounds = rounds_by_grid(precision);
+  helices.verify = nullptr;  // by the other
+  helices.run = [=] {
+    kept->fill_helices();
+    benchmark::DoNotOptimize(kept->socket_helix().radii().data());
+  };
+  cases.push_back(grids);
+  cases.push_back(helices);
+}
+
+// Rays against every triangle of both models: cast(u, layer) of the ball and of the socket. Fewer units than
+// one are a part of the entries.
+template <SamplingScheme S, class CastBall, class CastSocket>
+TimedCase rays_case(std::string_view name, double precision, const PairwiseSize& size, const CastBall& ball,
+                    const CastSocket& socket) {
+  const S scheme = S::with_precision(precision);
+  const auto tests = static_cast<double>(2 * kTriangles * scheme.size());
+  const bool whole = tests <= size.most_whole;
+  const std::size_t count =
+      whole ? scheme.size() : static_cast<std::size_t>(size.in_a_part / static_cast<double>(2 * kTriangles));
+  TimedCase timed;
+  timed.key = key_of(name, precision);
+  timed.units = static_cast<double>(count) / static_cast<double>(scheme.size());
+  timed.rounds = !whole ? kRoundsOfAPart : precision < 1.0 ? 3 : 5;
+  if (whole && tests > kLong) timed.expected_s = kTestSeconds * tests;
+  timed.run = [=] {
+    const double step = static_cast<double>(scheme.size()) / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vec3 u = scheme.direction(static_cast<std::size_t>(static_cast<double>(k) * step));
+      benchmark::DoNotOptimize(ball(u) + socket(u));
+    }
+  };
   return timed;
 }
 
-std::vector<TimedCase> make_cases(const BallSocketPair& pair, double finest_pairwise) {
+template <SamplingScheme S>
+TimedCase pairwise_case(std::string_view name, const BallSocketPair& pair, double precision,
+                        const PairwiseSize& size) {
+  const auto ball = std::make_shared<RayCaster>(pair.ball);
+  const auto socket = std::make_shared<RayCaster>(pair.socket);
+  return rays_case<S>(
+      name, precision, size, [=](const Vec3& u) { return ball->cast(u, Layer::farthest); },
+      [=](const Vec3& u) { return socket->cast(u, Layer::nearest); });
+}
+
+TimedCase thesis_pairwise_case(const BallSocketPair& pair, double precision, const PairwiseSize& size) {
+  TimedCase timed = rays_case<Rsid>(
+      kPairwiseThesis.name, precision, size,
+      [&pair](const Vec3& u) { return thesis_ray_radius(pair.ball, u, Layer::farthest); },
+      [&pair](const Vec3& u) { return thesis_ray_radius(pair.socket, u, Layer::nearest); });
+  timed.verify = [&pair] {
+    require_filling(kPairwiseThesis, pair, Rsid::with_precision(kCheckedAt), kChecked);
+  };
+  return timed;
+}
+
+std::vector<TimedCase> make_cases(const BallSocketPair& pair, bool quick) {
+  const PairwiseSize prepared{quick ? 2e9 : 4e10, 1e8};  // a nanosecond a test: 0.5 degrees whole, or 0.1
+  const PairwiseSize plain{quick ? 0.0 : 4e8, 1e7};      // eleven: none whole, or 1 degree
   std::vector<TimedCase> cases;
   for (const double precision : kPrecisions) {
-    if (precision >= finest_pairwise) cases.push_back(pairwise_case(kPairwise, pair, precision));
+    cases.push_back(pairwise_case<Rsid>("pairwise", pair, precision, prepared));
+    cases.push_back(thesis_pairwise_case(pair, precision, plain));
     cases.push_back(make_case(kRsidThesis, pair, precision));
     cases.push_back(make_case(kRsid, pair, precision));
-    if (precision >= kScaledFrom) cases.push_back(pairwise_case(kUsidPairwise, pair, precision));
+    cases.push_back(pairwise_case<Usid>("usid_pairwise", pair, precision, {2e9, prepared.in_a_part}));
     cases.push_back(make_case(kUsidThesis, pair, precision));
+    cases.back().rounds = rounds_by_grid(precision);
     cases.push_back(make_case(kUsid, pair, precision));
+    add_kept(cases, pair, precision);
   }
   return cases;
 }
 
-// The work of a pairwise filling is one test a triangle and entry, so its time scales with the entries.
-template <SamplingScheme S>
-void extrapolate(Table& table, const TimingRun& timed, const FillMethod<S>& method) {
-  const auto measured = static_cast<double>(S::with_precision(kScaledFrom).size());
-  const double median = find(timed, {method.name, kScaledFrom, kTriangles}).summary.median;
-  for (const double precision : kPrecisions) {
-    if (precision >= kScaledFrom) continue;
-    const auto entries = static_cast<double>(S::with_precision(precision).size());
-    table.add_row(extrapolated_cells({method.name, precision, kTriangles}, median * entries / measured));
-  }
-}
-
 void body(DriverRun& run) {
   const BallSocketPair pair = make_ball_socket_pair(kTriangles);
-  const TimingRun timed =
-      run_interleaved(make_cases(pair, run.quick() ? kScaledFrom : 0.0), {}, run.progress);
-  const std::vector<Column> keys{{"method", "",
-                                  "pairwise, usid_pairwise: every ray against every face; rsid_thesis, "
-                                  "usid_thesis: in short time, as the thesis; rsid, usid: exact raster"},
-                                 {"precision_deg", "deg", "spacing of the entries at the equator"},
-                                 {"triangles", "1", "triangles of each model"}};
+  const std::vector<TimedCase> cases = make_cases(pair, run.quick());
+  const TimingRun timed = run_interleaved(cases, {}, run.progress);
+  const std::vector<Column> keys{
+      {"method", "",
+       "pairwise, usid_pairwise: every ray against every face, prepared once a face; pairwise_thesis: the "
+       "plain test of each pair; rsid_thesis, usid_thesis: in short time, as the thesis; the same with "
+       "_kept: "
+       "into tables that are kept; rsid, usid: exact raster"},
+      {"precision_deg", "deg", "spacing of the entries at the equator"},
+      {"triangles", "1", "triangles of each model"}};
   Result result;
   result.name = "sampling_time";
   result.question = "How long does filling the two tables of a joint take?";
   result.table.columns = timing_columns(keys);
   result.parameters = {
       {"pair", "generated, default shape"},
-      {"counted", "making, filling and freeing the tables of ball and socket, in double"},
+      {"triangles_of_both", pair.ball.faces.size() + pair.socket.faces.size()},
+      {"counted", "making, filling, masking and freeing the tables of ball and socket, in double"},
+      {"counted_kept", "drawing into tables that are there: not made, emptied, masked or freed"},
+      {"counted_pairwise", "the rays alone"},
       {"extrapolation",
-       "finer than 0.5 degrees, by entries: usid_pairwise, and in the quick profile pairwise"}};
-  for (const Timing& timing : timed.timings) result.table.add_row(timing_cells(timing));
-  if (run.quick()) extrapolate(result.table, timed, kPairwise);
-  extrapolate(result.table, timed, kUsidPairwise);
+       "pairwise fillings that take too long: a part of the entries is timed, evenly spread"}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Timing& timing = timed.timings[i];
+    result.table.add_row(cases[i].units < 1.0 ? extrapolated_cells(timing.key, timing)
+                                              : timing_cells(timing));
+  }
   write_timed(run, result, keys, timed);
 }
 

@@ -329,7 +329,8 @@ def closing(results: Path, job: Job | None) -> None:
             print(f"{what:9}{results / name}")
     if (results / "verdicts.csv").is_file():
         with (results / "verdicts.csv").open(newline="") as file:
-            counts = collections.Counter(row["verdict"] for row in csv.DictReader(file))
+            rows = [row for row in csv.DictReader(file) if not row["rule"].startswith("not counted: ")]
+        counts = collections.Counter(row["verdict"] for row in rows)
         print("verdicts " + ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()))
 
 

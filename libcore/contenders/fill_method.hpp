@@ -9,6 +9,7 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "sampling/exact_raster.hpp"
 #include "sampling/resampled.hpp"
+#include "sampling/thesis_pairwise.hpp"
 #include "sphere/schemes/usid.hpp"
 
 namespace impinge {
@@ -18,13 +19,12 @@ template <SamplingScheme S>
 struct FillMethod {
   std::string_view name;                                         // in the results
   RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);  // mesh in the centre frame
-  // Proven bound on the error of an entry, mm, at a precision in degrees. None: the way is the oracle itself,
-  // and needs no check.
-  double (*tolerance)(const TriangleMesh&, double) = nullptr;
+  // Proven bound on the error of an entry, mm, at a precision in degrees.
+  double (*tolerance)(const TriangleMesh&, double);
   bool same_cover = false;  // does it fill the entries of the surface exactly, along its rim too?
 };
 
-// Of exact rasterisation: far above its rounding, mm.
+// Of what is exact but for rounding: far above its rounding, mm.
 inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   double radius = 0.0;
   for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
@@ -36,11 +36,12 @@ inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*
   return thesis_raster_bound(mesh);
 }
 
-inline constexpr FillMethod<Rsid> kPairwise{"pairwise", fill_pairwise<Rsid>};  // Tables 3 and 8
+// The rival of Tables 3 and 8, as described.
+inline constexpr FillMethod<Rsid> kPairwiseThesis{"pairwise_thesis", fill_thesis_pairwise<Rsid>,
+                                                  exact_tolerance, true};
 // Tables 3 and 8, as described.
 inline constexpr FillMethod<Rsid> kRsidThesis{"rsid_thesis", fill_thesis, raster_tolerance};
 inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};  // our exact raster
-inline constexpr FillMethod<Usid> kUsidPairwise{"usid_pairwise", fill_pairwise<Usid>};     // Table 8
 // Section 4.2.2.
 inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
 inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};  // our exact raster
@@ -58,7 +59,6 @@ void for_both_tables(const FillMethod<S>& method, const BallSocketPair& pair, co
 template <SamplingScheme S>
 void require_filling(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
                      std::size_t entries) {
-  if (method.tolerance == nullptr) return;
   for_both_tables(method, pair, scheme, [&](const auto& table, const TriangleMesh& mesh, Layer layer) {
     const double tolerance = method.tolerance(mesh, scheme.precision_deg());
     require_radii(table, mesh, layer, {entries, tolerance, method.same_cover});

@@ -80,11 +80,11 @@ float CapLimits::reach(int level) const {
   return std::bit_cast<float>(static_cast<std::uint32_t>(kWidest + 1 - level) << kQuarterOctave);
 }
 
-CapLimits::Limit CapLimits::look_up(int level, const Eigen::Vector3f& x) const {
+CapLimits::Limit CapLimits::look_up(int level, const Vec3& x) const {
   if (level == 0) return {overall(), HUGE_VALF};
   const auto step = static_cast<std::uint32_t>(steps_[static_cast<std::size_t>(level)]);
   const std::size_t cells = step & static_cast<std::uint32_t>(kMostLines);
-  const CubePlace at = cube_place(x.cast<double>());
+  const CubePlace at = cube_place(x);
   const auto line = [&](double place) {
     return static_cast<std::size_t>(std::lround(0.5 * (place + 1.0) * static_cast<double>(cells)));
   };

@@ -56,15 +56,13 @@ class CapLimits {
   };
   // The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
   // infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
-  Limit within(const Eigen::Vector3f& x, float angle) const {
+  Limit within(const Vec3& x, float angle) const {
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
     return look_up(std::clamp(level, 0, finest_), x);
   }
   float overall() const { return ladder().overall; }  // of all directions
   // In the direction of x.
-  float beside(const Vec3& x) const {
-    return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x.cast<float>()).radius;
-  }
+  float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
   // Of all levels.
   CapLadder ladder() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
 
@@ -72,7 +70,7 @@ class CapLimits {
 
  private:
   // At the entry nearest to x; see cube_place.hpp.
-  Limit look_up(int level, const Eigen::Vector3f& x) const;
+  Limit look_up(int level, const Vec3& x) const;
   float reach(int level) const;
 
   std::vector<std::int32_t> steps_;

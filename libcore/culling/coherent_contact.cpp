@@ -14,7 +14,6 @@ namespace {
 constexpr double kKept = 1.0 - 1e-6;   // of what is to spare, for the rounding of the clock
 constexpr std::size_t kFewProofs = 8;  // no beginning anew for so few more
 constexpr double kLongStep = 2.0;      // mm of the clock, after which little is left of any proof
-constexpr float kNoWidth = 2e-6F;      // radians, of a vertex: the rounding of its direction
 
 double least_radius(const CapTree& tree) {
   double least = kInfinity;
@@ -144,11 +143,10 @@ std::optional<std::uint32_t> CoherentContact::prove_vertices(Scan& scan, const C
   for (std::uint32_t k = 0; k < block.items[proof.lane]; ++k) {
     const std::uint32_t item = block.first[proof.lane] + k;
     const Vec3 x = move.place(culled.position(item));
-    const float width = x.isZero(0.0) ? HUGE_VALF : kNoWidth;
-    const CapLimits::Limit limit = culled.limits().within(x.cast<float>(), width);
+    const CapLimits::Limit limit = culled.limits().within(x, x.isZero(0.0) ? HUGE_VALF : 0.0F);
     const double gap = gap_beyond(static_cast<double>(limit.radius), x.norm(), culled.scanned());
     if (gap > 0.0) {
-      proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach - kNoWidth));
+      proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach));
       continue;
     }
     proof.due = scan.clock;

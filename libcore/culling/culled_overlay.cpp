@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "culling/culled_overlay.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,19 +12,6 @@
 
 namespace impinge {
 namespace {
-
-// One that is edge-on at rest may not be so where rounding moves it: it is always asked.
-std::vector<CapItem> items_of_all(const TriangleMesh& mesh) {
-  std::vector<CapItem> items;
-  items.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    const auto item = face_item(mesh, face);
-    const double high =
-        std::max({corner(mesh, face, 0).norm(), corner(mesh, face, 1).norm(), corner(mesh, face, 2).norm()});
-    items.push_back(item ? *item : CapItem{{Vec3::UnitZ(), kPi}, {0.0, high}});
-  }
-  return items;
-}
 
 // A moved face and the tree of the other surface.
 struct OverlayReach {
@@ -55,23 +41,28 @@ bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& vis
   return false;
 }
 
-// Orientations of the corners, in the order of the tree: exact ones take their time where a face is edge-on.
-std::vector<int> sides_of(const TriangleMesh& mesh, const CapTree& tree) {
-  std::vector<int> sides;
-  sides.reserve(mesh.faces.size());
-  for (const std::uint32_t f : tree.order()) {
-    const Face& face = mesh.faces[f];
-    sides.push_back(orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
-  }
-  return sides;
-}
-
 }  // namespace
 
+CulledOverlay::Faces CulledOverlay::faces_of(const TriangleMesh& mesh) {
+  std::vector<CapItem> items;
+  std::vector<Face> kept;
+  for (const Face& face : mesh.faces) {
+    const auto item = face_item(mesh, face);
+    if (!item) continue;
+    items.push_back(*item);
+    kept.push_back(face);
+  }
+  Faces found{CapTree(items), {}, {}};
+  for (const std::uint32_t f : found.tree.order()) {
+    const Face& face = kept[f];
+    found.faces.push_back(face);
+    found.sides.push_back(orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
+  }
+  return found;
+}
+
 CulledOverlay::CulledOverlay(const CulledJoint& joint)
-    : joint_(joint),
-      trees_{CapTree(items_of_all(joint.meshes().ball)), CapTree(items_of_all(joint.meshes().socket))},
-      sides_{sides_of(joint.meshes().ball, trees_[0]), sides_of(joint.meshes().socket, trees_[1])} {}
+    : joint_(joint), surfaces_{faces_of(joint.meshes().ball), faces_of(joint.meshes().socket)} {}
 
 const TriangleMesh& CulledOverlay::moved(std::size_t scan) const {
   return scan == 0 ? joint_.meshes().ball : joint_.meshes().socket;
@@ -82,32 +73,31 @@ bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Fac
   for (std::size_t k = 0; k < 3; ++k) moving.corner[k] = move.place(corner(moved(scan), face, k));
   const FaceIndex::SeenFace seen = see_face(moving.corner);
   moving.side = seen.side;
-  if (seen.side == 0) return false;
-  const CapTree& tree = trees_[1 - scan];
-  if (tree.blocks().empty()) return false;
-  return visit_reached({tree, seen, scan == 0}, 0, [&](std::uint32_t item) {
-    if (sides_[1 - scan][item] == 0) return false;
+  const Faces& rest = surfaces_[1 - scan];
+  if (rest.faces.empty()) return false;
+  return visit_reached({rest.tree, seen, scan == 0}, 0, [&](std::uint32_t item) {
     OverlayFace resting;
-    const Face& other = at_rest(scan).faces[tree.order()[item]];
-    for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), other, k);
-    resting.side = sides_[1 - scan][item];
+    for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), rest.faces[item], k);
+    resting.side = rest.sides[item];
     return scan == 0 ? reaches(moving, resting) : reaches(resting, moving);
   });
 }
 
 bool CulledOverlay::impinged(const Pose& pose) const {
   const std::array<CulledScan, 2>& scans = joint_.scans();
-  const PosedTrees posed{PosedTree{trees_[0], scans[0].limits(), CapMove(ScannedSurface::ball, pose)},
-                         PosedTree{trees_[1], scans[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const PosedTrees posed{
+      PosedTree{surfaces_[0].tree, scans[0].limits(), CapMove(ScannedSurface::ball, pose)},
+      PosedTree{surfaces_[1].tree, scans[1].limits(), CapMove(ScannedSurface::socket, pose)}};
   const auto touches = [&](const ScannedItem& at) {
-    const Face& face = moved(at.scan).faces[trees_[at.scan].order()[at.item]];
-    return reaches_any(at.scan, posed[at.scan].move, face);
+    return reaches_any(at.scan, posed[at.scan].move, surfaces_[at.scan].faces[at.item]);
   };
   return joint_.impinged(pose) || touching_item(posed, ItemQuestion(touches));
 }
 
 std::size_t CulledOverlay::bytes() const {
-  return trees_[0].bytes() + trees_[1].bytes() + sides_[0].size() + sides_[1].size();
+  std::size_t bytes = 0;
+  for (const Faces& of : surfaces_) bytes += of.tree.bytes() + of.faces.size() * (sizeof(Face) + sizeof(int));
+  return bytes;
 }
 
 }  // namespace impinge

@@ -15,8 +15,21 @@
 // sums of cos b cos(angle) and sin b sin(angle), with bounds of the latter two by their series.
 //
 // With the limit of the other surface over that cap (culling/cap_limits.hpp) the gap, S - |x| for vertices of
-// the ball and |x| - B for those of the socket, is bounded below. Rounding: all in floats, 6e-8 of high + T
-// an operation, against kNodeSlack and kSquareSlack; R is orthogonal to 1e-7.
+// the ball and |x| - B for those of the socket, is bounded below.
+//
+// Rounding. All is worked out in floats, e = 2^-24 of a result an operation, and what nearly cancels keeps
+// the rounding of its terms: slacks are shares of the terms, never of a result.
+// Direction. The middle, R in floats times a times mean, plus t, is off by 3 roundings of a product of three
+// terms and 3 more a component, in all by 11 e mean + 2 e T, and mean <= 2 low, T < low: 24 e low =
+// 1.5e-6 low. It is low - T or more long, so that it turns by 1.5e-6 low / (low - T) at most. The angle has
+// kNodeSlack low / (low - T) in it, six times as much, and low less kNodeSlack of itself in the denominator
+// for its own rounding.
+// Length. a and o in floats and their product: w.o is off by 5 e T. (T sin b)^2 = T^2 - (T cos b)^2 is then
+// off by 16 e T^2 at most, a quarter of the kSquareSlack T^2 that is added to it. So T cos(b - angle), which
+// moves by no more than T cos b does unless the sine moves it, is below its bound but for 12 e T; a cap that
+// only just holds the direction of o adds 8 e T. In |x|^2 that is 40 e s T <= 20 e (s^2 + T^2), and its own
+// squares and sums add 13 e (s^2 + T^2) at most: 2e-6 (s^2 + T^2), half of kSquareSlack. R is orthogonal to
+// 1e-7 in doubles, or the rest is not enough. Places of vertices in doubles are off by 2e-16 (s + T).
 #pragma once
 
 #include <array>
@@ -28,7 +41,7 @@
 
 namespace impinge {
 
-inline constexpr float kSquareSlack = 4e-6F;  // of a squared length
+inline constexpr float kSquareSlack = 4e-6F;  // of the squared lengths that are summed
 
 // Of the nodes of a block.
 struct MovedCaps {

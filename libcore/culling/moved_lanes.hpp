@@ -22,14 +22,17 @@ inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::siz
   return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
 }
 
-// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger. Sums of so many terms of
-// a series whose signs change are above or below sine and cosine of any angle.
+// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger but by the rounding that
+// gap_bounds.hpp counts. Sums of so many terms of a series whose signs change are above or below sine and
+// cosine of any angle. T sin b is rounded upwards: where o is along the axis all digits of it are lost, and
+// where o points against it the sine decides.
 inline float most_along(float along, float angle, float shift) {
   const float square = angle * angle;
   const float low = 1.0F - 0.5F * square;
   const float high = low + square * square * (1.0F / 24.0F);
   const float sine = angle * (1.0F - square * (1.0F / 6.0F) * (1.0F - square * (1.0F / 20.0F)));
-  const float across = std::sqrt(larger(shift * shift - along * along, 0.0F));
+  const float rest = larger(shift * shift - along * along, 0.0F);
+  const float across = std::sqrt(rest + kSquareSlack * (shift * shift));
   const float edge = along * (along > 0.0F ? high : low) + across * sine;
   return along >= low * shift ? shift : smaller(edge, shift);
 }
@@ -44,14 +47,13 @@ inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k
   const float high = block.high[k];
   if constexpr (kScanned == ScannedSurface::ball) {
     const float twice = 2.0F * most_along(along, block.angle[k], shift);
-    const float most = larger(low * (low + twice), high * (high + twice));
-    return std::sqrt((most + square) * (1.0F + kSquareSlack));
+    const float most = larger(low * (low + twice), high * (high + twice)) + square;
+    return std::sqrt(larger(most + kSquareSlack * (high * high + square), 0.0F));
   } else {
     const float least_along = -most_along(-along, block.angle[k], shift);
     const float nearest = smaller(larger(-least_along, low), high);
     const float least = nearest * (nearest + 2.0F * least_along) + square;
-    const float slack = kSquareSlack * (nearest * nearest + square);
-    return std::sqrt(larger(least - slack, 0.0F));
+    return std::sqrt(larger(least - kSquareSlack * (nearest * nearest + square), 0.0F));
   }
 }
 

@@ -40,13 +40,13 @@ bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec
 }
 
 bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x) {
-  return x.isZero(0.0) ? index.size() > 0 : meets(surface, index, x, -1);
+  return x.isZero(0.0) ? !index.empty() : meets(surface, index, x, -1);
 }
 
 bool on_or_beyond(const NearFaces& surface, const Vec3& x) { return !x.isZero(0.0) && meets(surface, x, 1); }
 
 bool on_or_within(const NearFaces& surface, const Vec3& x) {
-  return x.isZero(0.0) ? !surface.mesh().faces.empty() : meets(surface, x, -1);
+  return x.isZero(0.0) ? !surface.empty() : meets(surface, x, -1);
 }
 
 }  // namespace impinge

@@ -4,8 +4,8 @@
 // What is exact. The input is the mesh and the point x as they stand in doubles: a vertex that a pose has
 // moved is first rounded to doubles by to_socket() or to_ball(), and these doubles are the point. Whether
 // the ray of x meets a face, boundary included, is a sign of orientation(), and whether x lies beyond the
-// face is one of plane_side(): no rounding enters the answer, however close x is. Faces whose plane holds the
-// centre cover no direction, as everywhere in this library.
+// face is one of plane_side(): no rounding enters the answer, however close x is. Which faces count, and what
+// a point at the centre means, is said in detection/overlay.hpp.
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"
@@ -19,7 +19,7 @@ namespace impinge {
 bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
 
 // Is x on some face of the surface or on the near side of it? For a vertex of the socket, in the ball frame,
-// this is a gap of zero or less. Always at the centre, unless the surface has no faces.
+// this is a gap of zero or less. Always at the centre, if a face counts.
 bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
 
 // The same with an index that is made sooner and looks at fewer faces.

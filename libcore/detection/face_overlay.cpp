@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "detection/face_overlay.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include "sphere/triangle_cone.hpp"
@@ -22,6 +24,25 @@ double distance_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
+// The centre is within a triangle in whose plane it lies where it is on one side of all its sides: a x b, b x
+// c and c x a, of which orientation() has the components, point one way. They all vanish where the corners
+// are on one line with the centre, which is then between two of them.
+bool holds_centre(const OverlayFace& face) {
+  const auto& c = face.corner;
+  bool on_line = true;
+  bool aside = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 unit = Vec3::Unit(axis);
+    const auto [least, most] = std::minmax(
+        {orientation(c[0], c[1], unit), orientation(c[1], c[2], unit), orientation(c[2], c[0], unit)});
+    if (least < 0 && most > 0) return false;
+    on_line = on_line && least == 0 && most == 0;
+    const auto [low, high] = std::minmax({c[0][axis], c[1][axis], c[2][axis]});
+    aside = aside || low > 0.0 || high < 0.0;
+  }
+  return !on_line || !aside;
+}
+
 double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point) {
   const Vec3& a = ball.corner[point.ball];
   const Vec3& c = socket.corner[point.socket];
@@ -30,6 +51,8 @@ double depth_at(const OverlayFace& ball, const OverlayFace& socket, const Overla
       return a.norm() - cone_of(socket).radius(a.normalized());
     case OverlayKind::socket_corner:
       return cone_of(ball).radius(c.normalized()) - c.norm();
+    case OverlayKind::centre:
+      return std::max({ball.corner[0].norm(), ball.corner[1].norm(), ball.corner[2].norm()});
     case OverlayKind::crossing:
       break;
   }

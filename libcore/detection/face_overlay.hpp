@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One face of the ball over one face of the socket, as the centre sees them.
+// One face of the ball over one face of the socket, as the centre of one of them sees them.
 //
-// Along a direction u the plane of a face has 1 / r = q.u, with one vector q for each face. So 1 / S - 1 / B
-// is linear in u over the directions that both faces cover, a convex cone, and the ball reaches the socket (B
-// >= S, 1 / S - 1 / B >= 0) somewhere in it exactly if it does so along one of its edges. Those are
-// directions through
+// Does the ball's face X reach the socket's face Y: is there x = s y with x in X, y in Y, s >= 1? Along a
+// direction u the plane of a face has 1 / r = q.u, with one vector q for each face. So 1 / S - 1 / B is
+// linear in u over the directions that both faces cover, a convex cone, and the ball reaches the socket (B
+// >= S, so that the difference is not negative) somewhere in it exactly if it does so along one of its edges.
+// Those are directions through
 //   a corner of the ball's face over the socket's,
 //   a corner of the socket's face over the ball's,
 //   a crossing of an edge of one and an edge of the other.
 // Each is decided by exact signs (sphere/plane_side.hpp).
+//
+// The face at rest is never edge-on (detection/overlay.hpp). One that a pose makes edge-on as this centre
+// sees it covers no direction, so that nothing is over it, but it reaches or is reached like any other: along
+// a ray of its plane it is farthest from the centre on a side, and nearest on a side too, but where it holds
+// the centre. A side is over a sector of its plane, and over what the other face covers of that sector the
+// difference is linear again, so that its ends decide: a corner over the other face, or a crossing with a
+// side of it. (A side in the same plane changes nothing: its ends belong to other sides, which cross.) A face
+// of the socket that holds the centre of the ball is within any face of the ball, s growing beyond all bounds
+// as y comes to the centre; a face of the ball that holds the centre of the socket is beyond another only
+// with its sides.
 #pragma once
 
 #include <array>
@@ -19,14 +30,17 @@
 
 namespace impinge {
 
-// Corners in a centre frame, mm, and their orientation, which is not zero.
+// Corners in a centre frame, mm, and their orientation.
 struct OverlayFace {
   std::array<Vec3, 3> corner;  // as the face has them
-  int side = 0;                // orientation of the corners
+  int side = 0;                // orientation of the corners; 0 only for one that a pose has moved
 };
 
-// Which of the three directions above it is.
-enum class OverlayKind { ball_corner, socket_corner, crossing };
+// Does a face that is edge-on hold the centre, its boundary included? Exact.
+bool holds_centre(const OverlayFace& face);
+
+// Which of the three directions above it is, or that the face of the socket holds the centre.
+enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
 
 // A direction at which the gap over two faces may be smallest.
 struct OverlayPoint {
@@ -36,23 +50,26 @@ struct OverlayPoint {
   std::size_t socket = 0;  // likewise of the socket's face
 };
 
-// Calls visit(point) for each of them until it returns true; returns whether it did.
+// Calls visit(point) for each of them until it returns true; returns whether it did. The face that is at rest
+// has a side other than 0.
 template <class Visit>
 bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& visit) {
   const auto beyond = [](const OverlayFace& face, const Vec3& x) {
     return face.side * plane_side(face.corner[0], face.corner[1], face.corner[2], x);
   };
+  const auto over = [](const Vec3& x, const OverlayFace& face) {
+    return face.side != 0 && place_in_cone(face.corner, face.side, x) >= 0;
+  };
+  if (socket.side == 0 && holds_centre(socket) && visit(OverlayPoint{OverlayKind::centre, 1, 0, 0}))
+    return true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& x = ball.corner[k];
-    if (place_in_cone(socket.corner, socket.side, x) >= 0 &&
-        visit(OverlayPoint{OverlayKind::ball_corner, beyond(socket, x), k, 0}))
+    if (over(x, socket) && visit(OverlayPoint{OverlayKind::ball_corner, beyond(socket, x), k, 0}))
       return true;
   }
   for (std::size_t l = 0; l < 3; ++l) {
     const Vec3& y = socket.corner[l];
-    if (place_in_cone(ball.corner, ball.side, y) >= 0 &&
-        visit(OverlayPoint{OverlayKind::socket_corner, -beyond(ball, y), 0, l}))
-      return true;
+    if (over(y, ball) && visit(OverlayPoint{OverlayKind::socket_corner, -beyond(ball, y), 0, l})) return true;
   }
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t l = 0; l < 3; ++l) {
@@ -64,13 +81,13 @@ bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& v
   return false;
 }
 
-// Is there a direction in which both faces lie and the ball's is as far from the centre as the socket's, or
-// farther? Exact.
+// Does the ball's face reach the socket's? Exact.
 inline bool reaches(const OverlayFace& ball, const OverlayFace& socket) {
   return visit_overlay(ball, socket, [](const OverlayPoint& point) { return point.order >= 0; });
 }
 
 // Ball radius minus socket radius at that point, mm, in floating point: how deep the ball is in the socket.
+// At the centre, where any direction is meant, the farthest corner of the ball's face.
 double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point);
 
 }  // namespace impinge

@@ -12,7 +12,12 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-constexpr int kMostHalvings = 8;  // of a face that is larger than the reach of an index
+// Of a face that is larger than the reach of an index: no more than make as many pieces as there are faces.
+int most_halvings(const FaceIndex& index) {
+  int halvings = 0;
+  while (halvings < 8 && (std::size_t{1} << (2 * halvings)) < index.size()) ++halvings;
+  return halvings;
+}
 
 Corners corners_of(const std::vector<Vec3>& vertices, const Face& face) {
   return {vertices[face[0]], vertices[face[1]], vertices[face[2]]};
@@ -58,21 +63,28 @@ bool visit_candidates(const RestSurface& rest, const Corners& piece, int halving
   return std::ranges::any_of(all, visit);
 }
 
-// Caps of at most a quarter turn each that are farther apart than both their radii share no direction.
+// Caps of at most a quarter turn each that are farther apart than both their radii share no direction. An
+// angle is no less than its chord, which tells the smallest angles, too.
 bool caps_apart(const DirectionCap& a, const DirectionCap& b) {
   if (a.radius >= 0.5 * kPi || b.radius >= 0.5 * kPi) return false;
-  return a.axis.dot(b.axis) < std::cos(a.radius + b.radius + kCapSlack);
+  return (a.axis - b.axis).norm() > a.radius + b.radius;
 }
 
-// Calls visit(ball face, socket face) for every pair that may impinge, the vertices of the other surface
-// being where the pose has put them, until it returns true.
+// The other surface: its vertices are where the pose has put them, its index is that of the surface at rest.
+struct MovedSurface {
+  const std::vector<Vec3>& vertices;
+  const std::vector<Face>& faces;
+  const FaceIndex& index;
+};
+
+// Calls visit(ball face, socket face) for every pair that may impinge, until it returns true.
 template <class Visit>
-bool visit_pairs(const RestSurface& rest, const std::vector<Vec3>& moved, const std::vector<Face>& faces,
-                 const Visit& visit) {
-  return std::ranges::any_of(faces, [&](const Face& face) {
-    const Corners corners = corners_of(moved, face);
+bool visit_pairs(const RestSurface& rest, const MovedSurface& moved, const Visit& visit) {
+  const int halvings = most_halvings(rest.index);
+  for (std::size_t m = 0; m < moved.faces.size(); ++m) {
+    if (moved.index.face(m).side == 0) continue;
+    const Corners corners = corners_of(moved.vertices, moved.faces[m]);
     const FaceIndex::SeenFace seen = see_face(corners);
-    if (seen.side == 0) return false;
     auto pair = [&](std::uint32_t f) {
       const FaceIndex::SeenFace& other = rest.index.face(f);
       if (other.side == 0 || !may_reach(rest, seen.range, other.range) || caps_apart(seen.cap, other.cap))
@@ -81,8 +93,9 @@ bool visit_pairs(const RestSurface& rest, const std::vector<Vec3>& moved, const 
       const OverlayFace resting{corners_of(rest.mesh.vertices, rest.mesh.faces[f]), other.side};
       return rest.is_socket ? visit(moving, resting) : visit(resting, moving);
     };
-    return visit_candidates(rest, corners, kMostHalvings, pair);
-  });
+    if (visit_candidates(rest, corners, halvings, pair)) return true;
+  }
+  return false;
 }
 
 // Pairs of (1) and then those of (2).
@@ -91,12 +104,14 @@ bool visit_both(const SurfaceOverlay& joint, const Pose& pose, const Visit& visi
   std::vector<Vec3> moved(joint.ball().vertices.size());
   std::ranges::transform(joint.ball().vertices, moved.begin(),
                          [&](const Vec3& x) { return to_socket(pose, x); });
-  if (visit_pairs({joint.socket(), joint.socket_index(), true}, moved, joint.ball().faces, visit))
+  if (visit_pairs({joint.socket(), joint.socket_index(), true},
+                  {moved, joint.ball().faces, joint.ball_index()}, visit))
     return true;
   moved.resize(joint.socket().vertices.size());
   std::ranges::transform(joint.socket().vertices, moved.begin(),
                          [&](const Vec3& y) { return to_ball(pose, y); });
-  return visit_pairs({joint.ball(), joint.ball_index(), false}, moved, joint.socket().faces, visit);
+  return visit_pairs({joint.ball(), joint.ball_index(), false},
+                     {moved, joint.socket().faces, joint.socket_index()}, visit);
 }
 
 }  // namespace

@@ -25,12 +25,15 @@ struct TimedCase {
   double expected_s = 0.0;
 };
 
-// How long a round takes, and when a result says nothing.
+// How long a round takes, when a result says nothing, and how often it is then asked again.
 struct TimingOptions {
   double min_round_ms = 20.0;     // fast cases repeat within a round until it takes so long
   double slow_ms = 1000.0;        // a run that takes longer is not repeated and not warmed up within a round
   double max_control_off = 0.02;  // largest |ratio - 1| of the control
   double max_spread = 0.10;       // largest IQR as a share of the median
+  int most_repeats = 3;           // times that an inconclusive timing is repeated, alone
+  double repeat_share = 0.25;     // all repeats take at most this share of the time of the run ...
+  double least_repeat_s = 10.0;   // ... or so many seconds, where that is more
 };
 
 // The parts of a key with a slash between them.

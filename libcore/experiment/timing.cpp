@@ -10,6 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "experiment/stopwatch.hpp"
+#include "experiment/timing_repeats.hpp"
+
 namespace impinge {
 namespace {
 
@@ -83,7 +86,12 @@ void initialise_harness() {
 
 Timing collect(const RoundPlan& plan, std::vector<double> samples) {
   for (double& sample : samples) sample /= plan.work->units;
-  return {plan.work->key, samples, summarise(samples), plan.batch};
+  Timing timing;
+  timing.key = plan.work->key;
+  timing.summary = summarise(samples);
+  timing.samples_ms = std::move(samples);
+  timing.batch = plan.batch;
+  return timing;
 }
 
 const RoundPlan& fastest(const std::vector<RoundPlan>& plans) {
@@ -91,27 +99,10 @@ const RoundPlan& fastest(const std::vector<RoundPlan>& plans) {
                            [](const RoundPlan& a, const RoundPlan& b) { return a.round_s() < b.round_s(); });
 }
 
-}  // namespace
-
-bool TimingRun::inconclusive(const Timing& timing) const {
-  return std::abs(control_ratio - 1.0) > options.max_control_off ||
-         timing.summary.iqr > options.max_spread * timing.summary.median;
-}
-
-const Timing& find(const TimingRun& run, const std::vector<Cell>& key) {
-  for (const Timing& timing : run.timings) {
-    if (key_text(timing.key) == key_text(key)) return timing;
-  }
-  throw std::out_of_range(key_text(key) + ": no such timing");
-}
-
-TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
-                          Progress& progress) {
+// All rounds of all cases, in one random order.
+TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& options, Progress& progress) {
   TimingRun result;
   result.options = options;
-  if (cases.empty()) return result;
-  check_cases(cases);
-  verify_all(cases, progress);
   std::vector<RoundPlan> plans;
   plans.reserve(cases.size());
   for (const TimedCase& work : cases) plans.push_back(plan_rounds(work, options));
@@ -135,7 +126,45 @@ TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptio
   result.control = collect(control, reporter.samples[control.name + kControlMark]);
   const double first = result.timings[static_cast<std::size_t>(&control - plans.data())].summary.median;
   result.control_ratio = result.control.summary.median / first;
+  for (Timing& timing : result.timings)
+    timing.inconclusive = is_inconclusive(timing, result.control_ratio, options);
   return result;
+}
+
+}  // namespace
+
+bool is_inconclusive(const Timing& timing, double control_ratio, const TimingOptions& options) {
+  return std::abs(control_ratio - 1.0) > options.max_control_off || timing.summary.count < 2 ||
+         timing.summary.iqr > options.max_spread * timing.summary.median;
+}
+
+Timing scaled(Timing timing, double factor) {
+  for (double& sample : timing.samples_ms) sample *= factor;
+  timing.summary.median *= factor;
+  timing.summary.iqr *= factor;
+  return timing;
+}
+
+const Timing& find(const TimingRun& run, const std::vector<Cell>& key) {
+  for (const Timing& timing : run.timings) {
+    if (key_text(timing.key) == key_text(key)) return timing;
+  }
+  throw std::out_of_range(key_text(key) + ": no such timing");
+}
+
+TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
+                          Progress& progress) {
+  if (cases.empty()) return {};
+  check_cases(cases);
+  verify_all(cases, progress);
+  Stopwatch watch;
+  TimingRun run = run_once(cases, options, progress);
+  const double budget_s = std::max(options.repeat_share * watch.lap_s(), options.least_repeat_s);
+  Progress silent("", nullptr);
+  const auto alone = [&](const TimedCase& work) { return run_once({work}, options, silent); };
+  double spent_s = 0.0;
+  repeat_inconclusive(run, cases, {budget_s, alone, [&] { return spent_s += watch.lap_s(); }}, progress);
+  return run;
 }
 
 }  // namespace impinge

@@ -8,40 +8,41 @@
 namespace impinge {
 namespace {
 
-// A line for a control that is off, else one for the cases that vary too much.
+// A line for the cases that stay inconclusive.
 void warn_if_inconclusive(const TimingRun& run, Progress& progress) {
-  const long off = std::lround(100.0 * std::abs(run.control_ratio - 1.0));
-  if (std::abs(run.control_ratio - 1.0) > run.options.max_control_off) {
-    progress.say("warning: inconclusive, " + key_text(run.control.key) + " differs from itself by " +
-                 std::to_string(off) + " %: time again on an idle machine");
-    return;
-  }
-  std::string unsteady;
+  std::string doubtful;
   for (const Timing& timing : run.timings) {
-    if (run.inconclusive(timing)) unsteady.append(" ").append(key_text(timing.key));
+    if (timing.inconclusive) doubtful.append(" ").append(key_text(timing.key));
   }
-  if (!unsteady.empty()) {
-    progress.say("warning: inconclusive, with an interquartile range above " +
-                 std::to_string(std::lround(100.0 * run.options.max_spread)) +
-                 " % of the median:" + unsteady);
-  }
+  if (doubtful.empty()) return;
+  const long off = std::lround(100.0 * std::abs(run.control_ratio - 1.0));
+  progress.say("warning: inconclusive (spread too large, one round, or a control that differs from itself; " +
+               key_text(run.control.key) + " by " + std::to_string(off) +
+               " %), time again on an idle machine:" + doubtful);
+}
+
+std::vector<Cell> cells_of(std::vector<Cell> key, const Timing& timing, bool extrapolated) {
+  key.insert(key.end(), {timing.summary.median, timing.summary.iqr, timing.summary.count, extrapolated,
+                         timing.inconclusive, timing.repeats});
+  return key;
 }
 
 }  // namespace
 
 std::vector<Column> timing_columns(std::vector<Column> key_columns) {
   key_columns.push_back({"median_ms", "ms", "median over the rounds, wall clock"});
-  key_columns.push_back({"iqr_ms", "ms", "interquartile range over the rounds; empty when extrapolated"});
-  key_columns.push_back({"rounds", "1", "rounds measured; 0 when extrapolated"});
-  key_columns.push_back({"extrapolated", "", "yes: scaled from a smaller measurement, see the parameters"});
+  key_columns.push_back({"iqr_ms", "ms", "interquartile range over the rounds"});
+  key_columns.push_back({"rounds", "1", "rounds measured"});
+  key_columns.push_back({"extrapolated", "",
+                         "yes: median and range are scaled from a smaller measurement, see the parameters"});
+  key_columns.push_back({"inconclusive", "",
+                         "yes: the time says nothing, since its spread or that of its run's control is too "
+                         "large, or it has one round; repeats included"});
+  key_columns.push_back({"repeats", "1", "times that it was timed again, alone, as it was inconclusive"});
   return key_columns;
 }
 
-std::vector<Cell> timing_cells(const Timing& timing) {
-  std::vector<Cell> row = timing.key;
-  row.insert(row.end(), {timing.summary.median, timing.summary.iqr, timing.summary.count, false});
-  return row;
-}
+std::vector<Cell> timing_cells(const Timing& timing) { return cells_of(timing.key, timing, false); }
 
 Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const std::string& unit) {
   constexpr double kNanoseconds = 1e6;  // in a millisecond
@@ -55,9 +56,8 @@ Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const
   return table;
 }
 
-std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms) {
-  key.insert(key.end(), {median_ms, Cell(), 0, true});
-  return key;
+std::vector<Cell> extrapolated_cells(std::vector<Cell> key, const Timing& scaled) {
+  return cells_of(std::move(key), scaled, true);
 }
 
 Table samples_table(std::vector<Column> key_columns, const TimingRun& run) {
@@ -86,12 +86,19 @@ nlohmann::json timing_record(const TimingRun& run) {
   record["slow_ms"] = run.options.slow_ms;
   record["batch"] = nlohmann::json::object();
   record["inconclusive"] = nlohmann::json::array();
+  record["repeats"] = nlohmann::json::object();
   for (const Timing& timing : run.timings) {
     record["batch"][key_text(timing.key)] = timing.batch;
-    if (run.inconclusive(timing)) record["inconclusive"].push_back(key_text(timing.key));
+    if (timing.inconclusive) record["inconclusive"].push_back(key_text(timing.key));
+    if (timing.repeats > 0) record["repeats"][key_text(timing.key)] = timing.repeats;
   }
   record["inconclusive_if"] = {{"control_off_by_more_than", run.options.max_control_off},
-                               {"iqr_over_median_above", run.options.max_spread}};
+                               {"iqr_over_median_above", run.options.max_spread},
+                               {"rounds_below", 2}};
+  record["repeated"] = {{"at_most", run.options.most_repeats},
+                        {"share_of_the_run", run.options.repeat_share},
+                        {"or_seconds", run.options.least_repeat_s},
+                        {"how", "alone, with a control of its own; the last time counts"}};
   record["control"] = {{"case", key_text(run.control.key)},
                        {"ratio", run.control_ratio},
                        {"samples_ms", run.control.samples_ms}};

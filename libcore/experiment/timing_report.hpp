@@ -14,22 +14,24 @@
 
 namespace impinge {
 
-// The given columns for the keys of the cases, then median_ms, iqr_ms, rounds and extrapolated.
+// The given columns for the keys of the cases, then median_ms, iqr_ms, rounds, extrapolated, inconclusive and
+// repeats.
 std::vector<Column> timing_columns(std::vector<Column> key_columns);
 
-// Cells of such a row: key, median, IQR, rounds, no.
+// Cells of such a row, which is not extrapolated.
 std::vector<Cell> timing_cells(const Timing& timing);
 
 // A table of these, one row a case, and the median of a unit of work once more in nanoseconds, as median_ns.
 Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const std::string& unit);
 
-// Cells of a row whose value was scaled from a smaller measurement: no IQR, no rounds, yes.
-std::vector<Cell> extrapolated_cells(std::vector<Cell> key, double median_ms);
+// Cells of a row that is: its key, and the timing of a smaller measurement, scaled.
+std::vector<Cell> extrapolated_cells(std::vector<Cell> key, const Timing& scaled);
 
 // One row a round: the key of the case under the given columns, then round (from 1) and ms (a unit of work).
 Table samples_table(std::vector<Column> key_columns, const TimingRun& run);
 
-// For the sidecar: protocol, batch of each case, control case with its samples and ratio, inconclusive cases.
+// For the sidecar: protocol, batch of each case, control case with its samples and ratio, repeated and
+// inconclusive cases.
 nlohmann::json timing_record(const TimingRun& run);
 
 // Writes the result with its record of timing, then the samples behind it as NAME_samples, and warns of every

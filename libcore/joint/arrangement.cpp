@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/arrangement.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "sampling/exact_raster.hpp"
@@ -14,26 +17,47 @@ constexpr double kLookingPrecision = 4.0;  // degrees
 constexpr double kMostOfThem = 0.7;        // of the common directions
 constexpr double kClearlyLateral = 0.25;   // of the length of the mean direction
 
+using Weighted = std::pair<double, double>;  // a value and its weight
+
+double median(std::vector<Weighted> values, double total) {
+  std::ranges::sort(values);
+  double sum = 0.0;
+  for (const auto& [value, weight] : values) {
+    sum += weight;
+    if (sum >= 0.5 * total) return value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
-bool look_swapped(const TriangleMesh& ball, const TriangleMesh& socket) {
+Facing facing(const TriangleMesh& ball, const TriangleMesh& socket) {
   const Rsid scheme = Rsid::with_precision(kLookingPrecision);
   const RadialTable<Rsid> of_ball = fill_exact(ball, scheme, Layer::farthest);
   const RadialTable<Rsid> of_socket = fill_exact(socket, scheme, Layer::nearest);
-  double ball_covers = 0.0;
-  double socket_covers = 0.0;
-  double common = 0.0;
-  double outside = 0.0;
+  Facing found;
+  std::vector<Weighted> radii;
+  std::vector<Weighted> ratios;
   for (std::size_t i = 0; i < scheme.size(); ++i) {
     const Vec3 u = scheme.direction(i);
     const double area = std::hypot(u.x(), u.y());  // of the entry's patch, up to a factor
-    const double gap = of_socket.radius_of(i) - of_ball.radius_of(i);
-    if (!std::isnan(of_ball.radius_of(i))) ball_covers += area;
-    if (!std::isnan(of_socket.radius_of(i))) socket_covers += area;
-    if (!std::isnan(gap)) common += area;
-    if (gap < 0.0) outside += area;
+    const double inner = of_ball.radius_of(i);
+    const double outer = of_socket.radius_of(i);
+    if (!std::isnan(inner)) found.ball_covers += area;
+    if (!std::isnan(outer)) found.socket_covers += area;
+    if (!std::isnan(inner)) radii.emplace_back(inner, area);
+    if (std::isnan(inner) || std::isnan(outer)) continue;
+    ratios.emplace_back(outer / inner, area);
+    found.common += area;
+    if (outer < inner) found.outside += area;
   }
-  return ball_covers < socket_covers && outside > kMostOfThem * common;
+  found.ball_radius = median(std::move(radii), found.ball_covers);
+  found.ratio = median(std::move(ratios), found.common);
+  return found;
+}
+
+bool look_swapped(const Facing& facing, bool cap) {
+  return (cap || facing.ball_covers < facing.socket_covers) && facing.outside > kMostOfThem * facing.common;
 }
 
 bool looks_lateral(const TriangleMesh& socket, Side side) {

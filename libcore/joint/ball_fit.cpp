@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -187,6 +188,7 @@ SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options) {
     Region region = region_of(mesh, fit);
     if (region.vertices == chosen) break;
     const double trim = fit.trim;
+    if (region.points.size() < 4) throw std::invalid_argument("no sphere fits enough of its surface");
     fit = fit_sphere(region.points, region.weight);
     fit.trim = std::clamp(options.scales * robust_deviation(region, fit), kFinest * fit.radius,
                           std::min(options.trim * fit.radius, trim));

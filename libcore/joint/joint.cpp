@@ -2,10 +2,10 @@
 #include "joint/joint.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
+#include "detection/formatted.hpp"
 #include "files/file_error.hpp"
 #include "joint/arrangement.hpp"
 #include "joint/length_unit.hpp"
@@ -13,8 +13,8 @@
 namespace impinge {
 namespace {
 
-// A ball beside its centre fills less than half of the view and sums to no solid angle. A closed ball round
-// the centre sums to 4 pi; a shell of cartilage sums to 0 and is known by the view it fills.
+// A closed ball round the centre sums to a solid angle of 4 pi. A shell of cartilage sums to 0; one that
+// fills less than half of the view is a cap, or lies beside its centre.
 constexpr double kHalfOfTheView = 0.5;
 constexpr double kHalfOfTheSphere = 2.0 * kPi;
 
@@ -22,11 +22,7 @@ constexpr double kHalfOfTheSphere = 2.0 * kPi;
   throw std::runtime_error(mesh.name + ": " + reason);
 }
 
-std::string text_of(const Vec3& x) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.3f,%.3f,%.3f", x.x(), x.y(), x.z());
-  return text;
-}
+std::string text_of(const Vec3& x) { return formatted("%.3f,%.3f,%.3f", x.x(), x.y(), x.z()); }
 
 JointPart examine(TriangleMesh mesh, const Vec3& centre) {
   JointPart part;
@@ -50,34 +46,69 @@ void place_centre(const JointInput& input, Joint& joint) {
   joint.centre = joint.fit->centre;
 }
 
-void require_centre_inside(const JointInput& input, const Joint& joint) {
+bool is_cap(const StarShapeReport& ball) {
+  return std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView;
+}
+
+// The sphere that fits a ball, or all of a cap that is too small for that.
+SphereFit fit_cap(const TriangleMesh& mesh) {
+  try {
+    return fit_ball(mesh);
+  } catch (const std::invalid_argument&) {
+    return fit_sphere(mesh.vertices, vertex_areas(mesh));
+  }
+}
+
+// Why a centre that is given cannot be that of a cap; empty where it can. One that was fitted can.
+std::string refused_centre(const Joint& joint) {
+  if (joint.fit) return {};
+  try {
+    const SphereFit fit = fit_cap(joint.ball.mesh);
+    return fit.centre.norm() < fit.radius ? "" : "which lies outside of the ball";
+  } catch (const std::invalid_argument&) {
+    return "and no sphere fits it";
+  }
+}
+
+// A joint has two surfaces: the same mesh for both is a slip, whatever the names of the files.
+void require_two_meshes(const JointInput& input) {
+  if (input.ball.mesh.vertices != input.socket.mesh.vertices ||
+      input.ball.mesh.faces != input.socket.mesh.faces)
+    return;
+  throw FileError(input.socket.name, "is the mesh of the ball and of the socket",
+                  "check " + input.wording.meshes);
+}
+
+// A cap of a ball is good for what it covers; a ball beside the centre is none.
+void check_view(const JointInput& input, Joint& joint) {
   const StarShapeReport& ball = joint.ball.star_shape;
-  if (std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView) {
-    char share[16];
-    std::snprintf(share, sizeof share, "%.0f", 100.0 * ball.covered);
-    refuse_mesh(input.ball,
-                std::string("fills only ") + share + " % of the view from the centre " +
-                    text_of(joint.centre) +
-                    ", so the centre lies outside of the ball or the mesh is a small part of one; "
-                    "give a centre inside " +
-                    input.wording.centre + ", or check that the files are not swapped and in mm");
+  const bool cap = is_cap(ball);
+  const std::string share = formatted("%.0f %% of the view from the centre ", 100.0 * ball.covered);
+  const std::string refused = cap ? refused_centre(joint) : "";
+  if (!refused.empty()) {
+    refuse_mesh(input.ball, "fills only " + share + text_of(joint.centre) + ", " + refused +
+                                "; give a centre inside " + input.wording.centre +
+                                ", or check that the files are not swapped and in mm");
   }
   if (joint.socket.star_shape.covered == 0.0) {
     refuse_mesh(input.socket, "no direction from the centre " + text_of(joint.centre) +
                                   " meets the socket; check that both meshes are in one frame and in mm");
   }
+  if (cap)
+    joint.warnings.push_back(input.ball.name + ": is a cap, " + share + text_of(joint.centre) +
+                             "; beyond its edge there is no gap and no contact");
 }
 
-void check_units(const JointInput& input, Joint& joint) {
-  const Reach ball = reach_of(joint.ball.mesh);
-  const std::string apart = different_units(ball, reach_of(joint.socket.mesh));
+void check_units(const JointInput& input, const Facing& found, Joint& joint) {
+  const std::string apart =
+      different_units(reach_of(joint.ball.mesh), reach_of(joint.socket.mesh), found.ratio);
   if (!apart.empty()) refuse_mesh(input.socket, apart);
-  const std::string doubt = doubtful_unit(ball);
+  const std::string doubt = doubtful_unit(found.ball_radius);
   if (!doubt.empty()) joint.warnings.push_back(input.ball.name + ": " + doubt);
 }
 
-void check_arrangement(const JointInput& input, Joint& joint) {
-  if (look_swapped(joint.ball.mesh, joint.socket.mesh)) {
+void check_arrangement(const JointInput& input, const Facing& found, Joint& joint) {
+  if (look_swapped(found, is_cap(joint.ball.star_shape))) {
     throw FileError(input.ball.name, "lies outside of the socket and does not close about the centre",
                     "check that " + input.wording.meshes + " are not swapped");
   }
@@ -108,13 +139,15 @@ void warn(const JointPart& part, const std::string& name, const std::string& pol
 }  // namespace
 
 Joint assemble_joint(JointInput input) {
+  require_two_meshes(input);
   Joint joint;
   place_centre(input, joint);
   joint.ball = examine(std::move(input.ball.mesh), joint.centre);
   joint.socket = examine(std::move(input.socket.mesh), joint.centre);
-  require_centre_inside(input, joint);
-  check_units(input, joint);
-  check_arrangement(input, joint);
+  check_view(input, joint);
+  const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
+  check_units(input, found, joint);
+  check_arrangement(input, found, joint);
   warn(joint.ball, input.ball.name, "the outermost layer stands for the ball", joint);
   warn(joint.socket, input.socket.name, "the layer nearest to the centre stands for the socket", joint);
   return joint;

@@ -55,10 +55,10 @@ struct JointInput {
 };
 
 // Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to
-// do, where no sphere fits the ball, the centre is not inside the ball, the socket is not round it, the two
-// have changed places (arrangement.hpp), or one of them is in another unit of length (length_unit.hpp). A
-// joint of a size that none has in mm gets a warning, and so does a socket on the lateral side of the ball,
-// as if left and right were mixed up.
+// do, where one mesh is given for both, no sphere fits the ball, the centre is outside of the ball, the
+// socket is not round it, the two have changed places (arrangement.hpp), or one of them is in another unit of
+// length (length_unit.hpp). A ball that is a cap, one of a size that no human joint has in mm, and a socket
+// on the lateral side of the ball, as if left and right were mixed up, get a warning.
 Joint assemble_joint(JointInput input);
 
 }  // namespace impinge

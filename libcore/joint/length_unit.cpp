@@ -9,9 +9,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kApart = 5.0;       // times as far; radii of ball and socket differ by a tenth or so
-constexpr double kSmallest = 0.1;    // mm
-constexpr double kLargest = 1000.0;  // mm
+constexpr double kApart = 5.0;     // times as far; radii of ball and socket differ by a tenth or so
+constexpr double kSmallest = 5.0;  // mm
+constexpr double kLargest = 50.0;  // mm
 
 }  // namespace
 
@@ -27,9 +27,9 @@ Reach reach_of(const TriangleMesh& mesh) {
   return reach;
 }
 
-std::string different_units(const Reach& ball, const Reach& socket) {
+std::string different_units(const Reach& ball, const Reach& socket, double ratio) {
   const bool far = socket.nearest > kApart * ball.farthest || ball.nearest > kApart * socket.farthest;
-  if (!far) return {};
+  if (!far && !(ratio > kApart) && !(ratio < 1.0 / kApart)) return {};
   return formatted(
       "lies %.3g to %.3g mm from the centre of rotation, and the ball %.3g to %.3g mm; check that both "
       "meshes "
@@ -37,12 +37,12 @@ std::string different_units(const Reach& ball, const Reach& socket) {
       socket.nearest, socket.farthest, ball.nearest, ball.farthest);
 }
 
-std::string doubtful_unit(const Reach& ball) {
-  if (ball.farthest >= kSmallest && ball.farthest <= kLargest) return {};
+std::string doubtful_unit(double ball_radius) {
+  if (!(ball_radius < kSmallest) && !(ball_radius > kLargest)) return {};
   return formatted(
-      "reaches %.3g mm from the centre of rotation, which no joint does; lengths are read as mm, scale "
-      "both meshes if theirs are in another unit",
-      ball.farthest);
+      "has a radius of %.3g mm, and a human joint 5 to 50; lengths are read as mm, scale both meshes if "
+      "theirs are in another unit",
+      ball_radius);
 }
 
 }  // namespace impinge

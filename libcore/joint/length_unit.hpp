@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files do not say their unit of length. A mesh in metres beside one in millimetres, or two in metres,
-// are known by their size.
+// Mesh files do not say their unit of length. A mesh in metres or centimetres beside one in millimetres, or
+// two of them, are known by their size.
 #pragma once
 
 #include <string>
@@ -19,11 +19,12 @@ struct Reach {
 Reach reach_of(const TriangleMesh& mesh);
 
 // Empty where the two can face each other in a joint; otherwise what is wrong, and what to do: all of one
-// surface is more than five times as far from the centre as all of the other.
-std::string different_units(const Reach& ball, const Reach& socket);
+// surface is more than five times as far from the centre as all of the other, or one is so in most of the
+// directions that both cover: the ratio of Facing (arrangement.hpp), NaN where that is not known.
+std::string different_units(const Reach& ball, const Reach& socket, double ratio);
 
-// Empty where a joint can have this size in mm: a reach of 0.1 mm (the hip of a mouse has 0.6) to 1 m (a
-// whole femur has 0.45). Otherwise what to look at.
-std::string doubtful_unit(const Reach& ball);
+// Empty where a human ball has this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to look at: in
+// centimetres it has 2 to 3, and so it has in mm in a rat.
+std::string doubtful_unit(double ball_radius);
 
 }  // namespace impinge

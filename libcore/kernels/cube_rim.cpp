@@ -69,20 +69,20 @@ class StoredRim {
   double nearer_to_a_jump_ = 1.0;
 };
 
-// Calls visit(entry, |x|^2) for each cell along the edge on one side of it, by its first entry; x is where
-// the edge enters it.
+// Calls visit(entry, first, last) for each cell along the edge on one side of it, by its first entry, with
+// the ends of the stretch in it, in any frame about the centre.
 template <class Visit>
-void for_each_rim_cell(const CubeGnomonic& scheme, const Vec3& from, const Vec3& to, Visit&& visit) {
+void for_each_rim_cell(const CubeGnomonic& scheme, const RimLine& line, Visit&& visit) {
   const std::size_t n = scheme.divisions();
-  const SeenCorner start = seen_corner(from, n);
-  const SeenCorner end = seen_corner(to, n);
+  const SeenCorner start = seen_corner(line.point(0.0), n);
+  const SeenCorner end = seen_corner(line.point(1.0), n);
   if (start.face == end.face) {
     for_each_cell_of_line(start, end, n, [&](const EdgeCell& cell) {
-      visit((start.face * (n + 1) + cell.row) * (n + 1) + cell.column, cell.squared_radius);
+      visit((start.face * (n + 1) + cell.row) * (n + 1) + cell.column, cell.first, cell.last);
     });
   } else {  // round an edge of the cube
-    for_each_cell_along(scheme, from, to, [&](const Stencil& stencil, const Vec3& x) {
-      visit(stencil.entry[0], x.squaredNorm());
+    for_each_cell_along(scheme, line, [&](const Stencil& stencil, const Vec3& first, const Vec3& last) {
+      visit(stencil.entry[0], first, last);
     });
   }
 }
@@ -91,13 +91,14 @@ void for_each_rim_cell(const CubeGnomonic& scheme, const Vec3& from, const Vec3&
 // only saves time not to put down all of them: the faces at the edge are within the reach of every tap, so
 // that mask_doubtful() marks what they make visible as well.
 template <class Value>
-void follow(const JumpEdge& edge, const Vec3& from, const Vec3& to, StoredRim<Value>& rim,
+void follow(const JumpEdge& edge, const RimLine& line, Layer layer, StoredRim<Value>& rim,
             std::vector<DoubtfulRim>& doubtful) {
   const double reach = rim.scheme().stencil_radius();
   const double most = std::exp(2.0 * edge.slope * reach);
-  for_each_rim_cell(rim.scheme(), from, to, [&](std::size_t entry, double squared_radius) {
+  for_each_rim_cell(rim.scheme(), line, [&](std::size_t entry, const Vec3& first, const Vec3& last) {
     if (rim.marked(entry)) return;
-    const double change = rim.squared_change(entry, squared_radius);
+    const double radius = radius_to_be_seen(first, last, layer);
+    const double change = rim.squared_change(entry, radius * radius);
     if (change <= most) {
       rim.mark_rim_cell(entry);
     } else {
@@ -113,13 +114,13 @@ void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   StoredRim<Value> rim(task);
   std::vector<DoubtfulRim> doubtful;
   for (const JumpEdge& edge : edges) {
-    const Vec3& from = task.mesh.vertices[edge.from];
-    const Vec3& to = task.mesh.vertices[edge.to];
-    const Vec3 across = from.cross(to);
-    if (across.squaredNorm() == 0.0) continue;  // seen as a point
-    const Vec3 aside = kBesideEdge * across.normalized();
-    for (const double side : {-1.0, 1.0})
-      follow(edge, from + side * from.norm() * aside, to + side * to.norm() * aside, rim, doubtful);
+    RimLine line{task.mesh.vertices[edge.from], task.mesh.vertices[edge.to]};
+    const Vec3 normal = across(line.from, line.to);
+    if (normal.isZero(0.0)) continue;  // seen as a point
+    for (const double side : {-kBesideEdge, kBesideEdge}) {
+      line.aside = side * normal;
+      follow(edge, line, task.layer, rim, doubtful);
+    }
   }
   rim.drop_marked(doubtful);
   mask_doubtful(task.mesh, doubtful, rim);

@@ -15,11 +15,12 @@
 
 namespace impinge {
 
-// Where an edge enters a cell, or begins.
+// The stretch of an edge in a cell. Places are in the frame of the face: depth, and the two others.
 struct EdgeCell {
-  std::size_t column = 0;       // of the cells of the face, below n
-  std::size_t row = 0;          // likewise
-  double squared_radius = 0.0;  // mm^2, of the place
+  std::size_t column = 0;  // of the cells of the face, below n
+  std::size_t row = 0;     // likewise
+  Vec3 first;              // where the edge enters it, or begins, mm
+  Vec3 last;               // where it leaves it, or ends, mm
 };
 
 // Columns, or rows, that a line crosses from `from` to `to` cells.
@@ -66,16 +67,20 @@ void for_each_cell_of_line(const SeenCorner& from, const SeenCorner& to, std::si
   const double spacing = 2.0 / static_cast<double>(divisions);
   LineSteps columns(from.x, to.x, divisions);
   LineSteps rows(from.y, to.y, divisions);
-  for (double s = 0.0; s < std::numeric_limits<double>::infinity();) {
-    const double a = (from.x + s * (to.x - from.x)) * spacing - 1.0;
-    const double b = (from.y + s * (to.y - from.y)) * spacing - 1.0;
-    const double q = from.q + s * (to.q - from.q);
-    visit(EdgeCell{columns.at(), rows.at(), (1.0 + a * a + b * b) / (q * q)});
+  const auto at = [&](double s) -> Vec3 {
+    const Vec3 on_cube(1.0, (from.x + s * (to.x - from.x)) * spacing - 1.0,
+                       (from.y + s * (to.y - from.y)) * spacing - 1.0);
+    return on_cube / (from.q + s * (to.q - from.q));
+  };
+  for (Vec3 first = at(0.0);;) {
     const double column = columns.next();
     const double row = rows.next();
-    s = std::min(column, row);
-    if (s == std::numeric_limits<double>::infinity()) return;
+    const double s = std::min({column, row, 1.0});
+    const Vec3 last = at(s);
+    visit(EdgeCell{columns.at(), rows.at(), first, last});
+    if (std::min(column, row) == std::numeric_limits<double>::infinity()) return;
     (column <= row ? columns : rows).take();
+    first = last;
   }
 }
 

@@ -22,11 +22,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernels/table_memory.hpp"
 #include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "sphere/table_memory.hpp"
 
 namespace impinge {
 

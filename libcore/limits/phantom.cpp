@@ -35,11 +35,11 @@ void add_limits(const std::string& phantom, const TurnLimits& limits,
     const auto expected = first_turn_to(question);
     const TurnLimit limit = limits.first_contact(
         {Eigen::Matrix3d::Identity(), question.axis, Eigen::Matrix3d::Identity()}, 180.0);
-    if (!expected || limit.state != LimitState::reached)
+    if (!expected || limit.state != LimitState::limited)
       throw std::logic_error("the phantom '" + phantom + "' has no limit");
     const double measured = 0.5 * (limit.low_deg + limit.high_deg);
     rows.push_back({phantom, axis_name(question.axis), *expected / kDegree, measured,
-                    measured - *expected / kDegree, kPhantomLimitError});
+                    measured - *expected / kDegree, kPhantomLimitError, false});
   }
 }
 

@@ -68,7 +68,7 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
   const double smallest = VertexGaps(spheres.ball, spheres.socket).smallest({})->gap_mm;
   const double closed = kOuter - kInner - spheres.centre.norm();
   rows.push_back({name, "smallest gap of a vertex on faces, mm", closed, smallest, smallest - closed,
-                  std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed})});
+                  std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed}), true});
   const Rsid scheme = Rsid::with_precision(spheres.sizes.precision_deg);
   const auto socket_table = fill_exact(spheres.socket, scheme, Layer::nearest);
   const auto ball_table = fill_exact(spheres.ball, scheme, Layer::farthest);
@@ -76,14 +76,15 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
   scan_ball(socket_table, spheres.ball.vertices, {}, gaps);
   const BoundOptions a_priori{1.05, 0};
   double error = largest_error(spheres, spheres.ball.vertices, gaps);
-  rows.push_back(
-      {name, "gaps of the ball's vertices by table, largest error, mm", 0.0, error, error,
-       socket_depth + table_bound(spheres.socket, socket_table, Layer::nearest, a_priori).bound_mm});
+  rows.push_back({name, "gaps of the ball's vertices by table, largest error, mm", 0.0, error, error,
+                  socket_depth + table_bound(spheres.socket, socket_table, Layer::nearest, a_priori).bound_mm,
+                  true});
   gaps.resize(spheres.socket.vertices.size());
   scan_socket(ball_table, spheres.socket.vertices, {}, gaps);
   error = largest_error(spheres, spheres.socket.vertices, gaps);
   rows.push_back({name, "gaps of the socket's vertices by table, largest error, mm", 0.0, error, error,
-                  ball_depth + table_bound(spheres.ball, ball_table, Layer::farthest, a_priori).bound_mm});
+                  ball_depth + table_bound(spheres.ball, ball_table, Layer::farthest, a_priori).bound_mm,
+                  true});
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 
+#include <Eigen/Core>
+
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -33,6 +35,9 @@ inline Sinusoid operator+(const Sinusoid& f, const Sinusoid& g) {
 
 // The vector turned by that angle about +z.
 Vec3 turned(const Vec3& x, double angle);
+
+// A rotation that takes a unit axis to +z.
+Eigen::Matrix3d rotation_to_z(const Vec3& axis);
 
 // Angles from `from` to `to`, radians in [0, 2 pi].
 struct AngleSpan {

@@ -6,40 +6,40 @@
 
 #include <Eigen/Geometry>
 
+#include "limits/part_distance.hpp"
 #include "limits/sinusoid.hpp"
-#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // of the largest radius
+constexpr double kTolerance = 1e-12;   // of the largest radius
+constexpr int kMostHalvings = 10'000;  // of a pair of parts
 
-// mm. Of a sliver its edges, less its height.
-double distance(const Vec3& x, const TurnFace& face) {
-  const auto& [a, b, c] = face.corner;
-  if (!face.sliver) return std::sqrt(squared_distance_to_triangle(x, a, b, c));
-  const double edge =
-      std::sqrt(std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
-                          squared_distance_to_segment(x, c, a)}));
-  const double longest =
-      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-  return longest > 0.0 ? edge - face.normal.norm() / longest : edge;
-}
+// What a pair of parts is asked with. f is near zero, by `bound` times a distance, whenever the parts are
+// within that distance of each other; the one that turns is within `arm` of the axis; `doubt` is added to the
+// tolerance.
+struct Pair {
+  const Sinusoid& f;
+  double bound;
+  double arm;
+  double doubt;
+};
 
 // Looks for the first angle at which two parts are within the tolerance of each other.
 class Search {
  public:
   Search(const AngleSpan& angles, double tolerance) : angles_(angles), tolerance_(tolerance) {}
 
-  // f is near zero, by `bound` times the tolerance, whenever the parts are within it of each other; the one
-  // that turns is within `arm` of the axis; distance(t) is theirs. Has a new first angle been found?
+  // distance(t) is that of the parts. Has a new first angle been found?
   template <class Distance>
-  bool improve(const Sinusoid& f, double bound, double arm, const Distance& distance) {
+  bool improve(const Pair& pair, const Distance& distance) {
+    const double tolerance = tolerance_ + pair.doubt;
     bool found = false;
-    for (const AngleSpan& span : near_zero(f, 2.0 * bound * tolerance_)) {
+    int halvings = kMostHalvings;
+    for (const AngleSpan& span : near_zero(pair.f, 2.0 * pair.bound * tolerance)) {
       const AngleSpan part{std::max(span.from, angles_.from), std::min(span.to, angles_.to)};
       if (part.from > part.to) continue;
-      const auto first = first_in(part, arm, distance);
+      const auto first = first_in(part, {pair.arm, tolerance, halvings}, distance);
       if (!first) continue;
       angles_.to = *first;
       found = true;
@@ -50,14 +50,21 @@ class Search {
   double first() const { return angles_.to; }
 
  private:
+  struct Halving {
+    double arm;
+    double tolerance;
+    int& left;
+  };
+
   template <class Distance>
-  std::optional<double> first_in(const AngleSpan& span, double arm, const Distance& distance) const {
+  static std::optional<double> first_in(const AngleSpan& span, const Halving& halving,
+                                        const Distance& distance) {
     const double middle = 0.5 * (span.from + span.to);
-    const double half = 0.5 * (span.to - span.from);
-    if (distance(middle) > tolerance_ + arm * half) return std::nullopt;
-    if (half <= TurnContacts::kResolution) return span.from;
-    const auto first = first_in({span.from, middle}, arm, distance);
-    return first ? first : first_in({middle, span.to}, arm, distance);
+    const double way = halving.arm * 0.5 * (span.to - span.from);
+    if (distance(middle) > halving.tolerance + way) return std::nullopt;
+    if (way <= halving.tolerance || --halving.left <= 0) return span.from;
+    const auto first = first_in({span.from, middle}, halving, distance);
+    return first ? first : first_in({middle, span.to}, halving, distance);
   }
 
   AngleSpan angles_;
@@ -80,7 +87,8 @@ double arm_of(const Vec3& x) { return std::hypot(x.x(), x.y()); }
 void try_ball_point(const Vec3& x, const TurnFace& face, Found& found) {
   Sinusoid f = turned_dot(x, face.normal);
   f.constant -= face.normal.dot(face.corner[0]);
-  if (found.search.improve(f, face.size, arm_of(x), [&](double t) { return distance(turned(x, t), face); }))
+  if (found.search.improve({f, face.size, arm_of(x), face.doubt},
+                           [&](double t) { return least_distance(turned(x, t), face); }))
     found.note(face.wall ? ContactKind::rims : ContactKind::ball_vertex, turned(x, found.search.first()),
                face.normal);
 }
@@ -89,7 +97,8 @@ void try_ball_point(const Vec3& x, const TurnFace& face, Found& found) {
 void try_socket_point(const Vec3& y, const TurnFace& face, Found& found) {
   Sinusoid f = turned_dot(face.normal, y);
   f.constant -= face.normal.dot(face.corner[0]);
-  if (found.search.improve(f, face.size, arm_of(y), [&](double t) { return distance(turned(y, -t), face); }))
+  if (found.search.improve({f, face.size, arm_of(y), face.doubt},
+                           [&](double t) { return least_distance(turned(y, -t), face); }))
     found.note(face.wall ? ContactKind::rims : ContactKind::socket_vertex, y,
                turned(face.normal, found.search.first()));
 }
@@ -99,9 +108,8 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   const Vec3 b = socket.to - socket.from;
   const Sinusoid f = turned_dot(a, socket.from.cross(b)) + turned_dot(ball.from.cross(a), b);
   const double arm = std::max(arm_of(ball.from), arm_of(ball.to));
-  const bool better = found.search.improve(f, a.norm() * b.norm(), arm, [&](double t) {
-    return std::sqrt(
-        squared_distance_of_segments(turned(ball.from, t), turned(ball.to, t), socket.from, socket.to));
+  const bool better = found.search.improve({f, a.norm() * b.norm(), arm, 0.0}, [&](double t) {
+    return least_distance_of_edges(turned(ball.from, t), turned(ball.to, t), socket.from, socket.to);
   });
   if (!better) return;
   const Vec3 along = turned(a, found.search.first());
@@ -112,11 +120,12 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   found.note(ContactKind::edges, socket.from + std::clamp(share, 0.0, 1.0) * b, across);
 }
 
-// Vertices, moved out by `out` mm, as boxes with this margin.
+// Vertices, moved out by `out` mm but not nearer to the centre than `nearest`, as boxes with this margin.
 struct Points {
   const std::vector<Vec3>& vertices;
   double out;
   double margin;
+  double nearest;
 };
 
 // Calls attempt(point, part) for each part that a point may meet.
@@ -124,8 +133,8 @@ template <class Try>
 void try_points(const Points& points, const ProfileIndex& parts, const Try& attempt) {
   for (const Vec3& vertex : points.vertices) {
     const double length = vertex.norm();
-    if (length == 0.0 || length + points.out <= 0.0) continue;
-    const Vec3 x = (1.0 + points.out / length) * vertex;
+    if (length == 0.0) continue;
+    const Vec3 x = std::max(length + points.out, points.nearest) / length * vertex;
     parts.visit(profile_of(x, points.margin), [&](std::uint32_t part) { attempt(x, part); });
   }
 }
@@ -142,7 +151,7 @@ std::vector<ProfileBox> boxes_of(const std::vector<TurnFace>& faces, double marg
   std::vector<ProfileBox> boxes;
   boxes.reserve(faces.size());
   for (const TurnFace& face : faces)
-    boxes.push_back(profile_of(face.corner[0], face.corner[1], face.corner[2], margin));
+    boxes.push_back(profile_of(face.corner[0], face.corner[1], face.corner[2], margin + face.doubt));
   return boxes;
 }
 
@@ -151,15 +160,6 @@ std::vector<ProfileBox> boxes_of(const std::vector<TurnEdge>& edges, double marg
   boxes.reserve(edges.size());
   for (const TurnEdge& edge : edges) boxes.push_back(profile_of(edge.from, edge.to, margin));
   return boxes;
-}
-
-// The rotation that takes the axis to +z.
-Eigen::Matrix3d upright(const Vec3& axis) {
-  Eigen::Matrix3d rotation;
-  rotation.row(2) = axis;
-  rotation.row(0) = axis.unitOrthogonal();
-  rotation.row(1) = axis.cross(Vec3(rotation.row(0)));
-  return rotation;
 }
 
 }  // namespace
@@ -180,7 +180,7 @@ std::string_view name(ContactKind kind) {
 
 // A point that is moved along its ray by a gap changes its radius by that, and its height by no more.
 TurnContacts::TurnContacts(const TurnScene& scene)
-    : rotation_(upright(scene.axis)),
+    : rotation_(rotation_to_z(scene.axis)),
       ball_(turn_surface(scene.ball.mesh, scene.ball.parts, rotation_ * scene.ball.before,
                          {WallSide::within, 0.0})),
       socket_(turn_surface(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
@@ -201,10 +201,12 @@ TurnContacts::Indices TurnContacts::index(const TurnSurface& surface, const Prof
 
 std::optional<TurnContact> TurnContacts::first(const AngleSpan& angles) const {
   Found found{{angles, tolerance_}, {}};
-  try_points({ball_.vertices, 0.0, tolerance_}, socket_index_->faces, ball_point(socket_.faces, found));
-  try_points({socket_.vertices, 0.0, tolerance_}, ball_index_->faces, socket_point(ball_.faces, found));
-  try_points({ball_.rim_vertices, 0.0, tolerance_}, socket_index_->walls, ball_point(socket_.walls, found));
-  try_points({socket_.rim_vertices, 0.0, tolerance_}, ball_index_->walls, socket_point(ball_.walls, found));
+  try_points({ball_.vertices, 0.0, tolerance_, 0.0}, socket_index_->faces, ball_point(socket_.faces, found));
+  try_points({socket_.vertices, 0.0, tolerance_, 0.0}, ball_index_->faces, socket_point(ball_.faces, found));
+  try_points({ball_.rim_vertices, 0.0, tolerance_, 0.0}, socket_index_->walls,
+             ball_point(socket_.walls, found));
+  try_points({socket_.rim_vertices, 0.0, tolerance_, 0.0}, ball_index_->walls,
+             socket_point(ball_.walls, found));
   for (const TurnEdge& edge : ball_.edges) {
     socket_index_->edges.visit(profile_of(edge.from, edge.to, tolerance_),
                                [&](std::uint32_t e) { try_edges(edge, socket_.edges[e], found); });
@@ -214,8 +216,8 @@ std::optional<TurnContact> TurnContacts::first(const AngleSpan& angles) const {
 
 std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpan& angles) const {
   Found found{{angles, tolerance_}, {}};
-  const Points ball{ball_.vertices, gap_mm, tolerance_};
-  const Points socket{socket_.vertices, -gap_mm, tolerance_};
+  const Points ball{ball_.vertices, gap_mm, tolerance_, 0.0};
+  const Points socket{socket_.vertices, -gap_mm, tolerance_, 0.5 * ball_.smallest_radius};
   try_points(ball, socket_index_->faces, ball_point(socket_.faces, found));
   try_points(ball, socket_index_->walls, ball_point(socket_.walls, found));
   try_points(socket, ball_index_->faces, socket_point(ball_.faces, found));

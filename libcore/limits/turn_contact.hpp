@@ -18,18 +18,25 @@
 // Corner and plane, edge and edge, corner and wall each give a sinusoid (limits/sinusoid.hpp). Only pairs
 // whose boxes of height and radius overlap can meet (limits/profile_index.hpp); where a sinusoid is near zero
 // the span of angles is halved until the distance of the two parts shows that they do not meet in it (no
-// point moves farther than its distance from the axis times the angle), or the span is below kResolution.
-// Degenerate cases (edges in one plane all the time, grazing faces, slivers) take more halvings and nothing
-// else.
+// point moves farther than its distance from the axis times the angle), or no point moves farther than the
+// tolerance. A pair that takes more than 10,000 halvings counts as touching from there on.
 //
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
 // socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets
 // the ball or is within it. These are corners and faces again, and walls of all jump edges, for every vertex.
+// A vertex of the socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is asked
+// for no nearer to the centre than half the way to the nearest point of the ball, where only walls are.
 // What it finds is the first angle at which the two scans of vertices have a gap of t or less.
 //
-// What rounding may do: parts nearer than `tolerance()`, 1e-12 of the largest radius, count as touching; all
-// rounding is below a hundredth of that. So no contact comes before the angle that is returned, but it may be
-// a false one where the parts pass as closely as that and do not meet: motion_limit.hpp makes certain of it.
+// What rounding may do. With u = 2^-53 and R the largest radius: vertices are turned to the frame of the axis
+// and by the angle, within 20 u R each; distances of parts that are not thin are right to 16 u D / 1e-2 with
+// D <= 2 R, others are not above the true ones (limits/part_distance.hpp); a pose that is rounded has its
+// vertices within 20 u R: 3500 u R = 4e-13 R together. The coefficients of a sinusoid are right to 20 u R
+// times the lengths that it is a product of. So `tolerance()`, 1e-12 R, is above what rounding may hide, and
+// a sinusoid is asked for at twice of it. Parts nearer than twice the tolerance count as touching: no contact
+// comes before the angle that is returned, but it may be a false one where the parts pass as closely as that
+// and do not meet: turn_limit.hpp makes certain of it. The wall beyond an edge that comes within a share q of
+// its own length to the centre has 64 u / q of its reach as additional tolerance.
 #pragma once
 
 #include <optional>
@@ -72,8 +79,6 @@ struct TurnScene {
 // The search, made ready for one axis.
 class TurnContacts {
  public:
-  static constexpr double kResolution = 1e-9;  // radians
-
   // Takes the parts of both surfaces to the frame of the axis.
   explicit TurnContacts(const TurnScene& scene);
 

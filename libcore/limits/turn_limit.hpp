@@ -2,26 +2,39 @@
 // How far can the ball turn before it touches the socket, or before a gap falls to a threshold? A bracket
 // [low, high] that no step can jump over.
 //
-//   low    no angle from the start to here is impinged (limits/turn_contact.hpp has the proof, and the 1e-12
-//          of the radius up to which it holds in floating point)
+//   low    no angle from the start to here is impinged (limits/turn_contact.hpp has the proof, and how near
+//          parts may come before they count as touching)
 //   high   here the pose is impinged: the overlay decides it exactly (detection/overlay.hpp), culled
 //          (culling/culled_overlay.hpp); of a threshold, a vertex has that gap, in double
 // First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
 // about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
-// about the sagitta of a face. The bracket is about as wide as 1e-7 degrees, and wider only where surfaces
-// graze within the tolerance and part again: then low stays at the first of these places.
+// about the sagitta of a face. The surfaces are the meshes without faces that are edge-on at rest
+// (mesh/surface_vertices.hpp).
 //
-// How far to trust it. The bracket is that of the meshes. Where the centre is off by some delta, or the
-// surface, by delta across the contact, the limit moves by delta / |n . (w x p)| to first order: p the place
-// of the contact, n the normal there, w the axis. That is `deg_per_mm`; half a millimetre is a few degrees.
+// The bracket is about as wide as 1e-7 degrees, and wider only after a graze: parts that come so near that
+// doubles cannot tell a touch from none, and of which the overlay sees no contact. Then low stays at the
+// first of these places. The search goes on behind it in growing steps, with
+// the same closed forms and with poses at most a twentieth of a degree apart. A contact that it finds there
+// is certain, though perhaps not the first; if it finds none the limit is unknown: none up to low, and
+// nothing is said of what follows.
+//
+// How far to trust it. The bracket is that of the meshes about their origin. To first order, with n the
+// normal of the contact, p its place, w the axis and R the rotation of the pose, all in the socket's frame,
+//   the ball shifted by d, or a surface by n . d across the contact    n . d / |n . (w x p)|
+//   the common centre of both surfaces off by t: d = (I - R) t         t . (I - R)^T n / |n . (w x p)|
+// move the limit by that. The largest of either for d or t of 1 mm are `deg_per_mm` and `centre_deg_per_mm`;
+// the second is at most 2 sin(theta / 2) times the first, theta the angle of R. But a limit jumps where a
+// graze becomes a contact: centre_interval() holds for every centre.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "culling/culled_overlay.hpp"
 #include "joint/motion.hpp"
+#include "limits/centre_interval.hpp"
 #include "limits/turn_contact.hpp"
 #include "limits/vertex_gap.hpp"
 #include "mesh/ball_socket_pair.hpp"
@@ -30,21 +43,28 @@ namespace impinge {
 
 // How a search for a limit ended.
 enum class LimitState {
-  reached,
-  free,     // not reached up to the largest angle asked for: low and high are that angle
+  limited,  // low and high as above
+  free,     // nowhere impinged up to the largest angle asked for: low and high are that angle
   blocked,  // impinged at the start, or below the threshold: low and high are 0
+  unknown,  // none up to low; from there to high, the largest angle asked for, nothing is certain
 };
 
-// "reached", "free", "blocked".
+// "limited", "free", "blocked", "unknown".
 std::string_view name(LimitState state);
 
 // The bracket of a limit, and where the surfaces touch there.
 struct TurnLimit {
-  LimitState state = LimitState::free;  // says what the bracket means
-  double low_deg = 0.0;                 // from the start, see above
-  double high_deg = 0.0;                // likewise
-  std::optional<TurnContact> contact;   // where reached, in the frame of the socket
-  double deg_per_mm = 0.0;              // where reached; infinite where the contact is tangential
+  LimitState state = LimitState::unknown;  // says what the bracket means
+  double low_deg = 0.0;                    // from the start, see above
+  double high_deg = 0.0;                   // likewise
+  std::optional<TurnContact> contact;      // where limited, the last place up to `high` where parts touch
+  double deg_per_mm = 0.0;         // where limited, see above; infinite where the contact is tangential
+  double centre_deg_per_mm = 0.0;  // likewise
+  // The first angle at which a vertex of the socket, seen over the ball's mesh so far, has no surface of the
+  // ball along its ray, open or closed as the mesh may be: beyond, the limit is that of what is left. Nothing
+  // where none does. Where nothing touches before and behind it, the state is `unknown` and low is this
+  // angle.
+  std::optional<double> leaves_mesh_deg;
 };
 
 // A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: a shift of
@@ -58,6 +78,10 @@ class TurnLimits {
   // The bracket of the turn at which some vertex has a gap of gap_mm, mm, or less.
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
+  // Where the limit, one of the above, may be for another centre.
+  CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
+                                 const CentreQuestion& question) const;
+
   // Smallest gap of a vertex with the turn at that angle.
   std::optional<VertexGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
@@ -69,13 +93,17 @@ class TurnLimits {
   template <class Next, class Reached>
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
+  void make_limited(const JointTurn& turn, double angle, TurnLimit& limit) const;
+  void end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
+                   TurnLimit& limit) const;
 
-  // The meshes, and what answers for them.
+  // The meshes without their edge-on faces, and what answers for them.
   struct Answers {
     explicit Answers(BallSocketPair joint);
     BallSocketPair meshes;
     CulledJoint vertices;
     CulledOverlay surfaces;
+    std::vector<VertexIndex> seen;  // of the socket: those of its faces
   };
 
   std::unique_ptr<const Answers> answers_;

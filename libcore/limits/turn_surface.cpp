@@ -6,23 +6,17 @@
 
 #include <Eigen/Geometry>
 
+#include "limits/part_distance.hpp"
 #include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kSliver = 1e-4;  // of the product of two sides: the normal has ten digits above it
-constexpr double kBeyond = 1.01;  // of the reach that walls have
-constexpr double kNearest =
-    1e-3;  // of the reach: an edge that passes the centre more closely counts as that far
-
-TurnFace face_of(const Vec3& a, const Vec3& b, const Vec3& c, bool wall) {
-  std::array<double, 3> side{(b - a).norm(), (c - b).norm(), (a - c).norm()};
-  std::ranges::sort(side);
-  TurnFace face{{a, b, c}, (b - a).cross(c - a), side[1] * side[2], wall, false};
-  face.sliver = face.normal.norm() < kSliver * face.size;
-  return face;
-}
+constexpr double kBeyond = 1.01;            // of the reach that walls have
+constexpr double kWidestPiece = kPi / 3.0;  // of a wall, as the centre sees it
+// Of the distance of the farther end of an edge: what turning it to the frame of the axis, and cutting it in
+// pieces, may move a point of it by. A wall beyond stretches that with the point.
+constexpr double kEdgeError = 64.0 * 0x1p-53;
 
 std::vector<VertexIndex> listed(const std::vector<bool>& chosen) {
   std::vector<VertexIndex> list;
@@ -32,20 +26,63 @@ std::vector<VertexIndex> listed(const std::vector<bool>& chosen) {
   return list;
 }
 
+// Points that cut the edge a - b in pieces of no more than kWidestPiece as the centre sees it, ends included.
+std::vector<Vec3> cut_by_angle(const Vec3& a, const Vec3& b) {
+  const Vec3 along = (b - a).stableNormalized();
+  const double from = a.dot(along);
+  const double to = b.dot(along);
+  const double nearest = a.cross(along).norm();  // of the line
+  const double start = std::atan2(from, nearest);
+  const double width = std::atan2(to, nearest) - start;
+  const auto pieces = static_cast<int>(std::ceil(width / kWidestPiece));
+  std::vector<Vec3> points{a};
+  for (int k = 1; k < pieces; ++k) {
+    const double at = nearest * std::tan(start + width * k / pieces);
+    points.emplace_back(a + std::clamp((at - from) / (to - from), 0.0, 1.0) * (b - a));
+  }
+  points.push_back(b);
+  return points;
+}
+
+TurnFace wall_face(const Vec3& a, const Vec3& b, const Vec3& c, double doubt) {
+  TurnFace face = turn_face(a, b, c);
+  face.wall = true;
+  face.doubt = doubt;
+  return face;
+}
+
 // The wall of a jump edge a - b.
 void add_wall(const Vec3& a, const Vec3& b, const WallReach& walls, std::vector<TurnFace>& faces) {
   if (walls.side == WallSide::within) {
-    faces.push_back(face_of(Vec3::Zero(), a, b, true));
+    faces.push_back(wall_face(Vec3::Zero(), a, b, 0.0));
     return;
   }
-  const double nearest =
-      std::max(std::sqrt(squared_distance_to_segment(Vec3::Zero(), a, b)), kNearest * walls.reach);
-  const double stretch = std::max(1.0, kBeyond * walls.reach / nearest);
-  faces.push_back(face_of(a, b, stretch * b, true));
-  faces.push_back(face_of(a, stretch * b, stretch * a, true));
+  // A chord of the arc at this distance is nowhere nearer than the reach.
+  const double reach = kBeyond * walls.reach / std::cos(0.5 * kWidestPiece);
+  const double nearest = std::sqrt(squared_distance_to_segment(Vec3::Zero(), a, b));
+  const double farthest = std::max(a.norm(), b.norm());
+  const double doubt = kEdgeError * reach * farthest / nearest;
+  const std::vector<Vec3> points = cut_by_angle(a, b);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const Vec3& from = points[k - 1];
+    const Vec3& to = points[k];
+    const double far = std::max({reach, from.norm(), to.norm()});
+    const Vec3 far_from = far * from.stableNormalized();
+    const Vec3 far_to = far * to.stableNormalized();
+    faces.push_back(wall_face(from, to, far_to, doubt));
+    faces.push_back(wall_face(from, far_to, far_from, doubt));
+  }
 }
 
 }  // namespace
+
+TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c) {
+  std::array<double, 3> side{(b - a).norm(), (c - b).norm(), (a - c).norm()};
+  std::ranges::sort(side);
+  TurnFace face{{a, b, c}, (b - a).cross(c - a), side[1] * side[2], false, false, 0.0};
+  face.thin = face.normal.norm() < kThin * face.size;
+  return face;
+}
 
 TurnParts::TurnParts(const TriangleMesh& mesh) : jumps(jump_edges(mesh)) {
   std::vector<bool> chosen(mesh.vertices.size(), false);
@@ -70,8 +107,11 @@ TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const
     surface.largest_radius = std::max(surface.largest_radius, x[v].norm());
   }
   surface.faces.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces)
-    surface.faces.push_back(face_of(x[face[0]], x[face[1]], x[face[2]], false));
+  for (const Face& face : mesh.faces) {
+    const auto& [a, b, c] = surface.faces.emplace_back(turn_face(x[face[0]], x[face[1]], x[face[2]])).corner;
+    surface.smallest_radius =
+        std::min(surface.smallest_radius, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
+  }
   surface.edges.reserve(parts.edges.size());
   for (const auto& [from, to] : parts.edges) surface.edges.push_back({x[from], x[to]});
   for (const VertexIndex v : parts.rim_vertices) surface.rim_vertices.push_back(x[v]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,12 @@ struct TurnFace {
   Vec3 normal;                 // as long as twice the area
   double size = 0.0;           // mm^2, the product of the two longest sides; |normal| is no larger
   bool wall = false;           // of a wall, not of the surface
-  bool sliver = false;  // the direction of its normal is not certain; no point of it is far from an edge
+  bool thin = false;           // the direction of its normal is not certain (limits/part_distance.hpp)
+  double doubt = 0.0;          // mm, by which rounding may have moved it, beyond the common tolerance
 };
+
+// The triangle, mm; not of a wall.
+TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // A side of a face, mm.
 struct TurnEdge {
@@ -30,12 +35,13 @@ struct TurnEdge {
 
 // All of a surface that may take part in a contact.
 struct TurnSurface {
-  std::vector<Vec3> vertices;      // mm; those that belong to a face
-  std::vector<TurnFace> faces;     // of the surface
-  std::vector<TurnEdge> edges;     // each once
-  std::vector<Vec3> rim_vertices;  // ends of jump edges (mesh/jump_edges.hpp)
-  std::vector<TurnFace> walls;     // of the jump edges, see turn_contact.hpp
-  double largest_radius = 0.0;     // mm, of a vertex
+  std::vector<Vec3> vertices;         // mm; those that belong to a face
+  std::vector<TurnFace> faces;        // of the surface
+  std::vector<TurnEdge> edges;        // each once
+  std::vector<Vec3> rim_vertices;     // ends of jump edges (mesh/jump_edges.hpp)
+  std::vector<TurnFace> walls;        // of the jump edges, see turn_contact.hpp
+  double largest_radius = 0.0;        // mm, of a vertex
+  double smallest_radius = HUGE_VAL;  // mm, of a face
 };
 
 // Which side of a jump edge its wall is on: the ball reaches a socket that it gets beyond, and the socket a
@@ -58,7 +64,9 @@ struct TurnParts {
   std::vector<VertexIndex> rim_vertices;  // ends of the jump edges
 };
 
-// mesh in the centre frame, mm, and its parts; the rotation takes its axis to +z.
+// mesh in the centre frame, mm, without edge-on faces, and its parts; the rotation takes its axis to +z. A
+// wall beyond an edge is cut in pieces that the centre sees under 60 degrees at most, so that it is whole
+// however near the edge comes to the centre.
 TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
                          const WallReach& walls);
 

@@ -5,9 +5,19 @@
 
 namespace impinge {
 
+bool is_edge_on(const TriangleMesh& mesh, const Face& face) {
+  return orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)) == 0;
+}
+
+TriangleMesh without_edge_on(TriangleMesh mesh) {
+  std::erase_if(mesh.faces, [&mesh](const Face& face) { return is_edge_on(mesh, face); });
+  return mesh;
+}
+
 std::vector<bool> on_surface(const TriangleMesh& mesh) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const Face& face : mesh.faces) {
+    if (is_edge_on(mesh, face)) continue;
     for (const VertexIndex v : face) used[v] = true;
   }
   return used;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which vertices of a mesh are on its surface: those of a face. A vertex of no face belongs to no surface,
-// and has no gap.
+// Which faces and vertices of a mesh are its surface. A face that is edge-on at rest, in the centre frame of
+// its own mesh, covers no direction and takes no part in anything, in any pose and either frame; what that
+// means for contact is said in detection/overlay.hpp. A vertex of no other face belongs to no surface, and
+// has no gap.
 #pragma once
 
 #include <vector>
@@ -9,7 +11,13 @@
 
 namespace impinge {
 
-// One value a vertex: is it a corner of a face? Corners of all faces exist.
+// Does the plane of the face hold the centre, or has it no area? Exact; mesh in the centre frame.
+bool is_edge_on(const TriangleMesh& mesh, const Face& face);
+
+// The surface: the mesh without its edge-on faces. Vertices keep their places.
+TriangleMesh without_edge_on(TriangleMesh mesh);
+
+// One value a vertex: is it a corner of a face that is not edge-on? Corners of all faces exist.
 std::vector<bool> on_surface(const TriangleMesh& mesh);
 
 // Those that are, in the order of the mesh.

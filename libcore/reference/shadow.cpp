@@ -94,12 +94,11 @@ std::vector<Triple<Number>> clipped(const std::vector<Triple<Number>>& polygon,
   return kept;
 }
 
+// Has the first face a point in the shadow, or the pyramid, of the second?
 template <class Number>
-bool meets(const Triangle& ball, const Triangle& socket) {
-  if (bounds<Number>(ball, true).empty()) return false;
-  const auto planes = bounds<Number>(socket, true);
-  std::vector<Triple<Number>> rest{exactly<Number>(ball[0]), exactly<Number>(ball[1]),
-                                   exactly<Number>(ball[2])};
+bool meets(const Triangle& cut, const Triangle& of, bool shadow) {
+  const auto planes = bounds<Number>(of, shadow);
+  std::vector<Triple<Number>> rest{exactly<Number>(cut[0]), exactly<Number>(cut[1]), exactly<Number>(cut[2])};
   for (const auto& plane : planes) rest = clipped(rest, plane);
   return !planes.empty() && !rest.empty();
 }
@@ -126,28 +125,35 @@ bool in_pyramid(const Vec3& x, const Triangle& face) {
 }
 
 bool meets_shadow(const Triangle& ball, const Triangle& socket) {
-  return answer([&]<class Number>() { return meets<Number>(ball, socket); });
+  return answer([&]<class Number>() { return meets<Number>(ball, socket, true); });
 }
 
+bool meets_pyramid(const Triangle& socket, const Triangle& ball) {
+  return answer([&]<class Number>() { return meets<Number>(socket, ball, false); });
+}
+
+bool covers_directions(const Triangle& face) {
+  return answer([&]<class Number>() { return !bounds<Number>(face, true).empty(); });
+}
+
+// A corner in the centre has any direction.
 ShadowReference::Seen ShadowReference::see(const Triangle& corners) {
-  Seen seen{corners, Vec3::Zero(), 0.0, 0.0, HUGE_VAL, 0.0};
+  Seen seen{corners, Vec3::Zero(), 0.0, HUGE_VAL, 0.0};
   for (const Vec3& v : corners) seen.axis += v.stableNormalized();
   seen.axis.stableNormalize();
-  double angle = 0.0;
   for (const Vec3& v : corners) {
-    angle = std::max(angle, angle_between(seen.axis, v) + kShadowSlack);
+    seen.angle = std::max(seen.angle, v.isZero(0.0) ? kPi : angle_between(seen.axis, v) + kShadowSlack);
     seen.low = std::min(seen.low, seen.axis.dot(v) * (1.0 - kShadowSlack));
     seen.high = std::max(seen.high, v.norm() * (1.0 + kShadowSlack));
   }
-  seen.cosine = std::cos(angle);
-  seen.sine = std::sin(angle);
   return seen;
 }
 
-// Caps of more than an eighth of a turn may share directions with any other.
+// Caps of a quarter turn and more may share directions with any other, and so may those that have no axis. An
+// angle is no less than its chord.
 bool ShadowReference::share_directions(const Seen& a, const Seen& b) {
-  if (a.cosine < a.sine || b.cosine < b.sine) return true;
-  return a.axis.dot(b.axis) >= a.cosine * b.cosine - a.sine * b.sine;
+  if (a.angle >= 1.5 || b.angle >= 1.5 || a.axis.norm() < 0.5 || b.axis.norm() < 0.5) return true;
+  return (a.axis - b.axis).norm() <= a.angle + b.angle;
 }
 
 ShadowReference::ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket)
@@ -176,14 +182,15 @@ std::vector<bool> ShadowReference::socket_vertices_impinged() const {
     const Vec3& y = socket_vertices_[i];
     const Seen point = see({y, y, y});
     impinged[i] = std::ranges::any_of(ball_, [&](const Seen& face) {
-      return y.isZero(0.0) ||
-             (point.low <= face.high && share_directions(point, face) && in_pyramid(y, face.corners));
+      return point.low <= face.high && share_directions(point, face) && in_pyramid(y, face.corners);
     });
   }
   return impinged;
 }
 
-bool ShadowReference::surfaces_impinged() const {
+// Asks about the pairs of faces that share directions and in which the ball's is not surely the nearer one.
+template <class Meets>
+bool ShadowReference::any_pair(const Meets& meets) const {
   double farthest = 0.0;
   for (const Seen& ball : ball_) farthest = std::max(farthest, ball.high);
   std::vector<Seen> within;  // faces of the socket that some face of the ball may reach
@@ -194,9 +201,17 @@ bool ShadowReference::surfaces_impinged() const {
   return std::ranges::any_of(ball_, [&](const Seen& ball) {
     return ball.high >= nearest && std::ranges::any_of(within, [&](const Seen& socket) {
              return ball.high >= socket.low && share_directions(ball, socket) &&
-                    meets_shadow(ball.corners, socket.corners);
+                    meets(ball.corners, socket.corners);
            });
   });
+}
+
+bool ShadowReference::ball_beyond_socket() const {
+  return any_pair([](const Triangle& ball, const Triangle& socket) { return meets_shadow(ball, socket); });
+}
+
+bool ShadowReference::socket_within_ball() const {
+  return any_pair([](const Triangle& ball, const Triangle& socket) { return meets_pyramid(socket, ball); });
 }
 
 }  // namespace impinge

@@ -23,29 +23,38 @@ bool in_shadow(const Vec3& x, const Triangle& face);
 // centre.
 bool in_pyramid(const Vec3& x, const Triangle& face);
 
-// Has the first face a point in the shadow of the second? False where the plane of either holds the centre.
+// Has a face, of any kind, a point in the shadow of the other? False where the plane of the latter holds the
+// centre.
 bool meets_shadow(const Triangle& ball, const Triangle& socket);
 
-// A joint about one centre, every vertex where a pose has put it (mm).
+// Has a face, of any kind, a point in the pyramid of the other? Likewise.
+bool meets_pyramid(const Triangle& socket, const Triangle& ball);
+
+// Does the plane of the face not hold the centre, exactly?
+bool covers_directions(const Triangle& face);
+
+// A joint about the centre of one of its surfaces, every vertex where a pose has put it (mm).
 class ShadowReference {
  public:
-  // Faces whose plane holds the centre are left out.
+  // Faces are to be those that cover directions seen from the centres of their own surfaces.
   ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket);
 
   std::vector<bool> ball_vertices_impinged() const;    // in the shadow of some face of the socket
   std::vector<bool> socket_vertices_impinged() const;  // in the pyramid of some face of the ball
-  bool surfaces_impinged() const;                      // some face of the ball meets a shadow
+  bool ball_beyond_socket() const;  // about the socket's centre: some face of the ball meets a shadow
+  bool socket_within_ball() const;  // about the ball's centre: some face of the socket meets a pyramid
 
  private:
   // The directions and radii of a face, to leave out pairs that are far apart.
   struct Seen {
     Triangle corners;
     Vec3 axis;
-    double cosine;  // of the angle from the axis to the farthest corner
-    double sine;
+    double angle;  // from the axis to the farthest corner
     double low;
     double high;
   };
+  template <class Meets>
+  bool any_pair(const Meets& meets) const;
   static bool share_directions(const Seen& a, const Seen& b);
   static Seen see(const Triangle& corners);
 

@@ -71,7 +71,9 @@ std::optional<FaceInCap> FaceRange::in_cap(const DirectionCap& asked) const {
   const double reach = own_.radius + cap.radius + kCapSlack;
   // The directions of a face are within its cap where that is less than a quarter turn.
   const bool small = own_.radius < 0.5 * kPi;
-  if (small && reach < kPi && cap.axis.dot(own_.axis) < std::cos(reach)) return std::nullopt;
+  // By the chord: the cosine of a small angle has lost its digits.
+  if (small && reach < kPi && (cap.axis - own_.axis).norm() > 2.0 * std::sin(0.5 * reach))
+    return std::nullopt;
   bool deep = true;
   for (const Vec3& v : cone_.corners()) deep = deep && cap.axis.dot(v) > kLeastDepth * v.norm();
   FaceInCap part{whole_, {true, true, true}};

@@ -43,9 +43,13 @@ struct FaceInCap {
 };
 
 // Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
-// kCapSlack radians more: far more than the rounding of the formulas, whose relative error is below 1e-12
-// (1e-10 for a face steeper than any that is not taken whole), of tables in double and of the lengths that
-// are compared with a range.
+// kCapSlack radians more. Rounding stays below both, u = 2^-53:
+//   a radius p / (n . x)  21 u k by kPlaneRoundings (surface_plane.hpp); a face with a condition k above
+//   1e-10 /
+//                         kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have as much
+//   a point of the disc   coordinates up to 1 / kLeastDepth = 20 with 10 roundings: 2e-14 of kCapSlack
+//   the cap of a face     |axis - axis'| with 4 roundings: 1e-15 of kCapSlack
+// and the lengths that are compared with a range have 4 roundings.
 inline constexpr double kRangeSlack = 1e-9;
 inline constexpr double kCapShare = 1e-7;   // of the radius of a cap
 inline constexpr double kCapSlack = 1e-10;  // radians

@@ -50,14 +50,14 @@ class ErrorRanges {
     const Vec3& from = faces_.mesh().vertices[edge[0]];
     const Vec3& to = faces_.mesh().vertices[edge[1]];
     if (from.cross(to).squaredNorm() == 0.0) return;  // seen as a point
-    std::vector<Place> places;
-    const auto add = [&](const Vec3& x) {
+    const auto place = [&](const Vec3& x) -> Place {
       const double depth = table_.scheme().depth(x);
-      places.push_back({x / depth, 1.0 / depth});
+      return {x / depth, 1.0 / depth};
     };
-    for_each_cell_along(table_.scheme(), from, to, [&](const Stencil& /*cell*/, const Vec3& x) { add(x); });
-    add(to);
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) add_stretch(edge, places[k], places[k + 1]);
+    for_each_cell_along(table_.scheme(), RimLine{from, to},
+                        [&](const Stencil& /*cell*/, const Vec3& first, const Vec3& last) {
+                          add_stretch(edge, place(first), place(last));
+                        });
   }
 
   // Within one cell.

@@ -15,9 +15,8 @@
 //
 // l and h are exact. On the part of a flat face in a cell y is affine and Y bilinear, so that y - Y is
 // largest and least on the border of that part: on a side of the cell, where it is linear, at an end; along
-// an edge of the mesh, where it is quadratic, at an end or where its derivative is 0. (Stretches that
-// for_each_cell_along() of rim.hpp may miss are shorter than an eighth of a cell. The surface changes from
-// face to face at edges: one where faces pass through each other is not looked at.)
+// an edge of the mesh, where it is quadratic, at an end or where its derivative is 0. (The surface
+// changes from face to face at edges: one where faces pass through each other is not looked at.)
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"

@@ -11,7 +11,8 @@ struct DirectionCap {
   double radius = 0.0;  // radians
 };
 
-// Of unit vectors and their products, far above their rounding.
+// Of unit vectors, their products and the angles between them (angle_between()), whose rounding is below
+// 16 2^-53 = 1.8e-15.
 inline constexpr double kDirectionSlack = 1e-12;
 
 }  // namespace impinge

@@ -8,6 +8,11 @@
 // and the interpolated value, a mean of the r_i with weights w_i, errs by at most sum w_i r_i (exp(T_i s) -
 // 1). First order in s: safe, and loose where a face is smooth and large (the error there is of second
 // order).
+//
+// Roundings. The condition of a face (kPlaneRoundings in surface_plane.hpp) is at most 4 root(1 + T^2) <= 4
+// (1 + T) by the choice of its plane (sphere/face_plane.hpp), u = 2^-53. So the entry and the radius along u
+// are each off by 84 u (1 + T) of themselves, tan psi by 80 u (1 + T), the look-up by 17 u: added is 512 u (1
+// + T_i) r_i, which takes in that of the bound itself up to s = 3, and s is widened by direction_doubt().
 #pragma once
 
 #include <algorithm>
@@ -20,6 +25,21 @@
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
+
+// By how much rounding may move an entry or a line between entries, radians. An azimuth of t turns of a curve
+// is 2 pi t with at most 8 roundings of t, t <= equator_points() for every spiral: 5.6e-15 a turn; all other
+// angles are within one turn.
+template <SamplingScheme S>
+double direction_doubt(const S& scheme) {
+  return 1e-14 * (2.0 + static_cast<double>(scheme.equator_points()));
+}
+
+inline constexpr double kFirstOrderRounding = 512.0 * 0x1p-53;  // for each unit of 1 + tan psi, of a radius
+
+// How much a radius may change within an angle (radians) where tan psi is no larger, as a share of it.
+inline double first_order_share(double slope, double angle) {
+  return std::expm1(slope * angle) + kFirstOrderRounding * (1.0 + slope);
+}
 
 // Largest tan psi within the stencil radius of each entry; infinite near a face whose plane holds the centre,
 // 0 where there is no face. mesh in the centre frame.
@@ -47,7 +67,7 @@ template <SamplingScheme S>
 double error_bound_at(const RadialTable<S>& table, const std::vector<float>& slopes, const Vec3& x) {
   const Stencil stencil = table.scheme().stencil(x);
   if (table.is_rim_cell(stencil.cell)) return kNoSurface;
-  const double reach = table.scheme().stencil_radius();
+  const double reach = table.scheme().stencil_radius() + direction_doubt(table.scheme());
   double bound = 0.0;
   double radius = 0.0;
   for (std::size_t k = 0; k < stencil.taps; ++k) {
@@ -55,7 +75,7 @@ double error_bound_at(const RadialTable<S>& table, const std::vector<float>& slo
     if (stencil.weight[k] == 0.0) continue;
     const double share = stencil.weight[k] * table.radii()[i];
     radius += share;
-    bound += share * std::expm1(slopes[i] * reach);
+    bound += share * first_order_share(slopes[i], reach);
   }
   return bound > radius ? std::numeric_limits<double>::infinity() : bound;
 }

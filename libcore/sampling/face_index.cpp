@@ -26,7 +26,7 @@ FaceIndex::SeenFace see_face(const std::array<Vec3, 3>& corners) {
   seen.cap.axis = length > 0.0 ? Vec3(seen.cap.axis / length) : Vec3::UnitZ();
   // x . axis is linear on the face and no larger than |x|, which is convex.
   for (const Vec3& v : corners) {
-    seen.cap.radius = std::max(seen.cap.radius, angle_between(seen.cap.axis, v));
+    seen.cap.radius = std::max(seen.cap.radius, v.isZero(0.0) ? kPi : angle_between(seen.cap.axis, v));
     seen.range.low = std::min(seen.range.low, seen.cap.axis.dot(v));
     seen.range.high = std::max(seen.range.high, v.norm());
   }

@@ -41,6 +41,7 @@ class FaceIndex {
   double reach() const { return reach_; }                          // radians: about the size of a face
   const SeenFace& face(std::size_t f) const { return faces_[f]; }  // face f of the mesh
   std::size_t size() const { return faces_.size(); }               // number of faces of the mesh
+  bool empty() const { return listed_.empty(); }                   // no face covers a direction
   std::size_t bytes() const;                                       // memory of the index, without the mesh
 
  private:
@@ -54,7 +55,8 @@ class FaceIndex {
   std::vector<std::uint32_t> listed_;
 };
 
-// The face with these corners as the centre sees it; its range holds its radii, rounded outwards.
+// The face with these corners as the centre sees it; its range holds its radii, rounded outwards. A corner in
+// the centre has any direction.
 FaceIndex::SeenFace see_face(const std::array<Vec3, 3>& corners);
 
 }  // namespace impinge

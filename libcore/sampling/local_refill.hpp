@@ -33,6 +33,10 @@ std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer 
                    RadialTable<S>& table) {
   const std::vector<std::size_t> changed = changed_faces(before, after);
   if (changed.empty()) return 0;
+  if constexpr (!HasKnownBorders<S>) {  // entries beside the rim that was have no radius any more
+    table = fill_exact(after, table.scheme(), layer);
+    return table.scheme().size();
+  }
   const auto& walker = table.scheme().walker();
   EntrySet touched(table.scheme().size());
   for (const std::size_t f : changed) {

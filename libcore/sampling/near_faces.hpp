@@ -58,6 +58,7 @@ class NearFaces {
   }
 
   const TriangleMesh& mesh() const { return mesh_; }             // that the faces are of
+  bool empty() const { return faces_.empty(); }                  // no face covers a direction
   double margin() const { return margin_; }                      // radians
   const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
 

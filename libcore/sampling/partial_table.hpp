@@ -31,6 +31,10 @@ class PartialTable final : public RadiusSource {
   double radius_of(std::size_t entry) const;           // mm, kNoSurface if it is not kept
   // Radius of the entry with this slot of kept(), mm.
   void set(std::size_t slot, double radius) { radii_[slot] = radius; }
+  // It has no surface from now on. Before store().
+  void forget(std::size_t entry) {
+    if (const auto slot = kept_.slot(entry)) set(*slot, kNoSurface);
+  }
   bool keeps(const Stencil& stencil) const;  // are all entries kept that this stencil reads?
 
   // Does this cell answer kNoSurface?

@@ -9,8 +9,9 @@
 namespace impinge {
 namespace {
 
-// Roundings of the table, its interpolation and the truth, for each unit of `condition`.
-constexpr double kRoundings = 64.0 * 0x1p-53;
+// See the header.
+constexpr double kRadiiInBound = 4.0;  // each off by the doubt of a plane
+constexpr double kOwnRounding = 1.0 + 500.0 * 0x1p-53;
 
 // The corners at both ends of the sides of a rectangle in one direction.
 std::array<std::array<std::size_t, 2>, 2> sides(std::size_t k) {
@@ -93,9 +94,10 @@ PatchError::LayerRange PatchError::find_layer(const PatchView& view, const std::
   const double way = view.motion.way[0] + view.motion.way[1];
   LayerRange layer{};
   for (int pass = 0; pass < 2; ++pass) {
-    layer = {0.0, kInfinity, 0.0, 1.0};
+    layer = {0.0, kInfinity, 0.0, kPlaneRoundings};
     for (const PlaneRange& range : ranges_) layer.slope = std::max(layer.slope, range.slope);
-    const double most = std::exp(std::min(layer.slope * way, 700.0));
+    for (const std::uint32_t f : faces_) layer.doubt = std::max(layer.doubt, surface_.plane(f).doubt);
+    const double most = std::exp(std::min(layer.slope * way, 700.0)) * (1.0 + layer.doubt + kDirectionSlack);
     for (const double r : radius) {
       if (std::isnan(r)) continue;
       layer.low = std::max(layer.low, r / most);
@@ -112,10 +114,11 @@ PatchError::LayerRange PatchError::find_layer(const PatchView& view, const std::
   }
   double largest = 0.0;
   double least = kInfinity;
+  layer.doubt = kPlaneRoundings;
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     largest = std::max(largest, ranges_[k].largest);
     least = std::min(least, ranges_[k].least);
-    layer.condition = std::max(layer.condition, surface_.plane(faces_[k]).condition);
+    layer.doubt = std::max(layer.doubt, surface_.plane(faces_[k]).doubt);
   }
   layer.low = std::max(layer.low, least);
   layer.high = std::min(layer.high, largest);
@@ -168,7 +171,7 @@ double PatchError::first_order(const PatchView& view, const LayerRange& layer) c
 
 // The value changes along a line by no more than it does between corners.
 double PatchError::rounding(const PatchView& view, const LayerRange& layer) const {
-  double sum = layer.high * (kRoundings * layer.condition + layer.slope * doubt_);
+  double sum = layer.high * (kRadiiInBound * layer.doubt + layer.slope * doubt_);
   for (std::size_t k = 0; k < 2; ++k) {
     double change = view.motion.bend[k] * (view.largest_tap - view.least_tap);
     for (const auto& [from, to] : sides(k)) {
@@ -196,7 +199,8 @@ PatchBound PatchError::operator()(const PatchView& view) {
   const LayerRange layer = find_layer(view, radius);
   const double first = first_order(view, layer);
   const double doubt = rounding(view, layer);
-  PatchBound result{first + doubt, view.motion.way[0] >= view.motion.way[1] ? 0U : 1U, !known};
+  PatchBound result{(first + doubt) * kOwnRounding, view.motion.way[0] >= view.motion.way[1] ? 0U : 1U,
+                    !known};
   if (!known || !view.motion.smooth || !std::isfinite(layer.slope) || has_overlap()) return result;
   const std::array<double, 2> rest = remainders(view, layer);
   double scale = 1.0;
@@ -205,7 +209,8 @@ PatchBound PatchError::operator()(const PatchView& view) {
     scale = layer.high * (length.high / values(view).low) / length.low;
   }
   const double second = scale * (at_corners + rest[0] + rest[1]);
-  if (second < first) result = {second + doubt, rest[0] >= rest[1] ? 0U : 1U, second <= doubt};
+  if (second < first)
+    result = {(second + doubt) * kOwnRounding, rest[0] >= rest[1] ? 0U : 1U, second <= doubt};
   return result;
 }
 

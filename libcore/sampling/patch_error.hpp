@@ -27,9 +27,15 @@
 // radius is within r exp(+-T way) of that of a corner, T the largest tan psi of the faces in that range, so
 // that a face out of range is none of the layer's.
 //
-// Roundings are added: those of the table and its look-up, 64 units in the last place of r times how
-// ill-conditioned the plane of a face is, directions moved by `angle_doubt`, and corners that are sampled a
-// little aside.
+// Roundings are added. With u = 2^-53 and k the largest condition of the faces (kPlaneRoundings in
+// surface_plane.hpp), in shares of the largest radius r of the layer:
+//   21 u k   of an entry              21 u k   of the surface at a corner
+//   17 u     of a look-up (kSumRounding in sphere/quantised_table.hpp)
+//   40 u k   of q in |y''| and in the jumps, of which the bound is a multiple no larger than r, or says
+//   nothing
+// together at most 4 kPlaneRoundings k. The formulas themselves are sums of terms above zero, of less than
+// 500 roundings: kOwnRounding. Directions are moved by `angle_doubt`; an error that is sampled a little aside
+// of its corner, by a share of the way, changes by that share of what Y and y change along the way, at most.
 //
 // Of first order, wherever that fails: the layer is within that range, Y between its corners.
 #pragma once
@@ -86,7 +92,7 @@ class PatchError {
     double low;
     double high;
     double slope;
-    double condition;
+    double doubt;
   };
   LayerRange find_layer(const PatchView& view, const std::array<double, 4>& radius);
   bool has_overlap() const;

@@ -33,12 +33,18 @@ inline Rsid raster_for(double precision_deg) {
   return Rsid::with_precision(180.0 / std::max(std::round(180.0 / precision_deg), 2.0));
 }
 
-// Every entry of the scheme as the raster has it; kNoSurface where the raster has no surface.
+// Sets every entry of a table that is there as the raster has it; kNoSurface where the raster has no surface.
+template <SamplingScheme S>
+void read_raster(const RadialTable<Rsid>& raster, RadialTable<S>& table) {
+  const auto radii = table.radii();
+  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = raster.radius_at(table.scheme().direction(i));
+}
+
+// A table of its own, set so.
 template <SamplingScheme S>
 RadialTable<S> resample(const RadialTable<Rsid>& raster, const S& scheme) {
   RadialTable<S> table(scheme);
-  const auto radii = table.radii();
-  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = raster.radius_at(scheme.direction(i));
+  read_raster(raster, table);
   return table;
 }
 

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sampling/surface_plane.hpp"
+
 namespace impinge {
 
 std::optional<SurfaceKink> surface_kink(const Vec3& from, const Vec3& to, const Vec3& jump) {
-  const Vec3 cross = from.cross(to);
-  if (cross.squaredNorm() == 0.0) return std::nullopt;
-  const double line_distance = cross.norm() / (to - from).norm();
-  return SurfaceKink{cross.normalized(),
+  if (from.cross(to).squaredNorm() == 0.0) return std::nullopt;
+  const Vec3 across = edge_normal(from, to);
+  const double nearest = std::min(from.norm(), to.norm());
+  const double line_distance = across.isZero(0.0) ? std::max(nearest - (to - from).norm(), 0.0)
+                                                  : from.cross(to - from).norm() / (to - from).norm();
+  return SurfaceKink{across,
                      from.normalized(),
                      to.normalized(),
                      jump,

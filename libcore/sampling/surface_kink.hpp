@@ -11,7 +11,7 @@ namespace impinge {
 // An edge of two or more faces: the inverse radius q . u is continuous across it, its slope jumps by that of
 // q. Only edges between faces that lie on opposite sides of it; the others are jump edges (rim.hpp).
 struct SurfaceKink {
-  Vec3 across;            // unit normal of the plane through the centre and the edge
+  Vec3 across;            // its edge_normal() (surface_plane.hpp), which may be zero
   Vec3 from;              // unit vectors to its ends
   Vec3 to;                // unit vector to the other end
   Vec3 jump;              // difference of q, 1/mm

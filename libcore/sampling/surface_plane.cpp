@@ -8,17 +8,26 @@
 
 namespace impinge {
 
+Vec3 edge_normal(const Vec3& from, const Vec3& to) {
+  constexpr double kRoundings = 8.0 * 0x1p-53;
+  const Vec3 along = to - from;
+  const Vec3 normal = from.cross(along);
+  const double length = normal.norm();
+  if (!(kRoundings * from.norm() * along.norm() < 0.5 * kDirectionSlack * length)) return Vec3::Zero();
+  return normal / length;
+}
+
 SurfacePlane surface_plane(const TriangleCone& cone) {
   const FacePlane& face = cone.plane();
   SurfacePlane plane{.cone = cone};
   plane.slope = cone.edge_on() ? kInfinity : cone.largest_slope();
-  plane.condition = kInfinity;
+  plane.doubt = kInfinity;
   for (const Vec3& x : cone.corners()) plane.largest_radius = std::max(plane.largest_radius, x.norm());
   if (face.offset > 0.0 && std::isfinite(plane.slope)) {
     plane.inverse = face.normal / face.offset;
     plane.distance = cone.plane_distance();
     plane.least_radius = plane.distance;
-    plane.condition = face.size * plane.largest_radius / face.offset;
+    plane.doubt = kPlaneRoundings * face.size * plane.largest_radius / face.offset;
   }
   for (const Vec3& x : cone.corners()) plane.middle += x.normalized();
   plane.middle.normalize();
@@ -27,9 +36,7 @@ SurfacePlane surface_plane(const TriangleCone& cone) {
     plane.chord = std::max(plane.chord, (x.normalized() - plane.middle).norm());
   if (plane.chord > 1.0) plane.chord = 2.0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 across = cone.side() * cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
-    const double length = across.norm();
-    plane.inward[k] = length > 0.0 ? Vec3(across / length) : Vec3::Zero();
+    plane.inward[k] = cone.side() * edge_normal(cone.corners()[k], cone.corners()[(k + 1) % 3]);
   }
   return plane;
 }
@@ -47,22 +54,21 @@ bool clearly_apart(const SurfacePlane& a, const SurfacePlane& b) {
 }
 
 PlaneRange range_within(const SurfacePlane& plane, const DirectionCap& cap) {
-  if (!std::isfinite(plane.slope)) return {0.0, plane.largest_radius, kInfinity};
-  const double cosine = std::clamp(plane.inverse.dot(cap.axis) * plane.distance, -1.0, 1.0);
-  const double psi = std::acos(cosine);
-  const double steepest = psi + cap.radius + 1e-9;
+  constexpr double kMostDoubt = 0.01;  // of a plane that says anything
+  const double doubt = plane.doubt + kDirectionSlack;
+  if (!std::isfinite(plane.slope) || !(doubt < kMostDoubt)) return {0.0, plane.largest_radius, kInfinity};
+  const double psi = angle_between(plane.inverse, cap.axis);  // the arccosine loses half of its digits near 0
+  const double nearest = psi - cap.radius - doubt;
+  const double steepest = psi + cap.radius + doubt;
   PlaneRange range{plane.least_radius, plane.largest_radius, plane.slope};
-  if (psi > cap.radius)
-    range.least =
-        std::max(range.least, plane.distance / std::cos(std::min(psi - cap.radius, 0.5 * kPi - 1e-9)));
-  range.least *= 1.0 - kDirectionSlack;
+  if (nearest > 0.0)
+    range.least = std::max(range.least, plane.distance / std::cos(std::min(nearest, 0.5 * kPi)));
   if (steepest < 0.5 * kPi) {
     range.largest = std::min(range.largest, plane.distance / std::cos(steepest));
     range.slope = std::min(range.slope, std::tan(steepest));
   }
-  range.largest *= 1.0 + kDirectionSlack;
-  range.slope *= 1.0 + kDirectionSlack;
-  return range;
+  return {range.least * (1.0 - doubt), range.largest * (1.0 + doubt),
+          range.slope + (1.0 + range.slope) * doubt};
 }
 
 }  // namespace impinge

@@ -9,6 +9,9 @@
 // along the edge only.
 //
 // A scheme that declares no patches has a bound of first order.
+//
+// Answer and truth lie between 0 and the largest radius of the surface. A bound above that says nothing, and
+// is infinite: there is none.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +35,7 @@
 namespace impinge {
 
 struct TableBound {
-  double bound_mm = 0.0;         // infinite where the surface is seen edge-on
+  double bound_mm = 0.0;         // infinite where there is none
   double attained_mm = 0.0;      // largest error that was evaluated, along
   Vec3 witness = Vec3::UnitZ();  // the direction of that error, unit vector
   double a_priori_mm = 0.0;      // the bound before any patch was halved
@@ -54,7 +57,7 @@ class BoundSearch {
   BoundSearch(const Interpolant& interpolant, const SurfaceIndex& surface, const BoundOptions& options)
       : interpolant_(interpolant),
         surface_(surface),
-        error_(surface, angle_doubt(interpolant)),
+        error_(surface, direction_doubt(interpolant.table().scheme())),
         options_(options) {}
 
   // The whole search, once.
@@ -84,11 +87,6 @@ class BoundSearch {
 
   static constexpr std::size_t kMostOpen = 1U << 20U;
   static constexpr double kLeastShare = 1e-4;  // of a patch, that a rectangle is
-
-  // An entry or a line between entries may be that far from where it stands in exact arithmetic, radians.
-  static double angle_doubt(const Interpolant& interpolant) {
-    return 2e-14 * (1.0 + kPi / interpolant.table().scheme().covering_radius());
-  }
 
   double enough() const { return options_.tightness * result_.attained_mm; }
   double largest_bound() const {
@@ -218,20 +216,33 @@ class BoundSearch {
   double closed_ = 0.0;  // largest bound of the rectangles that are done with
 };
 
+// A bound that says something is left as it is; there is none in place of any other. Those of cells likewise.
+inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
+                                 std::vector<float>* of_cells = nullptr) {
+  double largest = 0.0;
+  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.norm());
+  if (found.bound_mm > largest) found.bound_mm = HUGE_VAL;
+  if (found.a_priori_mm > largest) found.a_priori_mm = HUGE_VAL;
+  if (of_cells == nullptr) return found;
+  for (float& bound : *of_cells) {
+    if (static_cast<double>(bound) > largest) bound = HUGE_VALF;
+  }
+  return found;
+}
+
 // The bound of first order of any scheme, by error_bound.hpp: r_i (exp(T_i s) - 1), the largest over the
 // entries.
 template <SamplingScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& table) {
   const std::vector<float> slopes = largest_slopes(mesh, table.scheme());
+  const double reach = table.scheme().stencil_radius() + direction_doubt(table.scheme());
   TableBound result;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     if (std::isnan(table.radii()[i])) continue;
-    const double bound =
-        table.radii()[i] * std::expm1(static_cast<double>(slopes[i]) * table.scheme().stencil_radius());
-    result.bound_mm = std::max(result.bound_mm, bound);
+    result.bound_mm = std::max(result.bound_mm, table.radii()[i] * first_order_share(slopes[i], reach));
   }
   result.a_priori_mm = result.bound_mm;
-  return result;
+  return within_surface(mesh, result);
 }
 
 // The same of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
@@ -242,18 +253,17 @@ template <PlaneExactScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table) {
   const S& scheme = table.scheme();
   const std::vector<float> slopes = largest_slopes(mesh, scheme);
-  const double beside = 1.0 - std::cos(scheme.stencil_radius());
+  const double reach = scheme.stencil_radius() + direction_doubt(scheme);
+  const double beside = 1.0 - std::cos(reach);
   TableBound result;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const double inverse = table.inverse_depths()[i];
     if (std::isnan(inverse)) continue;
     const double radius = 1.0 / (inverse * scheme.depth(scheme.direction(i)));
-    const double bound =
-        radius * (std::expm1(static_cast<double>(slopes[i]) * scheme.stencil_radius()) + beside);
-    result.bound_mm = std::max(result.bound_mm, bound);
+    result.bound_mm = std::max(result.bound_mm, radius * (first_order_share(slopes[i], reach) + beside));
   }
   result.a_priori_mm = result.bound_mm;
-  return result;
+  return within_surface(mesh, result);
 }
 
 // mesh in the centre frame; the table was filled from it, exactly, for this layer.
@@ -264,7 +274,7 @@ TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, La
     const SurfaceIndex surface(mesh, layer, table.scheme().stencil_radius());
     const auto patches = patches_of(table.scheme());
     const SmoothInterpolant interpolant(table, patches);
-    return BoundSearch(interpolant, surface, options).run();
+    return within_surface(mesh, BoundSearch(interpolant, surface, options).run(), options.of_cells);
   } else {
     return first_order_bound(mesh, table);
   }
@@ -278,7 +288,7 @@ TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& tab
     const SurfaceIndex surface(mesh, layer, table.scheme().stencil_radius());
     const auto patches = flat_patches_of(table.scheme());
     const PlaneExactInterpolant interpolant(table, patches);
-    return BoundSearch(interpolant, surface, options).run();
+    return within_surface(mesh, BoundSearch(interpolant, surface, options).run(), options.of_cells);
   } else {
     return first_order_bound(mesh, table);
   }

@@ -9,6 +9,7 @@
 #include "mesh/lengths.hpp"
 #include "sampling/chart.hpp"
 #include "sampling/rim.hpp"
+#include "sphere/vector_clones.hpp"
 
 namespace impinge {
 namespace {
@@ -25,12 +26,6 @@ struct Span {
   void include(double column, double radius) {
     if (column < left) left = column, left_radius = radius;
     if (column > right) right = column, right_radius = radius;
-  }
-
-  double radius_at(double column) const {
-    if (right <= left) return left_radius;
-    const double share = std::clamp((column - left) / (right - left), 0.0, 1.0);
-    return left_radius + share * (right_radius - left_radius);
   }
 };
 
@@ -51,6 +46,24 @@ Span row_span(const ChartTriangle& triangle, double phi, double spacing) {
   return span;
 }
 
+// Keeps the distances of the span in the columns from `first` on, one for each entry. Written so that the
+// compiler does several columns at a time.
+IMPINGE_VECTOR_CLONES
+void draw_columns(const Span& span, double first, Layer layer, double* entry, int count) {
+  const double left = span.left;
+  const double from = span.left_radius;
+  const double rise = span.right_radius - span.left_radius;
+  const double width = span.right > span.left ? span.right - span.left : 1.0;
+  const double sign = layer == Layer::nearest ? 1.0 : -1.0;
+  for (int k = 0; k < count; ++k) {
+    double share = (first + static_cast<double>(k) - left) / width;
+    share = share < 0.0 ? 0.0 : share;
+    share = share > 1.0 ? 1.0 : share;
+    const double radius = from + share * rise;
+    entry[k] = sign * entry[k] <= sign * radius ? entry[k] : radius;  // keep(), without a branch
+  }
+}
+
 void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) {
   const Rsid& scheme = table.scheme();
   const double spacing = scheme.spacing();
@@ -60,10 +73,14 @@ void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) 
   for (auto i = static_cast<std::size_t>(std::ceil(top / spacing - kOnLine)); i <= last_row; ++i) {
     const Span span = row_span(triangle, static_cast<double>(i) * spacing, spacing);
     if (span.left > span.right) continue;
-    const auto last = static_cast<long>(std::floor(span.right + kOnLine));
-    for (auto j = static_cast<long>(std::ceil(span.left - kOnLine)); j <= last; ++j) {
-      const auto column = static_cast<std::size_t>(((j % columns) + columns) % columns);
-      keep(table.radii()[i * scheme.columns() + column], span.radius_at(static_cast<double>(j)), layer);
+    double* const row = table.radii().data() + i * scheme.columns();
+    const long end = static_cast<long>(std::floor(span.right + kOnLine)) + 1;
+    auto j = static_cast<long>(std::ceil(span.left - kOnLine));
+    while (j < end) {  // from seam to seam
+      const long column = ((j % columns) + columns) % columns;
+      const long count = std::min(end - j, columns - column);
+      draw_columns(span, static_cast<double>(j), layer, row + column, static_cast<int>(count));
+      j += count;
     }
   }
 }
@@ -112,14 +129,18 @@ double triangle_bound(const TriangleCone& cone, const ChartTriangle& triangle, d
 
 }  // namespace
 
-RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {
+void draw_thesis(const TriangleMesh& mesh, Layer layer, RadialTable<Rsid>& table) {
   require_lengths(mesh);
-  RadialTable<Rsid> table(scheme);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;
     for (const ChartTriangle& triangle : chart_triangles(cone)) draw(triangle, layer, table);
   }
+}
+
+RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {
+  RadialTable<Rsid> table(scheme);
+  draw_thesis(mesh, layer, table);
   mask_rim(mesh, layer, table);
   return table;
 }

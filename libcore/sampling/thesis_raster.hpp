@@ -37,7 +37,11 @@
 
 namespace impinge {
 
+// Draws all faces into a table that is there, over what it holds, as Algorithm 1 does; the rim is not marked.
 // mesh in the centre frame.
+void draw_thesis(const TriangleMesh& mesh, Layer layer, RadialTable<Rsid>& table);
+
+// A table of its own, filled so, whose rim is marked.
 RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer);
 
 // Bound on |fill_thesis() - exact radius| at every entry of any precision, mm; infinite if a face is edge-on.

@@ -18,6 +18,19 @@ std::string describe_zones(const json& zones) {
   return text.empty() ? "nowhere" : "at " + text + " o'clock";
 }
 
+std::string describe_table(const json& summary) {
+  const auto entries = summary["entries_per_table"].get<std::size_t>();
+  if (!summary["max_error_mm"].is_null()) {
+    const auto error = summary["max_error_mm"].get<double>();
+    if (entries == 0) return formatted("table               none: gaps within %g mm, of the faces\n", error);
+    return formatted("table               %zu entries in both, and the faces: gaps within %g mm\n", entries,
+                     error);
+  }
+  return formatted("table               %s at %g degrees, %zu entries a surface\n",
+                   summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
+                   entries);
+}
+
 std::string describe_certificate(const json& certificate) {
   if (certificate.is_null()) return "";
   const std::string surfaces = certificate["surfaces"];
@@ -41,9 +54,7 @@ std::string describe_scene(const nlohmann::json& summary) {
                       centre["radius_mm"].get<double>(), centre["residual_rms_mm"].get<double>(),
                       centre["vertices_used"].get<std::size_t>());
   }
-  text += formatted("\ntable               %s at %g degrees, %zu entries a surface\n",
-                    summary["scheme"].get<std::string>().c_str(), summary["precision_deg"].get<double>(),
-                    summary["entries_per_table"].get<std::size_t>());
+  text += "\n" + describe_table(summary);
   text += describe_certificate(summary["certificate"]);
   const nlohmann::json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return text + "smallest gap        none: the surfaces do not face each other\n";

@@ -25,19 +25,10 @@ void require_other_folder(const SceneOptions& options) {
   }
 }
 
-// A joint has two surfaces: given twice, one of the names is a slip.
-void require_two_files(const SceneOptions& options) {
-  std::error_code ignored;  // the reader says what is wrong with a file
-  if (!std::filesystem::equivalent(options.ball, options.socket, ignored)) return;
-  throw FileError(options.socket, "is the mesh of the ball and of the socket",
-                  "give two files with --ball and --socket");
-}
-
 }  // namespace
 
 Joint load_joint(const SceneOptions& options) {
   require_other_folder(options);
-  require_two_files(options);
   JointInput input;
   input.ball = {options.ball.string(), read_mesh(options.ball)};
   input.socket = {options.socket.string(), read_mesh(options.socket)};

@@ -3,20 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
+#include "detection/formatted.hpp"
 #include "experiment/stopwatch.hpp"
 #include "joint/clock.hpp"
 #include "joint/sphere_fit.hpp"
-#include "limits/turn_limit.hpp"
+#include "limits/told_limit.hpp"
+#include "scene/asked.hpp"
+#include "scene/json_values.hpp"
 
 namespace impinge {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kErrorOfInput = 0.5;  // mm, of the centre or the surface
 
 TriangleMesh rotated(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
   for (Vec3& x : mesh.vertices) x = rotation * x;
@@ -31,19 +31,29 @@ struct Turning {
   const char* centre;
 };
 
-json limit_json(const Turning& turning, const TurnLimit& limit) {
+json interval(const CentreInterval& found) {
+  return json::array({found.low_deg, found.limited ? json(found.high_deg) : json(nullptr)});
+}
+
+json limit_json(const Turning& turning, const ToldLimit& told) {
+  const TurnLimit& limit = told.limit;
   json found{{"centre", turning.centre},
+             {"centre_of_rotation", point_json(turning.origin)},
+             {"threshold_mm", told.threshold_mm},
              {"state", name(limit.state)},
              {"low_deg", limit.low_deg},
-             {"high_deg", limit.high_deg}};
+             {"high_deg", limit.high_deg},
+             {"centre_low_deg", told.common.low_deg},
+             {"centre_high_deg", interval(told.common)[1]},
+             {"play_low_deg", told.play.low_deg},
+             {"play_high_deg", interval(told.play)[1]},
+             {"half_mm_gap_deg", told.half_mm_gap_deg ? json(*told.half_mm_gap_deg) : json(nullptr)},
+             {"hangs_on_less_than_half_mm", told.hangs_on_less()},
+             {"leaves_ball_mesh_deg", limit.leaves_mesh_deg ? json(*limit.leaves_mesh_deg) : json(nullptr)}};
   if (!limit.contact) return found;
-  const Vec3 place = turning.axes.transpose() * limit.contact->place + turning.origin;
-  found["position"] = {{"x", place.x()}, {"y", place.y()}, {"z", place.z()}};
+  found["position"] = point_json(turning.axes.transpose() * limit.contact->place + turning.origin);
   found["contact"] = name(limit.contact->kind);
   found["clock"] = turning.dial ? json(clock_text(turning.dial->hours(limit.contact->place))) : json(nullptr);
-  const bool known = std::isfinite(limit.deg_per_mm);
-  found["deg_per_mm"] = known ? json(limit.deg_per_mm) : json(nullptr);
-  found["uncertainty_deg"] = known ? json(kErrorOfInput * limit.deg_per_mm) : json(nullptr);
   return found;
 }
 
@@ -55,23 +65,50 @@ std::optional<Vec3> socket_centre(const TriangleMesh& socket) {
   }
 }
 
+std::string at_clock(const json& limit) {
+  if (!limit.contains("clock") || limit["clock"].is_null()) return "";
+  return " at " + limit["clock"].get<std::string>() + " o'clock";
+}
+
 std::string sentence(const json& limit) {
-  char text[256];
   const std::string state = limit["state"];
-  if (state == "free") {
-    std::snprintf(text, sizeof text, "none up to %.1f degrees", limit["high_deg"].get<double>());
-  } else if (state == "blocked") {
-    std::snprintf(text, sizeof text, "reached before it begins");
-  } else {
-    const json& clock = limit["clock"];
-    const json& unsure = limit["uncertainty_deg"];
-    std::snprintf(text, sizeof text,
-                  "between %.4f and %.4f degrees%s; +-%.1f for 0.5 mm of centre or surface",
-                  limit["low_deg"].get<double>(), limit["high_deg"].get<double>(),
-                  clock.is_null() ? "" : (" at " + clock.get<std::string>() + " o'clock").c_str(),
-                  unsure.is_null() ? INFINITY : unsure.get<double>());
-  }
+  const double low = limit["low_deg"];
+  if (state == "free") return formatted("none up to %.1f degrees", low);
+  if (state == "blocked") return "reached before it begins";
+  if (state == "limited")
+    return formatted("between %.4f and %.4f degrees", low, limit["high_deg"].get<double>()) + at_clock(limit);
+  const json& leaves = limit["leaves_ball_mesh_deg"];
+  if (!leaves.is_null() && leaves.get<double>() <= low)
+    return formatted("leaves the ball's mesh at %.1f degrees, none before; unknown beyond", low);
+  return formatted("none up to %.1f degrees, where surfaces graze; unknown beyond", low);
+}
+
+std::string range_text(const json& low, const json& high) {
+  const auto from = low.get<double>();
+  if (high.is_null()) return from > 0.0 ? formatted("none before %.1f degrees", from) : "unknown";
+  return formatted("%.1f to %.1f degrees", from, high.get<double>());
+}
+
+// What half a millimetre changes, each on a line of its own below the limit.
+std::string doubts(const json& limit) {
+  if (limit["state"] == "blocked") return "";
+  const std::string below = "\n                    ";
+  std::string text = below + formatted("any centre within %g mm: ", kErrorOfInput) +
+                     range_text(limit["centre_low_deg"], limit["centre_high_deg"]) +
+                     formatted("; play of the ball up to %g mm: ", kErrorOfInput) +
+                     range_text(limit["play_low_deg"], limit["play_high_deg"]);
+  if (!limit["half_mm_gap_deg"].is_null())
+    text += below + formatted("the gap falls to %g mm at %.1f degrees", kErrorOfInput,
+                              limit["half_mm_gap_deg"].get<double>());
+  if (limit["hangs_on_less_than_half_mm"].get<bool>())
+    text += formatted(": this answer hangs on less than %g mm", kErrorOfInput);
   return text;
+}
+
+std::string described(std::string label, const json& limit) {
+  label.resize(std::max(label.size() + 1, std::size_t{20}), ' ');
+  return label + sentence(limit) + ", about the centre of the " + limit["centre"].get<std::string>() +
+         doubts(limit) + "\n";
 }
 
 }  // namespace
@@ -85,41 +122,31 @@ json limit_summary(const SceneOptions& options, const Joint& joint) {
   const double largest = largest_growth(options.motion, *options.limit);
   Turning turning{axes, clock_face(socket), joint.centre, "ball"};
   const TurnLimits fixed({ball, socket});
-  json contact = json::array({limit_json(turning, fixed.first_contact(turn, largest))});
-  const json cartilage = limit_json(turning, fixed.gap_of(turn, options.cartilage_mm, largest));
+  json contact = json::array({limit_json(turning, told_limit(fixed, turn, 0.0, largest))});
+  const json cartilage = limit_json(turning, told_limit(fixed, turn, options.cartilage_mm, largest));
   if (const auto centre = socket_centre(socket)) {
     turning.origin = joint.centre + axes.transpose() * *centre;
     turning.centre = "socket";
-    contact.push_back(
-        limit_json(turning, TurnLimits({ball, relative_to(socket, *centre)}).first_contact(turn, largest)));
+    const TurnLimits about_socket({ball, relative_to(socket, *centre)});
+    contact.push_back(limit_json(turning, told_limit(about_socket, turn, 0.0, largest)));
   }
-  const double took_ms = watch.lap_ms();
-  return {{"units", {{"length", "mm"}, {"angle", "deg"}, {"time", "ms"}}},
-          {"ball", {{"file", options.ball.string()}}},
-          {"socket", {{"file", options.socket.string()}}},
-          {"question", "limit"},
-          {"motion", options.limit->name},
-          {"pose", options.pose},
-          {"largest_angle_deg", largest},
-          {"contact", contact},
-          {"cartilage_mm", options.cartilage_mm},
-          {"cartilage", cartilage},
-          {"warnings", joint.warnings},
-          {"times_ms", {{"answer", took_ms}}}};
+  json report = asked_json(options, joint);
+  report.update({{"largest_angle_deg", largest},
+                 {"contact", contact},
+                 {"cartilage_mm", options.cartilage_mm},
+                 {"cartilage", cartilage},
+                 {"centre_within_mm", kErrorOfInput},
+                 {"times_ms", {{"answer", watch.lap_ms()}}}});
+  return report;
 }
 
 std::string describe_limits(const json& summary) {
   const std::string motion = summary["motion"];
   std::string text =
       "limit               of " + motion + ", from the pose " + summary["pose"].get<std::string>() + "\n";
-  for (const json& limit : summary["contact"])
-    text += "bone on bone        " + sentence(limit) + ", about the centre of the " +
-            limit["centre"].get<std::string>() + "\n";
-  char gap[48];
-  std::snprintf(gap, sizeof gap, "gap of %g mm", summary["cartilage_mm"].get<double>());
-  std::string label(gap);
-  label.resize(std::max(label.size() + 1, std::size_t{20}), ' ');
-  return text + label + sentence(summary["cartilage"]) + "\n";
+  for (const json& limit : summary["contact"]) text += described("bone on bone", limit);
+  return text +
+         described(formatted("gap of %g mm", summary["cartilage_mm"].get<double>()), summary["cartilage"]);
 }
 
 }  // namespace impinge

@@ -2,8 +2,9 @@
 #include "scene/measurement.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
+#include "detection/formatted.hpp"
 #include "experiment/stopwatch.hpp"
 #include "joint/motion.hpp"
 #include "scene/planned_answer.hpp"
@@ -11,6 +12,53 @@
 
 namespace impinge {
 namespace {
+
+// Both scans held against the faces of the other surface.
+class MeasuredOnFaces {
+ public:
+  MeasuredOnFaces(const Joint& joint, const Pose& pose)
+      : ball_(joint.ball.mesh, 0.0), socket_(joint.socket.mesh, 0.0) {
+    for (const Vec3& v : joint.ball.mesh.vertices) ball_places_.push_back(to_socket(pose, v));
+    for (const Vec3& v : joint.socket.mesh.vertices) socket_places_.push_back(to_ball(pose, v));
+  }
+
+  // The bound of each gap is how far it can be from that of the faces. std::runtime_error where that is above
+  // what was promised.
+  void bound(double promised, Measurement& result) const {
+    Stopwatch watch;
+    for (SurfaceGaps* gaps : {&result.ball, &result.socket}) {
+      const bool ball = gaps == &result.ball;
+      for (std::size_t i = 0; i < gaps->gap.size(); ++i) {
+        const CertifiedGap exact = ball ? measured_ball_gap(socket_, ball_places_[i])
+                                        : measured_socket_gap(ball_, socket_places_[i]);
+        const double gap = gaps->gap[i];
+        gaps->bound.push_back(std::max(gap - exact.low, exact.high - gap));
+        if (gaps->bound.back() > promised) refuse(promised, ball ? "ball" : "socket", i, gaps->bound.back());
+      }
+    }
+    result.bound_ms = watch.lap_ms();
+  }
+
+  // Where the smallest gap is, by the bounds of the measurement.
+  SmallestBetween smallest(const Measurement& result) const {
+    return smallest_between(
+        {ScannedSurface::ball, socket_, ball_places_, result.ball.gap, result.ball.bound},
+        {ScannedSurface::socket, ball_, socket_places_, result.socket.gap, result.socket.bound});
+  }
+
+ private:
+  [[noreturn]] static void refuse(double promised, const char* surface, std::size_t vertex, double bound) {
+    throw std::runtime_error(formatted(
+        "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
+        "for a larger error",
+        promised, surface, vertex, bound));
+  }
+
+  NearFaces ball_;
+  NearFaces socket_;
+  std::vector<Vec3> ball_places_;    // in the frame of the socket
+  std::vector<Vec3> socket_places_;  // in the frame of the ball
+};
 
 // They are those of the meshes, whatever the table.
 void bracket_distances(const Joint& joint, Measurement& result) {
@@ -39,20 +87,18 @@ Pose scene_pose(const SceneOptions& options) {
   return {axes.transpose() * joint_rotation(options.motion, options.side) * axes, Vec3::Zero()};
 }
 
-double largest_bound(const SurfaceGaps& gaps) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < gaps.gap.size(); ++i) {
-    if (!std::isnan(gaps.gap[i])) largest = std::max(largest, gaps.bound[i]);
-  }
-  return largest;
-}
-
 Measurement measure(const Joint& joint, const SceneOptions& options) {
   const Pose pose = scene_pose(options);
   const SceneOutputs& outputs = options.outputs;
-  const bool whole = outputs.bounds || outputs.verdicts;
+  const bool bounds = outputs.bounds || outputs.verdicts;
+  const bool whole = bounds && !options.max_error_mm;
   Measurement result =
       whole ? measure_whole_tables(joint, options, pose) : measure_gaps(joint, options, pose);
+  if (bounds) {
+    const MeasuredOnFaces faces(joint, pose);
+    if (!whole) faces.bound(*options.max_error_mm, result);
+    result.smallest = faces.smallest(result);
+  }
   if (outputs.distances) bracket_distances(joint, result);
   if (outputs.verdicts) {
     result.certificate =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "detection/euclidean_bracket.hpp"
+#include "detection/measured_gap.hpp"
 #include "detection/pose.hpp"
 #include "planning/scene_answer.hpp"
 #include "scene/certificate.hpp"
@@ -19,7 +20,7 @@ namespace impinge {
 // One scan: the vertices of one surface against the table of the other. What was not asked for is empty.
 struct SurfaceGaps {
   std::vector<double> gap;    // mm, NaN where the other surface is not met
-  std::vector<double> bound;  // mm, proven bound on the error of the gap (table_bound.hpp), NaN with it
+  std::vector<double> bound;  // mm, proven bound on the error of the gap, NaN with it, infinite where none is
   std::vector<DistanceBracket> distance;  // Euclidean, to any point of the other surface, of every vertex
 };
 
@@ -27,22 +28,23 @@ struct Measurement {
   Pose pose;                               // of the ball, in the centre frame
   SurfaceGaps ball;                        // vertices of the ball against the socket
   SurfaceGaps socket;                      // vertices of the socket against the ball
-  double precision_deg = 0.0;              // of both tables
-  std::size_t entries = 0;                 // of each table
+  double precision_deg = 0.0;              // of both tables; 0 with --max-error
+  std::size_t entries = 0;                 // of each table; worked out in both, with --max-error
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
   double bound_ms = 0.0;                   // the bounds of all gaps
   double scan_ms = 0.0;                    // both scans
   double distance_ms = 0.0;                // the brackets of all Euclidean distances
+  SmallestBetween smallest;                // of all gaps, where their bounds are asked for
   std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
   std::string way;                         // how the gaps were found, and why so, in one clause
   std::vector<LeftOut> left_out;           // work and memory that the scene did not need
 };
 
-// Fills a table for each surface at the precision asked for, or at the coarsest of 1, 0.5, 0.25, 0.1, 0.05
-// and 0.025 degrees whose bound keeps --max-error at every vertex, and scans both. Where neither bounds nor
-// verdicts are asked for, only what the gaps need is done (planning/scene_plan.hpp), and with --max-error
-// gaps that no table is proven to keep that accurate are measured on the faces.
+// Fills a table for each surface at the precision asked for, and scans both. Where neither bounds nor
+// verdicts are asked for, only what the gaps need is done (planning/scene_plan.hpp). With --max-error, gaps
+// that no table is proven to keep that accurate are measured on the faces, and bounds, where they are asked
+// for, are those of holding each gap against the faces (detection/measured_gap.hpp).
 //
 // Tables are filled and scanned in double, without the kernels of libcore/kernels. Those have tables of the
 // cube map, RSID and USID in fewer bits, whose bounds are wider, and there is little that they could save:
@@ -52,13 +54,10 @@ struct Measurement {
 // 1 %. A summary has those times of its own run.
 //
 // std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take) or
-// no precision is fine enough.
+// --max-error is below what rounding leaves.
 Measurement measure(const Joint& joint, const SceneOptions& options);
 
 // The pose that the options name, of the ball in the centre frame.
 Pose scene_pose(const SceneOptions& options);
-
-// Largest bound over the vertices that have a gap; 0 if none has.
-double largest_bound(const SurfaceGaps& gaps);
 
 }  // namespace impinge

@@ -99,6 +99,8 @@ void set_limit(const Typed& typed, SceneOptions& options) {
   if (typed.motion.empty())
     refuse("--question", typed.question,
            "needs the motion whose limit is wanted; add it, as --motion flexion");
+  if (options.cartilage_map)
+    refuse("--cartilage", typed.cartilage, "is a map, and a limit has one threshold; give a number of mm");
   options.question = Question::first_contact;
   for_option("--motion", [&] {
     options.limit = &motion_name(typed.motion);

@@ -38,8 +38,8 @@ Measurement measure_gaps(const Joint& joint, const SceneOptions& options, const 
   const AnyScheme scheme = partly_kept(options);
   SceneAnswer answer = answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, pose), scheme,
                                     Omissions::all(), no_full_table, &result.left_out);
-  result.precision_deg = scheme.precision_deg();
-  result.entries = scheme.size();
+  result.precision_deg = options.max_error_mm ? 0.0 : scheme.precision_deg();
+  result.entries = options.max_error_mm ? answer.cost.entries : scheme.size();
   result.bytes = answer.cost.bytes;
   result.way = std::move(answer.path.reason);
   result.ball.gap = std::move(answer.gaps.front().ball);

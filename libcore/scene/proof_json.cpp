@@ -18,6 +18,8 @@ const char* name(OverlayKind kind) {
       return "ball vertex";
     case OverlayKind::socket_corner:
       return "socket vertex";
+    case OverlayKind::centre:
+      return "centre of the ball";
     case OverlayKind::crossing:
       break;
   }
@@ -35,29 +37,26 @@ json vertex_verdicts_json(const VertexVerdicts& verdicts) {
 
 }  // namespace
 
-nlohmann::json bounds_json(const ReportedSurface& ball, const ReportedSurface& socket) {
+nlohmann::json bounds_json(const ReportedSurface& ball, const ReportedSurface& socket,
+                           const SmallestBetween& smallest) {
   if (ball.gaps.bound.empty()) return nullptr;
-  double low = std::numeric_limits<double>::infinity();
-  double high = low;
   double largest = 0.0;
   std::size_t unbounded = 0;
   for (const ReportedSurface* v : {&ball, &socket}) {
     for (std::size_t i = 0; i < v->gaps.gap.size(); ++i) {
-      const double gap = v->gaps.gap[i];
       const double bound = v->gaps.bound[i];
-      if (std::isnan(gap)) continue;
+      if (std::isnan(v->gaps.gap[i])) continue;
       if (std::isinf(bound)) {
         ++unbounded;
         continue;
       }
-      low = std::min(low, gap - bound);
-      high = std::min(high, gap + bound);
       largest = std::max(largest, bound);
     }
   }
   return {{"largest", largest},
           {"vertices_without_bound", unbounded},
-          {"smallest_gap_between", nlohmann::json::array({number_json(low), number_json(high)})}};
+          {"smallest_gap_between", interval_json(smallest.low, smallest.high)},
+          {"vertices_measured_on_the_faces", smallest.measured}};
 }
 
 nlohmann::json distances_json(const ReportedSurface& ball, const ReportedSurface& socket) {

@@ -11,9 +11,11 @@
 
 namespace impinge {
 
-// What the bounds of all vertices together prove: the smallest gap of any of them lies in the interval.
-// Vertices without a finite bound (steep faces) are counted and left out of it. null without bounds.
-nlohmann::json bounds_json(const ReportedSurface& ball, const ReportedSurface& socket);
+// What is proven about the gaps of all vertices: the largest bound; how many have none from the table; and
+// where the smallest gap is, of those whose bound leaves that open measured on the faces. null without
+// bounds.
+nlohmann::json bounds_json(const ReportedSurface& ball, const ReportedSurface& socket,
+                           const SmallestBetween& smallest);
 
 // Gaps are radial. Where one is above the upper end of the Euclidean distance it overstates it for certain.
 // null without distances.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "detection/formatted.hpp"
+#include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 
 namespace impinge {
@@ -27,11 +28,6 @@ json smallest_json(const SmallestGap& smallest, const Joint& joint, const Pose& 
           {"surface", ball ? "ball" : "socket"},
           {"vertex", smallest.vertex},
           {"position", point_json((ball ? to_socket(pose, vertex) : vertex) + joint.centre)}};
-}
-
-const char* surfaces(const SceneOptions& options) {
-  if (options.scan_ball && options.scan_socket) return "both";
-  return options.scan_ball ? "ball" : "socket";
 }
 
 }  // namespace
@@ -76,28 +72,18 @@ std::string json_text(const json& summary) {
 json question_summary(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found) {
   const SceneAnswer& answer = found.answer;
   const bool touch = options.question == Question::touch;
-  json centre = point_json(joint.centre);
-  centre["source"] = joint.fit ? "fitted" : "given";
-  return {
-      {"units", {{"length", "mm"}, {"time", "ms"}, {"memory", "bytes"}}},
-      {"ball", {{"file", options.ball.string()}}},
-      {"socket", {{"file", options.socket.string()}}},
-      {"centre", centre},
-      {"pose", options.pose},
-      {"scheme", options.scheme},
-      {"precision_deg", options.precision_deg},
-      {"max_error_mm", options.max_error_mm ? json(*options.max_error_mm) : json(nullptr)},
-      {"question", touch ? "touch" : "first-contact"},
-      {"surfaces", surfaces(options)},
-      {"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
-      {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
-      {"way", answer.path.reason},
-      {"left_out", left_out_json(found.left_out)},
-      {"table_bytes", answer.cost.bytes},
-      {"entries_filled", answer.cost.entries},
-      {"look_ups", answer.cost.look_ups},
-      {"warnings", joint.warnings},
-      {"times_ms", {{"answer", found.milliseconds}}}};
+  json report = asked_json(options, joint);
+  report["units"]["memory"] = "bytes";
+  report.update(
+      {{"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
+       {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
+       {"way", answer.path.reason},
+       {"left_out", left_out_json(found.left_out)},
+       {"table_bytes", answer.cost.bytes},
+       {"entries_filled", answer.cost.entries},
+       {"look_ups", answer.cost.look_ups},
+       {"times_ms", {{"answer", found.milliseconds}}}});
+  return report;
 }
 
 std::string describe_question(const json& summary) {

@@ -3,6 +3,7 @@
 
 #include "detection/gap_histogram.hpp"
 #include "detection/gap_summary.hpp"
+#include "scene/asked.hpp"
 #include "scene/impingement_json.hpp"
 #include "scene/json_values.hpp"
 #include "scene/proof_json.hpp"
@@ -32,14 +33,17 @@ json part_json(const ReportedSurface& v) {
           {"vertices_that_meet_the_other_surface", summarise(v.gaps.gap, v.area, 0.0).met}};
 }
 
-json centre_json(const Joint& joint) {
-  json centre = point_json(joint.centre);
-  centre["source"] = joint.fit ? "fitted" : "given";
-  centre["radius_mm"] = joint.fit ? json(joint.fit->radius) : json(nullptr);
-  centre["residual_rms_mm"] = joint.fit ? json(joint.fit->rms) : json(nullptr);
-  centre["vertices_used"] = joint.fit ? json(joint.fit->points) : json(nullptr);
-  return centre;
+json outputs_json(const SceneOutputs& outputs) {
+  json names = json::array();
+  if (outputs.gaps) names.push_back("gaps");
+  if (outputs.bounds) names.push_back("bounds");
+  if (outputs.distances) names.push_back("distances");
+  if (outputs.verdicts) names.push_back("verdicts");
+  return names;
 }
+
+// null for 0: with an accuracy asked for, each gap has what is cheapest.
+json positive_json(double value) { return value > 0.0 ? json(value) : json(nullptr); }
 
 json cartilage_json(const SceneOptions& options, const Joint& joint) {
   if (!joint.cartilage) return nullptr;
@@ -92,46 +96,42 @@ nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Me
   }
   const nlohmann::json smallest = smaller(smallest_json(ball, where), smallest_json(socket, where));
   const GapHistogram bins;
-  return {
-      {"units", {{"length", "mm"}, {"area", "mm^2"}, {"angle", "deg"}, {"time", "ms"}}},
-      {"ball", part_json(ball)},
-      {"socket", part_json(socket)},
-      {"centre", centre_json(joint)},
-      {"pose", options.pose},
-      {"side", options.side ? nlohmann::json(*options.side == Side::left ? "left" : "right")
-                            : nlohmann::json(nullptr)},
-      {"axes", options.axes},
-      {"scheme", options.scheme},
-      {"precision_deg", measurement.precision_deg},
-      {"entries_per_table", measurement.entries},
-      {"table_bytes", measurement.bytes},
-      {"cartilage_mm", joint.cartilage ? nlohmann::json(nullptr) : nlohmann::json(options.cartilage_mm)},
-      {"cartilage_map", cartilage_json(options, joint)},
-      {"dial", dial_json(where.dial)},
-      {"smallest_gap", smallest},
-      {"gap_histogram",
-       {{"first_mm", bins.first},
-        {"bin_mm", bins.width},
-        {"ball", histogram_json(ball)},
-        {"socket", histogram_json(socket)}}},
-      {"impingement", thresholds},
-      {"error_bound_mm", bounds_json(ball, socket)},
-      {"euclidean_distance_mm", distances_json(ball, socket)},
-      {"certificate", certificate_json(measurement.certificate)},
-      {"colours",
-       {{"ball", levels_json(ball, joint.cartilage.has_value())},
-        {"socket", levels_json(socket, joint.cartilage.has_value())},
-        {"no_gap_rgb", kNoGapColour}}},
-      {"way", measurement.way},
-      {"left_out", left_out(joint, measurement.left_out)},
-      {"warnings", warnings_json(joint, measurement, smallest)},
-      {"times_ms",
-       {{"fill_tables", measurement.fill_ms},
-        {"scan", measurement.scan_ms},
-        {"error_bounds", measurement.bound_ms},
-        {"euclidean_distances", measurement.distance_ms},
-        {"certificate", measurement.certificate ? nlohmann::json(1000.0 * measurement.certificate->seconds)
-                                                : nlohmann::json(nullptr)}}}};
+  json report = asked_json(options, joint);
+  report.update(
+      {{"ball", part_json(ball)},
+       {"socket", part_json(socket)},
+       {"outputs", outputs_json(options.outputs)},
+       {"precision_deg", positive_json(measurement.precision_deg)},
+       {"entries_per_table", measurement.entries},
+       {"table_bytes", measurement.bytes},
+       {"cartilage_mm", joint.cartilage ? nlohmann::json(nullptr) : nlohmann::json(options.cartilage_mm)},
+       {"cartilage_map", cartilage_json(options, joint)},
+       {"dial", dial_json(where.dial)},
+       {"smallest_gap", smallest},
+       {"gap_histogram",
+        {{"first_mm", bins.first},
+         {"bin_mm", bins.width},
+         {"ball", histogram_json(ball)},
+         {"socket", histogram_json(socket)}}},
+       {"impingement", thresholds},
+       {"error_bound_mm", bounds_json(ball, socket, measurement.smallest)},
+       {"euclidean_distance_mm", distances_json(ball, socket)},
+       {"certificate", certificate_json(measurement.certificate)},
+       {"colours",
+        {{"ball", levels_json(ball, joint.cartilage.has_value())},
+         {"socket", levels_json(socket, joint.cartilage.has_value())},
+         {"no_gap_rgb", kNoGapColour}}},
+       {"way", measurement.way},
+       {"left_out", left_out(joint, measurement.left_out)},
+       {"warnings", warnings_json(joint, measurement, smallest)},
+       {"times_ms",
+        {{"fill_tables", measurement.fill_ms},
+         {"scan", measurement.scan_ms},
+         {"error_bounds", measurement.bound_ms},
+         {"euclidean_distances", measurement.distance_ms},
+         {"certificate", measurement.certificate ? nlohmann::json(1000.0 * measurement.certificate->seconds)
+                                                 : nlohmann::json(nullptr)}}}});
+  return report;
 }
 
 }  // namespace impinge

@@ -2,10 +2,7 @@
 #include "scene/whole_tables.hpp"
 
 #include <algorithm>
-#include <array>
-#include <stdexcept>
 
-#include "detection/formatted.hpp"
 #include "detection/gap_scan.hpp"
 #include "experiment/stopwatch.hpp"
 #include "mesh/surface_vertices.hpp"
@@ -22,8 +19,6 @@ namespace {
 constexpr const char* kWay =
     "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
     "most that faster kernels could save";
-
-constexpr std::array kPrecisions{1.0, 0.5, 0.25, 0.1, 0.05, 0.025};  // degrees, for --max-error
 
 // A vertex of no face belongs to no surface: it has no gap.
 void forget_stray_vertices(const TriangleMesh& mesh, std::vector<double>& gap) {
@@ -84,37 +79,15 @@ Measurement measure_at(double precision_deg, const Joint& joint, const Pose& pos
   const S scheme = S::with_precision(precision_deg);
   const double entry = sizeof(double) + sizeof(float);  // radius and slope
   require_memory({scheme.size(), precision_deg, 2.0 * entry * static_cast<double>(scheme.size()), "",
-                  "a coarser --precision or a larger --max-error"});
+                  "a coarser --precision"});
   return Scans<S>{scheme, joint, pose}.run();
-}
-
-double largest_bound(const Measurement& result) {
-  return std::max(largest_bound(result.ball), largest_bound(result.socket));
-}
-
-// The coarsest precision that keeps the bound.
-template <SamplingScheme S>
-Measurement measure_within(double max_error_mm, const Joint& joint, const Pose& pose) {
-  double bound = 0.0;
-  for (const double precision : kPrecisions) {
-    Measurement result = measure_at<S>(precision, joint, pose);
-    bound = largest_bound(result);
-    if (bound <= max_error_mm) return result;
-  }
-  throw std::runtime_error(formatted(
-      "option --max-error: %g mm cannot be promised at every vertex, the proven bound at %g degrees "
-      "is %g mm; ask for a larger error, or choose --precision instead",
-      max_error_mm, kPrecisions.back(), bound));
 }
 
 }  // namespace
 
 Measurement measure_whole_tables(const Joint& joint, const SceneOptions& options, const Pose& pose) {
   Measurement result;
-  with_scheme(options.scheme, [&]<class S>() {
-    result = options.max_error_mm ? measure_within<S>(*options.max_error_mm, joint, pose)
-                                  : measure_at<S>(options.precision_deg, joint, pose);
-  });
+  with_scheme(options.scheme, [&]<class S>() { result = measure_at<S>(options.precision_deg, joint, pose); });
   return result;
 }
 

@@ -24,6 +24,11 @@ class ModelOf final : public AnyScheme::Model {
     if constexpr (PlaneExactScheme<S>) return S::kFlatCells;
     return false;
   }
+  bool has_known_borders() const override { return HasKnownBorders<S>; }
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const override {
+    if constexpr (HasKnownBorders<S>) return impinge::meets_cells_once(scheme_, a, b);
+    return false;
+  }
   double covering_radius() const override { return scheme_.covering_radius(); }
   double stencil_radius() const override { return scheme_.stencil_radius(); }
   Vec3 direction(std::size_t entry) const override { return scheme_.direction(entry); }

@@ -31,7 +31,9 @@ class AnyScheme {
     virtual double precision_deg() const = 0;
     virtual std::size_t size() const = 0;
     virtual std::size_t cells() const = 0;
-    virtual bool flat_cells() const = 0;  // see AnyScheme::flat_cells()
+    virtual bool flat_cells() const = 0;         // see AnyScheme::flat_cells()
+    virtual bool has_known_borders() const = 0;  // see AnyScheme::has_known_borders()
+    virtual bool meets_cells_once(const Vec3& a, const Vec3& b) const = 0;
     virtual double covering_radius() const = 0;
     virtual double stencil_radius() const = 0;
     virtual Vec3 direction(std::size_t entry) const = 0;
@@ -64,6 +66,9 @@ class AnyScheme {
   std::size_t cells() const { return model_->cells(); }
   // Is it a PlaneExactScheme whose cells are bounded by great circles?
   bool flat_cells() const { return model_->flat_cells(); }
+  // Is it one of HasKnownBorders? Only then meets_cells_once() may be asked.
+  bool has_known_borders() const { return model_->has_known_borders(); }
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return model_->meets_cells_once(a, b); }
   double covering_radius() const { return covering_radius_; }
   double stencil_radius() const { return stencil_radius_; }
   Vec3 direction(std::size_t entry) const { return model_->direction(entry); }

@@ -22,6 +22,8 @@ class ArcSteps {
   double last() const { return last_; }
   double turns() const { return turns_; }
   double turn(double phi) const { return phi / spacing_; }
+  double most_turn_rate() const { return 1.0 / spacing_; }
+  double most_turn_bend() const { return 0.0; }
   double polar_of_turn(double turn) const { return turn * spacing_; }
   double place(double phi) const;
   double polar_angle(double t) const;

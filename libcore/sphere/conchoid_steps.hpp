@@ -27,6 +27,10 @@ class ConchoidSteps {
   double ratio() const { return b_; }          // b / a
   double step_area() const { return step_; }   // between entries, in units of a^2
   double turn(double phi) const;
+  // With s' = m, m^2 = 1 + b^2 + 2 b cos(phi): |s'| <= 1 + b, and |s''| = b sin(phi) / m is b where cos(phi)
+  // = -b.
+  double most_turn_rate() const { return (1.0 + b_) / spacing_; }
+  double most_turn_bend() const { return b_ / spacing_; }
   double polar_of_turn(double turn) const;
   double place(double phi) const;
   double polar_angle(double t) const;

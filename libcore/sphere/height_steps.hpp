@@ -25,6 +25,8 @@ class HeightSteps {
   double slope() const { return 2.0 * turns_; }  // theta over phi
 
   double turn(double phi) const { return phi / spacing_; }
+  double most_turn_rate() const { return 1.0 / spacing_; }
+  double most_turn_bend() const { return 0.0; }
   double polar_of_turn(double turn) const { return turn * spacing_; }
 
   // t(phi) = (w - 1) (1 - cos phi) / 2, and phi(t), accurate at both poles.

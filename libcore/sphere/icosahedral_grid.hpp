@@ -19,6 +19,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sphere/arc_borders.hpp"
 #include "sphere/circumradius.hpp"
 #include "sphere/cone_polygon.hpp"
 #include "sphere/equator_division.hpp"
@@ -38,7 +39,8 @@ struct TriangleRange {
 //   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
 //   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
 //   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
-//   kFlatCells         whether the fractions are lambda itself
+//   kFlatCells         whether the fractions are lambda itself; if not, also
+//   kMostBend          the largest second derivative of a fraction along a unit step of lambda
 //   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
 //                      times n; radians
 // and that the widest cell is at most kWidest steps from the middle of the face.
@@ -75,6 +77,25 @@ class IcosahedralGrid {
   Stencil stencil(const Vec3& x) const {
     const std::size_t face = Icosahedron::instance().face_of(x);
     return to_stencil(face, triangle_at(flat_place(face, x)));
+  }
+
+  // On a face of the icosahedron an arc is a straight line, along which the fractions bend by at most
+  // kMostBend times its length squared. Cells lie between lines of whole n times a fraction.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const {
+    if constexpr (kFlatCells) {
+      return true;
+    } else {
+      const std::size_t face = Icosahedron::instance().face_of(a);
+      if (face != Icosahedron::instance().face_of(b)) return false;
+      const auto n = static_cast<double>(n_);
+      const Vec3 from = flat_place(face, a);
+      const Vec3 to = flat_place(face, b);
+      const Vec3 first = n * Warp::fractions(from);
+      const Vec3 last = n * Warp::fractions(to);
+      const double bend = n * Warp::kMostBend * (to - from).squaredNorm();
+      return passes_lines_once(first[0], last[0], bend) && passes_lines_once(first[1], last[1], bend) &&
+             passes_lines_once(first[2], last[2], bend);
+    }
   }
 
   double depth(const Vec3& x) const {

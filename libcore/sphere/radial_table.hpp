@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "sphere/cell_mask.hpp"
 #include "sphere/interpolate.hpp"
+#include "sphere/table_memory.hpp"
 #include "sphere/table_size.hpp"
 
 namespace impinge {
@@ -33,6 +33,7 @@ class RadialTable {
   std::span<double> radii() & { return radii_; }
   std::span<const double> radii() const&& = delete;                    // they would dangle: keep the table
   double radius_of(std::size_t entry) const { return radii_[entry]; }  // of an entry, mm
+  void forget(std::size_t entry) { radii_[entry] = kNoSurface; }       // it has no surface from now on
   static bool keeps(const Stencil& /*stencil*/) { return true; }  // the entries that it reads: all are kept
 
   // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
@@ -54,7 +55,7 @@ class RadialTable {
 
  private:
   S scheme_;
-  std::vector<double> radii_;
+  TableMemory<double> radii_;
   CellMask rim_;
 };
 

@@ -64,7 +64,7 @@ struct RunVisitor {
 //   for_each_cell_across(stencil, visit)
 //                        calls visit(other) for the stencils of all cells that read across the cell of
 //                        `stencil`, so that a rim in it is kept out of theirs
-// and a scheme may have what PlaneExactScheme and AreaScheme ask for below.
+// and a scheme may have what PlaneExactScheme, AreaScheme and HasKnownBorders ask for below.
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {
@@ -96,6 +96,30 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
   { scheme.plane_stencil(x) } -> std::same_as<Stencil>;
   { S::kFlatCells } -> std::convertible_to<bool>;
 };
+
+// A scheme that tells how its cells are bounded, so that the rim of a surface takes out no more of them than
+// it crosses (sampling/rim.hpp). It has one of
+//   kFlatCells               true: all cells are bounded by great circles and convex
+//   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, meet every cell in
+//   one
+//                            stretch at most? Only where that is certain; of arcs short enough it has to be,
+//                            but round single points. sphere/arc_borders.hpp helps.
+// Of any other scheme the entries beside a rim have no surface.
+template <class S>
+concept HasKnownBorders = requires(const S scheme, const Vec3& x) {
+  { scheme.meets_cells_once(x, x) } -> std::same_as<bool>;
+}
+|| requires { requires S::kFlatCells; };
+
+// The answer of either.
+template <HasKnownBorders S>
+bool meets_cells_once(const S& scheme, const Vec3& a, const Vec3& b) {
+  if constexpr (requires { scheme.meets_cells_once(a, b); }) {
+    return scheme.meets_cells_once(a, b);
+  } else {
+    return true;
+  }
+}
 
 // A scheme that divides the sphere among its entries in closed form:
 //   area(i)  solid angle that entry i stands for, steradians; the sum is 4 pi

@@ -9,6 +9,8 @@
 //   turns()              turn of the south pole, at least 2
 //   turn(phi)            turn at the polar angle phi
 //   polar_of_turn(turn)  polar angle of a turn, the inverse of turn()
+//   most_turn_rate()     largest derivative of turn(phi), and
+//   most_turn_bend()     largest second derivative, absolute
 //   place(phi)           place at the polar angle phi
 //   polar_angle(t)       polar angle of the place t, the inverse of place(), accurate at both poles
 //   direction(i)         unit vector of entry i
@@ -23,6 +25,7 @@
 #include <cstddef>
 
 #include "sphere/angular_box.hpp"
+#include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/haversine.hpp"
 #include "sphere/scheme.hpp"
@@ -69,6 +72,21 @@ class Spiral {
     const bool last = at.taps == 3 && !first;
     if (!first) visit_below({at.entry[0], 0.0}, visit);
     if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
+  }
+
+  // Cells lie between meridians and the curve, on which turn(phi) - theta / (2 pi) is whole. With the bounds
+  // of ArcAngles that bends by at most T' |cot phi| + T'' + |cot phi| / (2 pi sin(phi)). An arc of a
+  // sixteenth of a turn of azimuth meets the azimuths of a cell once: no two entries are 15/16 of a turn
+  // apart.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const {
+    const ArcAngles arc(a, b);
+    if (arc.sine == 0.0 || std::abs(arc.turn) > kPi / 8.0) return false;
+    const double bend = (placement_.most_turn_rate() + 1.0 / (2.0 * kPi * arc.sine)) * arc.cotangent() +
+                        placement_.most_turn_bend();
+    const double from = placement_.turn(arc.from.phi) - arc.from.theta / (2.0 * kPi);
+    const double change =
+        placement_.turn(arc.to.phi) - placement_.turn(arc.from.phi) - arc.turn / (2.0 * kPi);
+    return passes_lines_once(from, from + change, bend * arc.length * arc.length);
   }
 
   const P& placement() const { return placement_; }  // where the entries are

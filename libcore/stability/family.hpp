@@ -6,10 +6,12 @@
 // An input has a condition number: the relative change of the answer, in units of the largest relative change
 // of the data, that no algorithm in that arithmetic can avoid. With u the unit roundoff an algorithm is as
 // stable as can be if its relative error is a small number times condition * u; how large that number may be
-// is worked out from the operations of the algorithm, before anything is measured, and is the threshold. A
+// is worked out from the operations of the algorithm, before anything is measured, and is the threshold. It
+// covers the worst of all inputs, and so lies far above what is measured; that has a limit of its own. A
 // scene is stiff if its largest tan psi is more than 1000 times its median (dr / d angle = r tan psi).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -79,6 +81,9 @@ struct StabilityFamily {
   // Of ours in double; a case may have one of its own, such as that of a table stored in float.
   double threshold = 0.0;
   std::string derivation;  // which operations the threshold counts
+  // Largest error_over_condition_u of ours in quick and full runs, rounded down: in double, in float. More
+  // than twice as much breaks the run: what is far below its threshold may still have grown worse.
+  std::array<double, 2> seen{};
   // Every method at every magnitude, 5 magnitudes or more. Deterministic.
   std::function<std::vector<StabilityCase>(const StabilityRun&)> run;
 };
@@ -86,7 +91,8 @@ struct StabilityFamily {
 // All families, in alphabetical order of their names.
 std::vector<StabilityFamily> stability_families();
 
-// What makes the run fail, one line each: a failure of ours, or a bound that does not hold.
+// What makes the run fail, one line each: a failure of ours, a bound that does not hold, or an error of more
+// than twice what was seen.
 std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases);
 
 }  // namespace impinge

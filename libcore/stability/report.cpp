@@ -72,16 +72,21 @@ StabilityTables make_stability_tables() {
                 {"refusal", "", "the line of the refusal"},
                 {"error_um", "um", "largest error of a look-up between entries"},
                 {"bound_um", "um", "proven bound on it"}});
-  tables.families.columns = {{"family", "", "file in libcore/stability/families"},
-                             {"knob", "", "what is varied"},
-                             {"unit", "", "of the magnitudes"},
-                             {"magnitudes", "1", "how many"},
-                             {"expected", "", "of ours, stated before the run"},
-                             {"threshold", "1", "on error_over_condition_u of ours in double"},
-                             {"derivation", "", "of the threshold"},
-                             {"cases", "1", "methods at magnitudes, of ours"},
-                             {"refused", "1", "of those"},
-                             {"broken", "1", "of those: failures outside of what is refused"}};
+  tables.families.columns = {
+      {"family", "", "file in libcore/stability/families"},
+      {"knob", "", "what is varied"},
+      {"unit", "", "of the magnitudes"},
+      {"magnitudes", "1", "how many"},
+      {"expected", "", "of ours, stated before the run"},
+      {"threshold", "1", "on error_over_condition_u of ours in double"},
+      {"derivation", "", "of the threshold"},
+      {"seen", "1",
+       "largest error_over_condition_u of ours in double before, rounded down: a run "
+       "breaks on twice as much"},
+      {"seen_in_float", "1", "the same of ours stored in float"},
+      {"cases", "1", "methods at magnitudes, of ours"},
+      {"refused", "1", "of those"},
+      {"broken", "1", "of those: failures outside of what is refused, and errors above twice what was seen"}};
   return tables;
 }
 
@@ -101,7 +106,8 @@ void run_family(const StabilityFamily& family, const StabilityRun& run, Stabilit
   const std::vector<std::string> lines = broken(family, cases);
   tables.broken.insert(tables.broken.end(), lines.begin(), lines.end());
   tables.families.add_row({family.name, family.knob, family.unit, magnitudes.size(), family.expected,
-                           family.threshold, family.derivation, ours, refused, lines.size()});
+                           family.threshold, family.derivation, family.seen[0], family.seen[1], ours, refused,
+                           lines.size()});
 }
 
 StabilityTables run_stability(const StabilityRun& run, Progress& progress) {

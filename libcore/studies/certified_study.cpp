@@ -41,7 +41,7 @@ JudgedPose judge(const SurfaceOverlay& joint, const Pose& pose) {
   const ShadowReference at_socket(ball, joint.socket());
   const ShadowReference at_ball(joint.ball(), socket);
   return {pose, at_socket.ball_vertices_impinged(), at_ball.socket_vertices_impinged(),
-          at_socket.surfaces_impinged() || at_ball.surfaces_impinged()};
+          at_socket.ball_beyond_socket() || at_ball.socket_within_ball()};
 }
 
 // What all poses of a joint say about its surfaces.

@@ -55,24 +55,25 @@ TimedCase race_case(std::vector<Cell> key, Contender& contender, const Detection
   return timed;
 }
 
-double write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+Timing write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
                   const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options) {
   const TimingRun timed = run_interleaved(race_cases(joints, options), {}, driver.progress);
-  double pair_ms = options.pair_ms;
+  Timing pair = options.pair;
   result.table.columns = timing_columns(key_columns);
   result.table.columns.push_back({"gives_distance", "", "yes: the same work yields the gap at every vertex"});
   for (const RaceJoint& joint : joints) {
     for (const auto& contender : joint.race.contenders) {
       const std::vector<Cell> key = key_of(joint, *contender);
       const bool measured = is_measured(joint, *contender, options);
-      if (measured && is_pairwise(*contender)) pair_ms = find(timed, key).summary.median / joint.pairs;
-      auto row = measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, pair_ms * joint.pairs);
+      if (measured && is_pairwise(*contender)) pair = scaled(find(timed, key), 1.0 / joint.pairs);
+      auto row =
+          measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, scaled(pair, joint.pairs));
       row.emplace_back(contender->gives_distance());
       result.table.add_row(std::move(row));
     }
   }
   write_timed(driver, std::move(result), key_columns, timed);
-  return pair_ms;
+  return pair;
 }
 
 }  // namespace impinge

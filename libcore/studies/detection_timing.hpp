@@ -6,7 +6,7 @@
 
 #include "contenders/detection_race.hpp"
 #include "experiment/driver.hpp"
-#include "experiment/timed_case.hpp"
+#include "experiment/timing.hpp"
 
 namespace impinge {
 
@@ -32,14 +32,14 @@ struct DetectionRaceOptions {
   double most_pairs = 0.0;
   // Pairs up to which `pairwise` gets all rounds; beyond, three.
   double most_pairs_often = 2e7;
-  // Milliseconds of one pair, to scale from until a measured joint yields it.
-  double pair_ms = 0.0;
+  // The timing of one pair, to scale from until a measured joint yields it.
+  Timing pair = {};
 };
 
 // Times all contenders on all joints, in one interleaved run, and writes the result with its samples. The
-// columns of the table are filled in here. Returns the time of one pair on the last joint that was measured
-// pairwise, milliseconds.
-double write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+// columns of the table are filled in here. Returns the timing of one pair on the last joint that was measured
+// pairwise.
+Timing write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
                   const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options);
 
 }  // namespace impinge

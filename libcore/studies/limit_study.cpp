@@ -26,7 +26,7 @@ bool is_known(const NamedMotion& motion, const std::optional<Side>& side) {
 }
 
 LimitCase limit_of(const StudiedJoint& joint, const CentredJoint& centred, const NamedMotion& motion,
-                   std::optional<double> gap_mm) {
+                   double gap_mm) {
   const MotionName& growing = motion_name(motion.growing);
   const JointTurn turn = joint_turn(motion.start, growing, joint.side);
   const double largest = largest_growth(motion.start, growing);
@@ -34,11 +34,14 @@ LimitCase limit_of(const StudiedJoint& joint, const CentredJoint& centred, const
   found.joint = joint.name;
   found.motion = &motion;
   found.shift_mm = centred.shift.norm();
-  found.gap_mm = gap_mm;
-  found.limit =
-      gap_mm ? centred.limits.gap_of(turn, *gap_mm, largest) : centred.limits.first_contact(turn, largest);
-  if (found.limit.contact) found.clock = centred.clock(found.limit.contact->place);
-  const auto smallest = centred.limits.smallest_gap(turn, found.limit.low_deg);
+  // What another centre does is asked of contact alone, for the time it takes.
+  if (gap_mm == 0.0)
+    found.told = told_limit(centred.limits, turn, 0.0, largest);
+  else
+    found.told = {gap_mm, centred.limits.gap_of(turn, gap_mm, largest), {}, {}, {}};
+  const TurnLimit& limit = found.told.limit;
+  if (limit.contact) found.clock = centred.clock(limit.contact->place);
+  const auto smallest = centred.limits.smallest_gap(turn, limit.low_deg);
   if (smallest) found.smallest_gap = smallest->gap_mm;
   return found;
 }
@@ -49,12 +52,12 @@ std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<do
   std::vector<LimitCase> cases;
   for (const CentreStrategy strategy : {CentreStrategy::head, CentreStrategy::socket}) {
     const CentredJoint centred(joint, strategy);
-    const auto add = [&](const NamedMotion& motion, std::optional<double> gap) {
+    const auto add = [&](const NamedMotion& motion, double gap) {
       if (!is_known(motion, joint.side)) return;
       cases.push_back(limit_of(joint, centred, motion, gap));
       cases.back().centre = strategy;
     };
-    for (const NamedMotion& motion : named_motions()) add(motion, std::nullopt);
+    for (const NamedMotion& motion : named_motions()) add(motion, 0.0);
     if (strategy == CentreStrategy::socket) continue;
     for (const double gap : gaps_mm) {
       for (const NamedMotion& motion : named_motions()) add(motion, gap);

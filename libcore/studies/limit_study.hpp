@@ -11,7 +11,7 @@
 #include "joint/clock.hpp"
 #include "limits/named_motion.hpp"
 #include "limits/phantom.hpp"
-#include "limits/turn_limit.hpp"
+#include "limits/told_limit.hpp"
 
 namespace impinge {
 
@@ -35,8 +35,7 @@ struct LimitCase {
   const NamedMotion* motion = nullptr;           // one of named_motions()
   CentreStrategy centre = CentreStrategy::head;  // that the joint turns about
   double shift_mm = 0.0;                         // of the head from the pose of the scan
-  std::optional<double> gap_mm;                  // the threshold; contact without one
-  TurnLimit limit;                               // the bracket
+  ToldLimit told;                                // as the program `scene` tells it
   std::string clock;                             // of the contact on the socket; empty where there is none
   std::optional<double> smallest_gap;            // of a vertex, mm, at the lower end of the bracket
 };
@@ -46,13 +45,9 @@ std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<do
 
 // The tables motion_limits and motion_limit_details.
 Table limit_table(const std::vector<LimitCase>& cases);
-// Brackets, places and what half a millimetre changes.
+// Brackets, places and what half a millimetre of the input changes.
 Table limit_detail_table(const std::vector<LimitCase>& cases);
 
 Table phantom_table(const std::vector<PhantomRow>& rows);  // the table of validation (limits/phantom.hpp)
-
-// What the error of a centre or a surface is taken to be, mm: residuals of sphere fits to real heads are 0.4
-// to 0.7.
-inline constexpr double kInputError = 0.5;
 
 }  // namespace impinge

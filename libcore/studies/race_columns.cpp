@@ -27,7 +27,7 @@ RaceTables make_race_tables() {
        {"max_under_um", "um", "largest error to the near side: truth minus answer"},
        {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
        {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
-       {"bound_um", "um", "proven bound on the error; empty where nothing but rounding is known"},
+       {"bound_um", "um", "proven bound on the error; empty where there is none that says anything"},
        {"misses", "1",
         "directions in which there is a surface and no answer, those along the rim included"}});
   tables.spread.columns = with_key(

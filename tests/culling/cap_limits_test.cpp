@@ -78,9 +78,9 @@ TEST_P(LimitsOf, AreKeptInEveryCap) {
         return rays.cast((std::cos(way) * ways[k] + std::sin(way) * aside).normalized(), Layer::nearest);
       };
       const double wide = radius(share * (angle + margin));
-      EXPECT_LE(low.within(ways[k].cast<float>(), static_cast<float>(angle)).radius, wide);
-      EXPECT_GE(high.within(ways[k].cast<float>(), static_cast<float>(angle)).radius, wide);
-      EXPECT_GE(low.within(ways[k].cast<float>(), static_cast<float>(angle)).reach, angle);
+      EXPECT_LE(low.within(ways[k], static_cast<float>(angle)).radius, wide);
+      EXPECT_GE(high.within(ways[k], static_cast<float>(angle)).radius, wide);
+      EXPECT_GE(low.within(ways[k], static_cast<float>(angle)).reach, angle);
       const double narrow = radius(share * margin);
       EXPECT_LE(low.beside(ways[k]), narrow);
       EXPECT_GE(high.beside(ways[k]), narrow);
@@ -111,7 +111,7 @@ TEST(CapLimits, AreTightInSmallCaps) {
   const RayCaster rays(mesh);
   for (const Vec3& u : test::random_directions(200, 35)) {
     const double radius = rays.cast(u, Layer::nearest);
-    EXPECT_GT(limits.within(u.cast<float>(), 0.05F).radius, radius - 2.0 * (0.25 + 0.101 + 0.2));
+    EXPECT_GT(limits.within(u, 0.05F).radius, radius - 2.0 * (0.25 + 0.101 + 0.2));
     EXPECT_GT(limits.beside(u), radius - 2.0 * (0.0505 + 0.2));
   }
 }
@@ -119,10 +119,10 @@ TEST(CapLimits, AreTightInSmallCaps) {
 TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
   const TriangleMesh mesh = cup(20.0, 30.0, 500);
   const Vec3 away = -Vec3::UnitZ();
-  EXPECT_EQ(CapLimits(mesh, Layer::nearest).within(away.cast<float>(), 0.2F).radius, HUGE_VALF);
-  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away.cast<float>(), 0.2F).radius, -HUGE_VALF);
-  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(away.cast<float>(), 2.7F).radius, 20.1F);
-  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Eigen::Vector3f::Zero(), HUGE_VALF).radius, 20.1);
+  EXPECT_EQ(CapLimits(mesh, Layer::nearest).within(away, 0.2F).radius, HUGE_VALF);
+  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away, 0.2F).radius, -HUGE_VALF);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(away, 2.7F).radius, 20.1F);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Vec3::Zero(), HUGE_VALF).radius, 20.1);
   EXPECT_EQ(CapLimits({}, Layer::nearest).beside(away), HUGE_VALF);
 }
 

@@ -95,11 +95,21 @@ TEST(CulledJoint, ATouchingVertexIsFound) {
   EXPECT_TRUE(CulledJoint(joint).impinged({}));
 }
 
+// The pose that takes a vertex to the centre of the other surface. A vertex at its own centre is of no face
+// that counts.
 TEST(CulledJoint, AVertexAtTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {
   const BallSocketPair joint = make_ball_socket_pair(100);
+  for (const bool ball : {false, true}) {
+    const Vec3& v = (ball ? joint.ball : joint.socket).vertices[7];
+    const CulledJoint culled(joint);
+    const Vec3 at_centre = Vec3::Zero();
+    EXPECT_TRUE(culled.exactly_impinged(ScannedSurface::socket, at_centre));
+    EXPECT_FALSE(culled.exactly_impinged(ScannedSurface::ball, at_centre));
+    expect_all_alike(joint, {Pose{Eigen::Matrix3d::Identity(), ball ? Vec3(-v) : v}});
+  }
   BallSocketPair centre_in_socket = joint;
   centre_in_socket.socket.vertices[0].setZero();
-  EXPECT_EQ(CulledJoint(centre_in_socket).impinged({}), (ScannedVertex{ScannedSurface::socket, 0}));
+  EXPECT_FALSE(CulledJoint(centre_in_socket).impinged({}));
   expect_all_alike(centre_in_socket, test::random_poses(10, 1.0, 0.5, 24));
   BallSocketPair centre_in_ball = joint;
   centre_in_ball.ball.vertices[0].setZero();

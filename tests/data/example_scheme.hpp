@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sphere/arc_borders.hpp"
 #include "sphere/circumradius.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
@@ -93,6 +94,9 @@ class ExampleScheme {
     const Ring on = ring((entry + 2 * n_ - 1) / (2 * n_));
     return 2.0 * step() * on.polar.sin * std::sin(0.5 * step());
   }
+
+  // Optional, see HasKnownBorders: cells lie between parallels and meridians.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   friend bool operator==(const ExampleScheme&, const ExampleScheme&) = default;
 

@@ -18,8 +18,8 @@ namespace impinge {
 namespace {
 
 bool oracle(const TriangleMesh& ball, const TriangleMesh& socket, const Pose& pose) {
-  return ShadowReference(test::ball_in_socket_frame(ball, pose), socket).surfaces_impinged() ||
-         ShadowReference(ball, test::socket_in_ball_frame(socket, pose)).surfaces_impinged();
+  return ShadowReference(test::ball_in_socket_frame(ball, pose), socket).ball_beyond_socket() ||
+         ShadowReference(ball, test::socket_in_ball_frame(socket, pose)).socket_within_ball();
 }
 
 struct Agreement {
@@ -104,6 +104,98 @@ TEST(Overlay, KnowsTheRim) {
   EXPECT_FALSE(overlay.impinged(pose));
   pose.translation = Vec3(30, 0, 0);
   EXPECT_FALSE(overlay.impinged(pose));
+}
+
+// The verdict on an octahedron of 20 mm with a flange that reaches beyond one of 60 mm, in a plane through
+// the centre and the least bit beside it.
+TEST(Overlay, FacesInAPlaneThroughTheirCentreTakeNoPart) {
+  for (const double off : {0.0, 0x1p-40}) {
+    TriangleMesh ball = octahedron(20.0);
+    ball.vertices.insert(ball.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
+    ball.faces.push_back({6, 7, 8});
+    const SurfaceOverlay of_ball(ball, octahedron(60.0));
+    TriangleMesh socket = octahedron(60.0);
+    socket.vertices.insert(socket.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
+    socket.faces.push_back({6, 7, 8});
+    const SurfaceOverlay of_socket(octahedron(20.0), socket);
+    for (const Pose& pose : test::random_poses(100, 3.0, 0.0, 6)) {
+      EXPECT_EQ(of_ball.impinged(pose), off > 0.0);
+      EXPECT_EQ(of_socket.impinged(pose), off > 0.0);
+    }
+  }
+}
+
+// A turn about an axis that is none of the mesh's rounds a face of the socket out of the plane through the
+// centre, to either side of it.
+TEST(Overlay, DoesNotFlipFromPoseToPose) {
+  const TriangleMesh ball{{{25, -20, -20}, {25, 20, -20}, {25, 0, 30}}, {{0, 1, 2}}};
+  const TriangleMesh socket{{{5, -3, 0}, {20, 0, 0}, {5, 3, 0}}, {{0, 1, 2}}};
+  const SurfaceOverlay overlay(ball, socket);
+  for (int k = 0; k <= 1000; ++k) {
+    const Eigen::AngleAxisd turn(0.01 * k * kDegree, Vec3(1, 2, 3).normalized());
+    ASSERT_FALSE(overlay.impinged({turn.toRotationMatrix(), Vec3::Zero()})) << k;
+  }
+}
+
+// A face of the ball that is shifted into a plane through the centre of the socket: its sides and corners are
+// beyond the socket, or not.
+TEST(Overlay, AFaceThatAPoseMakesEdgeOnIsAsked) {
+  const TriangleMesh ball{{{-6, 3, 8}, {6, 3, 8}, {0, 3, 22}}, {{0, 1, 2}}};
+  const TriangleMesh wide{{{-9, -9, 20}, {9, -9, 20}, {0, 9, 20}}, {{0, 1, 2}}};
+  const TriangleMesh narrow{{{-1, -9, 6}, {1, -9, 6}, {0, 9, 9}}, {{0, 1, 2}}};
+  Pose pose;
+  pose.translation.y() = -3;
+  EXPECT_EQ(SurfaceOverlay(ball, wide).deepest(pose)->kind, OverlayKind::ball_corner);
+  EXPECT_TRUE(SurfaceOverlay(ball, narrow).impinged(pose));
+  pose.translation.z() = -2.5;
+  EXPECT_FALSE(SurfaceOverlay(ball, wide).impinged(pose));
+  const TriangleMesh bar{{{-40, 3, 20.5}, {40, 3, 20.5}, {0, 3, 8}},
+                         {{0, 1, 2}}};  // no corner over the other
+  EXPECT_FALSE(SurfaceOverlay(bar, wide).impinged(pose));
+  pose.translation.z() = 0.0;
+  EXPECT_EQ(SurfaceOverlay(bar, wide).deepest(pose)->kind, OverlayKind::crossing);
+}
+
+TEST(Overlay, TheSocketInTheCentreOfTheBallIsWithinIt) {
+  const TriangleMesh ball = octahedron(2.0);
+  const TriangleMesh socket{{{-50, -40, 9}, {50, -40, 9}, {0, 60, 9}}, {{0, 1, 2}}};
+  Pose pose;
+  for (const Vec3& shift :
+       {Vec3(0, 0, 9), Vec3(0, -40, 9), Vec3(50, -40, 9)}) {  // inside, on a side, a corner
+    pose.translation = shift;
+    ASSERT_TRUE(SurfaceOverlay(ball, socket).impinged(pose)) << shift.transpose();
+    EXPECT_GE(SurfaceOverlay(ball, socket).deepest(pose)->depth, 2.0);
+    EXPECT_TRUE(SurfaceOverlay({ball.vertices, {ball.faces[0]}}, socket).impinged(pose));
+    EXPECT_FALSE(SurfaceOverlay({}, socket).impinged(pose));
+  }
+  // Before the socket but for its centre.
+  const TriangleMesh below{{{-2, -2, -1}, {2, -2, -1}, {0, 2, -1}}, {{0, 1, 2}}};
+  const auto deepest = SurfaceOverlay(below, socket).deepest({Eigen::Matrix3d::Identity(), {0, 0, 9}});
+  ASSERT_TRUE(deepest);
+  EXPECT_EQ(deepest->kind, OverlayKind::centre);
+  EXPECT_EQ(deepest->depth, 3.0);
+  // A ball whose face holds the centre of the socket is not beyond it: 2 mm are less than 9.
+  const TriangleMesh small{{{-2, -2, 1}, {2, -2, 1}, {0, 2, 1}}, {{0, 1, 2}}};
+  EXPECT_FALSE(SurfaceOverlay(small, socket).impinged({Eigen::Matrix3d::Identity(), {0, 0, -1}}));
+}
+
+TEST(HoldsCentre, InsideOnASideAndBetweenCornersOnALine) {
+  const auto holds = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    EXPECT_EQ(orientation(a, b, c), 0);
+    const bool found = holds_centre({{a, b, c}, 0});
+    EXPECT_EQ(holds_centre({{c, a, b}, 0}), found);
+    EXPECT_EQ(holds_centre({{b, a, c}, 0}), found);
+    return found;
+  };
+  EXPECT_TRUE(holds({3, 0, 1}, {-1, 2, 0}, {-2, -2, -1}));
+  EXPECT_TRUE(holds({3, 0, 1}, {-6, 0, -2}, {1, 1, 1}));
+  EXPECT_TRUE(holds({0, 0, 0}, {1, 2, 3}, {3, 2, 1}));
+  EXPECT_FALSE(holds({3, 0, 1}, {-1, 2, 0}, {2, 2, 1}));
+  EXPECT_FALSE(holds({3, 0, 1}, {6, 0, 2}, {1, 1, 1}));  // a side that points at the centre
+  EXPECT_FALSE(holds({1, 0, 1}, {1, 1, 1}, {1, 2, 1}));  // without area, beside the centre
+  EXPECT_TRUE(holds({1, 0, 1}, {-2, 0, -2}, {3, 0, 3}));
+  EXPECT_TRUE(holds({1, 0, 1}, {0, 0, 0}, {3, 0, 3}));
+  EXPECT_FALSE(holds({1, 0, 1}, {2, 0, 2}, {3, 0, 3}));
 }
 
 }  // namespace

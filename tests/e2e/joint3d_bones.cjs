@@ -64,7 +64,7 @@ async function verdictsOfScene(page, joint) {
   const undecided = ball.undecided_by_bound + socket.undecided_by_bound;
   assert.ok(undecided > 0 && ball.bounds_refuted + socket.bounds_refuted === 0);
   const [low, high] = says.error_bound_mm.smallest_gap_between.map((gap) => gap.toFixed(3).replace("-", "−"));
-  const wanted = [`${low} to ${high} mm`, `± ${says.error_bound_mm.largest.toPrecision(3)} mm`, String(undecided)];
+  const wanted = [low === high ? `${low} mm` : `${low} to ${high} mm`, `± ${says.error_bound_mm.largest.toPrecision(3)} mm`, String(undecided)];
   const ids = ["smallest-proven", "bound", "undecided"];
   await page.waitForFunction(([names, words]) => names.every((id, k) => document.getElementById(id).textContent === words[k]), [ids, wanted])
     .catch(async () => assert.deepEqual(await Promise.all(ids.map((id) => text(page, id))), wanted));
@@ -124,10 +124,15 @@ async function badFiles(browser) {
     assert.deepEqual([await text(page, "joint-name"), await smallest(page)], before, name);
     await page.click("#message-close");
   }
+  await drop(page, [pair.ball, pair.ball]);
+  assert.match(await message(page), /^ball.ply: is the mesh of the ball and of the socket; check ball and socket$/);
+  assert.deepEqual([await text(page, "joint-name"), await smallest(page)], before, "one mesh for both");
+  await page.click("#message-close");
   await drop(page, [pair.ball, pair.ball, pair.socket]);
   assert.match(await message(page), /3 files were dropped/);
   await page.click("#message-close");
   await page.setInputFiles("#file-ball", pair.ball);
+  await page.setInputFiles("#file-socket", pair.socket);
   await page.check("#centre-typed");
   await page.fill("#centre", "1, 2");
   await page.click("#use-files");

@@ -218,6 +218,7 @@ async function sweeps(page) {
   await page.waitForTimeout(50);
   await limit();
   assert.match(await text(page, "sweep-say"), /Bones first touch at [\d.]+°, at \d+:\d\d o’clock: a certified limit/);
+  assert.match(await text(page, "sweep-say"), /About the socket’s centre, bones .*Layers of cartilage, 4 mm in all,/);
   await posed(page, () => page.click("#sweep-go"));
   assert.equal(await value(page, "value-flexion"), 90);
   assert.ok(Math.abs(await smallest(page)) < 0.1, `a gap of ${await smallest(page)} at the limit`);
@@ -233,6 +234,23 @@ async function sweeps(page) {
   await page.waitForTimeout(50);
   await limit();
   await posed(page, () => page.click("#reset-pose"));
+  await shifted(page, limit);
+}
+
+/** A shift that makes bones overlap is a limit at the start, and about the ball's own centre alone. */
+async function shifted(page, limit) {
+  await type(page, "offset-up", 6);
+  assert.ok(await smallest(page) < 0, `a gap of ${await smallest(page)} with the ball 6 mm higher`);
+  await page.waitForTimeout(50);
+  await limit();
+  assert.match(await text(page, "sweep-say"), /^Bones touch or overlap at the start of this motion/);
+  assert.doesNotMatch(await text(page, "sweep-say"), /socket’s centre/);
+  await page.waitForFunction(() => /mm$/.test(document.getElementById("smallest-proven").textContent));
+  assert.equal(Number((await text(page, "smallest-proven")).match(/[−\d.]+/)[0].replace("−", "-")).toFixed(1), (await smallest(page)).toFixed(1));
+  assert.match(await text(page, "bound-why"), /measured on the faces/);
+  await posed(page, () => page.click("#reset-pose"));
+  await page.waitForTimeout(50);
+  await limit();
 }
 
 async function exporting(page) {

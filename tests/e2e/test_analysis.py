@@ -36,7 +36,9 @@ import socket_map  # noqa: E402
 import timing  # noqa: E402
 import verdict  # noqa: E402
 import verdicts_hip  # noqa: E402
+import verdicts_conchoid  # noqa: E402
 import verdicts_memory  # noqa: E402
+import verdicts_timing  # noqa: E402
 
 
 class Loading(unittest.TestCase):
@@ -127,6 +129,9 @@ class Findings(unittest.TestCase):
             finding.finding("Eq. 7", "", "", "")
         with self.assertRaises(ValueError):
             finding.finding("Eq. 7", "", "", "", holds=False, otherwise="bad")
+        for holds in (True, False):  # a time that says nothing settles nothing
+            line = finding.finding("Eq. 7", "", "", "", holds=holds, inconclusive=True)
+            self.assertEqual(line["verdict"], "inconclusive")
 
     def test_one(self):
         table = pd.DataFrame({"k": [1, 2, 2], "x": [3.0, 4.0, 5.0]})
@@ -211,6 +216,114 @@ class Verdict(unittest.TestCase):
         )
 
 
+    def test_counted(self):
+        """Sums leave out what is not counted, whatever its verdict."""
+        kept = verdict.row("t", "a", "x", rule="any", verdict="differs")
+        rows = pd.DataFrame([kept, verdict.not_counted(kept, "the same number as u, a, x")])
+        self.assertEqual(list(verdict.counted(rows).rule), ["any"])
+        self.assertEqual(list(rows.verdict), ["differs", "differs"])
+
+
+class TimedVerdicts(unittest.TestCase):
+    """Tables 3, 4, 8 and 9 with the thesis' own times for ours, but for what a test changes."""
+
+    def rows(self, change=None, inconclusive: tuple[str, ...] = ()) -> dict[tuple[str, str, str], dict]:
+        """The verdicts by artefact, row and column; change(line) may alter a line of ours, in place."""
+        with tempfile.TemporaryDirectory() as folder:
+            results = Path(folder)
+            (results / "data").mkdir()
+            for table in (timing.TABLE_8, timing.TABLE_9):
+                self.write(results, table, change, inconclusive)
+            found = verdicts_timing.rows(results)
+        return {(line["artefact"], line["row"], line["column"]): line for line in found}
+
+    def write(self, results: Path, table: timing.TimingTable, change, inconclusive: tuple[str, ...]):
+        """Our CSV of a table: the thesis' times, a tenth of them; 1 s where it has none."""
+        methods = common.counterparts(table.artefact)
+        lines = []
+        for (key, column), ms in timing.thesis_times(table).items():
+            line = {
+                "method": methods[column],
+                table.key: key,
+                "triangles": 3000 if table.key != "triangles" else int(key),
+                "median_ms": 1000.0 if np.isnan(ms) else ms / 10,
+                "iqr_ms": 0.0,
+                "rounds": 9,
+                "extrapolated": "no",
+            }
+            if change:
+                change(line)
+            lines.append(line)
+        csv = results / "data" / f"{table.data}.csv"
+        pd.DataFrame(lines).to_csv(csv, index=False)
+        digest = hashlib.sha256(csv.read_bytes()).hexdigest()
+        record = {"csv_sha256": digest, "timing": {"inconclusive": list(inconclusive)}}
+        csv.with_suffix(".json").write_text(json.dumps(record))
+
+    def test_the_same_times(self):
+        """Everything that is judged comes out; what stands in two tables is counted in one."""
+        rows = self.rows()
+        judged = [line for line in rows.values() if line["verdict"] != "not-comparable"]
+        self.assertEqual({line["verdict"] for line in judged}, {"reproduced"})
+        again = [line for line in rows.values() if "the same number as" in line["rule"]]
+        self.assertEqual((len(again), {line["artefact"] for line in again}), (26, {"table-3", "table-4"}))
+        self.assertIn("part of table-8, 1deg, order", rows["table-3", "1deg", "order"]["rule"])
+        self.assertNotIn("not counted", rows["table-4", "12k", "rapid"]["rule"])  # 1.5 here, 1.45 in Table 9
+        for name in ("table-8", "0.05deg", "pairwise"), ("table-9", "12k", "pairwise"):
+            self.assertIn("not counted: the thesis gives no time", rows[name]["rule"])
+        self.assertEqual(rows["table-8", "growth", "rsid"]["thesis"], "0.84")
+
+    def test_inconclusive(self):
+        """What rests on a disqualified timing is neither reproduced nor differs."""
+        rows = self.rows(inconclusive=("rsid_thesis_kept/0.1/3000",))
+        found = {name[1:] for name, line in rows.items() if line["verdict"] == "inconclusive" and name[0] == "table-8"}
+        resting = [("0.1deg", "pairwise/rsid"), ("0.1deg", "usid/rsid"), ("0.1deg", "order"), ("growth", "rsid")]
+        self.assertEqual(found, set(resting))
+        self.assertEqual(rows["table-8", "0.1deg", "rsid"]["verdict"], "not-comparable")
+        self.assertEqual({name[0] for name in rows if rows[name]["verdict"] == "inconclusive"}, {"table-3", "table-8"})
+
+    def test_differs(self):
+        """A method ten times faster than it should be: what rests on it differs, and the note computes why."""
+
+        def faster(line):
+            line["median_ms"] /= 10 if (line["method"], line.get("precision_deg")) == ("pairwise_thesis", 1.0) else 1
+
+        rows = self.rows(faster)
+        line = rows["table-8", "1deg", "pairwise/rsid"]
+        self.assertEqual(line["verdict"], "differs")
+        for words in ("off by a factor of 10", f"{common.label('pairwise_thesis')} takes 1/100 of", "4.51 ns a test, there 451", "15 ms are 1"):
+            self.assertIn(words, line["note"])
+        self.assertEqual(rows["table-8", "1deg", "order"]["verdict"], "reproduced")
+
+    def test_growth(self):
+        """A power more than a quarter off differs; extrapolated times are none."""
+
+        def steeper(line):
+            if line["method"] == "usid":
+                line["median_ms"] *= line["triangles"] ** 0.3
+
+        line = self.rows(steeper)["table-9", "growth", "usid"]
+        self.assertEqual(line["verdict"], "differs")
+        self.assertAlmostEqual(float(line["measured"]) - float(line["thesis"]), 0.3)
+
+        def scaled(line):
+            line["extrapolated"] = "yes" if line["method"] == "pairwise_thesis" else "no"
+
+        line = self.rows(scaled)["table-8", "growth", "pairwise"]
+        self.assertEqual((line["verdict"], line["measured"], line["thesis"]), ("not-comparable", "", "2.00"))
+
+
+class CentreClaim(unittest.TestCase):
+    """A claim about "the centre" is judged only where every centre that may be meant gives one verdict."""
+
+    def test_centres(self):
+        (value,) = [v for v in common.thesis("section-5.1").itertuples() if v.column == "centre_origin_excess"]
+        for middle, found in (([1.2, 1.21], "reproduced"), ([1.2, 1.4], "not-comparable"), ([1.3, 1.4], "differs")):
+            names = ["conchoid_origin", "one", "other"]
+            origins = pd.DataFrame({"middle_mm_per_deg": [1.2, *middle], "apex_mm_per_deg": 1.0}, index=names)
+            self.assertEqual(verdicts_conchoid.centre_claim(value, origins)["verdict"], found, middle)
+
+
 class Reference(unittest.TestCase):
     """The committed full run beside this one."""
 
@@ -287,6 +400,14 @@ class Memory(unittest.TestCase):
         self.assertEqual(slips, ["0.1deg"])
         self.assertEqual(found["0.1deg"]["otherwise"], "thesis-misprint")
         self.assertRegex(found["0.1deg"]["note"], "40.0792 MiB: digits were cut off")
+
+
+    def test_equator(self):
+        """Counted on every turn across the equator; the formula decides nothing."""
+        (value,) = [v for v in common.thesis("table-6").itertuples() if (v.row, v.column) == ("0.1deg", "equator_points")]
+        for least, most, found in ((3600, 3601, "reproduced"), (3601, 3601, "reproduced"), (3599, 3600, "differs")):
+            line = pd.Series({"equator_least": least, "equator_most": most, "equator_points": 3601})
+            self.assertEqual(verdicts_memory.equator_row(value, line)["verdict"], found)
 
 
 class View(unittest.TestCase):

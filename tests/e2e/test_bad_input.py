@@ -242,7 +242,7 @@ class BadInput(GeneratedPair):
         (root / "triangle.off").write_text("OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n")
         advice = "check that both meshes are in mm and in one frame"
         apart = "mm from the centre of rotation, and the ball {}; " + advice
-        same = "is the mesh of the ball and of the socket; give two files with --ball and --socket"
+        same = "is the mesh of the ball and of the socket; check the files of --ball and --socket"
         points = "a sphere is fitted to at least four points; give the centre with --centre X,Y,Z"
         for keywords, message in [
             (
@@ -272,21 +272,24 @@ class BadInput(GeneratedPair):
             with self.subTest(message):
                 self.refused(self.scene(**keywords), 1, message)
 
-    def test_two_meshes_in_metres_get_a_warning(self):
+    def test_two_meshes_in_another_unit_get_a_warning(self):
         """Nothing is wrong with them but their size."""
-        for name in ("ball", "socket"):
-            (self.root / f"{name}_in_m.ply").write_bytes(
-                scaled((self.root / "pair" / f"{name}.ply").read_bytes(), 1e-3)
-            )
-        out = self.root / "metres"
-        done = self.scene(ball=self.root / "ball_in_m.ply", socket=self.root / "socket_in_m.ply", out=out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        warning = (
-            f"{self.root}/ball_in_m.ply: reaches 0.025 mm from the centre of rotation, which no joint does; "
-            "lengths are read as mm, scale both meshes if theirs are in another unit"
-        )
-        self.assertEqual(done.stderr, f"scene: warning: {warning}\n")
-        self.assertEqual(json.loads((out / "summary.json").read_text())["warnings"], [warning])
+        for unit, factor, radius in (("m", 1e-3, "0.0219"), ("cm", 0.1, "2.19")):
+            with self.subTest(unit):
+                for name in ("ball", "socket"):
+                    (self.root / f"{name}_in_{unit}.ply").write_bytes(
+                        scaled((self.root / "pair" / f"{name}.ply").read_bytes(), factor)
+                    )
+                out = self.root / f"in_{unit}"
+                both = {name: self.root / f"{name}_in_{unit}.ply" for name in ("ball", "socket")}
+                done = self.scene(**both, out=out)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                warning = (
+                    f"{both['ball']}: has a radius of {radius} mm, and a human joint 5 to 50; "
+                    "lengths are read as mm, scale both meshes if theirs are in another unit"
+                )
+                self.assertEqual(done.stderr, f"scene: warning: {warning}\n")
+                self.assertEqual(json.loads((out / "summary.json").read_text())["warnings"], [warning])
 
     def test_names_of_any_bytes(self):
         """A name that is no UTF-8, or has a line end, is a name; the summary is UTF-8 all the same."""

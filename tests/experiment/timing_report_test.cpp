@@ -18,6 +18,8 @@ TimingRun known_run() {
     timing.samples_ms = samples;
     timing.summary = summarise(samples);
     timing.batch = 8;
+    timing.inconclusive = name == std::string("pairwise");
+    timing.repeats = timing.inconclusive ? 3 : 0;
     run.timings.push_back(timing);
   }
   run.control = run.timings[0];
@@ -35,18 +37,18 @@ TEST(TimingReport, KeepsEverySample) {
 TEST(TimingReport, RowsHaveTheColumnsOfTheContract) {
   Table table{timing_columns({{"method", "", ""}, {"triangles", "1", ""}}), {}};
   table.add_row(timing_cells(known_run().timings[1]));
-  table.add_row(extrapolated_cells({"pairwise", 12000}, 320.0));
+  table.add_row(extrapolated_cells({"pairwise", 12000}, scaled(known_run().timings[1], 16.0)));
   EXPECT_EQ(to_csv(table),
-            "method,triangles,median_ms,iqr_ms,rounds,extrapolated\n"
-            "pairwise,3000,20,10,3,no\npairwise,12000,320,,0,yes\n");
+            "method,triangles,median_ms,iqr_ms,rounds,extrapolated,inconclusive,repeats\n"
+            "pairwise,3000,20,10,3,no,yes,3\npairwise,12000,320,160,3,yes,yes,3\n");
 }
 
 // A unit of work once more in nanoseconds: a million a millisecond.
 TEST(TimingReport, MediansAreInNanosecondsToo) {
   const Table table = medians_in_ns({{"method", "", ""}, {"triangles", "1", ""}}, known_run(), "look-up");
   EXPECT_EQ(to_csv(table),
-            "method,triangles,median_ms,iqr_ms,rounds,extrapolated,median_ns\n"
-            "rsid,3000,2,0,3,no,2e+06\npairwise,3000,20,10,3,no,2e+07\n");
+            "method,triangles,median_ms,iqr_ms,rounds,extrapolated,inconclusive,repeats,median_ns\n"
+            "rsid,3000,2,0,3,no,no,0,2e+06\npairwise,3000,20,10,3,no,yes,3,2e+07\n");
   EXPECT_EQ(table.columns.back().meaning, "the median for one look-up");
 }
 
@@ -56,6 +58,7 @@ TEST(TimingReport, RecordsControlAndInconclusiveCases) {
   EXPECT_DOUBLE_EQ(record["control"]["ratio"].get<double>(), 1.01);
   EXPECT_EQ(record["control"]["samples_ms"].size(), 3U);
   EXPECT_EQ(record["inconclusive"], nlohmann::json::array({"pairwise/3000"}));
+  EXPECT_EQ(record["repeats"], (nlohmann::json{{"pairwise/3000", 3}}));
   EXPECT_EQ(record["batch"]["rsid/3000"], 8);
 }
 

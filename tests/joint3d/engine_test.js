@@ -118,14 +118,24 @@ function verdictsAreThoseOf(native, bound) {
   for (const length of ['largest_mm', 'median_mm', 'low_mm', 'high_mm'])
     assert.ok(Math.abs(found[length] - native[length]) <= kAngle + 2 ** -23 * Math.abs(native[length]), `${length} ${found[length]} ${native[length]}`);
   assert.equal(found.unbounded, 0);
+  assert.ok(found.measured > 0 && found.high_mm - found.low_mm < 1e-9, 'the faces decide');
   assert.ok(found.median_mm > 0 && found.median_mm <= found.largest_mm && found.largest_mm <= bound);
   const pose = ask('pose', native.pose);
   const gaps = [...pose.ball_gap, ...pose.socket_gap].filter((gap) => !Number.isNaN(gap));
   assert.equal(found.clear + found.impinged + found.undecided, gaps.length);
   assert.ok(found.impinged <= gaps.filter((gap) => gap <= 0).length);
   assert.ok(found.undecided <= gaps.filter((gap) => Math.abs(gap) <= found.largest_mm).length);
-  assert.ok(found.low_mm < pose.smallest.gap_mm && pose.smallest.gap_mm < found.high_mm);
+  assert.ok(Math.abs(found.low_mm - pose.smallest.gap_mm) <= found.largest_mm);
   return found;
+}
+
+function limitIsThatOf(found, limit) {
+  for (const key of ['about', 'threshold_mm', 'state', 'clock']) assert.equal(found[key], limit[key], key);
+  assert.equal(found.half_mm_gap_deg === null, limit.half_mm_gap_deg === null);
+  assert.ok(Math.abs(found.half_mm_gap_deg - limit.half_mm_gap_deg) < 1e-6);
+  // Both brackets hold the limit, so that they meet; each is 1e-7 degrees wide.
+  assert.ok(found.low_deg <= limit.high_deg + 1e-9 && limit.low_deg <= found.high_deg + 1e-9);
+  if (found.state === 'limited') assert.ok(found.high_deg - found.low_deg < 1e-6);
 }
 
 test('bounds, limits and files are those of this machine', () => {
@@ -139,13 +149,10 @@ test('bounds, limits and files are those of this machine', () => {
     const found = verdictsAreThoseOf(hip.verdicts, bound);
     decided += found.impinged;
     undecided += found.undecided;
-    for (const limit of hip.limits) {
-      const found = ask('sweep', { motion: limit.motion, step_deg: 5 }).limit;
-      assert.equal(found.state, limit.state);
-      assert.equal(found.clock, limit.clock);
-      // Both brackets hold the limit, so that they meet; each is 1e-7 degrees wide.
-      assert.ok(found.low_deg <= limit.high_deg + 1e-9 && limit.low_deg <= found.high_deg + 1e-9);
-      assert.ok(found.high_deg - found.low_deg < 1e-6);
+    for (const { motion, limits } of hip.limits) {
+      const found = ask('sweep', { motion, step_deg: 5 }).limits;
+      assert.equal(found.length, limits.length);
+      limits.forEach((limit, k) => limitIsThatOf(found[k], limit));
     }
     const csv = Buffer.from(ask('export', { format: 'csv', pose: {} }).bytes).toString();
     assert.equal(csv, hip.csv);
@@ -157,12 +164,43 @@ test('a sweep ends where the smallest gap does', () => {
   useHip(hips.find((hip) => hip.name === 'mixed'));
   ask('tables', { scheme: 'cube_gnomonic', precision_deg: 0.5, storage: 'float' });
   const sweep = ask('sweep', { motion: 'fadir', largest_deg: 60 });
-  assert.equal(sweep.limit.state, 'reached');
+  const [limit] = sweep.limits;
+  assert.equal(limit.state, 'limited');
   assert.equal(sweep.angles.length, 61);
   sweep.angles.forEach((angle, i) => {
-    if (sweep.smallest[i] < 0) assert.ok(angle >= sweep.limit.low_deg - 0.5, `${angle} ${sweep.smallest[i]}`);
+    if (sweep.smallest[i] < 0) assert.ok(angle >= limit.low_deg - 0.5, `${angle} ${sweep.smallest[i]}`);
   });
   assert.ok(sweep.smallest.some((gap) => gap < 0));
+});
+
+// Gaps, curve and limit are along rays from the ball's own centre: a shift that brings bones together at the start is a limit
+// at the start, and before a limit no gap is below 0 by more than the error of the tables.
+test('a limit is that of the shifted ball', () => {
+  const states = new Set();
+  for (const hip of hips) {
+    useHip(hip);
+    const { error_mm: error } = ask('tables', { scheme: 'cube_gnomonic', precision_deg: 0.5, storage: 'float' });
+    const medial = hip.side === 'left' ? 1 : -1;
+    const without = ask('sweep', { motion: 'flexion', largest_deg: 130, step_deg: 2 });
+    assert.deepEqual(without.limits.map(({ about, threshold_mm: mm }) => [about, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
+    for (const translation of [[5 * medial, 0, 1], [0, 0, 6], [0.5, 1, 0.5], [-1 * medial, 0, 0], [0, 1.5, -2]]) {
+      const sweep = ask('sweep', { motion: 'flexion', largest_deg: 130, step_deg: 2, translation });
+      const [limit] = sweep.limits;
+      const name = `${hip.name} ${translation} ${limit.state} ${limit.low_deg}`;
+      states.add(limit.state);
+      const { smallest } = ask('pose', { translation });
+      assert.equal(Math.fround(smallest.gap_mm), sweep.smallest[0], name);
+      if (Math.abs(smallest.gap_mm) > 2 * error) assert.equal(limit.state === 'blocked', smallest.gap_mm < 0, name);
+      sweep.angles.forEach((angle, i) => {
+        if (angle < limit.low_deg) assert.ok(sweep.smallest[i] > -2 * error, `${name}: ${sweep.smallest[i]} at ${angle}`);
+      });
+      assert.ok(sweep.limits.every(({ about }) => about === 'ball'), name);
+      const proven = ask('verdicts', { translation, flexion: 40 });
+      assert.ok(Math.abs(proven.low_mm - ask('pose', { translation, flexion: 40 }).smallest.gap_mm) < 2 * error, name);
+    }
+    assert.equal(ask('sweep', { motion: 'flexion', largest_deg: 130, step_deg: 2 }).limits[0].low_deg, without.limits[0].low_deg);
+  }
+  assert.ok(states.has('blocked') && states.has('limited'), [...states].join());
 });
 
 test('a PLY holds the posed surface', () => {

@@ -100,7 +100,7 @@ json matrix(const Pose& pose) {
 }
 
 // Every pose against the tables that the session has.
-void answer_poses(const Session& session, const TableCase& table, const fs::path& folder, json& scenes) {
+void answer_poses(Session& session, const TableCase& table, const fs::path& folder, json& scenes) {
   for (const PoseRequest& request : poses()) {
     const PoseAnswer found = answer_pose(session, request);
     const std::string file = std::to_string(scenes.size());
@@ -119,25 +119,28 @@ void answer_poses(const Session& session, const TableCase& table, const fs::path
 }
 
 json limit(Session& session, const char* growing) {
-  const SweepAnswer found = answer_sweep(session, {{}, growing, 150.0, 5.0});
-  return {{"motion", growing},
-          {"state", name(found.limit.state)},
-          {"low_deg", found.limit.low_deg},
-          {"high_deg", found.limit.high_deg},
-          {"clock", found.hours ? json(clock_text(*found.hours)) : json(nullptr)}};
+  json limits = json::array();
+  for (const SweepLimit& found : answer_sweep(session, {{}, growing, 150.0, 5.0}).limits) {
+    const TurnLimit& limit = found.told.limit;
+    const auto& half = found.told.half_mm_gap_deg;
+    limits.push_back({{"about", found.about},
+                      {"threshold_mm", found.told.threshold_mm},
+                      {"state", name(limit.state)},
+                      {"low_deg", limit.low_deg},
+                      {"high_deg", limit.high_deg},
+                      {"half_mm_gap_deg", half ? json(*half) : json(nullptr)},
+                      {"clock", found.hours ? json(clock_text(*found.hours)) : json(nullptr)}});
+  }
+  return {{"motion", growing}, {"limits", limits}};
 }
 
 // Of the deepest of the poses.
 json verdicts_json(Session& session) {
   const PoseVerdicts found = answer_verdicts(session, poses().back());
-  return {{"pose", pose_json(poses().back())},
-          {"clear", found.vertices.clear},
-          {"impinged", found.vertices.impinged},
-          {"undecided", found.vertices.undecided},
-          {"largest_mm", found.largest_mm},
-          {"median_mm", found.median_mm},
-          {"low_mm", found.low_mm},
-          {"high_mm", found.high_mm}};
+  return {{"pose", pose_json(poses().back())},   {"clear", found.vertices.clear},
+          {"impinged", found.vertices.impinged}, {"undecided", found.vertices.undecided},
+          {"largest_mm", found.largest_mm},      {"median_mm", found.median_mm},
+          {"low_mm", found.smallest.low},        {"high_mm", found.smallest.high}};
 }
 
 json hip_json(const std::string& name, const fs::path& folder) {

@@ -152,6 +152,8 @@ const bad = {
   ],
   'half a face': [{ socket: { ...round, faces: new Uint32Array([0, 1]) } }, /^cup.stl: ends within a point or a face/],
   'no number': [{ ball: { ...whole, positions: whole.positions.map((x, i) => (i ? x : NaN)) } }, /^head.stl: 1 vertex has/],
+  'one mesh for both': [{ socket: { ...whole, name: 'again.stl' } }, /^again.stl: is the mesh of the ball and of the socket; check ball and socket$/],
+  'centimetres beside mm': [{ ball: octahedron('head.stl', 2) }, /^cup.stl: lies .* check that both meshes are in mm/],
   'another place': [{ socket: octahedron('far.stl', 1, [900, 0, 0]) }, /^far.stl: lies .* check that both meshes are in mm/],
   'centre outside': [{ centre: [300, 0, 0] }, /^head.stl: fills only .* give a centre inside as X, Y, Z/],
   'centre of text': [{ centre: [1, 2] }, /a point is three numbers/],
@@ -203,4 +205,14 @@ test('triangles without shared corners are welded, and the centre is found', asy
   const soup = await one('joint', { ...shared, ball: soupOf(named('b', ball)), socket: soupOf(named('s', socket)) });
   assert.equal(soup.ball.positions.length, joint.ball.positions.length);
   assert.ok(soup.centre.every((x, k) => Math.abs(x - joint.centre[k]) < 0.05));
+});
+
+test('a unit that no joint has is remarked on, and so is a ball that is a cap', async () => {
+  const request = { source: 'files', side: null, centre: [0, 0, 0] };
+  const warned = async (ball, socket) => (await one('joint', { ...request, ball, socket })).warnings.join();
+  assert.equal(await warned(whole, round), '');
+  for (const unit of [0.001, 0.1])
+    assert.match(await warned(octahedron('head.stl', 20 * unit), octahedron('cup.stl', 24 * unit)), /^head.stl: has a radius of .* lengths are read as mm/);
+  const three = { ...whole, faces: whole.faces.slice(0, 9) };
+  assert.match(await warned(three, round), /^head.stl: is a cap, 3\d % of the view/);
 });

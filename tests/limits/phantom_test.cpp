@@ -31,25 +31,31 @@ TEST(Phantom, FirstTurnToAnAngleIsTheFirst) {
   EXPECT_GT(found, 3);
 }
 
-// On coarse meshes, for the time it takes: the error grows with the inverse square of the sides. Experiment
-// 17 fails where it is above a hundredth of a degree at the default sizes.
-constexpr PhantomSizes kCoarse{40, 400, 4.0};
-
-TEST(Phantom, LimitsAreThoseOfTheClosedForms) {
-  const double coarser = static_cast<double>(PhantomSizes{}.sides) / static_cast<double>(kCoarse.sides);
-  const auto rows = phantom_limits(kCoarse);
+void expect_within(std::size_t sides, double degrees) {
+  PhantomSizes sizes;
+  sizes.sides = sides;
+  const auto rows = phantom_limits(sizes);
   EXPECT_EQ(rows.size(), 11U);
-  for (const PhantomRow& row : rows)
-    EXPECT_LE(std::abs(row.error), coarser * coarser * kPhantomLimitError)
-        << row.phantom << ", " << row.quantity;
+  for (const PhantomRow& row : rows) {
+    EXPECT_LE(std::abs(row.error), degrees) << row.phantom << ", " << row.quantity;
+    EXPECT_FALSE(row.proven);
+  }
 }
 
+// A quarter of the sides of the default sizes: the error is of second order. Worst seen: 0.069.
+TEST(Phantom, LimitsAreThoseOfTheClosedForms) { expect_within(90, 0.11); }
+
+#ifndef __SANITIZE_ADDRESS__
+// At the default sizes, which take half a minute under a sanitizer. Worst seen: 0.0056.
+TEST(Phantom, LimitsAreWithinAHundredthOfADegree) { expect_within(PhantomSizes{}.sides, kPhantomLimitError); }
+#endif
+
 TEST(Phantom, GapsAreWithinTheirBounds) {
-  const auto rows = phantom_gaps(kCoarse);
+  const auto rows = phantom_gaps({40, 400, 4.0});  // coarse, for the time it takes
   EXPECT_EQ(rows.size(), 9U);
   for (const PhantomRow& row : rows) {
-    EXPECT_LE(std::abs(row.error), row.bound) << row.phantom << ", " << row.quantity;
-    EXPECT_LT(row.bound, 2.0) << "a bound that says something";
+    EXPECT_LE(std::abs(row.error), row.allowed) << row.phantom << ", " << row.quantity;
+    EXPECT_LT(row.allowed, 2.0) << "a bound that says something";
   }
 }
 

@@ -47,6 +47,23 @@ TEST(Shadow, IsMetByAnEdgeAlone) {
   EXPECT_TRUE(meets_shadow(touching, kFace));
 }
 
+// A face in a plane through the centre is met by none, and meets others by its points: 0.1 mm beyond, on the
+// shadow's own side, and before it.
+TEST(Shadow, IsMetByAFaceInAPlaneThroughTheCentre) {
+  const Triangle edge_on{Vec3(0, -3, 2.1), Vec3(0, 3, 2.1), Vec3(0, 0, 1)};
+  EXPECT_FALSE(covers_directions(edge_on));
+  EXPECT_TRUE(covers_directions(kFace));
+  EXPECT_TRUE(meets_shadow(edge_on, kFace));
+  EXPECT_FALSE(meets_shadow(kFace, edge_on));
+  EXPECT_TRUE(meets_pyramid(edge_on, kFace));
+  EXPECT_FALSE(meets_pyramid(kFace, edge_on));
+  EXPECT_FALSE(meets_shadow({Vec3(0, -3, 1.9), Vec3(0, 3, 1.9), Vec3(0, 0, 1)}, kFace));
+  EXPECT_FALSE(meets_pyramid({Vec3(0, -3, 2.1), Vec3(0, 3, 2.1), Vec3(0, 0, 4)}, kFace));
+  const Triangle through{Vec3(40, 0, 0), Vec3(-40, 30, 0), Vec3(-40, -30, 0)};  // the centre is in it
+  EXPECT_TRUE(meets_pyramid(through, kFace));
+  EXPECT_FALSE(meets_shadow(through, kFace));
+}
+
 // Points a + i (b - a) / n + j (c - a) / n of one face in the shadow of the other: if there is one the faces
 // meet the shadow, and without any they do so by less than a step.
 TEST(Shadow, AgreesWithPointsOfTheFaces) {
@@ -80,11 +97,13 @@ TEST(ShadowReference, OfConcentricSpheresIsTheirOrder) {
   const TriangleMesh small = sphere(10.0, 80);
   const TriangleMesh large = sphere(20.0, 60);
   const ShadowReference inside(small, large);
-  EXPECT_FALSE(inside.surfaces_impinged());
+  EXPECT_FALSE(inside.ball_beyond_socket());
+  EXPECT_FALSE(inside.socket_within_ball());
   for (const bool impinged : inside.ball_vertices_impinged()) EXPECT_FALSE(impinged);
   for (const bool impinged : inside.socket_vertices_impinged()) EXPECT_FALSE(impinged);
   const ShadowReference outside(large, small);
-  EXPECT_TRUE(outside.surfaces_impinged());
+  EXPECT_TRUE(outside.ball_beyond_socket());
+  EXPECT_TRUE(outside.socket_within_ball());
   for (const bool impinged : outside.ball_vertices_impinged()) EXPECT_TRUE(impinged);
   for (const bool impinged : outside.socket_vertices_impinged()) EXPECT_TRUE(impinged);
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +118,80 @@ TEST(ThesisRaster, EdgesBesideThePoleAreUnrolledTheRightWay) {
     const auto table = fill_thesis(mesh, scheme, Layer::farthest);
     for (const double radius : table.radii()) ASSERT_FALSE(std::isnan(radius)) << k;
   }
+}
+
+// The raster one column after the other, without a thought for speed: the radius of each entry from the ends
+// of its row's span.
+RadialTable<Rsid> drawn_one_by_one(const TriangleMesh& mesh, const Rsid& scheme, Layer layer) {
+  constexpr double kSlack = 1e-9;  // of a step
+  RadialTable<Rsid> table(scheme);
+  const double step = scheme.spacing();
+  const auto columns = static_cast<long>(scheme.columns());
+  for (const Face& face : mesh.faces) {
+    for (const ChartTriangle& t : chart_triangles(cone_of(mesh, face))) {
+      for (std::size_t i = 0; i < scheme.rows(); ++i) {
+        const double phi = static_cast<double>(i) * step;
+        std::vector<std::pair<double, double>> ends;  // column and radius
+        for (std::size_t k = 0; k < 3; ++k) {
+          const ChartPoint& a = t[k];
+          const ChartPoint& b = t[(k + 1) % 3];
+          if (std::abs(a.phi - phi) <= kSlack * step) ends.emplace_back(a.theta / step, a.radius);
+          if (std::min(a.phi, b.phi) >= phi - kSlack * step || std::max(a.phi, b.phi) <= phi + kSlack * step)
+            continue;
+          const double share = (phi - a.phi) / (b.phi - a.phi);
+          ends.emplace_back((a.theta + share * (b.theta - a.theta)) / step,
+                            a.radius + share * (b.radius - a.radius));
+        }
+        if (ends.empty()) continue;
+        const auto by_column = [](const auto& x, const auto& y) { return x.first < y.first; };
+        const auto left = *std::ranges::min_element(ends, by_column);
+        const auto right = *std::ranges::max_element(ends, by_column);
+        for (auto j = static_cast<long>(std::ceil(left.first - kSlack));
+             j <= static_cast<long>(std::floor(right.first + kSlack)); ++j) {
+          double radius = left.second;
+          if (right.first > left.first) {
+            const double share = (static_cast<double>(j) - left.first) / (right.first - left.first);
+            radius = left.second + std::clamp(share, 0.0, 1.0) * (right.second - left.second);
+          }
+          const auto column = static_cast<std::size_t>(((j % columns) + columns) % columns);
+          keep(table.radii()[i * scheme.columns() + column], radius, layer);
+        }
+      }
+    }
+  }
+  return table;
+}
+
+void expect_the_bits_drawn_one_by_one(const TriangleMesh& mesh, double precision, Layer layer) {
+  const Rsid scheme = Rsid::with_precision(precision);
+  const auto expected = drawn_one_by_one(mesh, scheme, layer);
+  const auto found = fill_thesis(mesh, scheme, layer);
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    const double radius = expected.radii()[i];
+    ASSERT_TRUE(found.radii()[i] == radius || (std::isnan(found.radii()[i]) && std::isnan(radius)))
+        << i << ": " << found.radii()[i] << " instead of " << radius;
+  }
+}
+
+// Several columns at a time are the same bits as one after the other, at seams, poles and rims, where rows
+// are shorter than a vector and where faces lie behind one another.
+TEST(ThesisRaster, HasTheBitsOfOneColumnAfterTheOther) {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  for (const double precision : {30.0, 6.0, 0.9}) {
+    expect_the_bits_drawn_one_by_one(octahedron_turned_about_x(0.6), precision, Layer::farthest);
+    expect_the_bits_drawn_one_by_one(octahedron(20.0), precision, Layer::nearest);
+    for (const Layer layer : {Layer::farthest, Layer::nearest}) {
+      expect_the_bits_drawn_one_by_one(pair.ball, precision, layer);
+      expect_the_bits_drawn_one_by_one(pair.socket, precision, layer);
+    }
+  }
+  TriangleMesh shells = sphere(22.0, 100);  // one inside of the other: each entry is drawn twice
+  const TriangleMesh inner = sphere(15.0, 80, {2.0, -3.0, 1.0});
+  const auto first = static_cast<VertexIndex>(shells.vertices.size());
+  shells.vertices.insert(shells.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (const Face& f : inner.faces) shells.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+  for (const Layer layer : {Layer::farthest, Layer::nearest})
+    expect_the_bits_drawn_one_by_one(shells, 1.0, layer);
 }
 
 TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limits/turn_limit.hpp"
+#include "limits/told_limit.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
 namespace impinge {
@@ -43,14 +43,25 @@ TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
   const JointTurn turn = joint_turn({}, motion_name("abduction"), Side::right);
   const TurnLimit expected = limits.first_contact(turn, 180.0);
   const auto& contact = summary["contact"][0];
-  EXPECT_EQ(contact["state"], "reached");
+  EXPECT_EQ(contact["state"], "limited");
   EXPECT_EQ(contact["centre"], "ball");
   EXPECT_NEAR(contact["low_deg"].get<double>(), expected.low_deg, 1e-9);
   EXPECT_NEAR(contact["high_deg"].get<double>(), expected.high_deg, 1e-9);
   const Vec3 place = input_to_joint("LPS").transpose() * expected.contact->place + kAt;
   EXPECT_NEAR(contact["position"]["x"].get<double>(), place.x(), 1e-6);
   EXPECT_NEAR(contact["position"]["z"].get<double>(), place.z(), 1e-6);
-  EXPECT_NEAR(contact["uncertainty_deg"].get<double>(), 0.5 * expected.deg_per_mm, 1e-6);
+  const ToldLimit told = told_limit(limits, turn, 0.0, 180.0);
+  EXPECT_NEAR(contact["half_mm_gap_deg"].get<double>(), *told.half_mm_gap_deg, 1e-9);
+  EXPECT_LT(*told.half_mm_gap_deg, expected.low_deg);
+  EXPECT_NEAR(contact["centre_low_deg"].get<double>(), told.common.low_deg, 1e-9);
+  EXPECT_NEAR(contact["play_low_deg"].get<double>(), told.play.low_deg, 1e-9);
+  EXPECT_NEAR(contact["centre_of_rotation"]["y"].get<double>(), kAt.y(), 1e-9);
+  EXPECT_FALSE(contact.contains("uncertainty_deg"));
+  for (const char* key : {"centre", "side", "axes", "pose", "motion", "question", "ball", "socket"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+  EXPECT_EQ(summary["side"], "right");
+  EXPECT_EQ(summary["axes"], "LPS");
+  EXPECT_EQ(summary["centre"]["x"], kAt.x());
   EXPECT_NEAR(summary["cartilage"]["low_deg"].get<double>(), limits.gap_of(turn, 2.0, 180.0).low_deg, 1e-9);
   EXPECT_NEAR(summary["contact"][1]["low_deg"].get<double>(), expected.low_deg, 0.5) << "one centre, fitted";
   const std::string text = describe_limits(summary);
@@ -68,6 +79,37 @@ TEST(SceneLimit, SaysFreeAndBlocked) {
   const std::string text = describe_limits(summary);
   EXPECT_NE(text.find("none up to 180"), std::string::npos) << text;
   EXPECT_NE(text.find("before it begins"), std::string::npos) << text;
+}
+
+// A limit that a graze makes: what is said must tell that half a millimetre changes it.
+TEST(SceneLimit, FlagsWhatHangsOnLessThanHalfAMillimetre) {
+  PairShape grazing;  // the cam passes under the socket's rim less than 0.1 mm away from it
+  grazing.cam_height = 3.95;
+  const auto summary = limit_summary(abducted(), scanned_joint(grazing));
+  const auto& contact = summary["contact"][0];
+  EXPECT_EQ(contact["state"], "free");
+  EXPECT_LT(contact["half_mm_gap_deg"].get<double>(), 60.0);
+  EXPECT_TRUE(contact["hangs_on_less_than_half_mm"].get<bool>());
+  const std::string text = describe_limits(summary);
+  EXPECT_NE(text.find("hangs on less than 0.5 mm"), std::string::npos) << text;
+  grazing.cam_height = 3.0;  // a whole millimetre
+  const auto clear = limit_summary(abducted(), scanned_joint(grazing));
+  EXPECT_TRUE(clear["contact"][0]["half_mm_gap_deg"].is_null());
+  EXPECT_FALSE(clear["contact"][0]["hangs_on_less_than_half_mm"].get<bool>());
+}
+
+// A ball that is a cap: where it ends nothing is known.
+TEST(SceneLimit, SaysWhereTheBallsMeshEnds) {
+  Joint joint = scanned_joint({});
+  TriangleMesh& ball = joint.ball.mesh;
+  std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).z() < -6.0; });
+  const auto summary = limit_summary(abducted(), joint);
+  const auto& contact = summary["contact"][0];
+  EXPECT_EQ(contact["state"], "unknown");
+  EXPECT_EQ(contact["low_deg"], contact["leaves_ball_mesh_deg"]);
+  const std::string text = describe_limits(summary);
+  EXPECT_NE(text.find("leaves the ball's mesh at "), std::string::npos) << text;
+  EXPECT_NE(text.find("unknown beyond"), std::string::npos) << text;
 }
 
 }  // namespace

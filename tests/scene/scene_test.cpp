@@ -163,22 +163,59 @@ TEST_F(Scene, BoundsOfTheSocketAreThoseOfThePosedBall) {
   EXPECT_LT(least_bound, 0.5 * largest) << "and so is the smooth one, where the bound is smaller";
 }
 
-TEST_F(Scene, AnAccuracyChoosesThePrecision) {
-  const BallSocketPair pair = make_ball_socket_pair(3000);
+// On the faces where no table keeps it, and with a proven bound at every vertex.
+TEST_F(Scene, AnAccuracyIsKeptAndProvenAtEveryVertex) {
+  const BallSocketPair pair = make_ball_socket_pair(3000, impinging_cam());
   SceneOptions options = joint_of(pair.ball, pair.socket);
   options.centre = kScanned;
+  options.axes = "ALS";
+  options.motion = parse_motion("flexion=60");
   const Joint joint = load_joint(options);
-  const auto largest = [](const Measurement& m) {
-    return std::max(largest_bound(m.ball), largest_bound(m.socket));
-  };
-  options.precision_deg = 0.5;
-  const double wanted = 1.01 * largest(measure(joint, options));
-  options.precision_deg = 1.0;
-  EXPECT_GT(largest(measure(joint, options)), wanted) << "one step coarser does not keep it";
-  options.max_error_mm = wanted;
+  const RayCaster socket(joint.socket.mesh);
+  for (const double accuracy : {1.0, 0.01, 1e-9}) {
+    options.max_error_mm = accuracy;
+    const Measurement found = measure(joint, options);
+    std::size_t gaps = 0;
+    for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
+      const Vec3 x = to_socket(found.pose, joint.ball.mesh.vertices[i]);
+      const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
+      ASSERT_EQ(std::isnan(gap), std::isnan(found.ball.gap[i])) << i;
+      if (std::isnan(gap)) continue;
+      ++gaps;
+      EXPECT_LE(found.ball.bound[i], accuracy);
+      EXPECT_LE(std::abs(gap - found.ball.gap[i]), found.ball.bound[i] + 1e-11);
+    }
+    EXPECT_GT(gaps, 100U);
+    EXPECT_LE(found.smallest.high - found.smallest.low, 1e-9);
+    const auto report = summary(options, joint, found);
+    EXPECT_LE(report["error_bound_mm"]["largest"].get<double>(), accuracy);
+    EXPECT_EQ(report["certificate"]["ball"]["bounds_refuted"], 0);
+    EXPECT_TRUE(report["precision_deg"].is_null());
+  }
+  options.max_error_mm = 1e-15;
+  EXPECT_THROW(measure(joint, options), std::runtime_error);
+}
+
+// Cells that look along a steep flank have bounds of millimetres, or none. The faces decide.
+TEST_F(Scene, TheSmallestGapIsProvenWhereBoundsSayNothing) {
+  const TriangleMesh ball =
+      radial_body(4000, [](const Vec3& u) { return 22.0 + 10.0 * (1.0 + std::tanh(20.0 * (u.x() - 0.4))); });
+  SceneOptions options = joint_of(ball, cup(44.0, 170.0, 3000));
+  options.centre = kScanned;
+  options.precision_deg = 2.0;
+  const Joint joint = load_joint(options);
   const Measurement found = measure(joint, options);
-  EXPECT_EQ(found.precision_deg, 0.5);
-  EXPECT_LE(largest(found), *options.max_error_mm);
+  EXPECT_GT(std::ranges::count_if(found.socket.bound, [](double bound) { return bound > 1.0; }), 20);
+  const RayCaster oracle(joint.ball.mesh);
+  double smallest = HUGE_VAL;
+  for (const Vec3& x : joint.socket.mesh.vertices)
+    smallest = std::fmin(smallest, x.norm() - oracle.cast(x.normalized(), Layer::farthest));
+  const RayCaster socket(joint.socket.mesh);
+  for (const Vec3& x : joint.ball.mesh.vertices)
+    smallest = std::fmin(smallest, socket.cast(x.normalized(), Layer::nearest) - x.norm());
+  EXPECT_NEAR(found.smallest.low, smallest, 1e-9);
+  EXPECT_NEAR(found.smallest.high, smallest, 1e-9);
+  EXPECT_GT(found.smallest.measured, 20U);
 }
 
 TEST_F(Scene, WritesTheFilesOfTheContract) {

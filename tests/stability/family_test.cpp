@@ -27,6 +27,7 @@ StabilityFamily family_of(std::vector<StabilityCase> cases) {
   StabilityFamily family;
   family.name = "some_family";
   family.unit = "mm";
+  family.seen = {0.5, 0.25};
   family.run = [cases = std::move(cases)](const StabilityRun& /*run*/) { return cases; };
   return family;
 }
@@ -72,6 +73,22 @@ TEST(StabilityFamilies, SoDoesABoundThatDoesNotHold) {
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("some_family at 1 mm, some in double"), std::string::npos) << lines[0];
   EXPECT_NE(lines[0].find("above the bound 1 um"), std::string::npos) << lines[0];
+}
+
+TEST(StabilityFamilies, SoDoesAnErrorOfMoreThanTwiceWhatWasSeen) {
+  std::vector<StabilityCase> cases = clean_cases();
+  for (StabilityCase& c : cases) c.threshold = 60.0;
+  cases[1].error_over_condition_u = 1.0;
+  EXPECT_TRUE(broken(family_of(cases), cases).empty());
+  cases[1].error_over_condition_u = 1.001;
+  const auto lines = broken(family_of(cases), cases);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("error above 1, twice what was seen"), std::string::npos) << lines[0];
+  cases[1].scalar = Scalar::float32;
+  cases[1].error_over_condition_u = 0.51;
+  EXPECT_EQ(broken(family_of(cases), cases).size(), 1U);
+  cases[1].kind = "library";
+  EXPECT_TRUE(broken(family_of(cases), cases).empty());
 }
 
 TEST(StabilityFamilies, WhatIsSilentAndWhatIsWithheldIsNoFailure) {

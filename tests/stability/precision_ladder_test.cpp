@@ -122,7 +122,7 @@ TEST_F(PrecisionLadder, ErrorsShrinkAsTheNumbersDo) {
   const auto found = steps<Kernel>();
   EXPECT_NEAR(found[0], 29.0, 1.0);
   EXPECT_NEAR(found[1], 11.0, 1.0);
-  EXPECT_LT((error<Kernel, double>()), 4.0 * 0x1p-53);
+  EXPECT_LT((error<Kernel, double>()), 1.1 * 0x1p-53) << "0.56 was seen";
 }
 
 // 100 bits more change nothing, so that 200 are the truth.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sliver answers as any face in its plane does: |r - truth| <= 60 u (1 + tan psi) truth, in every way of
-// asking.
+// A sliver answers as any face in its plane does, in every way of asking: |r - truth| <= 60 u (1 + tan psi)
+// truth, and no more than twice the 3.2 u that were seen.
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -22,6 +22,9 @@
 
 namespace impinge {
 namespace {
+
+constexpr double kMost = 6.4;
+static_assert(kMost < kRadiusThreshold);
 
 // A sliver at every 20th entry of a small table.
 struct Slivers {
@@ -62,7 +65,7 @@ TEST_P(SliverAspects, AnswerAsAnyFaceInItsPlane) {
   const TriangleMesh& mesh = slivers.mesh;
   ASSERT_GT(slivers.aims.size(), 20U);
   const auto expect_right = [&](const char* way, auto&& radius_of) {
-    EXPECT_LT(slivers.largest_error(radius_of), kRadiusThreshold) << way;
+    EXPECT_LT(slivers.largest_error(radius_of), kMost) << way;
   };
   const RayCaster caster(mesh);
   expect_right("pairwise", [&](std::size_t k) { return caster.cast(slivers.aims[k], Layer::nearest); });

@@ -23,6 +23,8 @@ namespace {
 using test::StiffSurface;
 
 constexpr double kStiffUnit = 0x1p-24;
+// Of what is allowed 0.19 was seen at most: no more than twice as much may be.
+constexpr double kExactShare = 0.38;
 
 std::vector<float> gaps_in(const ExactCells& cells, const std::vector<Vec3>& points, Scan scan) {
   std::vector<float> gap(points.size());
@@ -48,9 +50,10 @@ TEST_P(StiffExactCells, AnswerAsTheMesh) {
       const double gap = truth[i] - points[i].norm();
       const double off = std::fmax(std::abs(ball[i] - gap), std::abs(socket[i] + gap));
       const double rounding = kStiffUnit * (18.0 * truth[i] + 8.0 * std::abs(gap));
-      if (off <= rounding) continue;
+      if (off <= kExactShare * rounding) continue;
       const double steep = conditions_along(surface.mesh, {&points[i], 1})[0].condition();
-      EXPECT_LE(off, rounding + kRadiusThreshold * 0x1p-53 * steep * truth[i]) << points[i].transpose();
+      EXPECT_LE(off, kExactShare * (rounding + kRadiusThreshold * 0x1p-53 * steep * truth[i]))
+          << points[i].transpose();
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "sphere/scheme.hpp"
 #include "support/directions.hpp"
+#include "support/wrapped_scheme.hpp"
 
 namespace impinge::test {
 
@@ -95,39 +95,23 @@ inline TriangleMesh large_flat_face(double distance, double opening) {
 // A scheme whose stencil is the tap that is farthest from the direction: nothing but the stencil radius says
 // how wrong it is. It declares no patches.
 template <SamplingScheme S>
-class FarTap {
+class FarTap : public Wrapped<S> {
  public:
-  static constexpr std::string_view name = "far_tap";
-  static constexpr std::string_view label = "Farthest tap";
-  static constexpr std::string_view citation = "a test";
-
-  FarTap() = default;
+  static constexpr bool kFlatCells = S::kFlatCells;
   static FarTap with_precision(double degrees) {
     FarTap scheme;
-    scheme.near_ = S::with_precision(degrees);
+    scheme.hold(S::with_precision(degrees));
     return scheme;
   }
-  double precision_deg() const { return near_.precision_deg(); }
-  std::size_t size() const { return near_.size(); }
-  std::size_t cells() const { return near_.cells(); }
-  Vec3 direction(std::size_t entry) const { return near_.direction(entry); }
-  double covering_radius() const { return near_.covering_radius(); }
-  double stencil_radius() const { return near_.stencil_radius(); }
-  std::size_t equator_points() const { return near_.equator_points(); }
-  auto walker() const { return near_.walker(); }
   Stencil stencil(const Vec3& x) const {
-    Stencil stencil = near_.stencil(x);
+    Stencil stencil = Wrapped<S>::stencil(x);
     const Vec3 u = x.normalized();
     const auto farther = [&](std::size_t a, std::size_t b) {
-      return direction(a).dot(u) > direction(b).dot(u);
+      return this->direction(a).dot(u) > this->direction(b).dot(u);
     };
     const std::size_t far = *std::max_element(stencil.entry.begin(), stencil.entry.begin() + 4, farther);
     return {{far, far, far, far}, {1.0, 0.0, 0.0, 0.0}, 1, stencil.cell};
   }
-  friend bool operator==(const FarTap&, const FarTap&) = default;
-
- private:
-  S near_;
 };
 
 }  // namespace impinge::test

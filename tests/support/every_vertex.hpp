@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "culling/culled_joint.hpp"
 #include "detection/exact_side.hpp"
@@ -13,22 +14,20 @@
 
 namespace impinge::test {
 
-// Every vertex of both surfaces, in the order of scans and vertices, with its place in the frame of the other
-// one.
-template <class Visit>
-void for_each_vertex(const BallSocketPair& joint, const Pose& pose, Visit&& visit) {
-  for (std::size_t v = 0; v < joint.ball.vertices.size(); ++v)
-    visit(ScannedVertex{ScannedSurface::ball, v}, to_socket(pose, joint.ball.vertices[v]));
-  for (std::size_t v = 0; v < joint.socket.vertices.size(); ++v)
-    visit(ScannedVertex{ScannedSurface::socket, v}, to_ball(pose, joint.socket.vertices[v]));
-}
-
 class EveryVertex {
  public:
   explicit EveryVertex(const BallSocketPair& joint)
       : joint_(joint),
         index_{FaceIndex(joint.ball), FaceIndex(joint.socket)},
-        near_{NearFaces(joint.ball, 0.0), NearFaces(joint.socket, 0.0)} {}
+        near_{NearFaces(joint.ball, 0.0), NearFaces(joint.socket, 0.0)} {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const TriangleMesh& mesh = k == 0 ? joint.ball : joint.socket;
+      used_[k].resize(mesh.vertices.size());
+      for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        for (const VertexIndex v : mesh.faces[f]) used_[k][v] = used_[k][v] || index_[k].face(f).side != 0;
+      }
+    }
+  }
 
   bool impinged(const ScannedVertex& at, const Vec3& x) const {
     return at.scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, index_[1], x)
@@ -36,13 +35,12 @@ class EveryVertex {
   }
   bool impinged(const Pose& pose) const {
     bool found = false;
-    for_each_vertex(joint_, pose,
-                    [&](const ScannedVertex& at, const Vec3& x) { found = found || impinged(at, x); });
+    for_each(pose, [&](const ScannedVertex& at, const Vec3& x) { found = found || impinged(at, x); });
     return found;
   }
   std::optional<LeastGap> least_gap(const Pose& pose) const {
     std::optional<LeastGap> least;
-    for_each_vertex(joint_, pose, [&](const ScannedVertex& at, const Vec3& x) {
+    for_each(pose, [&](const ScannedVertex& at, const Vec3& x) {
       const bool ball = at.scanned == ScannedSurface::ball;
       if (x.isZero(0.0)) return;
       const double radius = ball ? near_[1].radius(x.normalized(), Layer::nearest)
@@ -54,9 +52,24 @@ class EveryVertex {
   }
 
  private:
+  // Every vertex of a face that covers directions, of both surfaces, in the order of scans and vertices, with
+  // its place in the frame of the other one.
+  template <class Visit>
+  void for_each(const Pose& pose, const Visit& visit) const {
+    for (std::size_t v = 0; v < used_[0].size(); ++v) {
+      if (used_[0][v])
+        visit(ScannedVertex{ScannedSurface::ball, v}, to_socket(pose, joint_.ball.vertices[v]));
+    }
+    for (std::size_t v = 0; v < used_[1].size(); ++v) {
+      if (used_[1][v])
+        visit(ScannedVertex{ScannedSurface::socket, v}, to_ball(pose, joint_.socket.vertices[v]));
+    }
+  }
+
   const BallSocketPair& joint_;
   std::array<FaceIndex, 2> index_;
   std::array<NearFaces, 2> near_;
+  std::array<std::vector<bool>, 2> used_;
 };
 
 }  // namespace impinge::test

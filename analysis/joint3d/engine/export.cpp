@@ -18,14 +18,14 @@ std::vector<Vec3> posed_in_input_frame(const Session& session, const Pose& pose,
 
 }  // namespace
 
-std::string gaps_csv(const Session& session, const PoseRequest& request) {
+std::string gaps_csv(Session& session, const PoseRequest& request) {
   const PoseAnswer found = answer_pose(session, request);
   const std::vector<Vec3> ball = posed_in_input_frame(session, found.pose, Surface::ball);
   const std::vector<Vec3> socket = posed_in_input_frame(session, found.pose, Surface::socket);
   return gaps_csv({Surface::ball, ball, found.ball.gap}, {Surface::socket, socket, found.socket.gap});
 }
 
-std::string surface_ply(const Session& session, const PoseRequest& request, Surface surface) {
+std::string surface_ply(Session& session, const PoseRequest& request, Surface surface) {
   const PoseAnswer found = answer_pose(session, request);
   const Joint& joint = session.joint->joint;
   const bool ball = surface == Surface::ball;

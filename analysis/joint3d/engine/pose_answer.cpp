@@ -27,7 +27,7 @@ SurfaceAnswer surface_answer(const SessionPart& part, std::vector<double> gap, d
 // Where the vertices are in the pose: in the joint frame, for the dial.
 std::vector<Vec3> places_of(const SessionJoint& joint, const Pose& pose, Surface surface) {
   std::vector<Vec3> places =
-      surface == Surface::ball ? joint.ball.vertices.points : joint.socket.vertices.points;
+      surface == Surface::ball ? joint.ball.vertices.points : joint.joint.socket.mesh.vertices;
   for (Vec3& x : places) x = joint.axes * (surface == Surface::ball ? to_socket(pose, x) : x);
   return places;
 }
@@ -52,7 +52,7 @@ std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const PoseA
   smallest.vertex = on_ball ? *ball.smallest : *socket.smallest;
   smallest.gap_mm = on_ball ? ball.smallest_gap : socket.smallest_gap;
   smallest.place = on_ball ? to_socket(found.pose, joint.ball.vertices.points[smallest.vertex])
-                           : joint.socket.vertices.points[smallest.vertex];
+                           : joint.joint.socket.mesh.vertices[smallest.vertex];
   if (joint.dial) smallest.hours = joint.dial->hours(joint.axes * smallest.place);
   return smallest;
 }
@@ -64,14 +64,16 @@ Pose pose_of(const SessionJoint& joint, const PoseRequest& request) {
   return {joint.axes.transpose() * rotation * joint.axes, request.translation};
 }
 
-PoseAnswer answer_pose(const Session& session, const PoseRequest& request) {
+PoseAnswer answer_pose(Session& session, const PoseRequest& request) {
   using Clock = std::chrono::steady_clock;
+  shift_ball(session, request.translation);
   const SessionJoint& joint = *session.joint;
   PoseAnswer found;
   found.pose = pose_of(joint, request);
+  const Pose turn{found.pose.rotation, Vec3::Zero()};
   const auto start = Clock::now();
-  std::vector<double> ball = gaps_of(*session.tables.socket, joint.ball, found.pose, Scan::ball);
-  std::vector<double> socket = gaps_of(*session.tables.ball, joint.socket, found.pose, Scan::socket);
+  std::vector<double> ball = gaps_of(*session.tables.socket, joint.ball, turn, Scan::ball);
+  std::vector<double> socket = gaps_of(*session.tables.ball, joint.socket, turn, Scan::socket);
   found.scan_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   found.ball = surface_answer(joint.ball, std::move(ball), request.cartilage_mm);
   found.socket = surface_answer(joint.socket, std::move(socket), request.cartilage_mm);

@@ -9,13 +9,14 @@
 #include "detection/gap_histogram.hpp"
 #include "detection/gap_summary.hpp"
 #include "joint/gap_levels.hpp"
+#include "limits/told_limit.hpp"
 #include "session.hpp"
 
 namespace impinge {
 
 struct PoseRequest {
   Motion motion;                    // degrees
-  Vec3 translation = Vec3::Zero();  // of the ball, mm, input frame
+  Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
   double cartilage_mm = 4.0;
 };
 
@@ -37,7 +38,8 @@ struct SmallestOfPose {
 };
 
 struct PoseAnswer {
-  Pose pose;
+  Pose pose;  // of the ball in the socket, with its shift; gaps are those of its rotation alone, see
+              // shift_ball()
   SurfaceAnswer ball;
   SurfaceAnswer socket;
   std::optional<SmallestOfPose> smallest;
@@ -45,26 +47,34 @@ struct PoseAnswer {
 };
 
 Pose pose_of(const SessionJoint& joint, const PoseRequest& request);
-PoseAnswer answer_pose(const Session& session, const PoseRequest& request);
+PoseAnswer answer_pose(Session& session, const PoseRequest& request);
 
-// Smallest gaps while one angle grows from a start, by the tables, and the limit that no step can jump over,
-// about the meshes themselves (limits/turn_limit.hpp).
+// Smallest gaps while one angle grows from a start, by the tables, and the limits that no step can jump over,
+// about the meshes themselves (limits/told_limit.hpp).
 struct SweepRequest {
   Motion start;
   std::string growing;  // of motion_names()
   double largest_deg = 150.0;
   double step_deg = 1.0;
+  Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
+  double cartilage_mm = 4.0;
+};
+struct SweepLimit {
+  const char* about;  // "ball" or "socket": whose centre
+  ToldLimit told;
+  std::optional<double> hours;  // where they touch
 };
 struct SweepAnswer {
   std::vector<double> angles;    // of the growth, degrees
   std::vector<double> smallest;  // mm, NaN where the surfaces do not meet
-  TurnLimit limit;
-  std::optional<double> hours;  // where they touch
+  // Contact about the centre of the ball; about that of the socket, where a sphere fits it and the ball is
+  // not shifted; and of the cartilage, about the centre of the ball.
+  std::vector<SweepLimit> limits;
 };
 SweepAnswer answer_sweep(Session& session, const SweepRequest& request);
 
 // The files of the program `scene`, byte for byte: gaps.csv of both surfaces; ball.ply or socket.ply.
-std::string gaps_csv(const Session& session, const PoseRequest& request);
-std::string surface_ply(const Session& session, const PoseRequest& request, Surface surface);
+std::string gaps_csv(Session& session, const PoseRequest& request);
+std::string surface_ply(Session& session, const PoseRequest& request, Surface surface);
 
 }  // namespace impinge

@@ -92,6 +92,31 @@ val histogram_value(const GapHistogram& ball, const GapHistogram& socket) {
                 std::pair("beyond_mm2", ball.beyond + socket.beyond));
 }
 
+val end_or_null(const CentreInterval& interval) {
+  return interval.limited ? val(interval.high_deg) : val::null();
+}
+
+val limit_value(const SweepLimit& found) {
+  const ToldLimit& told = found.told;
+  return object(std::pair("about", found.about), std::pair("threshold_mm", told.threshold_mm),
+                std::pair("state", text(name(told.limit.state))), std::pair("low_deg", told.limit.low_deg),
+                std::pair("high_deg", told.limit.high_deg), std::pair("centre_low_deg", told.common.low_deg),
+                std::pair("centre_high_deg", end_or_null(told.common)),
+                std::pair("play_low_deg", told.play.low_deg),
+                std::pair("play_high_deg", end_or_null(told.play)), std::pair("within_mm", kErrorOfInput),
+                std::pair("half_mm_gap_deg", or_null(told.half_mm_gap_deg)),
+                std::pair("hangs_on_less", told.hangs_on_less()),
+                std::pair("leaves_ball_mesh_deg", or_null(told.limit.leaves_mesh_deg)),
+                std::pair("clock", clock_or_null(found.hours)));
+}
+
+// As they stand in the socket, about whose centre a page draws.
+std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] += static_cast<float>(shift[static_cast<Eigen::Index>(k % 3)]);
+  return points;
+}
+
 val first_zone(const std::vector<ClockZone>& zones) {
   if (zones.empty()) return val::null();
   return val::array(std::vector<std::string>{clock_text(zones[0].from), clock_text(zones[0].to)});
@@ -128,9 +153,11 @@ val tables_reply(const SessionTables& tables) {
 val points_reply(const Session& session) {
   const TableSettings& settings = session.tables.settings;
   const Joint& joint = session.joint->joint;
-  return object(std::pair("entries", static_cast<double>(session.tables.ball->entries)),
-                std::pair("ball", typed_array(sample_points(settings, joint.ball.mesh, Layer::farthest))),
-                std::pair("socket", typed_array(sample_points(settings, joint.socket.mesh, Layer::nearest))));
+  return object(
+      std::pair("entries", static_cast<double>(session.tables.ball->entries)),
+      std::pair("ball", typed_array(sample_points(settings, joint.ball.mesh, Layer::farthest))),
+      std::pair("socket", typed_array(in_socket(sample_points(settings, session.joint->seen, Layer::nearest),
+                                                session.joint->shift))));
 }
 
 val verdicts_reply(const PoseVerdicts& found) {
@@ -139,7 +166,9 @@ val verdicts_reply(const PoseVerdicts& found) {
       std::pair("clear", count(found.vertices.clear)), std::pair("impinged", count(found.vertices.impinged)),
       std::pair("undecided", count(found.vertices.undecided)), std::pair("unbounded", count(found.unbounded)),
       std::pair("largest_mm", found.largest_mm), std::pair("median_mm", found.median_mm),
-      std::pair("low_mm", number_or_null(found.low_mm)), std::pair("high_mm", number_or_null(found.high_mm)));
+      std::pair("low_mm", number_or_null(found.smallest.low)),
+      std::pair("high_mm", number_or_null(found.smallest.high)),
+      std::pair("measured", count(found.smallest.measured)));
 }
 
 val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found) {
@@ -161,15 +190,9 @@ val pose_reply(const SessionJoint& joint, const PoseRequest& request, const Pose
 }
 
 val sweep_reply(const SweepAnswer& found) {
-  const TurnLimit& limit = found.limit;
-  const bool reached = limit.state == LimitState::reached;
-  const val bracket =
-      object(std::pair("state", text(name(limit.state))), std::pair("low_deg", limit.low_deg),
-             std::pair("high_deg", limit.high_deg), std::pair("clock", clock_or_null(found.hours)),
-             std::pair("deg_per_mm", reached ? number_or_null(limit.deg_per_mm) : val::null()),
-             std::pair("certified", true));
   return object(std::pair("angles", float_array(found.angles)),
-                std::pair("smallest", float_array(found.smallest)), std::pair("limit", bracket));
+                std::pair("smallest", float_array(found.smallest)),
+                std::pair("limits", list(found.limits, limit_value)));
 }
 
 }  // namespace impinge

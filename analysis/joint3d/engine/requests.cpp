@@ -45,6 +45,12 @@ double angle_of(const val& value, const char* name) {
   throw std::invalid_argument(std::string(name) + " is no angle of a joint; give degrees from -180 to 180");
 }
 
+double cartilage_of(const val& request) {
+  const double thickness = number_of(request, "cartilage_mm", PoseRequest{}.cartilage_mm);
+  if (thickness >= 0.0 && std::isfinite(thickness)) return thickness;
+  throw std::invalid_argument("cartilage has a thickness of 0 mm or more");
+}
+
 Motion motion_request(const val& value) {
   return {angle_of(value, "flexion"), angle_of(value, "abduction"), angle_of(value, "internal_rotation")};
 }
@@ -98,9 +104,7 @@ PoseRequest pose_request(const val& request) {
   PoseRequest pose;
   pose.motion = motion_request(request);
   if (is_given(request["translation"])) pose.translation = vector_request(request["translation"]);
-  pose.cartilage_mm = number_of(request, "cartilage_mm", pose.cartilage_mm);
-  if (!(pose.cartilage_mm >= 0.0 && std::isfinite(pose.cartilage_mm)))
-    throw std::invalid_argument("cartilage has a thickness of 0 mm or more");
+  pose.cartilage_mm = cartilage_of(request);
   return pose;
 }
 
@@ -116,6 +120,8 @@ SweepRequest sweep_request(const val& request) {
   if (is_given(request["pose"])) sweep.start = motion_request(request["pose"]);
   sweep.largest_deg = number_of(request, "largest_deg", sweep.largest_deg);
   sweep.step_deg = number_of(request, "step_deg", sweep.step_deg);
+  if (is_given(request["translation"])) sweep.translation = vector_request(request["translation"]);
+  sweep.cartilage_mm = cartilage_of(request);
   if (!(sweep.step_deg >= 0.1) || !(sweep.largest_deg > 0.0))
     throw std::invalid_argument("a sweep has steps of 0.1 degrees or more, up to an angle above 0");
   return sweep;

@@ -57,7 +57,7 @@ SessionTables filled(const SessionJoint& joint, const TableSettings& settings) {
   tables.settings = settings;
   const auto start = Clock::now();
   tables.ball = fill_table(settings, joint.joint.ball.mesh, Layer::farthest);
-  tables.socket = fill_table(settings, joint.joint.socket.mesh, Layer::nearest);
+  tables.socket = fill_table(settings, joint.seen, Layer::nearest);
   tables.fill_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return tables;
 }
@@ -67,6 +67,7 @@ void use(Session& session, std::unique_ptr<SessionJoint> joint) {
   session.tables = filled(*joint, session.tables.settings);
   session.joint = std::move(joint);
   session.limits.reset();
+  session.socket_limits.reset();
 }
 
 }  // namespace
@@ -80,7 +81,33 @@ SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std
       axes(input_to_joint(axis_code)),
       dial(dial_of(joint.socket.mesh, axes)),
       ball(joint.ball.mesh),
-      socket(joint.socket.mesh) {}
+      seen(joint.socket.mesh),
+      socket(seen) {}
+
+void SessionJoint::shift_to(const Vec3& to) {
+  TriangleMesh moved = relative_to(joint.socket.mesh, to);
+  socket = SessionPart(moved);
+  seen_faces.reset();
+  socket_probes.reset();
+  seen = std::move(moved);
+  shift = to;
+}
+
+void shift_ball(Session& session, const Vec3& shift) {
+  SessionJoint& joint = *session.joint;
+  if (shift == joint.shift) return;
+  SessionTables& tables = session.tables;
+  auto socket = fill_table(tables.settings, relative_to(joint.joint.socket.mesh, shift), Layer::nearest);
+  joint.shift_to(shift);
+  tables.socket = std::move(socket);
+  tables.socket_bounds.reset();
+  session.limits.reset();
+}
+
+void near_faces(SessionJoint& joint) {
+  if (!joint.ball_faces) joint.ball_faces = std::make_unique<NearFaces>(joint.joint.ball.mesh, 0.0);
+  if (!joint.seen_faces) joint.seen_faces = std::make_unique<NearFaces>(joint.seen, 0.0);
+}
 
 void use_hip(Session& session, const HipParameters& parameters) {
   Hip hip = make_hip(parameters);
@@ -106,21 +133,18 @@ void fill_tables(Session& session, const TableSettings& settings) {
 
 void measure_tables(Session& session) {
   SessionJoint& joint = *session.joint;
-  if (!joint.ball_probes) {
-    joint.ball_probes = probes_of(joint.joint.ball.mesh, Layer::farthest);
-    joint.socket_probes = probes_of(joint.joint.socket.mesh, Layer::nearest);
-  }
+  if (!joint.ball_probes) joint.ball_probes = probes_of(joint.joint.ball.mesh, Layer::farthest);
+  if (!joint.socket_probes) joint.socket_probes = probes_of(joint.seen, Layer::nearest);
   session.tables.error_mm = std::max(measured_error(*joint.ball_probes, *session.tables.ball),
                                      measured_error(*joint.socket_probes, *session.tables.socket));
 }
 
 void bound_tables(Session& session) {
   SessionTables& tables = session.tables;
-  if (tables.ball_bounds) return;
-  const Joint& joint = session.joint->joint;
-  std::unique_ptr<SurfaceBounds> ball = bound_table(tables.settings, joint.ball.mesh, Layer::farthest);
-  tables.socket_bounds = bound_table(tables.settings, joint.socket.mesh, Layer::nearest);
-  tables.ball_bounds = std::move(ball);
+  const SessionJoint& joint = *session.joint;
+  if (!tables.ball_bounds)
+    tables.ball_bounds = bound_table(tables.settings, joint.joint.ball.mesh, Layer::farthest);
+  if (!tables.socket_bounds) tables.socket_bounds = bound_table(tables.settings, joint.seen, Layer::nearest);
 }
 
 double whole_bound(const SessionTables& tables) {

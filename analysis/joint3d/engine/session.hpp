@@ -15,10 +15,13 @@
 #include "joint/joint.hpp"
 #include "joint/motion.hpp"
 #include "limits/turn_limit.hpp"
+#include "sampling/near_faces.hpp"
 #include "surface_bounds.hpp"
 #include "surface_table.hpp"
 
 namespace impinge {
+
+struct Session;
 
 // What a surface has in every pose.
 struct SessionPart {
@@ -32,17 +35,34 @@ struct SessionPart {
 struct SessionJoint {
   explicit SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code);
 
+  // Shifts the ball in the socket, mm, input frame: what follows from `seen` is made anew.
+  void shift_to(const Vec3& to);
+
   Joint joint;
   std::optional<Side> side;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // input frame to joint frame
   std::optional<ClockFace> dial;                       // joint frame
   SessionPart ball;
-  SessionPart socket;
+  Vec3 shift = Vec3::Zero();                // of the ball's centre from that of the socket, mm, input frame
+  TriangleMesh seen;                        // the socket about the centre of the ball
+  SessionPart socket;                       // of `seen`
   std::optional<HipParameters> parameters;  // of a hip made from them
   // Points of the surfaces, for measure_tables().
   std::unique_ptr<const ScannedVertices> ball_probes;
   std::unique_ptr<const ScannedVertices> socket_probes;
+  // Faces of both as measured_gap.hpp asks them, once near_faces() has made them.
+  std::unique_ptr<const NearFaces> ball_faces;
+  std::unique_ptr<const NearFaces> seen_faces;
 };
+
+// What a shift of the ball means. The ball turns about its own centre, which the shift moves in the socket.
+// All gaps, tables, bounds and limits are then along rays from that centre, about which the socket is `seen`:
+// there the pose has no translation, and the statements (1) and (2) of detection/overlay.hpp are one. Of the
+// pose with its translation it is statement (2).
+void shift_ball(Session& session, const Vec3& shift);
+
+// Makes the faces of both surfaces ready to be measured.
+void near_faces(SessionJoint& joint);
 
 struct SessionTables {
   TableSettings settings;
@@ -58,7 +78,9 @@ struct SessionTables {
 struct Session {
   std::unique_ptr<SessionJoint> joint;
   SessionTables tables;
-  std::unique_ptr<TurnLimits> limits;  // made when first asked for
+  // Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
+  std::unique_ptr<TurnLimits> limits;
+  std::unique_ptr<TurnLimits> socket_limits;
 };
 
 // A hip made from parameters, and a joint of a user's meshes. The tables are then filled anew, with the

@@ -3,65 +3,79 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace impinge {
 namespace {
 
-struct BoundedGap {
-  double gap;    // mm, as are the others here
-  double bound;  // infinite where nothing is proven
+// One scan, made ready to be judged: of each vertex the gap, the bound of the cell that it reads, and where
+// it is in the frame of the table.
+struct JudgedScan {
+  std::vector<Vec3> places;
+  std::vector<double> gap;
+  std::vector<double> bound;
 };
 
-// Of all vertices that have a gap.
-std::vector<BoundedGap> bounded_gaps(const Session& session, const PoseAnswer& answer) {
-  const SessionJoint& joint = *session.joint;
-  std::vector<BoundedGap> found;
-  for (std::size_t i = 0; i < answer.ball.gap.size(); ++i) {
-    if (std::isnan(answer.ball.gap[i])) continue;
-    const Vec3 x = to_socket(answer.pose, joint.ball.vertices.points[i]);
-    found.push_back({answer.ball.gap[i], session.tables.socket_bounds->at(x)});
+template <class Place>
+JudgedScan judged(std::span<const Vec3> vertices, std::vector<double> gap, const SurfaceBounds& bounds,
+                  const Place& place) {
+  JudgedScan scan;
+  scan.gap = std::move(gap);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    scan.places.push_back(place(vertices[i]));
+    scan.bound.push_back(std::isnan(scan.gap[i]) ? scan.gap[i] : bounds.at(scan.places[i]));
   }
-  for (std::size_t i = 0; i < answer.socket.gap.size(); ++i) {
-    if (std::isnan(answer.socket.gap[i])) continue;
-    const Vec3 x = to_ball(answer.pose, joint.socket.vertices.points[i]);
-    found.push_back({answer.socket.gap[i], session.tables.ball_bounds->at(x)});
-  }
-  return found;
+  return scan;
 }
 
-void add(const BoundedGap& of, PoseVerdicts& found) {
-  const Verdict verdict = verdict_of(of.gap - of.bound, of.gap + of.bound, Cover::whole);
-  found.vertices.clear += verdict == Verdict::clear ? 1U : 0U;
-  found.vertices.impinged += verdict == Verdict::impinged ? 1U : 0U;
-  found.vertices.undecided += verdict == Verdict::undecided ? 1U : 0U;
-  if (!std::isfinite(of.bound)) {
-    ++found.unbounded;
-    return;
+void add(const JudgedScan& scan, PoseVerdicts& found, std::vector<double>& bounds) {
+  for (std::size_t i = 0; i < scan.gap.size(); ++i) {
+    if (std::isnan(scan.gap[i])) continue;
+    const double bound = scan.bound[i];
+    const Verdict verdict = verdict_of(scan.gap[i] - bound, scan.gap[i] + bound, Cover::whole);
+    found.vertices.clear += verdict == Verdict::clear ? 1U : 0U;
+    found.vertices.impinged += verdict == Verdict::impinged ? 1U : 0U;
+    found.vertices.undecided += verdict == Verdict::undecided ? 1U : 0U;
+    if (std::isfinite(bound)) {
+      bounds.push_back(bound);
+    } else {
+      ++found.unbounded;
+    }
   }
-  found.largest_mm = std::max(found.largest_mm, of.bound);
-  found.low_mm = std::min(found.low_mm, of.gap - of.bound);
-  found.high_mm = std::min(found.high_mm, of.gap + of.bound);
 }
 
-double median_bound(std::vector<BoundedGap> gaps) {
-  std::erase_if(gaps, [](const BoundedGap& of) { return !std::isfinite(of.bound); });
-  if (gaps.empty()) return 0.0;
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end(),
-                   [](const BoundedGap& a, const BoundedGap& b) { return a.bound < b.bound; });
-  return middle->bound;
+double median(std::vector<double>& bounds) {
+  if (bounds.empty()) return 0.0;
+  const auto middle = bounds.begin() + static_cast<std::ptrdiff_t>(bounds.size() / 2);
+  std::nth_element(bounds.begin(), middle, bounds.end());
+  return *middle;
 }
 
 }  // namespace
 
 PoseVerdicts answer_verdicts(Session& session, const PoseRequest& request) {
+  PoseAnswer answer = answer_pose(session, request);
   bound_tables(session);
-  const std::vector<BoundedGap> gaps = bounded_gaps(session, answer_pose(session, request));
+  SessionJoint& joint = *session.joint;
+  near_faces(joint);
+  const Pose turn{answer.pose.rotation, Vec3::Zero()};
+  const JudgedScan ball =
+      judged(joint.ball.vertices.points, std::move(answer.ball.gap), *session.tables.socket_bounds,
+             [&](const Vec3& x) { return to_socket(turn, x); });
+  const JudgedScan socket =
+      judged(joint.socket.vertices.points, std::move(answer.socket.gap), *session.tables.ball_bounds,
+             [&](const Vec3& x) { return to_ball(turn, x); });
   PoseVerdicts found;
-  found.low_mm = found.high_mm = HUGE_VAL;
-  for (const BoundedGap& of : gaps) add(of, found);
-  found.median_mm = median_bound(gaps);
+  std::vector<double> bounds;
+  add(ball, found, bounds);
+  add(socket, found, bounds);
+  for (const double bound : bounds) found.largest_mm = std::max(found.largest_mm, bound);
+  found.median_mm = median(bounds);
+  found.smallest =
+      smallest_between({ScannedSurface::ball, *joint.seen_faces, ball.places, ball.gap, ball.bound},
+                       {ScannedSurface::socket, *joint.ball_faces, socket.places, socket.gap, socket.bound});
   return found;
 }
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "detection/certified_gap.hpp"
+#include "detection/measured_gap.hpp"
 #include "pose_answer.hpp"
 
 namespace impinge {
@@ -15,8 +15,7 @@ struct PoseVerdicts {
   std::size_t unbounded = 0;  // of the undecided ones, those about which nothing is proven
   double largest_mm = 0.0;    // the largest bound of the others
   double median_mm = 0.0;     // and their median, the upper one of two
-  double low_mm = 0.0;        // the smallest gap of the others is proven to be from here
-  double high_mm = 0.0;       // to here; infinite where no vertex has a gap and a bound
+  SmallestBetween smallest;   // of all that have a gap
 };
 
 // The verdicts of scene/certificate.hpp before its exact look. Bounds the tables when that has not been done.

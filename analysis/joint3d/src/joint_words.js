@@ -17,8 +17,9 @@ export function showJoint(joint, files) {
   byId("faces").textContent = `${count(joint.ball.faces)} + ${count(joint.socket.faces)}`;
 }
 
-/** One line about remarks on a reader's meshes, or none. */
+/** One line about remarks on a reader's meshes, the first of them in full, or none. */
 export function remarkLine({ warnings }, files) {
   if (!files || !warnings.length) return "";
-  return `${files}: ${warnings.length === 1 ? "one remark" : `${warnings.length} remarks`} under “About the meshes”.`;
+  const more = warnings.length - 1;
+  return `${warnings[0]}${more ? `; ${more === 1 ? "one remark" : `${more} remarks`} more under “About the meshes”` : ""}.`;
 }

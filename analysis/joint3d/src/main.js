@@ -42,7 +42,7 @@ function start() {
 
   const motion = motionPanel(app, pose);
   const moved = () => { motion(); pose(); };
-  const sweep = new SweepPanel(app, (request) => slow.ask("sweep", request),
+  const sweep = new SweepPanel(app, (request) => slow.ask("sweep", { ...poses.shape(), ...request }),
     (angles) => { app.player.stop(); app.state.motion = angles; moved(); });
   const tables = new TablesPanel(app, () => make.tables({ ...app.state.tables }));
   const points = new PointsPanel(app, () => slow.ask("points"), { fault, radius: () => view.parts.radius,

@@ -52,8 +52,8 @@ export function drawHistogram(svg, { histogram, colours }, colourScale) {
 }
 
 /** The widest stretch that is worth a look: to 15 degrees beyond the limit, and what the pose has now. */
-function lastAngle({ angles, limit }, at) {
-  const wanted = limit.state === "reached" ? limit.high_deg + 15 : angles.at(-1);
+function lastAngle({ angles, limits: [limit] }, at) {
+  const wanted = limit.state === "limited" ? limit.high_deg + 15 : angles.at(-1);
   return Math.min(Math.max(wanted, 30, at ?? 0), angles.at(-1));
 }
 
@@ -74,12 +74,13 @@ export function drawSweep(svg, sweep, { title, cartilage, at }) {
   svg.append(across(0, "zero"));
   if (cartilage > 0) svg.append(across(cartilage, "cartilage"));
   svg.append(drawn("polyline", { points: seen.map((k) => `${x(sweep.angles[k])},${y(inside(sweep.smallest[k]))}`).join(" "), class: "curve" }));
-  if (sweep.limit.state === "reached") {
-    const place = x(sweep.limit.low_deg);
+  const [limit] = sweep.limits;
+  if (limit.state === "limited") {
+    const place = x(limit.low_deg);
     const right = place > WIDTH - 90;
     svg.append(drawn("line", { x1: place, x2: place, y1: AREA.top, y2: HEIGHT - AREA.bottom, class: "limit" }),
       drawn("text", { x: place + (right ? -4 : 4), y: AREA.top + 9, class: `limit-text ${right ? "end" : ""}` },
-        `limit ${sweep.limit.low_deg.toFixed(2)}°`));
+        `limit ${limit.low_deg.toFixed(2)}°`));
   }
   if (at !== null && at >= 0 && at <= end) {
     const k = seen.reduce((best, each) => (Math.abs(sweep.angles[each] - at) < Math.abs(sweep.angles[best] - at) ? each : best), seen[0] ?? 0);

@@ -18,9 +18,14 @@ export class Poses {
     this.vertices = vertices;
   }
 
+  /** What of a pose is the same along a motion. */
+  shape() {
+    const { offset, cartilage } = this.app.state;
+    return { translation: this.view.parts.fromJointFrame(offset), cartilage_mm: cartilage };
+  }
+
   request() {
-    const { motion, offset, cartilage } = this.app.state;
-    return { ...motion, translation: this.view.parts.fromJointFrame(offset), cartilage_mm: cartilage };
+    return { ...this.app.state.motion, ...this.shape() };
   }
 
   again() {

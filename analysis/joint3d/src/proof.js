@@ -6,6 +6,14 @@ import { newestOnly } from "./engine_client.js";
 
 const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
 const signed = (gap) => gap.toFixed(3).replace("-", "−");
+const between = (low, high) => (low === high ? `${low} mm` : `${low} to ${high} mm`);
+const vertices = (count) => (count === 1 ? "1 vertex" : `${count.toLocaleString("en")} vertices`);
+
+/** Which vertices have no bound, and what was done about them. */
+function why(unbounded, measured) {
+  const without = unbounded ? `${vertices(unbounded)} without a bound: the cell of the table ends at a rim there or sees the surface nearly edge-on. ` : "";
+  return `${without}${vertices(measured)} that might have the smallest gap ${measured === 1 ? "was" : "were"} measured on the faces themselves.`;
+}
 
 export class Proof {
   /** ask(request): the library's reply to `verdicts`; fault(error). */
@@ -20,7 +28,12 @@ export class Proof {
   /** Other tables, of which nothing is known. */
   forget() {
     this.bounded = false;
+    this.unknown();
+  }
+
+  unknown() {
     ["undecided", "smallest-proven", "bound-half"].forEach((id) => put(id, "–"));
+    byId("bound-why").hidden = true;
     this.wait(Date.now());
   }
 
@@ -35,19 +48,26 @@ export class Proof {
   /** The tables are bounded; request: the pose at hand. */
   begin(request) {
     this.bounded = true;
+    this.shift = String(request.translation);
     this.posed(request);
   }
 
   posed(request) {
-    if (this.bounded) this.asking(request);
+    if (!this.bounded) return;
+    const shift = String(request.translation); // from another place the tables are others
+    if (shift !== this.shift) this.unknown();
+    this.shift = shift;
+    this.asking(request);
   }
 
-  show({ clear, impinged, undecided, unbounded, largest_mm: largest, median_mm: median, low_mm: low, high_mm: high }) {
+  show({ clear, impinged, undecided, unbounded, measured, largest_mm: largest, median_mm: median, low_mm: low, high_mm: high }) {
     const known = clear + impinged + undecided > unbounded;
     clearInterval(this.clock);
     put("bound-half", known ? `± ${length(median)}` : "–");
     put("bound", known ? `± ${length(largest)}` : "none proven");
     put("undecided", unbounded ? `${undecided} (${unbounded} without a bound)` : String(undecided));
-    put("smallest-proven", known ? `${signed(low)} to ${signed(high)} mm` : "–");
+    put("smallest-proven", low === null ? "–" : between(signed(low), signed(high)));
+    put("bound-why", why(unbounded, measured));
+    byId("bound-why").hidden = !measured;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The smallest gap along a motion, with the limit that no step can jump over.
-import { byId, fillChoice } from "./elements.js";
+import { byId, fillChoice, make } from "./elements.js";
 import { drawSweep } from "./plots.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
@@ -12,6 +12,40 @@ const degrees = (low, high) => {
   return a === b ? `at ${a}°` : `between ${a}° and ${b}°`;
 };
 
+/** Where the limit is for another centre than the one at hand. */
+function ofOtherCentres({ within_mm: within, centre_low_deg: low, centre_high_deg: high }) {
+  if (high === null && low === 0) return ` For other centres within ${within} mm it is not known.`;
+  const range = high === null ? `not before ${low.toFixed(1)}°` : `at ${low.toFixed(1)}° to ${high.toFixed(1)}°`;
+  return ` With any centre within ${within} mm: ${range}.`;
+}
+
+function halfMillimetre({ within_mm: within, half_mm_gap_deg: half, hangs_on_less: hangs }) {
+  if (half === null) return "";
+  return ` The gap falls to ${within} mm at ${half.toFixed(1)}°${hangs ? ": this answer hangs on less than that" : ""}.`;
+}
+
+function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
+  const where = leaves !== null && leaves <= low ? "where the motion leaves the ball’s mesh" : "where surfaces graze";
+  return `up to ${low.toFixed(1)}° (certified), ${where}; nothing is known beyond`;
+}
+
+function whatTouches({ about, threshold_mm: threshold }) {
+  if (threshold > 0) return `Layers of cartilage, ${threshold} mm in all,`;
+  return about === "ball" ? "Bones" : "About the socket’s centre, bones";
+}
+
+/** A certified limit in words. */
+function limitWords(limit) {
+  const { state, low_deg: low, high_deg: high, clock } = limit;
+  const words = {
+    limited: `first touch ${degrees(low, high)}${clock ? `, at ${clock} o’clock` : ""}: a certified limit, over which no step jumps`,
+    free: `do not touch up to ${low.toFixed(0)}° (certified)`,
+    blocked: "touch or overlap at the start of this motion",
+    unknown: `do not touch ${unknownBeyond(limit)}`,
+  };
+  return `${whatTouches(limit)} ${words[state]}.${state === "blocked" ? "" : ofOtherCentres(limit) + halfMillimetre(limit)}`;
+}
+
 export class SweepPanel {
   /** ask(request) answers with the library's sweep; onPose(motion) when a reader points at an angle. */
   constructor(app, ask, onPose) {
@@ -22,7 +56,7 @@ export class SweepPanel {
       const box = byId("sweep-plot").getBoundingClientRect();
       if (this.sweep) this.goTo(this.angleAt((event.clientX - box.left) / box.width));
     });
-    byId("sweep-go").addEventListener("click", () => { if (this.sweep) this.goTo(this.sweep.limit.low_deg); });
+    byId("sweep-go").addEventListener("click", () => { if (this.sweep) this.goTo(this.sweep.limits[0].low_deg); });
   }
 
   setCatalogue({ motions }) {
@@ -60,14 +94,20 @@ export class SweepPanel {
   /** Sweeps again after a rest; what is shown is then of the joint before. */
   again(wait = WAIT) {
     clearTimeout(this.timer);
+    this.wanted = this.question();
     this.timer = setTimeout(() => this.run(), wait);
     byId("sweep-plot").classList.add("old");
   }
 
-  /** A pose has changed: its place is marked; with the other angles held, the motion is another. */
+  /** All that the curve and the limits depend on. */
+  question() {
+    const { offset, cartilage } = this.app.state;
+    return JSON.stringify([this.motion().name, this.start(), offset, cartilage]);
+  }
+
+  /** A pose has changed: its place is marked; with the other angles held, or another shift, the motion is another. */
   posed() {
-    const held = JSON.stringify(this.start());
-    if (byId("sweep-held").checked && held !== this.swept) this.again();
+    if (this.question() !== this.wanted) this.again();
     this.draw();
   }
 
@@ -77,7 +117,7 @@ export class SweepPanel {
     try {
       const sweep = await this.ask({ motion: this.motion().name, pose: start });
       if (mine !== this.asked) return;
-      Object.assign(this, { sweep, swept: JSON.stringify(start) });
+      this.sweep = sweep;
       byId("sweep-plot").classList.remove("old");
       this.draw();
       this.say();
@@ -87,15 +127,9 @@ export class SweepPanel {
   }
 
   say() {
-    const { state, low_deg: low, high_deg: high, clock, deg_per_mm: each } = this.sweep.limit;
-    byId("sweep-go").disabled = state !== "reached";
-    const words = {
-      reached: `Bones first touch ${degrees(low, high)}${clock ? `, at ${clock} o’clock` : ""}: `
-        + `a certified limit, over which no step jumps.${each ? ` A millimetre of error moves it by ${each.toFixed(1)}°.` : ""}`,
-      free: `Bones do not touch up to ${low.toFixed(0)}° (certified).`,
-      blocked: "Bones overlap at the start of this motion.",
-    };
-    byId("sweep-say").textContent = words[state];
+    const { limits } = this.sweep;
+    byId("sweep-go").disabled = limits[0].state !== "limited";
+    byId("sweep-say").replaceChildren(...limits.map((limit) => make("p", { textContent: limitWords(limit) })));
   }
 
   /** The angle of the pose along the motion, or null where another angle is not as in it. */

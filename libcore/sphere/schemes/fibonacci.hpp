@@ -34,6 +34,7 @@ class Fibonacci {
   static constexpr std::string_view citation =
       "Gonzalez 2010, doi:10.1007/s11004-009-9257-x; Keinert, Innmann, Saenger & Stamminger 2015, "
       "doi:10.1145/2816795.2818131";
+  static constexpr bool kFlatCells = true;  // spherical Delaunay triangles
 
   Fibonacci() : Fibonacci(41253) {}
   static Fibonacci with_precision(double degrees);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
 #include "sphere/largest_gap.hpp"
@@ -76,6 +77,9 @@ class Healpix {
     for_each_overlap(ring(k), at.entry[0], ring(k + 1), visit_middle);
     for_each_overlap(ring(k + 1), at.entry[2], ring(k), visit_middle);
   }
+
+  // Cells lie between parallels and meridians.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   double area(std::size_t) const { return 4.0 * kPi / static_cast<double>(size()); }
 

@@ -61,14 +61,14 @@ struct SineIcosahedralWarp {
     }
   }
 
-  // w |a - b| / sin w: edges of cells are longest at the corners of the icosahedron, across from them.
-  static constexpr double kLongestWay = kAngle * Icosahedron::kEdge / 0.9320390859672263;
-
- private:
   // Largest second derivative of a fraction along a unit step of l over the face, 0.66 at the corners, and a
   // margin.
   static constexpr double kMostBend = 0.8;
 
+  // w |a - b| / sin w: edges of cells are longest at the corners of the icosahedron, across from them.
+  static constexpr double kLongestWay = kAngle * Icosahedron::kEdge / 0.9320390859672263;
+
+ private:
   static Vec3 angles(const Vec3& lambda, double m) { return (m * lambda).array().asin(); }
 
   // m. Starts at the least of two upper bounds: asin(x) >= x, and no angle is above w.

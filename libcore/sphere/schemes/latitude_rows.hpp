@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "sphere/angular_box.hpp"
+#include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/largest_gap.hpp"
 #include "sphere/scheme.hpp"
@@ -80,6 +81,9 @@ class LatitudeRows {
     for_each_in_gap(row + 1, at.entry[2] - first(row + 1), row,
                     [&](const Between& b, const Between& a) { visit(between(row, a, b, 0.0)); });
   }
+
+  // Cells lie between parallels and meridians.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   // Away from the poles N rho^2 = 2 pi, half the diagonal of a square of h.
   double covering_radius() const { return covering_radius_; }

@@ -22,6 +22,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sphere/arc_borders.hpp"
 #include "sphere/circumradius.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
@@ -61,6 +62,23 @@ class OctahedralEqualArea {
   }
 
   Stencil stencil(const Vec3& x) const;
+
+  // In an octant, which great circles bound, cells lie between lines of whole u = n r (1 - q) and v = n r q
+  // with q = 2 theta / pi and r = sqrt(2) sin(phi / 2), phi from the nearer pole. r' <= 1 / sqrt(2), and with
+  // the bounds of ArcAngles
+  //   |r''| <= |cot phi| / sqrt(2) + 1 / 4,   |(r q)''| <= |r''| + 2 |r' q'| + r |q''|,   r <= sin(phi)
+  // since r'' = (cos(phi / 2) phi'' - sin(phi / 2) phi'^2 / 2) / sqrt(2); and likewise for 1 - q.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const {
+    if (quarter_of(a) != quarter_of(b) || (a.z() >= 0.0) != (b.z() >= 0.0)) return false;
+    const ArcAngles arc(a, b);
+    if (arc.sine == 0.0) return false;
+    const double bend_of_r = std::sqrt(0.5) * arc.cotangent() + 0.25;
+    const double bend = bend_of_r + 2.0 / kPi * (std::numbers::sqrt2 / arc.sine + arc.cotangent());
+    const double most = static_cast<double>(n_) * bend * arc.length * arc.length;
+    const SquarePlace from = square_place(a);
+    const SquarePlace to = square_place(b);
+    return passes_lines_once(from.u, to.u, most) && passes_lines_once(from.v, to.v, most);
+  }
 
   // A quarter of each cell round the entry, of which there are four, but two at the four corners of the
   // equator.
@@ -117,6 +135,13 @@ class OctahedralEqualArea {
     return on.first + step % on.count;
   }
 
+  // Where a direction is in the square of its quarter, in cells.
+  struct SquarePlace {
+    double u;
+    double v;
+  };
+  SquarePlace square_place(const Vec3& x) const;
+
   double find_covering_radius() const;
 
   // Beyond it the limit of the covering radius for fine grids, which is larger by less than 1 %, is used.
@@ -153,7 +178,7 @@ inline double OctahedralEqualArea::find_covering_radius() const {
   return widest;
 }
 
-inline Stencil OctahedralEqualArea::stencil(const Vec3& x) const {
+inline OctahedralEqualArea::SquarePlace OctahedralEqualArea::square_place(const Vec3& x) const {
   // (along, across) is (x, y) turned back by 90 degrees for each quarter.
   const std::size_t quarter = quarter_of(x);
   const double along = quarter % 2 == 0 ? std::abs(x.x()) : std::abs(x.y());
@@ -163,9 +188,13 @@ inline Stencil OctahedralEqualArea::stencil(const Vec3& x) const {
   const Vec3 unit = x.stableNormalized();
   const double r = std::min(std::hypot(unit.x(), unit.y()) / std::sqrt(1.0 + std::abs(unit.z())), 1.0);
   const auto n = static_cast<double>(n_);
-  const bool north = x.z() >= 0.0;
-  const double u = north ? n * (r * (1.0 - share)) : n - n * (r * share);
-  const double v = north ? n * (r * share) : n - n * (r * (1.0 - share));
+  if (x.z() >= 0.0) return {n * (r * (1.0 - share)), n * (r * share)};
+  return {n - n * (r * share), n - n * (r * (1.0 - share))};
+}
+
+inline Stencil OctahedralEqualArea::stencil(const Vec3& x) const {
+  const std::size_t quarter = quarter_of(x);
+  const auto [u, v] = square_place(x);
   const std::size_t i = std::min(static_cast<std::size_t>(u), n_ - 1);
   const std::size_t j = std::min(static_cast<std::size_t>(v), n_ - 1);
   const double a = std::min(u - static_cast<double>(i), 1.0);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sphere/angular_box.hpp"
+#include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/scheme.hpp"
 
@@ -60,6 +61,9 @@ class Rsid {
             4,
             upper + j};
   }
+
+  // Cells lie between parallels and meridians.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   // Circumradius of the widest cell, the one at the equator: its corners (phi, +-p/2) and (phi + p, +-p/2)
   // are equally far from the point at polar angle atan2(cos phi - cos(phi + p), cos(p/2) (sin(phi + p) - sin

@@ -175,6 +175,7 @@ StabilityFamily conchoid_family() {
   family.derivation =
       "roundings of each formula, all of them sums of positive terms (7 to 47), and 8 for the end of a root "
       "search";
+  family.seen = {7.7, 0.0};
   family.run = run;
   return family;
 }

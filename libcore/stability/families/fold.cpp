@@ -73,6 +73,7 @@ StabilityFamily fold_family() {
           "The nearest layer everywhere; where it changes, a look-up answers nothing.",
           kRadiusThreshold,
           kRadiusDerivation,
+          {3.8, 0.86},
           run};
 }
 

@@ -33,6 +33,7 @@ StabilityFamily huge_step_family() {
           "table so coarse, or of a step that does not divide its circles, says so.",
           kRadiusThreshold,
           kRadiusDerivation,
+          {5.2, 0.92},
           run};
 }
 

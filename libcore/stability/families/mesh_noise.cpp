@@ -47,6 +47,7 @@ StabilityFamily mesh_noise_family() {
           "does a look-up beside it.",
           kRadiusThreshold,
           kRadiusDerivation,
+          {4.9, 0.88},
           run};
 }
 

@@ -45,6 +45,7 @@ StabilityFamily near_tangent_family() {
           "bounds grow with tan psi.",
           kRadiusThreshold,
           kRadiusDerivation,
+          {4.2, 0.81},
           run};
 }
 

@@ -76,6 +76,7 @@ StabilityFamily off_centre_origin_family() {
       "layer is kept and no bound is claimed that does not hold";
   family.threshold = kRadiusThreshold;
   family.derivation = kRadiusDerivation;
+  family.seen = {4.4, 0.92};
   family.run = run;
   return family;
 }

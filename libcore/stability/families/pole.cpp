@@ -60,6 +60,7 @@ StabilityFamily pole_family() {
       "the sign of a zero, bit for bit.",
       kRadiusThreshold,
       kRadiusDerivation,
+      {4.7, 0.92},
       run};
 }
 

@@ -75,6 +75,7 @@ StabilityFamily ray_through_edge_or_vertex_family() {
       "at the edge.",
       kRadiusThreshold,
       kRadiusDerivation,
+      {4.0, 0.9},
       run};
 }
 

@@ -79,6 +79,7 @@ StabilityFamily rim_edge_family() {
       "answers nothing in a cell that a rim crosses, and nothing beyond.",
       kRadiusThreshold,
       kRadiusDerivation,
+      {6.1, 0.88},
       run};
 }
 

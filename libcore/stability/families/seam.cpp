@@ -47,6 +47,7 @@ StabilityFamily seam_family() {
           "either sign give the same bits.",
           kRadiusThreshold,
           kRadiusDerivation,
+          {5.2, 0.89},
           run};
 }
 

@@ -68,6 +68,7 @@ StabilityFamily sliver_family() {
       "as any face in its plane.",
       kRadiusThreshold,
       kRadiusDerivation,
+      {5.7, 0.91},
       run};
 }
 

@@ -134,6 +134,7 @@ StabilityFamily translation_family() {
   family.derivation = std::string(kRadiusDerivation) +
                       "; 2 for the rounding of the file's coordinates, whose condition is "
                       "1 + the distance";
+  family.seen = {2.9, 0.94};
   family.run = run;
   return family;
 }

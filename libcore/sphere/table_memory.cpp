@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/table_memory.hpp"
+#include "sphere/table_memory.hpp"
 
 #ifdef __linux__
 #include <sys/mman.h>

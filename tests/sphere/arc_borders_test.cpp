@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract of meets_cells_once(), for every scheme that tells the borders of its cells: where it says so,
+// dense samples of the arc are in each cell in one stretch; and it says so of almost every short arc.
+#include "sphere/arc_borders.hpp"
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "sphere/any_scheme.hpp"
+#include "sphere/scheme_list.hpp"
+#include "support/directions.hpp"
+#include "support/random_cases.hpp"
+
+namespace impinge {
+namespace {
+
+struct Arc {
+  Vec3 from;  // unit
+  Vec3 to;    // unit
+};
+
+// From a direction at most `longest` radians on; a third of them close to a pole.
+Arc random_arc(std::mt19937_64& random, double longest) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const Vec3 way(normal(random), normal(random), normal(random));
+  Vec3 from = way.normalized();
+  if (share(random) < 0.3)
+    from = (Vec3(0, 0, share(random) < 0.5 ? -1 : 1) + 0.2 * share(random) * from).normalized();
+  const Vec3 aside = from.cross(Vec3(normal(random), normal(random), normal(random))).normalized();
+  const double length = longest * share(random);
+  return {from, std::cos(length) * from + std::sin(length) * aside};
+}
+
+// Does a cell come back after it was left, in so many samples?
+template <class S>
+bool comes_back(const S& scheme, const Arc& arc, int samples) {
+  std::set<std::size_t> left;
+  std::size_t here = scheme.stencil(arc.from).cell;
+  for (int k = 1; k <= samples; ++k) {
+    const double t = static_cast<double>(k) / samples;
+    const std::size_t cell = scheme.stencil((1.0 - t) * arc.from + t * arc.to).cell;
+    if (cell == here) continue;
+    left.insert(here);
+    if (left.contains(cell)) return true;
+    here = cell;
+  }
+  return false;
+}
+
+TEST(ArcBordersAttack, AnArcThatIsSaidToMeetCellsOnceDoes) {
+  constexpr std::size_t kSchemes = 13;
+  for_each_scheme([]<class S>() {
+    if constexpr (HasKnownBorders<S>) {
+      const S scheme = S::with_precision(9.0);
+      std::mt19937_64 random(5);
+      std::size_t said = 0;
+      for (std::size_t k = 0; k < random_cases() / kSchemes + 1; ++k) {
+        const Arc arc = random_arc(random, k % 2 == 0 ? 0.3 : 2.0);
+        if (!meets_cells_once(scheme, arc.from, arc.to)) continue;
+        ++said;
+        ASSERT_FALSE(comes_back(scheme, arc, 150))
+            << S::name << " from " << arc.from.transpose() << " to " << arc.to.transpose();
+      }
+      EXPECT_GT(said, 0U) << S::name;
+    }
+  });
+}
+
+// Else following a rim would take for ever.
+TEST(ArcBorders, AlmostEveryShortArcIsSaidToMeetCellsOnce) {
+  for_each_scheme([]<class S>() {
+    if constexpr (HasKnownBorders<S>) {
+      const S scheme = S::with_precision(2.0);
+      std::mt19937_64 random(6);
+      int said = 0;
+      for (int k = 0; k < 1000; ++k) {
+        const Arc arc = random_arc(random, 0.05 * scheme.covering_radius());
+        said += meets_cells_once(scheme, arc.from, arc.to) ? 1 : 0;
+      }
+      EXPECT_GT(said, 950) << S::name;
+    }
+  });
+}
+
+TEST(ArcBorders, OfAnySchemeAreThoseOfTheScheme) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(9.0);
+    const AnyScheme any(S::name, 9.0);
+    ASSERT_EQ(any.has_known_borders(), HasKnownBorders<S>) << S::name;
+    if constexpr (HasKnownBorders<S>) {
+      std::mt19937_64 random(7);
+      for (int k = 0; k < 100; ++k) {
+        const Arc arc = random_arc(random, 0.5);
+        EXPECT_EQ(meets_cells_once(any, arc.from, arc.to), meets_cells_once(scheme, arc.from, arc.to))
+            << S::name;
+      }
+    }
+  });
+}
+
+// f(t) = a + 4 h t (1 - t) bends by 8 h and touches a + h: the bound of the dip is reached.
+TEST(ArcBorders, TheBoundOfADipIsSharp) {
+  const double h = 0.25;
+  EXPECT_TRUE(passes_lines_once(0.74, 0.74, 8.0 * h));
+  EXPECT_FALSE(passes_lines_once(0.76, 0.76, 8.0 * h));
+  EXPECT_FALSE(passes_lines_once(0.24, 0.24, 8.0 * h));
+  // f(t) = t^2 / 2 rises by half of its bend, and begins level.
+  EXPECT_TRUE(passes_lines_once(0.9, 1.9, 1.99));
+  EXPECT_FALSE(passes_lines_once(0.9, 1.9, 2.01));
+}
+
+// The highest point of a circle is inside or it is not; an arc of more than a quarter turn is not told.
+TEST(ArcBorders, LatitudeIsMonotoneUpToTheHighestPoint) {
+  const auto at = [](double degrees) -> Vec3 {  // on the circle that rises 40 degrees
+    const double s = degrees * kDegree;
+    return std::cos(s) * Vec3(std::cos(40 * kDegree), 0, std::sin(40 * kDegree)) +
+           std::sin(s) * Vec3(0, 1, 0);
+  };
+  for (const double turn : {0.0, 180.0}) {
+    EXPECT_TRUE(latitude_is_monotone(at(turn + 1e-6), at(turn + 60)));
+    EXPECT_TRUE(latitude_is_monotone(7.0 * at(turn - 60), 1e-3 * at(turn - 1e-6)));
+    EXPECT_FALSE(latitude_is_monotone(at(turn - 1e-6), at(turn + 60)));
+    EXPECT_FALSE(latitude_is_monotone(at(turn + 60), at(turn - 1e-6)));
+  }
+  EXPECT_FALSE(latitude_is_monotone(at(1), at(178)));
+}
+
+}  // namespace
+}  // namespace impinge
