@@ -42,9 +42,8 @@ struct PairwiseSize {
 };
 
 int rounds_at(double precision) { return precision < 0.1 ? 5 : precision < 0.5 ? 9 : 15; }
-int rounds_by_grid(double precision) {
-  return precision < 0.1 ? 3 : precision < 0.5 ? 5 : 9;
-}  // seconds each
+// By way of a grid a round takes seconds.
+int rounds_by_grid(double precision) { return precision < 0.1 ? 3 : precision < 0.5 ? 5 : 9; }
 
 std::vector<Cell> key_of(std::string_view method, double precision) {
   return {method, precision, kTriangles};

@@ -7,8 +7,7 @@
 // socket. Seen from the socket's centre the ball impinges if
 //   (1)  some x in X lies on or beyond the socket: x = s y with y in Y, s >= 1,
 // and seen from the ball's centre if
-//   (2)  some y in Y lies on or within the ball: y = x / s with x in X, s >= 1; or y is the centre of the
-//   ball,
+//   (2)  some y in Y lies on or within the ball: y = x / s with x in X, s >= 1; or y is the ball's centre,
 //        to which x / s comes as s grows, and the ball has a face.
 // A pose is impinged if (1) or (2) holds. That is what the two scans of the thesis sample at vertices, (1) at
 // those of the ball and (2) at those of the socket, and
@@ -25,8 +24,7 @@
 //     other pose. A closed surface that is only turned loses nothing with its edge-on faces: their sides are
 //     sides of others, and along a ray of its plane a face is nearest and farthest on its sides. Shifted, it
 //     is not seen from aside where such a face was;
-//   * at a centre: a point of the ball there is never beyond the socket, one of the socket is within any
-//   ball.
+//   * at a centre: a point of the ball is never beyond the socket, one of the socket is within any ball.
 // (1) is decided in the socket frame, with the vertices of the ball as to_socket() rounds them, (2) in the
 // ball frame, with those of the socket as to_ball() rounds them; from there on all signs are exact. By
 // detection/face_overlay.hpp it is enough to look, for each pair of faces with a common direction, at the

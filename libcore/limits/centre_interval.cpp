@@ -37,8 +37,7 @@ double least_in(const Sinusoid& f, const AngleSpan& span) {
 // The smallest angle between a direction and the arc over an edge.
 double angle_to_arc(const Vec3& u, const Vec3& a, const Vec3& b) {
   const Vec3 across = a.cross(b);
-  const auto angle = [&](const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
-  const double ends = std::min(angle(a), angle(b));
+  const double ends = std::min(angle_between(u, a), angle_between(u, b));
   const bool beside = a.cross(u).dot(across) > 0.0 && u.cross(b).dot(across) > 0.0;
   return beside ? std::min(ends, std::asin(std::min(1.0, std::abs(across.dot(u)) / across.norm()))) : ends;
 }

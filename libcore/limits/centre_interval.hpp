@@ -11,9 +11,8 @@
 // holds for it: the first impinged pose has (a) a common point of the surfaces, or (b) an end of a jump edge
 // of one in the wall of a jump edge of the other, as seen from where the rays start. For (a) some parts were,
 // without the shift, within s of each other. For (b)
-//   R x + d against k y beyond the socket, k >= 1        within s + (k - 1) r; of the play, from the centre
-//   of
-//                                                        the ball, within k r
+//   R x + d against k y beyond the socket, k >= 1        within s + (k - 1) r; of the play, as the centre of
+//                                                        the ball sees it, within k r
 //   y against k (R x + d) within the ball, 0 <= k <= 1   within k s + (1 - k) r; of the play within r
 // of each other. Walls are cut in shells of k, each with the largest of it. A jump edge of some t is one of
 // the origin, or has a face whose plane is within r of it: both have walls. A search (limits/swept_parts.hpp)
@@ -57,10 +56,9 @@ struct CentreQuestion {
 
 // Holds the limit for every such centre.
 struct CentreInterval {
-  double low_deg = 0.0;  // none of them has an impinged pose up to here
-  double high_deg =
-      0.0;               // here the pose is impinged with each of them; the largest angle where none is known
-  bool limited = false;  // is such a pose known?
+  double low_deg = 0.0;   // none of them has an impinged pose up to here
+  double high_deg = 0.0;  // with each of them the pose is impinged here; the largest angle if none is known
+  bool limited = false;   // is such a pose known?
 };
 
 // A joint that is asked for the limits of several turns.

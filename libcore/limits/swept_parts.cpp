@@ -231,7 +231,7 @@ SweptParts::SweptParts(std::vector<TurnFace> parts) : parts_(std::move(parts)) {
 }
 
 // The sphere about the middle of the box of the corners.
-std::uint32_t SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node) {
+void SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node) {
   Eigen::AlignedBox3d box;
   for (const std::uint32_t* p = first; p != last; ++p) {
     for (const Vec3& x : parts_[*p].corner) box.extend(x);
@@ -258,7 +258,6 @@ std::uint32_t SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::
     split(middle, last, made.at + 1);
   }
   nodes_[node] = made;
-  return node;
 }
 
 SweptParts SweptParts::rotated(const Eigen::Matrix3d& rotation) const {

@@ -41,7 +41,7 @@ class SweptParts {
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
-  std::uint32_t split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node);
+  void split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node);
 
   std::vector<TurnFace> parts_;
   std::vector<Node> nodes_;

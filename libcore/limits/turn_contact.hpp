@@ -35,8 +35,8 @@
 // times the lengths that it is a product of. So `tolerance()`, 1e-12 R, is above what rounding may hide, and
 // a sinusoid is asked for at twice of it. Parts nearer than twice the tolerance count as touching: no contact
 // comes before the angle that is returned, but it may be a false one where the parts pass as closely as that
-// and do not meet: turn_limit.hpp makes certain of it. The wall beyond an edge that comes within a share q of
-// its own length to the centre has 64 u / q of its reach as additional tolerance.
+// and do not meet: turn_limit.hpp makes certain of it. The wall beyond an edge, q the ratio of the
+// least to the largest distance of the edge from the centre, has 64 u / q of its reach as further tolerance.
 #pragma once
 
 #include <optional>

@@ -13,9 +13,9 @@
 //
 // The bracket is about as wide as 1e-7 degrees, and wider only after a graze: parts that come so near that
 // doubles cannot tell a touch from none, and of which the overlay sees no contact. Then low stays at the
-// first of these places. The search goes on behind it in growing steps, with
-// the same closed forms and with poses at most a twentieth of a degree apart. A contact that it finds there
-// is certain, though perhaps not the first; if it finds none the limit is unknown: none up to low, and
+// first of these places. The search goes on behind it in growing steps, with the same closed forms and with
+// poses at most a twentieth of a degree apart. A contact that it finds there is certain, though perhaps not
+// the first: one may lie between two poses. If it finds none the limit is unknown: none up to low, and
 // nothing is said of what follows.
 //
 // How far to trust it. The bracket is that of the meshes about their origin. To first order, with n the

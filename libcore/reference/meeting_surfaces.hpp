@@ -2,11 +2,11 @@
 // Do two surfaces meet? By CGAL's exact predicates on all pairs of faces, without a centre, directions or
 // radii. And what that has to do with radial contact, the statements (1) and (2) of detection/overlay.hpp.
 //
-// Surfaces with a common point x are impinged: x is on or beyond the socket and on or within the ball. The
-// converse needs more. Let the ball X be closed, star-shaped about its centre and in one piece, and the
-// socket Y star-shaped about its own centre, in one piece, a manifold with or without a rim (the edges with
-// one face). Let Y+ be the shadow {s y : y in Y, s >= 1} of the socket, X- the body {x / s} of the ball with
-// its centre. Then
+// Surfaces are as in detection/overlay.hpp, without faces that are edge-on. Those with a common point x are
+// impinged: x is on or beyond the socket and on or within the ball. The converse needs more. Let the ball X
+// be closed, star-shaped about its centre and in one piece, and the socket Y star-shaped about its own
+// centre, in one piece, a manifold with or without a rim (the edges with one face). Let the shadow Y+ of the
+// socket be {s y : y in Y, s >= 1}, and X- the body {x / s} of the ball with its centre. Then
 //   (1)  exactly if X meets Y, or X meets the wall of the rim {s y : y in the rim, s >= 1}, or a point of X,
 //        any one, is in Y+;
 //   (2)  exactly if Y meets X, or a point of Y, any one, is in X-.

@@ -45,8 +45,8 @@ struct FaceInCap {
 // Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
 // kCapSlack radians more. Rounding stays below both, u = 2^-53:
 //   a radius p / (n . x)  21 u k by kPlaneRoundings (surface_plane.hpp); a face with a condition k above
-//   1e-10 /
-//                         kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have as much
+//                         1e-10 / kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have
+//                         as much
 //   a point of the disc   coordinates up to 1 / kLeastDepth = 20 with 10 roundings: 2e-14 of kCapSlack
 //   the cap of a face     |axis - axis'| with 4 roundings: 1e-15 of kCapSlack
 // and the lengths that are compared with a range have 4 roundings.

@@ -11,11 +11,12 @@ namespace impinge {
 
 // What rounding makes of a face. With u = 2^-53, d and e two sides of it in double, R its farthest corner,
 // `size` as in FacePlane (sphere/face_plane.hpp) and the condition k = size R / p >= 1,
-//   n = d x e    each component is off by 4 u (|d_j e_k| + |d_k e_j|), all by 4 sqrt(2) u |d| |e| < 6 u size
-//   n . x        for unit x, 3 u size more: with p / R the least n . x, by 9 u k of itself; likewise p = n .
-//   v r            = p / (n . x): 18 u k, one rounding, and 2 u for the length of x: 21 u k p / |n|      9 u
-//   k + 6 u k + 3 u, q = n / p: as much; the direction of n turns by 6 u k radians tan psi      = |n x v| /
-//   (n . v): 11 u k + 9 u k tan psi
+//   n = d x e      a component is off by 4 u (|d_j e_k| + |d_k e_j|), all by 4 sqrt(2) u |d| |e| < 6 u size
+//   n . x          for unit x, 3 u size more: with p / R the least n . x, by 9 u k of itself
+//   p = n . v      likewise
+//   r = p / (n.x)  18 u k, one rounding, and 2 u for the length of x: 21 u k
+//   p / |n|        9 u k + 6 u k + 3 u; q = n / p as much; the direction of n turns by 6 u k radians
+//   tan psi        = |n x v| / (n . v): 11 u k + 9 u k tan psi
 // all of them at most this share of k: relative, radians, and of 1 + tan psi.
 inline constexpr double kPlaneRoundings = 32.0 * 0x1p-53;
 

@@ -31,9 +31,7 @@ struct Turning {
   const char* centre;
 };
 
-json interval(const CentreInterval& found) {
-  return json::array({found.low_deg, found.limited ? json(found.high_deg) : json(nullptr)});
-}
+json end_or_null(const CentreInterval& found) { return found.limited ? json(found.high_deg) : json(nullptr); }
 
 json limit_json(const Turning& turning, const ToldLimit& told) {
   const TurnLimit& limit = told.limit;
@@ -44,9 +42,9 @@ json limit_json(const Turning& turning, const ToldLimit& told) {
              {"low_deg", limit.low_deg},
              {"high_deg", limit.high_deg},
              {"centre_low_deg", told.common.low_deg},
-             {"centre_high_deg", interval(told.common)[1]},
+             {"centre_high_deg", end_or_null(told.common)},
              {"play_low_deg", told.play.low_deg},
-             {"play_high_deg", interval(told.play)[1]},
+             {"play_high_deg", end_or_null(told.play)},
              {"half_mm_gap_deg", told.half_mm_gap_deg ? json(*told.half_mm_gap_deg) : json(nullptr)},
              {"hangs_on_less_than_half_mm", told.hangs_on_less()},
              {"leaves_ball_mesh_deg", limit.leaves_mesh_deg ? json(*limit.leaves_mesh_deg) : json(nullptr)}};

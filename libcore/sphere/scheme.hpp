@@ -100,10 +100,9 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
 // A scheme that tells how its cells are bounded, so that the rim of a surface takes out no more of them than
 // it crosses (sampling/rim.hpp). It has one of
 //   kFlatCells               true: all cells are bounded by great circles and convex
-//   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, meet every cell in
-//   one
-//                            stretch at most? Only where that is certain; of arcs short enough it has to be,
-//                            but round single points. sphere/arc_borders.hpp helps.
+//   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
+//                            cell in one stretch at most? Of arcs short enough it has to be sure, but round
+//                            single points. sphere/arc_borders.hpp helps.
 // Of any other scheme the entries beside a rim have no surface.
 template <class S>
 concept HasKnownBorders = requires(const S scheme, const Vec3& x) {

@@ -30,7 +30,7 @@ function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
 }
 
 function whatTouches({ about, threshold_mm: threshold }) {
-  if (threshold > 0) return `Layers of cartilage, ${threshold} mm in all,`;
+  if (threshold > 0) return `Layers of cartilage, ${threshold} mm in all, as the vertices see them,`;
   return about === "ball" ? "Bones" : "About the socket’s centre, bones";
 }
 
