@@ -14,15 +14,20 @@ namespace {
 
 constexpr double kShell = 1.15;          // of k, from one end of a shell to the other
 constexpr double kInmost = 0.05;         // of an edge: the shell from there to the centre is one
-constexpr double kPlaneRounding = 1e-9;  // of lengths
+constexpr double kEdgeRounding = 1e-12;  // of the farther end: that of the distance of an edge is far below
+
+// Of |b - a| |c - a| (|a| + r), of the height of a point above the plane of a face, times the length of its
+// normal: 12 roundings, and as many of r times that length.
+constexpr double kHeightRounding = 24.0 * 0x1p-53;
 
 // The side of the plane of a face that every such centre is on; 0 where they are on both.
 int certain_side(const TriangleMesh& mesh, const Face& face, double r) {
   const Vec3& a = corner(mesh, face, 0);
   const Vec3 normal = area_vector(mesh, face);
-  const double length = normal.norm();
   const double height = normal.dot(a);
-  if (!(std::abs(height) > (r + kPlaneRounding * a.norm()) * length)) return 0;
+  const double doubt = kHeightRounding * (a.norm() + r) * (corner(mesh, face, 1) - a).norm() *
+                       (corner(mesh, face, 2) - a).norm();
+  if (!(std::abs(height) > r * normal.norm() + doubt)) return 0;
   return height > 0.0 ? 1 : -1;
 }
 
@@ -45,7 +50,7 @@ void add_beyond(const ScaledEdge& edge, double nearest, double farthest, const W
   const double moved = 2.0 * walls.r + walls.gap;  // the most
   const double from = std::max(1.0, (walls.nearest - moved + walls.r) / (farthest + walls.r));
   // k |y| <= |p| + moved + (k - 1) r; nothing is known of an edge that may pass the centre.
-  const double left = nearest - walls.r * (1.0 + kPlaneRounding);
+  const double left = nearest - walls.r - kEdgeRounding * farthest;
   const double to = left > 0.0 ? (walls.farthest + moved) / left : HUGE_VAL;
   if (!std::isfinite(to)) return edge.add(0.0, 1.0, 4.0 * (farthest + walls.farthest), faces);
   for (double k = from; k < to; k *= kShell) edge.add(k, kShell * k, (kShell * k - 1.0) * walls.r, faces);

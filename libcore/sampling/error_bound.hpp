@@ -12,7 +12,8 @@
 // Roundings. The condition of a face (kPlaneRoundings in surface_plane.hpp) is at most 4 root(1 + T^2) <= 4
 // (1 + T) by the choice of its plane (sphere/face_plane.hpp), u = 2^-53. So the entry and the radius along u
 // are each off by 84 u (1 + T) of themselves, tan psi by 80 u (1 + T), the look-up by 17 u: added is 512 u (1
-// + T_i) r_i, which takes in that of the bound itself up to s = 3, and s is widened by direction_doubt().
+// + T_i) r_i exp(T_i s), which takes in that of the bound itself up to s = 3, and s is widened by
+// direction_doubt().
 #pragma once
 
 #include <algorithm>
@@ -38,7 +39,8 @@ inline constexpr double kFirstOrderRounding = 512.0 * 0x1p-53;  // for each unit
 
 // How much a radius may change within an angle (radians) where tan psi is no larger, as a share of it.
 inline double first_order_share(double slope, double angle) {
-  return std::expm1(slope * angle) + kFirstOrderRounding * (1.0 + slope);
+  const double grown = std::expm1(slope * angle);
+  return grown + kFirstOrderRounding * (1.0 + slope) * (1.0 + grown);
 }
 
 // Largest tan psi within the stencil radius of each entry; infinite near a face whose plane holds the centre,

@@ -55,7 +55,7 @@ Interval lengths(const PatchView& view) {
   return all;
 }
 
-// Largest |v . x'| over the rectangle in one direction, x' times its width.
+// |v . x'| over the rectangle in one direction, x' times its width.
 class Rate {
  public:
   Rate(const PatchView& view, std::size_t k) : inset_(view.inset[k]) {
@@ -69,18 +69,23 @@ class Rate {
     }
     const PatchMotion& m = view.motion;
     most_ = m.way[k];
+    change_ = m.turn[k] + square(m.way[k]) + m.kink[0] + m.kink[1];
     aside_ = 0.5 * (m.turn[k] + square(m.way[k])) + 0.25 * (m.turn[1 - k] + square(m.way[1 - k])) +
              m.kink[0] + m.kink[1];
   }
+  // The largest.
   double along(const Vec3& v) const {
     const double length = v.norm();
     const double chord = std::max(std::abs(v.dot(chord_[0])), std::abs(v.dot(chord_[1])));
     return std::min(chord + length * aside_, length * most_) * (1.0 + 2.0 * inset_);
   }
+  // At most the sum over all places of one line where v . x changes its sign. See the header.
+  double crossings(const Vec3& v) const { return std::max(along(v), v.norm() * change_); }
 
  private:
   std::array<Vec3, 2> chord_;
   double most_;
+  double change_ = 0.0;  // of x' along a line
   double aside_ = 0.0;
   double inset_;
 };
@@ -152,7 +157,7 @@ std::array<double, 2> PatchError::remainders(const PatchView& view, const LayerR
         if (kink.least_radius > layer.high || kink.largest_radius < layer.low || !meets(kink, view.cap))
           continue;
         const double r = view.flat ? 1.0 : std::min(kink.largest_radius, layer.high);
-        jumps += r * r * rate.along(kink.jump);
+        jumps += r * r * rate.crossings(kink.jump);
       }
     }
     sum[k] = bend / 8.0 + jumps / 4.0 + motion.bend[k] * (view.largest_tap - view.least_tap) / 8.0;

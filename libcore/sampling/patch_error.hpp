@@ -20,7 +20,10 @@
 // with the acceleration a along the sphere and |q_tangent| r = tan psi,
 //   jump of r' = r^2 |(q_1 - q_2) . u'| at an edge, where q_1 . u = q_2 . u; and r tan psi times that of u',
 // and y = q . x for mesh_exact, of which only the jumps |(q_1 - q_2) . x'| remain. No q . u' is farther from
-// that of a chord of the rectangle than |q| times (|u''| / 2 along the line, / 4 across).
+// that of a chord of the rectangle than |q| times (|u''| / 2 along the line, / 4 across). A line that bends
+// may cross an edge more than once. Between two crossings that follow each other the slope across the edge
+// changes its sign, so that the jumps at both are together at most its change between them, and all of them
+// at most |q_1 - q_2| times that of u' along the line.
 //
 // This asks that a layer's radius is continuous on the cell (no rim, rim.hpp) and changes from face to face
 // at their edges alone: not where two faces that overlap in the view are both within its range. The layer's
