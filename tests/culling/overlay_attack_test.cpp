@@ -5,7 +5,8 @@
 // (reference/shadow.hpp) does:
 //   some face of the ball meets a shadow of the socket at rest, or
 //   some face of the socket at rest ... a pyramid of the ball,
-// without the faces whose plane holds the centre of their own mesh.
+// without the faces whose plane holds the centre of their own mesh. And needles that meet tip on tip, so that
+// the caps of both faces, and the ranges of their radii, share next to nothing.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -80,8 +81,35 @@ class OverlayAttack : public testing::Test {
     return joint;
   }
 
+  Eigen::Matrix3d generic_rotation() {
+    return Eigen::AngleAxisd(uniform(-kPi, kPi), direction()).toRotationMatrix();
+  }
+
+  // A face as thin as a needle from an end, `length` radians from x towards a unit vector across, to its tip,
+  // which is a thousandth of that past x.
+  void add_needle(TriangleMesh& mesh, const Vec3& x, const Vec3& towards, double length) {
+    const double radius = x.norm() * uniform(0.8, 1.25);
+    const Vec3 end = radius * (std::cos(length) * x.normalized() + std::sin(length) * towards);
+    const Vec3 beside = 1e-5 * length * x.cross(towards);
+    add_face(mesh, x - 1e-3 * (end - x), end - beside, end + beside);
+  }
+
+  // Two needles that point at each other but for 3 to 10 degrees, and pass each other with their tips about
+  // the direction u; that of the ball is beyond by as little as 1e-5 of the radius. Between shells that are
+  // far away.
+  BallSocketPair needles(const Vec3& u) {
+    BallSocketPair joint{octahedron(2.0), octahedron(90.0)};
+    const Vec3 towards = u.cross(direction()).normalized();
+    const double length = std::pow(10.0, uniform(-2.0, -0.3));
+    const double turn = (whole(0, 1) == 0 ? 1.0 : -1.0) * uniform(3.0, 10.0) * kDegree;
+    const Vec3 x = uniform(18.0, 24.0) * u;
+    add_needle(joint.ball, (1.0 + std::pow(10.0, uniform(-5.0, -1.0))) * x, towards, length);
+    add_needle(joint.socket, x, -(std::cos(turn) * towards + std::sin(turn) * u.cross(towards)), length);
+    return joint;
+  }
+
   Eigen::Matrix3d any_rotation() {
-    if (whole(0, 2) == 0) return Eigen::AngleAxisd(uniform(-kPi, kPi), direction()).toRotationMatrix();
+    if (whole(0, 2) == 0) return generic_rotation();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     for (int k = whole(0, 3); k > 0; --k) {  // exact quarter turns about x, y or z
       Eigen::Matrix3d quarter = Eigen::Matrix3d::Zero();
@@ -165,6 +193,28 @@ TEST_F(OverlayAttack, CullingAndTheOracleAgreeOnDegenerateJoints) {
   EXPECT_GT(impinged, cases / 5);
   EXPECT_LT(impinged, cases * 4 / 5);
   EXPECT_GT(between_vertices, cases / 50);  // of faces alone
+}
+
+// Each pose has a joint of its own, which takes a millisecond to make.
+TEST_F(OverlayAttack, NeedlesThatMeetTipOnTipAreFound) {
+  std::size_t between_vertices = 0;
+  const std::size_t cases = random_cases() / 10;
+  for (std::size_t n = 0; n < cases; ++n) {
+    const Pose pose{generic_rotation(), (whole(0, 1) == 0 ? 0.0 : uniform(0.0, 5.0)) * direction()};
+    BallSocketPair joint = needles(direction());
+    if (whole(0, 1) == 0)  // they meet as seen from the centre of the socket, or of the ball
+      joint.ball = test::socket_in_ball_frame(joint.ball, pose);
+    else
+      joint.socket = test::ball_in_socket_frame(joint.socket, pose);
+    const CulledJoint vertices(joint);
+    ASSERT_TRUE(SurfaceOverlay(joint.ball, joint.socket).impinged(pose)) << "case " << n;
+    ASSERT_TRUE(CulledOverlay(vertices).impinged(pose)) << "case " << n;
+    if (n % 10 == 0) {
+      ASSERT_TRUE(oracle(joint, pose)) << "case " << n;
+    }
+    between_vertices += vertices.impinged(pose) ? 0U : 1U;
+  }
+  EXPECT_EQ(between_vertices, cases);
 }
 
 }  // namespace

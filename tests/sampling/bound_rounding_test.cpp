@@ -3,7 +3,9 @@
 // cancel. Held against long double:
 //   tan psi within a cap <= range_within().slope, radii within [least, largest]
 //   an edge that enters a cap meets() it, and a face that does has a range in it
-// And a bound above the radius of the surface is none.
+// And a bound above the radius of the surface is none. An entry is moved by rounding as far as
+// direction_doubt() says, and bounds hold from there.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,12 +14,17 @@
 
 #include "mesh/bodies.hpp"
 #include "sampling/cap_range.hpp"
+#include "sampling/error_bound.hpp"
 #include "sampling/exact_raster.hpp"
+#include "sampling/patch_error.hpp"
+#include "sampling/surface_index.hpp"
 #include "sampling/surface_kink.hpp"
 #include "sampling/surface_plane.hpp"
 #include "sampling/table_bound.hpp"
+#include "sphere/scheme_list.hpp"
 #include "support/bound_probes.hpp"
 #include "support/random_cases.hpp"
+#include "support/wrapped_scheme.hpp"
 
 namespace impinge {
 namespace {
@@ -122,6 +129,73 @@ TEST(BoundRounding, ABoundAboveTheSurfaceIsNone) {
     EXPECT_EQ(std::isinf(bound.bound_mm), precision > 1.0) << bound.bound_mm;
     EXPECT_EQ(std::isinf(bound.a_priori_mm), precision > 1.0);
   }
+}
+
+// What the header derives: an azimuth of t turns has 8 roundings.
+double rounding_of_turns(std::size_t turns) { return 8.0 * 0x1p-53 * 2.0 * kPi * static_cast<double>(turns); }
+
+TEST(DirectionDoubt, IsNoLessThanTheRoundingOfAllTurns) {
+  for_each_scheme([]<class S>() {
+    const S scheme = S::with_precision(2.0);
+    EXPECT_GE(direction_doubt(scheme), rounding_of_turns(scheme.equator_points() + 1)) << S::name;
+  });
+}
+
+// A curve of a million turns, whose stencils are one entry that is as near as this.
+class ManyTurns : public test::Wrapped<Rsid> {
+ public:
+  static constexpr std::size_t kTurns = 1'000'000;
+  static constexpr double kNear = 1e-9;  // radians
+  static ManyTurns with_precision(double degrees) {
+    ManyTurns scheme;
+    scheme.hold(Rsid::with_precision(degrees));
+    return scheme;
+  }
+  double stencil_radius() const { return kNear; }
+  std::size_t equator_points() const { return kTurns; }
+  Stencil stencil(const Vec3& x) const {
+    const Stencil all = test::Wrapped<Rsid>::stencil(x);
+    const std::size_t near = all.entry[static_cast<std::size_t>(
+        std::max_element(all.weight.begin(), all.weight.end()) - all.weight.begin())];
+    return {{near, near, near, near}, {1.0, 0.0, 0.0, 0.0}, 1, all.cell};
+  }
+};
+
+// A slope of 45 degrees seen from an entry, along a direction that is farther than the stencil radius from it
+// by what rounding may have moved the entry.
+TEST(DirectionDoubt, ABoundHoldsForAnEntryThatRoundingHasMoved) {
+  const auto scheme = ManyTurns::with_precision(10.0);
+  const Vec3 u = scheme.direction(scheme.stencil(Vec3(1.0, 2.0, 3.0)).entry[0]);
+  const Vec3 level = Vec3::UnitZ().cross(u).normalized();  // along the rows of the grid, as are the rims
+  const Vec3 down = u.cross(level);
+  const auto corner = [&](double a, double b) -> Vec3 { return 20.0 * u + a * (down - u) + b * level; };
+  const TriangleMesh mesh{{corner(-0.2, -0.2), corner(0.3, -0.2), corner(0.3, 0.2), corner(-0.2, 0.2)},
+                          {{0, 1, 2}, {0, 2, 3}}};
+  const auto table = fill_exact(mesh, scheme, Layer::nearest);
+  const double moved = ManyTurns::kNear + rounding_of_turns(ManyTurns::kTurns);
+  const Exact x =
+      u.cast<long double>() - std::tan(static_cast<long double>(moved)) * down.cast<long double>();
+  const Exact normal = (u + down).cast<long double>();
+  const auto truth =
+      static_cast<double>(normal.dot(20.0L * u.cast<long double>()) / normal.dot(x) * x.norm());
+  const double error = std::abs(table.radius_at(x.cast<double>()) - truth);
+  EXPECT_GT(error, 0.99 * 20.0 * moved);
+  EXPECT_LE(error, error_bound_at(table, largest_slopes(mesh, scheme), x.cast<double>()));
+  EXPECT_LE(error, table_bound(mesh, table, Layer::nearest).bound_mm);
+}
+
+// The error of a patch that is one direction is that of a direction a little aside.
+TEST(DirectionDoubt, APatchHasItsShareOfTheSlope) {
+  constexpr double kDoubt = 1e-6;
+  const TriangleMesh mesh{{{21, -1, -1}, {19, 1, -1}, {20, 0, 2}}, {{0, 1, 2}}};  // 45 degrees
+  const SurfaceIndex surface(mesh, Layer::nearest, 0.01);
+  PatchView view;
+  view.motion.smooth = true;
+  view.cap = {Vec3::UnitX(), 1e-9};
+  view.point.fill(Vec3::UnitX());
+  view.corner.fill({20.0, 20.0});
+  view.least_tap = view.largest_tap = 20.0;
+  EXPECT_GE(PatchError(surface, kDoubt)(view).bound, 20.0 * kDoubt);
 }
 
 }  // namespace

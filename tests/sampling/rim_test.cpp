@@ -3,6 +3,7 @@
 #include "sampling/rim.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -217,6 +218,55 @@ TEST(Rim, OfTheFarthestLayerOnesNearerToTheCentreAreHidden) {
       }
     }
     EXPECT_EQ(masked > 0, !hidden);
+  }
+}
+
+// A cell with the longest sides of all, by the directions of its three entries.
+std::array<Vec3, 3> widest_cell(const IcosahedralGnomonic& scheme) {
+  std::array<Vec3, 3> widest;
+  double longest = 0.0;
+  for (const Vec3& u : test::random_directions(5000, 37)) {
+    const Stencil stencil = scheme.stencil(u);
+    const std::array<Vec3, 3> tap{scheme.direction(stencil.entry[0]), scheme.direction(stencil.entry[1]),
+                                  scheme.direction(stencil.entry[2])};
+    const double side = std::min(
+        {angle_between(tap[0], tap[1]), angle_between(tap[1], tap[2]), angle_between(tap[2], tap[0])});
+    if (side <= longest) continue;
+    longest = side;
+    widest = tap;
+  }
+  return widest;
+}
+
+// An edge comes into a cell over an entry, far behind the surface there, and falls as steeply as the surface
+// rises to a peak in the middle of the opposite side, where the edge is seen before it leaves the cell. Where
+// it enters the cell it is farther behind all entries than such slopes reach.
+TEST(Rim, AnEdgeThatIsSeenOnlyAtItsLeastRadiusIsMasked) {
+  const auto scheme = IcosahedralGnomonic::with_precision(5.0);
+  const std::array<Vec3, 3> tap = widest_cell(scheme);
+  const Vec3 peak = (0.02 * tap[0] + 0.49 * (tap[1] + tap[2])).normalized();
+  const double half = 0.5 * angle_between(tap[1], tap[2]);
+  const TriangleMesh surface = radial_body(200000, [&](const Vec3& u) {
+    return 20.0 * std::exp(0.87 * std::max(0.0, 0.95 * half - angle_between(u, peak)));
+  });
+  const Vec3 towards = (tap[0] - tap[0].dot(peak) * peak).normalized();
+  const auto on_edge = [&](double angle) -> Vec3 {  // from the peak; it rises by 40 degrees there
+    const double rise = std::tan(40.0 * kDegree);
+    const double way = std::tan(angle) / (1.0 - rise * std::tan(angle));
+    return 20.0 * std::exp(0.65 * half) * (peak + way * (rise * peak + towards));
+  };
+  const Vec3 from = on_edge(angle_between(peak, tap[0]) + 0.3 * kDegree);
+  const Vec3 to = on_edge(-0.4 * kDegree);
+  const Vec3 aside = to.norm() * (tap[1] + 0.5 * (tap[1] - peak) - 0.4 * kDegree * towards).normalized();
+  for (const bool back : {false, true}) {
+    TriangleMesh mesh = surface;
+    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {back ? to : from, back ? from : to, aside});
+    mesh.faces.push_back({first, first + 1, first + 2});
+    ASSERT_LT(RayCaster(mesh).cast(on_edge(0.0) + 1e-3 * (tap[1] - peak), Layer::nearest),
+              RayCaster(surface).cast(peak, Layer::nearest) - 0.02)
+        << "the surface jumps at the edge";
+    EXPECT_TRUE(std::isnan(fill_exact(mesh, scheme, Layer::nearest).radius_at(peak))) << back;
   }
 }
 
