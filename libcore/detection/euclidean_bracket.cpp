@@ -18,7 +18,16 @@ constexpr double kGridPrecision = 1.0;  // degrees
 constexpr double kFarthest = 0.45;      // of |x|: no lower end for a distance beyond it
 constexpr double kAngleSlack = 1e-9;    // radians, for rounding
 constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
-constexpr int kHalvings = 8;            // of the range of D
+constexpr double kRestRounding = 0x1p-49;  // of 1 - q^2 tan^2 psi: 5 roundings of at most 1, and to spare
+constexpr int kHalvings = 8;               // of the range of D
+
+// Largest tan psi of a face, off by less than 512 u (1 + tan psi) of itself (sampling/error_bound.hpp), from
+// outside.
+double steepest(const TriangleCone& cone) {
+  const double slope = cone.largest_slope();
+  const double off = 0x1p-44 * (1.0 + slope);
+  return off < 1.0 ? slope / (1.0 - off) : kInfinity;
+}
 
 // tan psi where the ray along u ends.
 double slope_along(const TriangleCone& cone, const Vec3& u) {
@@ -37,7 +46,7 @@ double stretch(const auto& slopes, double length, double D) {
   }
   if (std::isinf(slope)) return kInfinity;
   const double q = D / (length - D);
-  const double rest = 1.0 - q * q * slope * slope;
+  const double rest = 1.0 - q * q * slope * slope - kRestRounding;
   double ratio = radius / (length - D);
   if (rest > 0.0) ratio = std::min(ratio, (1.0 + std::sqrt(1.0 - rest * (1.0 - q * q))) / rest);
   return std::hypot(1.0, ratio * slope);
@@ -61,14 +70,15 @@ EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
 void EuclideanBracket::list_face(std::size_t f) {
   const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
   const auto& c = cone.corners();
+  const double radius = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
+  farthest_corner_ = std::max(farthest_corner_, radius);
   if (cone.edge_on()) {
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
     edge_on_.push_back(
         {middle, std::max({(c[0] - middle).norm(), (c[1] - middle).norm(), (c[2] - middle).norm()})});
     return;
   }
-  const double slope = cone.largest_slope();
-  const double radius = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
+  const double slope = steepest(cone);
   walker_.visit_near(cone, grid_.covering_radius() + kAngleSlack, [&](const DirectionRun& run) {
     for (std::size_t k = 0; k < run.count; ++k) {
       Near& near = near_[run.first + k];
@@ -179,7 +189,7 @@ double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) 
 
 DistanceBracket EuclideanBracket::at(const Vec3& x) const {
   const double length = x.norm();
-  const double allowance = kDistanceAllowance * length;
+  const double allowance = kDistanceAllowance * (length + farthest_corner_);
   DistanceBracket found = gap_and_edge(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
   found.upper_mm += allowance;
   if (length == 0.0) return found;

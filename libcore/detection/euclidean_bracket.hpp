@@ -48,8 +48,11 @@ struct DistanceBracket {
   double edge_mm = std::numeric_limits<double>::infinity();  // e
 };
 
-// Allowance for rounding at both ends, of |x|. The gap of a face so steep that rounding might reach it is
-// replaced by the distances of its corners.
+// Allowance for rounding at both ends, of |x| + R, R the farthest corner of all faces. With u = 2^-53 and T =
+// tan psi a radius is off by 84 u (1 + T) of itself (sampling/error_bound.hpp): by 1e-10 for T up to 1e4. The
+// gap of a steeper face is replaced by the distances of its corners. At the lower end it is divided by L >=
+// root(1 + k^2 T^2), k >= min(1, r / |x|), so that 168 u (|x| + R) of it are left at any T. Distances from
+// corners and jump edges are off by 20 u (|x| + R). L itself is made from outside.
 inline constexpr double kDistanceAllowance = 1e-9;
 
 // A mesh made ready for many points: what is near each entry of a grid of about a degree. A point costs what
@@ -99,6 +102,7 @@ class EuclideanBracket {
   void for_each_within(const Vec3& u, double angle, Visit&& visit) const;
 
   TriangleMesh mesh_;
+  double farthest_corner_ = 0.0;  // mm
   CubeGnomonic grid_;
   CubeGnomonic::Walker walker_;
   std::vector<Near> near_;      // of each entry of the grid

@@ -3,12 +3,15 @@
 //
 // Asked is on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
 // table in 16 bits is off from what the exact cells answer by at most
-//   bound + storage + u ((46 + 5 Q) r + 13 n D + 28 |x|)
+//   o + (R + o) e / (1 - e) + 28 u |x|,   o = bound + storage,  e = u (46 + 5 Q + 13 n (C - 1))
 // bound that of sampling/table_bound.hpp, storage that of sphere/quantised_table.hpp, and the rest the
-// roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|), r the largest radius of the
-// table and Q its largest number over the least. A vertex whose gap is nearer to the threshold, or whose cell
-// the surface may cover in part only, is undecided and goes to the exact cells. So the side is theirs for
-// every vertex; what is decided keeps the gap of the table.
+// roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|): R is the largest radius of
+// the table, so that no radius of the mesh or of what is stored is above R + o where the table answers, Q its
+// largest number over the least, C the largest of these in one cell, n the cells of a quarter turn.
+// A vertex whose gap is nearer to the threshold is undecided and goes to the exact cells; so is one whose
+// cell is open (open_cells.hpp), and one in a cell beside another without an answer, of which the bound says
+// nothing. So the side is theirs for every vertex; what is decided keeps the gap of the table. Theirs is that
+// of the mesh but for the roundings in exact_cells.hpp, at the place where float has moved the vertex.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +26,9 @@ namespace impinge {
 // Plain data; make it with certified_table().
 struct CertifiedTable {
   LaneTable<CubeGnomonic, std::uint16_t> table;  // that is asked first
-  std::vector<std::uint32_t> open;  // one bit an entry: the surface may cover its cell in part only
-  double bound_mm = 0.0;            // of a gap, but for the part that grows with |x|
-  ExactCells exact;                 // that undecided vertices go to
+  std::vector<std::uint32_t> open;               // one bit an entry: its cell decides nothing
+  double bound_mm = 0.0;                         // of a gap, but for the part that grows with |x|
+  ExactCells exact;                              // that undecided vertices go to
 
   // Of all of it, without the mesh.
   std::size_t bytes() const { return table.bytes() + open.size() * sizeof(std::uint32_t) + exact.bytes(); }

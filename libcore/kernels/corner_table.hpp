@@ -38,9 +38,9 @@ CornerTable corner_table(const LaneTable<CubeGnomonic, float>& table);
 
 // A scan as in kernels/gap_kernels.hpp. At the moved vertex x the gap is off from that of the table in exact
 // arithmetic by at most
-//   u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 (D + r / m)
+//   u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 D,   D = r (C - 1)
 // in the letters used there: the share of a cell along its column is rounded to 14 bits, with which the sum
-// of two codes is exact; along that share r changes by D and, with the depth, by 2 r / m at most.
+// of two codes is exact; along a whole cell r changes by D at most.
 void scan_gaps(const CornerTable& table, const LaneScan<float>& scan, std::span<float> gap);
 
 }  // namespace impinge

@@ -23,7 +23,10 @@
 //   u (18 r + 8 |gap|)
 // m . x has 4 roundings of |m_i x_i| each, together at most 4 u |m| |x| = 4 u s / cos psi, and r = |x| / s
 // takes over what s is off by, relative. Faces that are seen more steeply than 1 / cos psi = 4 are answered
-// by exact_gap(). The rest is what a smooth cell allows, |x| (2.5 u) and three roundings of the gap.
+// by exact_gap(), in double: beyond tan psi = 1e8 that leaves 84 2^-53 (1 + tan psi) r instead of 18 u r. In
+// smooth cells no plane is that steep at any corner of the others either, so that it cannot win by more than
+// such roundings where it is not met. The rest is what a smooth cell allows, |x| (2.5 u) and three roundings
+// of the gap.
 #pragma once
 
 #include <array>

@@ -8,9 +8,12 @@
 // Rounding. With u = 2^-24 (2^-53 for tables in double), a vertex is moved by at most
 //   E = 10.4 u (|v| + |t|)                     (6 u |v| + 2 u |t| a coordinate, Cauchy-Schwarz; times sqrt 3)
 // and at the moved vertex x the gap is off from that of the table in exact arithmetic by at most
-//   u (20 (r + |x|) + c m D)
-// m being the cells of a quarter turn along a row and D the largest difference of radii between the corners
-// of the cells there: the two coordinates of a place on the grid are together accurate to c m u cells, c = 13
+//   u (20 (r + |x|) + (c m + 5) D)
+// r being the radius at x, m the cells of a quarter turn along a row and D how far a cell there can change
+// it: for tables of radii the largest difference between its corners; for inverse depths r (C - 1), C the
+// largest of its numbers over the least, since r = 1 / q changes by r |q' - q| / q', which a cell that is
+// seen steeply makes much more than its radii differ. The share of 5 is for differences of corners. The two
+// coordinates of a place on the grid are together accurate to c m u cells, c = 13
 // for `cube_gnomonic` (each 2.5 for two products, a quotient and a sum, and 4 for a grid that is smaller by 8
 // u of itself so that no place is beyond it) and c = 28 for `rsid` (15 u for theta, whose last step is 2 pi
 // minus an angle, and 9 u for phi, each with 2 u of itself for the product). `cube_gnomonic` in 16 bits adds

@@ -33,7 +33,9 @@ std::optional<int> bend_of(const SeenMesh& seen, std::span<const std::uint32_t> 
     if (plane.isZero(0.0)) return {};
     for (const std::uint32_t f : faces) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double beyond = plane.dot(corner(seen.mesh, seen.mesh.faces[f], k)) - 1.0;
+        const Vec3& v = corner(seen.mesh, seen.mesh.faces[f], k);
+        if (plane.squaredNorm() * v.squaredNorm() > kSteepest * kSteepest) return {};
+        const double beyond = plane.dot(v) - 1.0;
         inner = inner && beyond <= kInOnePlane;
         outer = outer && beyond >= -kInOnePlane;
       }

@@ -23,7 +23,8 @@ struct SeenMesh {
 };
 
 // +1 if no corner of these faces lies beyond the plane of one of them, -1 if none lies within one, up to
-// 2^-26 of its distance; none if both happen, and where a plane is zero.
+// 2^-26 of its distance; none if both happen, where a plane is zero, and where |m| times the distance of a
+// corner of another face is above kSteepest.
 std::optional<int> bend_of(const SeenMesh& seen, std::span<const std::uint32_t> faces);
 
 }  // namespace impinge

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/resampled.hpp"
 
+#include "sampling/error_bound.hpp"
+
 namespace impinge {
 
 double resampling_bound(const TriangleMesh& mesh, double precision_deg) {
@@ -13,7 +15,8 @@ double resampling_bound(const TriangleMesh& mesh, double precision_deg) {
     slope = std::max(slope, cone.largest_slope());
     for (const Vec3& x : cone.corners()) radius = std::max(radius, x.norm());
   }
-  return drawn + radius * std::expm1(slope * raster_for(precision_deg).stencil_radius());
+  const Rsid raster = raster_for(precision_deg);
+  return drawn + radius * first_order_share(slope, raster.stencil_radius() + direction_doubt(raster));
 }
 
 }  // namespace impinge

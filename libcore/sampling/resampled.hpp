@@ -11,7 +11,8 @@
 // that the value sum w_i R_i of an entry along u errs by at most
 //   E + |sum w_i r_i - r(u)| <= E + sum w_i r_i (exp(T_i s) - 1),
 // the second term being error_bound_at() of an exactly filled RSID table, s its stencil radius. With T the
-// largest tan psi of the mesh and r its largest radius that is nowhere more than E + r (exp(T s) - 1).
+// largest tan psi of the mesh and r its largest radius that is nowhere more than E + r (exp(T s) - 1), and
+// the roundings of error_bound.hpp.
 #pragma once
 
 #include <algorithm>

@@ -8,13 +8,15 @@
 
 #include "mesh/lengths.hpp"
 #include "sampling/chart.hpp"
+#include "sampling/error_bound.hpp"
 #include "sampling/rim.hpp"
 #include "sphere/vector_clones.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kOnLine = 1e-9;  // of a grid step: a line that close to an edge counts as on it
+constexpr double kOnLine = 1e-9;    // of a grid step: a line that close to an edge counts as on it
+constexpr double kOffEntry = 4e-9;  // radians: delta of the header
 
 // The stretch of one grid row inside a triangle, in columns, with the distance at either end.
 struct Span {
@@ -153,13 +155,15 @@ double thesis_raster_bound(const TriangleMesh& mesh) {
     slope = std::max(slope, cone.largest_slope());
   }
   double bound = 0.0;
+  double farthest = 0.0;
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
+    for (const Vec3& v : cone.corners()) farthest = std::max(farthest, v.norm());
     for (const ChartTriangle& triangle : chart_triangles(cone)) {
       bound = std::max(bound, triangle_bound(cone, triangle, slope));
     }
   }
-  return bound;
+  return bound + farthest * first_order_share(slope, kOffEntry);
 }
 
 }  // namespace impinge

@@ -26,8 +26,15 @@
 //   than D = min(dphi + s dtheta, twice the distance to the pole) from a corner, and the drawn value is a
 //   mean of the corners' radii:
 //     E3 = r (exp(T_all D) - 1).
-// The bound is the largest min(E1 + E2, E3). It holds where the surface continues across each edge: over all
-// of a closed star-shaped body, and inside the rim of an open one.
+//   Roundings. An entry within 1e-9 of a step (at most 1.6e-9 rad) of a drawn triangle, along phi and along
+//   theta, gets the value of a point of it, and angles of entries and corners are off by less than 1e-14: the
+//   point is within delta = 4e-9 rad of the entry, and the surface there within first_order_share(T_all,
+//   delta) (error_bound.hpp) of itself. Its last term takes in the roundings of radii, 86 u (1 + T), and of
+//   tan psi, 80 u (1 + T), which changes E1, E2 and E3 by at most twice as much of themselves; a bound above
+//   the largest radius of the mesh, R, holds by itself. So E0 = R first_order_share(T_all, delta) is added:
+//   for faces of about 1e-5 rad and less it is most of the bound.
+// The bound is E0 + the largest min(E1 + E2, E3). It holds where the surface continues across each edge: over
+// all of a closed star-shaped body, and inside the rim of an open one.
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"

@@ -17,6 +17,7 @@
 #include "mesh/bodies.hpp"
 #include "reference/closest_point.hpp"
 #include "support/directions.hpp"
+#include "support/random_cases.hpp"
 #include "support/soup.hpp"
 
 namespace impinge {
@@ -187,6 +188,18 @@ TEST(EuclideanBracket, HoldsInTheCentreAndFarOff) {
   const Found found = look_at(octahedron(10.0), {{0, 0, 0}, {1e-9, 0, 0}, {500, 30, 20}});
   EXPECT_EQ(found.bracket[0].lower_mm, 0.0);
   EXPECT_GT(found.bracket[2].lower_mm, 200.0);
+}
+
+// Distances have the roundings of the surface's radii there, however short x is.
+TEST(EuclideanBracket, HoldsNextToTheCentre) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (std::size_t k = 0; k < random_cases(); k += 20) {
+    const TriangleMesh mesh = test::soup(1 + k % 7, static_cast<unsigned>(k));
+    std::vector<Vec3> points = test::random_directions(20, static_cast<unsigned>(k) + 1);
+    for (Vec3& x : points) x *= std::pow(10.0, -14.0 * share(random));
+    look_at(mesh, points);
+  }
 }
 
 TEST(EuclideanBracket, RefusesAMeshWithoutFaces) {

@@ -12,6 +12,7 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"
+#include "support/random_cases.hpp"
 #include "support/soup.hpp"
 
 namespace impinge {
@@ -98,6 +99,70 @@ TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
     expect_sides({table, points, {}, Scan::ball}, std::nextafter(exact[worst], far.gap[worst]));
     expect_sides({table, points, {}, Scan::ball}, exact[worst]);
   }
+}
+
+// A plane whose inverse depth, linear and exact in the table, rises from cell to cell by up to 95 times its
+// least: roundings of the place are all there is.
+TEST(CertifiedTableTest, HoldsOnSteepFaces) {
+  constexpr std::size_t kCells = 291;
+  constexpr double kStep = 2.0 / kCells;
+  std::mt19937_64 random(11);
+  for (std::size_t k = 0; k < random_cases(); k += 100) {
+    const double line = -1.0 + kStep * std::floor((0.9 + 0.09 * uniform(random)) * kCells);
+    const double rise = 95.0 * uniform(random);            // of the inverse depth, a cell
+    const auto at = [&](double cells, double b) -> Vec3 {  // beyond the line
+      return 20.0 / (1.0 + rise * cells) * Vec3(line + kStep * cells, b, 1.0);
+    };
+    const TriangleMesh mesh{{at(-0.01, 0.0), at(4.0, 0.0), at(4.0, 5.0 * kStep), at(-0.01, 5.0 * kStep)},
+                            {{0, 1, 2}, {0, 2, 3}}};
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < 2000; ++i)
+      points.push_back(at(std::pow(uniform(random), 6.0), 5.0 * kStep * uniform(random)));
+    const CertifiedTable table = certified_table(mesh, Layer::nearest, kCells);
+    expect_sides({table, vertex_lanes<float>(points), {}, Scan::ball}, -1e6F);
+  }
+}
+
+// Nor does the bound reach what exact cells make of a face that doubles hardly tell from one seen edge-on: a
+// wall between two planes that the surface does not leave.
+TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
+  for (const double width : {1e-3, 5e-8}) {
+    const double foot = 2.5 + width;
+    const TriangleMesh mesh{{{-18, -18, 20},
+                             {5, -18, 20},
+                             {5, 18, 20},
+                             {-18, 18, 20},
+                             {foot, -9, 10},
+                             {foot, 9, 10},
+                             {9, -9, 10},
+                             {9, 9, 10}},
+                            {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}};
+    CertifiedGaps found;
+    found.threshold = -1e6F;
+    const auto beside = vertex_lanes<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
+    scan_gaps(certified_table(mesh, Layer::nearest, 10), {beside, {}, Scan::ball}, found);
+    EXPECT_EQ(found.undecided.size(), width < 1e-6 ? 1U : 0U);
+  }
+}
+
+// A place that float takes for one in a cell that answers may be in the cell beside, which does not.
+TEST(CertifiedTableTest, CellsBesideOnesWithoutAnAnswerAreOpen) {
+  const CertifiedTable made = certified_table(make_ball_socket_pair(300).socket, Layer::nearest, 31);
+  const auto& table = made.table;
+  const auto bit = [](const std::vector<std::uint32_t>& bits, std::size_t e) {
+    return (bits[e / 32] >> (e % 32) & 1U) != 0U;
+  };
+  std::size_t beside = 0;
+  for (std::size_t e = table.stride + 1; e + table.stride + 1 < table.values.size(); ++e) {
+    if (!bit(table.none, e)) continue;
+    for (const std::size_t next : {e - table.stride, e - 1, e + 1, e + table.stride}) {
+      if (next % table.stride == 31 || next / table.stride % table.stride == 31 || bit(table.none, next))
+        continue;
+      ++beside;
+      EXPECT_TRUE(bit(made.open, next)) << e << " " << next;
+    }
+  }
+  EXPECT_GT(beside, 50U);
 }
 
 TEST(CertifiedTableTest, LayersAndNumbersOfVertices) {

@@ -3,7 +3,7 @@
 // from; the cells without an answer are the same; the kernel has
 // no answer where the scalar look-up has none, but within rounding of a grid line; and
 //   |gap of the kernel - gap of the scalar look-up in what is stored|
-//     <= u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 (D + r / m)
+//     <= u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 D
 #include "kernels/corner_table.hpp"
 
 #include <algorithm>
@@ -77,19 +77,6 @@ TEST(CornerTableTest, HoldsANumberThatIsTheSameEverywhereAndNothing) {
   for (const float value : gap) EXPECT_TRUE(std::isnan(value));
 }
 
-double step_at(const RadialTable<CubeGnomonic>& table, const Vec3& x) {
-  double largest = 0.0;
-  for (const Vec3& near : test::close_to(x, 16.0 * kFloatUnit)) {
-    const Stencil stencil = table.scheme().stencil(near);
-    for (std::size_t a = 0; a < stencil.taps; ++a)
-      for (std::size_t b = 0; b < a; ++b) {
-        const double step = std::abs(table.radii()[stencil.entry[a]] - table.radii()[stencil.entry[b]]);
-        if (!std::isnan(step)) largest = std::max(largest, step);
-      }
-  }
-  return largest;
-}
-
 // Within rounding of x, is there an answer (or none) as the kernel says?
 bool said_close_by(const Cube& table, const Vec3& x, bool none) {
   return std::ranges::any_of(test::close_to(x, 64.0 * kFloatUnit),
@@ -117,9 +104,9 @@ TEST(CornerTableTest, AnswersAsTheScalarTable) {
         EXPECT_TRUE(said_close_by(scalar, points[i], std::isnan(gap[i]))) << points[i].transpose();
       }
       if (std::isnan(gap[i]) || std::isnan(radius)) continue;
-      const double step = step_at(radii, points[i]);
-      const double bound = kFloatUnit * (20.0 * (radius + length) + 5.0 * 3.0 * radius + 13.0 * m * step) +
-                           0x1p-15 * (step + radius / m);
+      const double steps = test::steps_at(radii, points[i], 16.0 * kFloatUnit, radius);
+      const double bound =
+          kFloatUnit * (20.0 * (radius + length) + 5.0 * 3.0 * radius + 13.0 * steps) + 0x1p-15 * steps / m;
       ASSERT_NEAR(gap[i], radius - length, bound) << points[i].transpose();
     }
     EXPECT_GT(none, 100U);

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/lane_fixture.hpp"
+#include "kernels/seen_planes.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "sampling/pairwise.hpp"
@@ -143,6 +144,18 @@ TEST(ExactCellsTest, BothScansOfARealPairInAnyPose) {
       }
     }
   }
+}
+
+// |m| |x| of a plane is what its s is off by: at the far face below that of the near one is seen at 1 / 6.
+TEST(ExactCellsTest, NoPlaneOfASmoothCellIsSteepWhereAnotherFaceIs) {
+  const auto bend = [](double far) {
+    const TriangleMesh mesh{{{0, 0, 10}, {28, 0, 10}, {28, 5, 10}, {far, -5, 0}, {far, 5, 0}, {far, 0, 10}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+    const std::vector<Vec3> planes = seen_planes(mesh);
+    return bend_of({mesh, planes}, std::vector<std::uint32_t>{0, 1});
+  };
+  EXPECT_EQ(bend(35.0), 1);
+  EXPECT_EQ(bend(60.0), std::nullopt);
 }
 
 TEST(ExactCellsTest, GrowWithTheFaces) {

@@ -2,8 +2,11 @@
 // Tables and points that the kernels are tested with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "kernels/lane_table.hpp"
@@ -29,6 +32,23 @@ RadialTable<S> bumpy_table(double precision_deg) {
   for (const Vec3& x : {Vec3(-0.3, 0.5, -0.7), Vec3(0.001, 0.002, 1.0), Vec3(1.0, -1e-4, 0.1)})
     table.mark_rim_cell(table.scheme().stencil(x).cell);
   return table;
+}
+
+// D of kernels/gap_kernels.hpp in one cell, where the table has this radius; 0 where the cell lacks a corner.
+template <SamplingScheme S>
+double step_in(const RadialTable<S>& table, const Stencil& cell, double radius) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (std::size_t k = 0; k < cell.taps; ++k) {
+    const double r = table.radii()[cell.entry[k]];
+    double number = r;
+    if constexpr (std::same_as<S, CubeGnomonic>)
+      number = 1.0 / (r * table.scheme().depth(table.scheme().direction(cell.entry[k])));
+    if (std::isnan(r)) return 0.0;
+    least = std::min(least, number);
+    most = std::max(most, number);
+  }
+  return std::same_as<S, CubeGnomonic> ? radius * (most / least - 1.0) : most - least;
 }
 
 // Points that are floats, 5 to 40 mm away: random, at poles, seam and edges of the cube, and on entries.
@@ -57,6 +77,15 @@ inline std::vector<Vec3> close_to(const Vec3& x, double share) {
     for (const double b : {-off, 0.0, off})
       for (const double c : {-off, 0.0, off}) points.emplace_back(x + Vec3(a, b, c));
   return points;
+}
+
+// m D at x: of the cells within `share` of its length, m those of a quarter turn.
+template <SamplingScheme S>
+double steps_at(const RadialTable<S>& table, const Vec3& x, double share, double radius) {
+  double largest = 0.0;
+  for (const Vec3& near : close_to(x, share))
+    largest = std::max(largest, step_in(table, table.scheme().stencil(near), radius));
+  return 0.25 * static_cast<double>(table.scheme().equator_points()) * largest;
 }
 
 }  // namespace impinge::test

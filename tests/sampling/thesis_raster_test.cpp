@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "mesh/bodies.hpp"
 #include "sampling/chart.hpp"
 #include "sampling/pairwise.hpp"
+#include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
@@ -211,6 +213,42 @@ TEST(ThesisRaster, LeavesNoHoleAndKeepsItsBound) {
       }
       EXPECT_LE(worst, bound);
       EXPECT_GE(worst, bound / 40.0) << "the bound says nothing";
+    }
+  }
+}
+
+// Two faces of 1e-3 to 1e-8 rad that meet near an entry: what the raster takes for being on an edge is more
+// than linear interpolation costs them.
+TEST(ThesisRaster, TinyFacesKeepTheirBound) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (const double precision : {1.0, 30.0, 90.0}) {
+    RadialTable<Rsid> table(Rsid::with_precision(precision));
+    const Rsid& scheme = table.scheme();
+    for (std::size_t k = 0; k < random_cases(); ++k) {
+      const auto i = static_cast<std::size_t>(share(random) * static_cast<double>(scheme.size()));
+      const Vec3 u = scheme.direction(i);
+      const double width = std::pow(10.0, -3.0 - 5.0 * share(random));
+      const double aside = (share(random) - 0.5) * (k % 2 == 0 ? 4e-9 * scheme.spacing() : width);
+      const Eigen::AngleAxisd turn(2.0 * kPi * share(random), u);
+      const Vec3 along = turn * u.unitOrthogonal();
+      const double slope[] = {3.0 * share(random), -3.0 * share(random)};
+      const auto at = [&](double a, double b) -> Vec3 {  // of the edge, and off it
+        const double radius = 20.0 * std::exp(slope[b > 0.0 ? 1 : 0] * b * width);
+        return radius * (u + width * a * along + (width * b + aside) * u.cross(along)).normalized();
+      };
+      const TriangleMesh mesh{{at(-1.0, 0.0), at(1.5, 0.0), at(0.3, 1.0), at(-0.2, -2.0)},
+                              {{0, 1, 2}, {1, 0, 3}}};
+      std::ranges::fill(table.radii(), kNoSurface);
+      const Layer layer = k % 3 == 0 ? Layer::nearest : Layer::farthest;
+      draw_thesis(mesh, layer, table);
+      double exact = kNoSurface;  // RayCaster loses digits of so small a face
+      for (const Face& face : mesh.faces) {
+        const TriangleCone cone = cone_of(mesh, face);
+        if (cone.contains(u)) keep(exact, cone.radius(u), layer);
+      }
+      if (std::isnan(exact) || std::isnan(table.radii()[i])) continue;
+      EXPECT_LE(std::abs(table.radii()[i] - exact), thesis_raster_bound(mesh)) << k << ", width " << width;
     }
   }
 }

@@ -29,12 +29,12 @@ class CornerKernel : public TableKernel {
   }
   double radius_at(const Vec3& x) const override { return scalar_.radius_at(x); }
 
-  // u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 (D + r / m)
+  // u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 D
   double rounding(const Vec3& x, double radius) const override {
     const auto m = static_cast<double>(table_.divisions);
-    const double steps = steps_at(stored_, x, unit());
+    const double steps = steps_at(stored_, x, 16.0 * unit(), radius);
     return unit() * (20.0 * (radius + x.norm()) + 5.0 * range() * radius + 13.0 * steps) +
-           0x1p-15 * (steps + radius) / m;
+           0x1p-15 * steps / m;
   }
   // A number is off by step / 2 + u smallest, and by u of itself as a float; a radius by as much of itself.
   double bound() const override {

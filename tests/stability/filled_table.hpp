@@ -35,20 +35,6 @@ std::vector<double> gaps_of(const Table& table, const std::vector<Vec3>& vertice
   return {gap.begin(), gap.end()};
 }
 
-// m D of the cells within rounding of x: m cells of a quarter turn, D the largest step of radius in a cell.
-template <class S>
-double steps_at(const RadialTable<S>& table, const Vec3& x, double unit) {
-  double largest = 0.0;
-  for (const Vec3& near : close_to(x, 16.0 * unit)) {
-    const Stencil stencil = table.scheme().stencil(near);
-    for (std::size_t a = 0; a < stencil.taps; ++a)
-      for (std::size_t b = 0; b < a; ++b)
-        largest =
-            std::fmax(largest, std::abs(table.radii()[stencil.entry[a]] - table.radii()[stencil.entry[b]]));
-  }
-  return 0.25 * static_cast<double>(table.scheme().equator_points()) * largest;
-}
-
 // Of one scheme; shared by what it is stored as.
 template <class S>
 struct Filled {

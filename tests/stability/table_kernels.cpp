@@ -37,14 +37,14 @@ class RowsKernel : public TableKernel {
   }
   double radius_at(const Vec3& x) const override { return scalar_.radius_at(x); }
 
-  // u (20 (r + |x|) + c m D), and 5 u Q r of a cube in 16 bits
+  // u (20 (r + |x|) + (c m + 5) D), and 5 u Q r of a cube in 16 bits
   double rounding(const Vec3& x, double radius) const override {
     const double m = 0.25 * static_cast<double>(from_->radii.scheme().equator_points());
     const double c = std::same_as<S, CubeGnomonic> ? 13.0 : std::same_as<S, Usid> ? 10.0 + 52.0 * m : 28.0;
     const bool coded = std::same_as<S, CubeGnomonic> && sizeof(Value) == 2;
     const double range = coded ? 1.0 + 65534.0 * table_.step / table_.smallest : 0.0;
-    return unit() *
-           (20.0 * (radius + x.norm()) + 5.0 * range * radius + c * steps_at(from_->radii, x, unit()));
+    const double steps = steps_at(from_->radii, x, 16.0 * unit(), radius);
+    return unit() * (20.0 * (radius + x.norm()) + 5.0 * range * radius + (c + 5.0 / m) * steps);
   }
   double bound() const override { return from_->bound_mm + storage_bound(scalar_); }
 
