@@ -17,7 +17,7 @@ from typing import NoReturn
 from drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, look, save_figure, scheme_looks, style
 from loading import Refused, load, sidecar
 from thesis_values import HERE, counterparts, methods_of, thesis
-from wording import digits, label, number, plain, scheme_labels, tex
+from wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
 from writing import tabular, write, write_table
 
 __all__ = [
@@ -30,12 +30,15 @@ __all__ = [
     "arguments",
     "counterparts",
     "digits",
+    "digits_up",
     "label",
     "load",
     "look",
     "methods_of",
     "number",
     "plain",
+    "rounded_down",
+    "rounded_up",
     "run",
     "save_figure",
     "scheme_labels",

@@ -34,6 +34,7 @@ CLINICAL = {
     "external_rotation": (40, 60),
     "internal_rotation_at_90": (30, 40),
 }
+SHOWN = 0.1  # degrees: a bracket as narrow is one number
 GENERATED = ["normal", "cam", "pincer", "mixed", "dysplastic", "patient_a", "patient_b"]
 LABELS = {"patient_a": "stand-in for patient A", "patient_b": "stand-in for patient B"}
 
@@ -50,14 +51,21 @@ def contacts(results: Path, centre: str = "head") -> pd.DataFrame:
 
 
 def text(row) -> str:
-    """A limit as a reader reads it: tenths of a degree."""
+    """A limit as a reader reads it: tenths of a degree that nothing touches before; both ends after a graze."""
     if row.state == "free":
         return "free"
     if row.state == "blocked":
         return "blocked"
     if row.state == "unknown":
-        return f"unknown beyond {row.limit_low_deg:.1f}"
-    return f"{row.limit_low_deg:.1f}"
+        return f"unknown beyond {common.rounded_down(row.limit_low_deg, 1)}"
+    if row.limit_high_deg - row.limit_low_deg > SHOWN:
+        return between(row.limit_low_deg, row.limit_high_deg)
+    return common.rounded_down(row.limit_low_deg, 1)
+
+
+def between(low: float, high: float) -> str:
+    """A proven interval, its ends rounded outward."""
+    return f"{common.rounded_down(low, 1)} to {common.rounded_up(high, 1)}"
 
 
 def interval(row) -> str:
@@ -65,5 +73,5 @@ def interval(row) -> str:
     if row.state == "blocked":
         return ""
     if pd.isna(row.centre_high_deg):
-        return f"{row.centre_low_deg:.1f} or more"
-    return f"{row.centre_low_deg:.1f} to {row.centre_high_deg:.1f}"
+        return f"{common.rounded_down(row.centre_low_deg, 1)} or more"
+    return between(row.centre_low_deg, row.centre_high_deg)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of the paper about limits of motion and phantoms.
 
-limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count, :widest (of a bracket, degrees),
+limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
 :joints, :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
 contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
 :unbounded (limits without a proven upper end), :hanging (limits that hang on less than that), :shift:most (mm,
@@ -39,18 +39,18 @@ def limits(results: Path) -> dict[str, str]:
     limited = table[table.state == "limited"]
     interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
-        "limits:count": str(len(every)),
+        "limits:count": str(len(brackets)),
         "limits:joints": str(table.joint.nunique()),
-        "limits:widest": f"{width:.7f}".rstrip("0").rstrip("."),
+        "limits:widest": common.rounded_up(width, 7).rstrip("0").rstrip("."),
         "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),
         "limits:uncertainty:most": common.digits(limited.surface_deg.quantile(0.95), 2),
         "limits:interval:median": common.digits(interval.median(), 2),
-        "limits:interval:most": common.digits(interval.max(), 2),
+        "limits:interval:most": common.digits_up(interval.max(), 2),
         "limits:unbounded": str(int(interval.isna().sum())),
         "limits:hanging": str(int(limited.hangs_on_less.sum())),
-        "limits:shift:most": common.digits(both.shift_mm_socket.max(), 2),
+        "limits:shift:most": common.digits_up(both.shift_mm_socket.max(), 2),
         "limits:centre:median": common.digits(moved.median(), 2),
-        "limits:centre:most": common.digits(moved.max(), 2),
+        "limits:centre:most": common.digits_up(moved.max(), 2),
     }
 
 

@@ -65,9 +65,9 @@ def proven(results: Path) -> dict[str, str]:
     found = {}
     for row in common.load(results, "sampling_error_proven").itertuples():
         name = f"proven:{row.scheme}:{row.precision_deg:g}"
-        found[f"{name}:bound_um"] = common.digits(1000 * row.bound_mm)
+        found[f"{name}:bound_um"] = common.digits_up(1000 * row.bound_mm)
         found[f"{name}:measured_um"] = common.digits(1000 * row.measured_max_mm)
-        found[f"{name}:a_priori_um"] = common.digits(1000 * row.a_priori_mm)
+        found[f"{name}:a_priori_um"] = common.digits_up(1000 * row.a_priori_mm)
     budget = common.load(results, "error_budget")
     chosen = (budget.scheme == "rsid") & (budget.storage == "uint16") & (budget.precision_deg == 1)
     for row in budget[chosen].itertuples():

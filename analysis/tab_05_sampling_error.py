@@ -52,7 +52,7 @@ def latex(lines: pd.DataFrame) -> str:
         f"{line.thesis_relative_percent} & {line.formula_relative_percent:.4f} & "
         f"{common.digits(line.tangential_max_mm, 4)} & "
         f"{common.digits(1000 * line.radial_rms_mm)} & {common.digits(1000 * line.radial_max_mm)} & "
-        f"{common.digits(1000 * line.radial_bound_mm)} \\\\"
+        f"{common.digits_up(1000 * line.radial_bound_mm)} \\\\"
         for line in lines.itertuples()
     ]
     return common.tabular(

@@ -26,13 +26,18 @@ def main() -> None:
                 "limit_deg": motion_limits.text(row),
                 "clock": "" if pd.isna(row.clock) else row.clock,
                 "any_centre_deg": motion_limits.interval(row),
-                "half_mm_gap_deg": "" if pd.isna(row.half_mm_gap_deg) else f"{row.half_mm_gap_deg:.1f}",
+                "half_mm_gap_deg": half_mm_gap(row),
                 "hangs_on_less": row.hangs_on_less,
                 "about_socket_centre_deg": "" if other is None else motion_limits.text(other),
             }
         )
     table = pd.DataFrame(rows)
     common.write_table(options.out, "motion-limits-by-joint", table, latex(table))
+
+
+def half_mm_gap(row) -> str:
+    """No vertex is as near before."""
+    return "" if pd.isna(row.half_mm_gap_deg) else common.rounded_down(row.half_mm_gap_deg, 1)
 
 
 def latex(table: pd.DataFrame) -> str:

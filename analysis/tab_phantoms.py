@@ -22,7 +22,7 @@ def latex(phantoms: pd.DataFrame) -> str:
     for row in phantoms.itertuples():
         cells = [common.tex(row.phantom), common.tex(row.quantity)]
         cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}"]
-        cells += ["" if pd.isna(value) else f"{value:.5f}" for value in (row.target, row.bound)]
+        cells += ["" if pd.isna(value) else common.rounded_up(value, 5) for value in (row.target, row.bound)]
         lines.append(" & ".join(cells) + r" \\")
     return common.tabular("llrrrrr", head, lines)
 

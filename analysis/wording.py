@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +66,28 @@ def digits(value: float, significant: int = 3) -> str:
         return "0"
     places = max(significant - 1 - math.floor(math.log10(abs(value))), 0)
     return f"{round(value, significant - 1 - math.floor(math.log10(abs(value)))):,.{places}f}"
+
+
+def rounded_down(value: float, places: int) -> str:
+    """The low end of what is proven, as a reader sees it: no higher than it is."""
+    return f"{outward(value, places, ROUND_FLOOR):f}"
+
+
+def rounded_up(value: float, places: int) -> str:
+    """A high end of what is proven, or a bound: no lower than it is."""
+    return f"{outward(value, places, ROUND_CEILING):f}"
+
+
+def digits_up(value: float, significant: int = 3) -> str:
+    """As digits(), no lower than the value: a bound, or what is reached at most."""
+    if not math.isfinite(value) or value == 0:
+        return digits(value)
+    return f"{outward(value, significant - 1 - math.floor(math.log10(abs(value))), ROUND_CEILING):,f}"
+
+
+def outward(value: float, places: int, rounding: str) -> Decimal:
+    """To that many places; zero without a sign."""
+    return Decimal(repr(float(value))).quantize(Decimal(1).scaleb(-places), rounding) + 0
 
 
 def plain(value: float, significant: int = 4) -> str:

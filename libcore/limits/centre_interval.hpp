@@ -72,8 +72,6 @@ class CentreIntervals {
   double low_deg(const JointTurn& turn, double to_deg) const;
   // The least angle that was found, from `from` on, at which every centre has an impinged pose.
   std::optional<double> high_deg(const JointTurn& turn, double from_deg) const;
-  // Is the pose at that angle impinged, or the gap reached, whatever the centre is? Yes is proven.
-  bool always(const JointTurn& turn, double angle_deg) const;
 
  private:
   // A surface as the other one meets it.
@@ -85,6 +83,8 @@ class CentreIntervals {
     double nearest = 0.0;         // mm, of the faces
   };
   Surface surface(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
+  // Is the pose at that angle impinged, or the gap reached, whatever the centre is? Yes is proven.
+  bool always(const JointTurn& turn, double angle_deg) const;
   bool is_certain(const Pose& pose, const ScannedVertex& at, double shift) const;
   double shift(const Pose& pose) const;
 

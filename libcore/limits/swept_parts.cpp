@@ -30,11 +30,8 @@ double arm_of(const TurnFace& face) {
 
 TurnFace turned_face(const TurnFace& face, double angle) {
   TurnFace moved = face;
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const auto turn = [&](Vec3& x) { x = Vec3(c * x.x() - s * x.y(), s * x.x() + c * x.y(), x.z()); };
-  for (Vec3& x : moved.corner) turn(x);
-  turn(moved.normal);
+  for (Vec3& x : moved.corner) x = turned(x, angle);
+  moved.normal = turned(face.normal, angle);
   return moved;
 }
 

@@ -4,7 +4,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kMeasuredTo = 5.0;  // degrees
+constexpr double kOfNote = 5.0;  // degrees
 
 std::optional<double> first_reached(const TurnLimit& limit) {
   const bool reached = limit.state == LimitState::limited || limit.state == LimitState::blocked;
@@ -15,7 +15,7 @@ std::optional<double> first_reached(const TurnLimit& limit) {
 
 bool ToldLimit::hangs_on_less() const {
   if (!half_mm_gap_deg || limit.state == LimitState::blocked) return false;
-  return limit.state != LimitState::limited || limit.low_deg - *half_mm_gap_deg > kMeasuredTo;
+  return limit.state != LimitState::limited || limit.low_deg - *half_mm_gap_deg > kOfNote;
 }
 
 ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double threshold_mm,

@@ -22,8 +22,9 @@ struct ToldLimit {
   // one before the limit, as where edges touch between vertices that are farther away, or up to its low end.
   std::optional<double> half_mm_gap_deg;
 
-  // Does it hang on less than half a millimetre: was the gap as small as that more than 5 degrees, which is
-  // what a clinician measures to, before the limit, or is there no limit although it was?
+  // Does it hang on less than half a millimetre: was the gap as small as that more than 5 degrees before the
+  // limit, or is there no limit although it was? The 5 degrees are our choice: a limitation of that size is
+  // what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
   bool hangs_on_less() const;
 };
 

@@ -36,8 +36,8 @@ std::string describe_certificate(const json& certificate) {
   const std::string surfaces = certificate["surfaces"];
   std::string text = "bone on bone        surfaces " + surfaces;
   if (surfaces == "impinged") {
-    text += formatted(", by up to %.3f mm at a %s", certificate["deepest_mm"].get<double>(),
-                      certificate["deepest_at"].get<std::string>().c_str());
+    text += ", by up to " + rounded_up(certificate["deepest_mm"], 3) + " mm at a " +
+            certificate["deepest_at"].get<std::string>();
   }
   return text + "; vertices " + certificate["vertices"].get<std::string>() + " (both decided exactly)\n";
 }
@@ -62,13 +62,12 @@ std::string describe_scene(const nlohmann::json& summary) {
                     smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
   if (!smallest["clock"].is_null()) text += ", " + smallest["clock"].get<std::string>() + " o'clock";
   if (!smallest["error_bound_mm"].is_null()) {
-    text += formatted(" (error of this gap by the table at most %.3f mm)",
-                      smallest["error_bound_mm"].get<double>());
+    text += " (error of this gap by the table at most " + rounded_up(smallest["error_bound_mm"], 3) + " mm)";
   }
   const nlohmann::json& distance = smallest["euclidean_distance_mm"];
   if (!distance.is_null()) {
-    text += formatted("\nEuclidean distance  %.3f to %.3f mm there", distance[0].get<double>(),
-                      distance[1].get<double>());
+    text += "\nEuclidean distance  " + rounded_down(distance[0], 3) + " to " + rounded_up(distance[1], 3) +
+            " mm there";
   }
   for (const nlohmann::json& level : summary["impingement"]) {
     text += level["gap_up_to_mm"].is_null()

@@ -70,24 +70,25 @@ std::string at_clock(const json& limit) {
 
 std::string sentence(const json& limit) {
   const std::string state = limit["state"];
-  const double low = limit["low_deg"];
-  if (state == "free") return formatted("none up to %.1f degrees", low);
+  const std::string low = rounded_down(limit["low_deg"], 1);
+  const json& leaves = limit["leaves_ball_mesh_deg"];
+  if (state == "free") return "none up to " + low + " degrees";
   if (state == "blocked") return "reached before it begins";
   if (state == "limited")
-    return formatted("between %.4f and %.4f degrees", low, limit["high_deg"].get<double>()) + at_clock(limit);
-  const json& leaves = limit["leaves_ball_mesh_deg"];
-  if (!leaves.is_null() && leaves.get<double>() <= low)
-    return formatted("leaves the ball's mesh at %.1f degrees, none before; unknown beyond", low);
-  return formatted("none up to %.1f degrees, where surfaces graze; unknown beyond", low);
+    return "between " + rounded_down(limit["low_deg"], 4) + " and " + rounded_up(limit["high_deg"], 4) +
+           " degrees" + at_clock(limit);
+  if (!leaves.is_null() && leaves <= limit["low_deg"])
+    return "leaves the ball's mesh at " + low + " degrees, none before; unknown beyond";
+  return "none up to " + low + " degrees, where surfaces graze; unknown beyond";
 }
 
 std::string range_text(const json& low, const json& high) {
-  const auto from = low.get<double>();
-  if (high.is_null()) return from > 0.0 ? formatted("none before %.1f degrees", from) : "unknown";
-  return formatted("%.1f to %.1f degrees", from, high.get<double>());
+  const std::string from = rounded_down(low, 1);
+  if (high.is_null()) return low > 0.0 ? "none before " + from + " degrees" : "unknown";
+  return from + " to " + rounded_up(high, 1) + " degrees";
 }
 
-// What half a millimetre changes, each on a line of its own below the limit.
+// What half a millimetre changes, and more of the ball, each on a line of its own below the limit.
 std::string doubts(const json& limit) {
   if (limit["state"] == "blocked") return "";
   const std::string below = "\n                    ";
@@ -96,10 +97,14 @@ std::string doubts(const json& limit) {
                      formatted("; play of the ball up to %g mm: ", kErrorOfInput) +
                      range_text(limit["play_low_deg"], limit["play_high_deg"]);
   if (!limit["half_mm_gap_deg"].is_null())
-    text += below + formatted("the gap falls to %g mm at %.1f degrees", kErrorOfInput,
-                              limit["half_mm_gap_deg"].get<double>());
+    text += below + formatted("the gap falls to %g mm at ", kErrorOfInput) +
+            rounded_down(limit["half_mm_gap_deg"], 1) + " degrees";
   if (limit["hangs_on_less_than_half_mm"].get<bool>())
     text += formatted(": this answer hangs on less than %g mm", kErrorOfInput);
+  const json& leaves = limit["leaves_ball_mesh_deg"];
+  if (limit["state"] == "limited" && !leaves.is_null())  // with more of the ball an impinged pose stays one
+    text += below + "the ball's mesh ends under the socket from " + rounded_down(leaves, 1) +
+            " degrees on: what is missing may come first";
   return text;
 }
 

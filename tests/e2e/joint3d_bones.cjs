@@ -63,8 +63,11 @@ async function verdictsOfScene(page, joint) {
   const { ball, socket } = says.certificate;
   const undecided = ball.undecided_by_bound + socket.undecided_by_bound;
   assert.ok(undecided > 0 && ball.bounds_refuted + socket.bounds_refuted === 0);
-  const [low, high] = says.error_bound_mm.smallest_gap_between.map((gap) => gap.toFixed(3).replace("-", "−"));
-  const wanted = [low === high ? `${low} mm` : `${low} to ${high} mm`, `± ${says.error_bound_mm.largest.toPrecision(3)} mm`, String(undecided)];
+  const [least, most] = says.error_bound_mm.smallest_gap_between;
+  const [low, high] = [Math.floor(1000 * least), Math.ceil(1000 * most)].map((um) => (um / 1000).toFixed(3).replace("-", "−"));
+  const { largest } = says.error_bound_mm;
+  const unit = 10 ** (Math.floor(Math.log10(largest)) - 2);
+  const wanted = [low === high ? `${low} mm` : `${low} to ${high} mm`, `± ${(Math.ceil(largest / unit) * unit).toPrecision(3)} mm`, String(undecided)];
   const ids = ["smallest-proven", "bound", "undecided"];
   await page.waitForFunction(([names, words]) => names.every((id, k) => document.getElementById(id).textContent === words[k]), [ids, wanted])
     .catch(async () => assert.deepEqual(await Promise.all(ids.map((id) => text(page, id))), wanted));

@@ -11,6 +11,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
@@ -28,6 +29,8 @@ import hip  # noqa: E402
 import log_plot  # noqa: E402
 import markup  # noqa: E402
 import measured  # noqa: E402
+import motion_limits  # noqa: E402
+import paper_limits  # noqa: E402
 import ply  # noqa: E402
 import reference  # noqa: E402
 import render  # noqa: E402
@@ -161,6 +164,19 @@ class Numbers(unittest.TestCase):
             (-2.345, "-2.35"),
         ):
             self.assertEqual(common.digits(value), text)
+
+    def test_outward(self):
+        for value, places, low, high in (
+            (53.56, 1, "53.5", "53.6"),
+            (53.54, 1, "53.5", "53.6"),
+            (53.6, 1, "53.6", "53.6"),
+            (-0.04, 1, "-0.1", "0.0"),
+            (5.7e-8, 7, "0.0000000", "0.0000001"),
+        ):
+            self.assertEqual(common.rounded_down(value, places), low)
+            self.assertEqual(common.rounded_up(value, places), high)
+        for value, text in ((0, "0"), (1234.5, "1,240"), (0.012341, "0.0124"), (5.7, "5.70"), (float("nan"), "")):
+            self.assertEqual(common.digits_up(value), text)
 
     def test_rows(self):
         for text, value in (("0.5deg", 0.5), ("12k", 12000), ("300", 300)):
@@ -467,6 +483,40 @@ class Hips(unittest.TestCase):
         self.assertTrue(verdicts_hip.inside(zone, (12, 4)))
         self.assertFalse(verdicts_hip.inside(zone, (1, 4)))
         self.assertFalse(verdicts_hip.inside(zone, (12, 3)))
+
+
+class Limits(unittest.TestCase):
+    """What is proven of a limit is told with its ends rounded outward, and a bracket is of what has one."""
+
+    def setUp(self):
+        columns = ["centre", "gap_mm", "state", "limit_low_deg", "limit_high_deg", "centre_low_deg", "centre_high_deg"]
+        rows = [
+            ("head", np.nan, "limited", 53.56, 53.56000005, 40.06, 60.04),
+            ("head", np.nan, "limited", 20.06, 21.06, 0.0, np.nan),
+            ("head", np.nan, "unknown", 70.06, 180.0, 0.0, np.nan),
+            ("head", np.nan, "free", 180.0, 180.0, 90.0, np.nan),
+            ("socket", np.nan, "limited", 53.5, 53.50000005, 40.0, 60.0),
+            ("head", 0.5, "blocked", 0.0, 0.0, 0.0, np.nan),
+        ]
+        self.table = pd.DataFrame(rows, columns=columns).assign(
+            joint="normal", motion=["flexion", "faber", "fadir", "extension", "flexion", "flexion"], clock="1:20",
+            surface_deg=1.0, hangs_on_less=False, shift_mm=0.0, quantity="gap", error=0.0, bound=1.0,
+        )  # fmt: skip
+
+    def test_words(self):
+        rows = list(self.table.itertuples())
+        self.assertEqual(
+            [motion_limits.text(row) for row in rows],
+            ["53.5", "20.0 to 21.1", "unknown beyond 70.0", "free", "53.5", "blocked"],
+        )
+        self.assertEqual(motion_limits.interval(rows[0]), "40.0 to 60.1")
+        self.assertEqual(motion_limits.interval(rows[3]), "90.0 or more")
+
+    def test_facts(self):
+        with mock.patch.object(common, "load", return_value=self.table):
+            facts = paper_limits.facts(Path())
+        wanted = {"count": "3", "widest": "1", "joints": "1", "interval:most": "20", "centre:most": "0.061"}
+        self.assertEqual({name: facts[f"limits:{name}"] for name in wanted}, wanted)
 
 
 class GapDifference(unittest.TestCase):

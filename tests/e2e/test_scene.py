@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -127,6 +128,17 @@ class Scene(GeneratedPair):
         thickness.write_text("x,y,z,thickness_mm\n0,0,25,3\n")
         done = self.scene("map", "--question", "limit", "--motion", "flexion", "--cartilage", thickness)
         self.refused(done, 2, "option --cartilage", "a limit has one threshold; give a number of mm")
+
+    def test_proven_ends_are_printed_outward(self):
+        done = self.scene("outward", "--precision", 2, "--pose", "flexion=30,abduction=10", "--side", "left")
+        bound, low, high = (
+            float(re.search(pattern, done.stdout)[1])
+            for pattern in (r"at most ([\d.]+) mm", r"distance  ([\d.]+) to", r"distance  [\d.]+ to ([\d.]+)")
+        )
+        smallest = self.summary("outward")["smallest_gap"]
+        ends = [smallest["error_bound_mm"], *smallest["euclidean_distance_mm"]]
+        self.assertTrue(0 <= bound - ends[0] < 1e-3, done.stdout)
+        self.assertTrue(-1e-3 < low - ends[1] <= 0 <= high - ends[2] < 1e-3, (done.stdout, ends))
 
     def test_an_accuracy_is_answered_with_all_outputs(self):
         done = self.scene("accurate", "--max-error", "0.01")

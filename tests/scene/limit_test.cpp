@@ -112,5 +112,44 @@ TEST(SceneLimit, SaysWhereTheBallsMeshEnds) {
   EXPECT_NE(text.find("unknown beyond"), std::string::npos) << text;
 }
 
+// A limit beyond the mesh of a cap is that of the cap: no later for more of the ball, but perhaps earlier.
+TEST(SceneLimit, SaysThatWhatIsMissingMayComeFirst) {
+  const char* said = "degrees on: what is missing may come first";
+  Joint joint = scanned_joint(impinging_cam());
+  EXPECT_EQ(describe_limits(limit_summary(abducted(), joint)).find(said), std::string::npos);
+  TriangleMesh& ball = joint.ball.mesh;
+  std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).z() < -8.0; });
+  const auto summary = limit_summary(abducted(), joint);
+  const auto& cartilage = summary["cartilage"];
+  EXPECT_EQ(cartilage["state"], "limited");
+  EXPECT_LT(cartilage["leaves_ball_mesh_deg"], cartilage["low_deg"]);
+  const std::string text = describe_limits(summary);
+  EXPECT_NE(text.find(said), std::string::npos) << text;
+}
+
+// Ends of what is proven are no higher, or no lower, than they are: 53.56 is "not before 53.5".
+TEST(SceneLimit, IsToldOutward) {
+  auto summary = limit_summary(abducted(), scanned_joint(impinging_cam()));
+  auto& contact = summary["contact"][0];
+  contact.update({{"low_deg", 53.56789},
+                  {"high_deg", 53.56791},
+                  {"centre_low_deg", 40.06},
+                  {"centre_high_deg", 60.04},
+                  {"play_low_deg", 41.06},
+                  {"play_high_deg", nullptr},
+                  {"half_mm_gap_deg", 42.06},
+                  {"leaves_ball_mesh_deg", 43.06}});
+  std::string text = describe_limits(summary);
+  for (const char* said : {"between 53.5678 and 53.5680 degrees", ": 40.0 to 60.1 degrees",
+                           "none before 41.0 degrees", "0.5 mm at 42.0 degrees", "from 43.0 degrees on"})
+    EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
+  contact["state"] = "unknown";
+  EXPECT_NE(describe_limits(summary).find("leaves the ball's mesh at 53.5 degrees"), std::string::npos);
+  contact["leaves_ball_mesh_deg"] = nullptr;
+  EXPECT_NE(describe_limits(summary).find("none up to 53.5 degrees, where"), std::string::npos);
+  contact["state"] = "free";
+  EXPECT_NE(describe_limits(summary).find("none up to 53.5 degrees,"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace impinge

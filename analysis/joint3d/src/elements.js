@@ -6,6 +6,20 @@ export const byId = (id) => document.getElementById(id);
 /** A small length in mm, as one reads it. */
 export const length = (mm) => (mm < 0.1 ? `${Number((1000 * mm).toPrecision(3))} µm` : `${mm.toPrecision(3)} mm`);
 
+/** Of the decimal numbers with that many places the next to a value that is no higher (way -1) or no lower (way 1). */
+function outward(value, places, way) {
+  const shown = Number(value.toFixed(places));
+  const step = way * shown < way * value ? way * 10 ** -places : 0;
+  return (shown + step + 0).toFixed(places); // no minus before a zero
+}
+
+/** Ends of what is proven are shown outward: a low end no higher than it is, a high one and a bound no lower. */
+export const roundedDown = (value, places) => outward(value, places, -1);
+export const roundedUp = (value, places) => outward(value, places, 1);
+
+/** A proven bound in mm, to three digits. */
+export const boundLength = (mm) => length(Number(roundedUp(mm, mm > 0 ? Math.max(2 - Math.floor(Math.log10(mm)), 0) : 0)));
+
 /** An element with properties and children; properties with "-" are attributes. */
 export function make(tag, properties = {}, ...children) {
   const element = document.createElement(tag);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two plots in SVG: the area over the gaps, and the smallest gap along a motion.
 import { colourOf, css } from "./colours.js";
-import { drawn } from "./elements.js";
+import { drawn, roundedDown } from "./elements.js";
 
 const [WIDTH, HEIGHT] = [320, 170];
 const AREA = { left: 40, right: 8, top: 10, bottom: 34 };
@@ -80,7 +80,7 @@ export function drawSweep(svg, sweep, { title, cartilage, at }) {
     const right = place > WIDTH - 90;
     svg.append(drawn("line", { x1: place, x2: place, y1: AREA.top, y2: HEIGHT - AREA.bottom, class: "limit" }),
       drawn("text", { x: place + (right ? -4 : 4), y: AREA.top + 9, class: `limit-text ${right ? "end" : ""}` },
-        `limit ${limit.low_deg.toFixed(2)}°`));
+        `limit ${roundedDown(limit.low_deg, 2)}°`));
   }
   if (at !== null && at >= 0 && at <= end) {
     const k = seen.reduce((best, each) => (Math.abs(sweep.angles[each] - at) < Math.abs(sweep.angles[best] - at) ? each : best), seen[0] ?? 0);

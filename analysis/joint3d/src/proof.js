@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is proven about the pose at hand. The slow worker bounds the tables once and then decides pose after pose, the newest
 // alone, so that no pose waits for a proof.
-import { byId, length } from "./elements.js";
+import { boundLength, byId, roundedDown, roundedUp } from "./elements.js";
 import { newestOnly } from "./engine_client.js";
 
 const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
-const signed = (gap) => gap.toFixed(3).replace("-", "−");
+const signed = (gap) => gap.replace("-", "−");
 const between = (low, high) => (low === high ? `${low} mm` : `${low} to ${high} mm`);
 const vertices = (count) => (count === 1 ? "1 vertex" : `${count.toLocaleString("en")} vertices`);
 
@@ -63,10 +63,10 @@ export class Proof {
   show({ clear, impinged, undecided, unbounded, measured, largest_mm: largest, median_mm: median, low_mm: low, high_mm: high }) {
     const known = clear + impinged + undecided > unbounded;
     clearInterval(this.clock);
-    put("bound-half", known ? `± ${length(median)}` : "–");
-    put("bound", known ? `± ${length(largest)}` : "none proven");
+    put("bound-half", known ? `± ${boundLength(median)}` : "–");
+    put("bound", known ? `± ${boundLength(largest)}` : "none proven");
     put("undecided", unbounded ? `${undecided} (${unbounded} without a bound)` : String(undecided));
-    put("smallest-proven", low === null ? "–" : between(signed(low), signed(high)));
+    put("smallest-proven", low === null ? "–" : between(signed(roundedDown(low, 3)), signed(roundedUp(high, 3))));
     put("bound-why", why(unbounded, measured));
     byId("bound-why").hidden = !measured;
   }

@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The smallest gap along a motion, with the limit that no step can jump over.
-import { byId, fillChoice, make } from "./elements.js";
+import { byId, fillChoice, make, roundedDown, roundedUp } from "./elements.js";
 import { drawSweep } from "./plots.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
 const SIGNS = { extension: -1, adduction: -1, external_rotation: -1 };
 const ANGLES = { extension: "flexion", adduction: "abduction", external_rotation: "internal_rotation" };
 
-const degrees = (low, high) => {
-  const [a, b] = [low.toFixed(4), high.toFixed(4)];
-  return a === b ? `at ${a}°` : `between ${a}° and ${b}°`;
-};
+/** A proven range of angles. */
+function range(low, high) {
+  if (high === null) return low === 0 ? "not known" : `not before ${roundedDown(low, 1)}°`;
+  return `at ${roundedDown(low, 1)}° to ${roundedUp(high, 1)}°`;
+}
 
-/** Where the limit is for another centre than the one at hand. */
-function ofOtherCentres({ within_mm: within, centre_low_deg: low, centre_high_deg: high }) {
-  if (high === null && low === 0) return ` For other centres within ${within} mm it is not known.`;
-  const range = high === null ? `not before ${low.toFixed(1)}°` : `at ${low.toFixed(1)}° to ${high.toFixed(1)}°`;
-  return ` With any centre within ${within} mm: ${range}.`;
+/** Where the limit is for another centre than the one at hand, and with play of the ball. */
+function ofOtherCentres(limit) {
+  const centre = range(limit.centre_low_deg, limit.centre_high_deg);
+  const play = range(limit.play_low_deg, limit.play_high_deg);
+  return ` With any centre within ${limit.within_mm} mm: ${centre}; with that much play of the ball: ${play}.`;
 }
 
 function halfMillimetre({ within_mm: within, half_mm_gap_deg: half, hangs_on_less: hangs }) {
   if (half === null) return "";
-  return ` The gap falls to ${within} mm at ${half.toFixed(1)}°${hangs ? ": this answer hangs on less than that" : ""}.`;
+  return ` The gap falls to ${within} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer hangs on less than that" : ""}.`;
 }
 
 function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
   const where = leaves !== null && leaves <= low ? "where the motion leaves the ball’s mesh" : "where surfaces graze";
-  return `up to ${low.toFixed(1)}° (certified), ${where}; nothing is known beyond`;
+  return `up to ${roundedDown(low, 1)}° (certified), ${where}; nothing is known beyond`;
+}
+
+/** With more of the ball an impinged pose stays one: a limit beyond its mesh can only come earlier. */
+function ofTheRest({ state, leaves_ball_mesh_deg: leaves }) {
+  if (state !== "limited" || leaves === null) return "";
+  return ` The ball’s mesh ends under the socket from ${roundedDown(leaves, 1)}° on: what is missing may come first.`;
 }
 
 function whatTouches({ about, threshold_mm: threshold }) {
@@ -35,15 +42,15 @@ function whatTouches({ about, threshold_mm: threshold }) {
 }
 
 /** A certified limit in words. */
-function limitWords(limit) {
+export function limitWords(limit) {
   const { state, low_deg: low, high_deg: high, clock } = limit;
   const words = {
-    limited: `first touch ${degrees(low, high)}${clock ? `, at ${clock} o’clock` : ""}: a certified limit, over which no step jumps`,
-    free: `do not touch up to ${low.toFixed(0)}° (certified)`,
+    limited: `first touch between ${roundedDown(low, 4)}° and ${roundedUp(high, 4)}°${clock ? `, at ${clock} o’clock` : ""}: a certified limit, over which no step jumps`,
+    free: `do not touch up to ${roundedDown(low, 0)}° (certified)`,
     blocked: "touch or overlap at the start of this motion",
     unknown: `do not touch ${unknownBeyond(limit)}`,
   };
-  return `${whatTouches(limit)} ${words[state]}.${state === "blocked" ? "" : ofOtherCentres(limit) + halfMillimetre(limit)}`;
+  return `${whatTouches(limit)} ${words[state]}.${state === "blocked" ? "" : ofOtherCentres(limit) + halfMillimetre(limit) + ofTheRest(limit)}`;
 }
 
 export class SweepPanel {

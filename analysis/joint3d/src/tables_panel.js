@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scheme, precision and storage of the tables, switched live, and what that changes in size, time and error.
-import { byId, fillChoice, length, make } from "./elements.js";
+import { boundLength, byId, fillChoice, length, make } from "./elements.js";
 
 const bytesText = (bytes) => (bytes >= 1e6 ? `${(bytes / 1e6).toFixed(2)} MB` : `${(bytes / 1e3).toFixed(1)} kB`);
 const ROWS = [
@@ -8,7 +8,7 @@ const ROWS = [
   ["Memory, both tables", (t) => bytesText(t.bytes), (t) => t.bytes],
   ["Time to fill both", (t) => `${t.fill_ms.toFixed(1)} ms`, (t) => t.fill_ms],
   ["Largest error measured", (t) => t.error_mm === null ? "–" : length(t.error_mm), (t) => t.error_mm],
-  ["Proven, any direction", (t) => (t.bound_mm === undefined ? "proving …" : t.bound_mm === null ? "none for this scheme" : length(t.bound_mm)), (t) => t.bound_mm],
+  ["Proven, any direction", (t) => (t.bound_mm === undefined ? "proving …" : t.bound_mm === null ? "none for this scheme" : boundLength(t.bound_mm)), (t) => t.bound_mm],
 ];
 
 /** "×1.9" where both are known and differ. */
