@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a finding is: a statement, what was computed about it, and whether it holds.
 
-A verdict follows from the numbers by a condition in the code, it is never written down.
+A verdict follows from the numbers by a condition in the code, it is never written down; but where two places of the
+text are held against each other, and nothing is computed, the evidence says so.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import common
 COLUMNS = ["where", "claim", "computed", "evidence", "verdict", "source"]
 VERDICTS = ("holds", "wrong", "misprint", "imprecise", "inconclusive")
 ARITHMETIC = "no data: arithmetic with the thesis' own numbers"  # evidence of what needs no experiment
+READING = "no data: two places of the thesis' text, read"  # evidence of what no number of ours decides
 
 
 def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> dict[str, str]:

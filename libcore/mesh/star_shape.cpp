@@ -109,12 +109,13 @@ void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& rep
     });
   }
   double total = 0.0;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const Vec3 u = grid.direction(i);
-    const double weight = std::hypot(u.x(), u.y());  // sin(phi): area of the entry's patch
-    total += weight;
-    if (met[i]) report.covered += weight;
-    if (inside[i] > 1) report.violating += weight;
+  for (std::size_t row = 0; row < grid.size(); row += grid.columns()) {
+    const double weight = grid.direction(row).x();  // sin(phi), at theta = 0: area of the patch of each entry
+    total += weight * static_cast<double>(grid.columns());
+    for (std::size_t i = row; i < row + grid.columns(); ++i) {
+      if (met[i]) report.covered += weight;
+      if (inside[i] > 1) report.violating += weight;
+    }
   }
   report.covered /= total;
   report.violating /= total;

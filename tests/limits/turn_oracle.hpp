@@ -22,6 +22,41 @@ namespace impinge::test {
 using LongVec = Eigen::Matrix<long double, 3, 1>;
 using LongFace = std::array<LongVec, 3>;
 
+// A face and what each pose asks of it again and again.
+struct OracleFace {
+  LongFace corners;
+  LongFace units;    // directions of the corners
+  LongFace inwards;  // unit normals of the planes through centre and edge
+  LongVec normal;    // of the face, of any length
+
+  explicit OracleFace(const LongFace& face)
+      : corners(face), normal((face[1] - face[0]).cross(face[2] - face[0])) {
+    const long double side = face[0].dot(face[1].cross(face[2])) > 0 ? 1 : -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LongVec across = side * face[k].cross(face[(k + 1) % 3]);
+      units[k] = face[k].normalized();
+      inwards[k] = across / std::max(across.norm(), 1e-30L);
+    }
+  }
+
+  // How far the unit vector u is inside the cone over the face, as a sine.
+  long double inside(const LongVec& u) const {
+    return std::min({inwards[0].dot(u), inwards[1].dot(u), inwards[2].dot(u)});
+  }
+  long double radius_on(const LongVec& u) const { return normal.dot(corners[0]) / normal.dot(u); }
+
+  // The plane of an edge has the other face behind it, by far more than any margin.
+  bool leaves_out(const OracleFace& other) const {
+    constexpr long double kFar = 1e-6L;
+    for (const LongVec& inward : inwards) {
+      if (std::max({inward.dot(other.units[0]), inward.dot(other.units[1]), inward.dot(other.units[2])}) <
+          -kFar)
+        return true;
+    }
+    return false;
+  }
+};
+
 // Where a joint really turns: both meshes about a common centre, the ball shifted besides.
 struct OracleCentre {
   Vec3 centre = Vec3::Zero();  // mm
@@ -85,29 +120,14 @@ class TurnOracle {
     return list;
   }
 
-  // How far u is inside the cone over the face, as a sine; u a unit vector.
-  static long double inside(const LongFace& face, const LongVec& u) {
-    const long double side = face[0].dot(face[1].cross(face[2])) > 0 ? 1 : -1;
-    long double least = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const LongVec across = face[k].cross(face[(k + 1) % 3]);
-      least = std::min(least, side * across.dot(u) / std::max(across.norm(), 1e-30L));
-    }
-    return least;
-  }
-
-  static long double radius_on(const LongFace& face, const LongVec& u) {
-    const LongVec normal = (face[1] - face[0]).cross(face[2] - face[0]);
-    return normal.dot(face[0]) / normal.dot(u);
-  }
-
   static long double radius(const std::vector<LongFace>& faces, const LongVec& x, long double margin,
                             bool nearest) {
     long double found = nearest ? std::numeric_limits<long double>::infinity() : -1e30L;
     const LongVec u = x.normalized();
-    for (const LongFace& face : faces) {
-      if (!(inside(face, u) > margin)) continue;
-      const long double r = radius_on(face, u);
+    for (const LongFace& corners : faces) {
+      const OracleFace face(corners);
+      if (!(face.inside(u) > margin)) continue;
+      const long double r = face.radius_on(u);
       found = nearest ? std::min(found, r) : std::max(found, r);
     }
     return found;
@@ -129,38 +149,47 @@ class TurnOracle {
 
   static long double deepest(const std::vector<LongFace>& balls, const std::vector<LongFace>& sockets,
                              long double margin) {
+    const std::vector<OracleFace> others(sockets.begin(), sockets.end());
     long double depth = -std::numeric_limits<long double>::infinity();
-    for (const LongFace& ball : balls) {
-      for (const LongFace& socket : sockets) {
-        const auto ask = [&](const LongVec& u) {
-          if (!(inside(ball, u) > margin && inside(socket, u) > margin)) return;
-          depth = std::max(depth, radius_on(ball, u) - radius_on(socket, u));
-        };
-        // Corners and crossings are on borders of the common cone: asked for within it.
-        std::vector<LongVec> rays;
-        for (std::size_t i = 0; i < 3; ++i) {
-          if (inside(socket, ball[i].normalized()) > margin) rays.push_back(ball[i].normalized());
-          if (inside(ball, socket[i].normalized()) > margin) rays.push_back(socket[i].normalized());
-          for (std::size_t j = 0; j < 3; ++j) add_crossing(ball, i, socket, j, rays);
-        }
-        LongVec middle = LongVec::Zero();
-        for (const LongVec& ray : rays) middle += ray;
-        for (const LongVec& ray : rays) {
-          ask(ray);
-          ask((ray + 1e-9L * middle).normalized());
-        }
+    for (const LongFace& corners : balls) {
+      const OracleFace ball(corners);
+      for (const OracleFace& socket : others) {
+        if (!ball.leaves_out(socket) && !socket.leaves_out(ball))
+          depth = std::max(depth, deepest(ball, socket, margin));
       }
     }
     return depth;
   }
 
-  static void add_crossing(const LongFace& a, std::size_t i, const LongFace& b, std::size_t j,
+  static long double deepest(const OracleFace& ball, const OracleFace& socket, long double margin) {
+    long double depth = -std::numeric_limits<long double>::infinity();
+    const auto ask = [&](const LongVec& u) {
+      if (!(ball.inside(u) > margin && socket.inside(u) > margin)) return;
+      depth = std::max(depth, ball.radius_on(u) - socket.radius_on(u));
+    };
+    // Corners and crossings are on borders of the common cone: asked for within it.
+    std::vector<LongVec> rays;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (socket.inside(ball.units[i]) > margin) rays.push_back(ball.units[i]);
+      if (ball.inside(socket.units[i]) > margin) rays.push_back(socket.units[i]);
+      for (std::size_t j = 0; j < 3; ++j) add_crossing(ball, i, socket, j, rays);
+    }
+    LongVec middle = LongVec::Zero();
+    for (const LongVec& ray : rays) middle += ray;
+    for (const LongVec& ray : rays) {
+      ask(ray);
+      ask((ray + 1e-9L * middle).normalized());
+    }
+    return depth;
+  }
+
+  static void add_crossing(const OracleFace& a, std::size_t i, const OracleFace& b, std::size_t j,
                            std::vector<LongVec>& rays) {
-    const LongVec& a0 = a[i];
-    const LongVec& a1 = a[(i + 1) % 3];
-    const LongVec& b0 = b[j];
-    const LongVec& b1 = b[(j + 1) % 3];
-    const LongVec line = a0.cross(a1).normalized().cross(b0.cross(b1).normalized());
+    const LongVec& a0 = a.corners[i];
+    const LongVec& a1 = a.corners[(i + 1) % 3];
+    const LongVec& b0 = b.corners[j];
+    const LongVec& b1 = b.corners[(j + 1) % 3];
+    const LongVec line = a.inwards[i].cross(b.inwards[j]);
     if (!(line.norm() > 1e-12L)) return;
     for (const long double sign : {1.0L, -1.0L}) {
       const LongVec u = sign * line.normalized();
