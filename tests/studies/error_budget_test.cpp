@@ -62,8 +62,9 @@ TEST(ErrorBudget, MeshStageIsTheSagittaOfTheFaces) {
 
 // Off by e, concentric spheres of radii B and S are both seen e.u nearer: of the gap only e_t^2 / 2 (1 / B -
 // 1 / S) is left, e_t the part of e across the ray. Faces seen obliquely add what is of first order and has
-// either sign: the mean over all vertices is that of the spheres. The socket is far from the ball and the faces
-// are small, so that the spheres' part, 12 um at 1 mm, is far above what the faces leave of theirs in the mean.
+// either sign: the mean over all vertices is that of the spheres. The socket is far from the ball and the
+// faces are small, so that the spheres' part, 12 um at 1 mm, is far above what the faces leave of theirs in
+// the mean.
 struct MeanChange {
   double measured = 0.0;
   double spheres = 0.0;
