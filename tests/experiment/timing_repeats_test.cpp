@@ -71,29 +71,21 @@ TEST(TimingRepeats, LeavesAloneWhatIsConclusive) {
   EXPECT_EQ(pass.run.timings[0].summary.median, 1.0);
 }
 
-TEST(TimingRepeats, StopsAtTheFirstConclusiveRepeatAndKeepsIt) {
+void expect_repeats_of_one(int steady_from, int repeats, bool inconclusive) {
   FirstPass pass;
   pass.add(case_of("a"), 1.0, true);
   FakeMachine machine;
-  machine.steady_from["a"] = 2;
+  machine.steady_from["a"] = steady_from;
   pass.repeat(machine, 1e3);
-  EXPECT_EQ(machine.timed["a"], 2);
-  EXPECT_EQ(pass.run.timings[0].repeats, 2);
-  EXPECT_FALSE(pass.run.timings[0].inconclusive);
-  EXPECT_EQ(pass.run.timings[0].summary.median, 102.0);
+  EXPECT_EQ(machine.timed["a"], repeats);
+  EXPECT_EQ(pass.run.timings[0].repeats, repeats);
+  EXPECT_EQ(pass.run.timings[0].inconclusive, inconclusive);
+  EXPECT_EQ(pass.run.timings[0].summary.median, 100.0 + repeats);
 }
 
-TEST(TimingRepeats, AfterThreeRepeatsItIsPublishedAsInconclusive) {
-  FirstPass pass;
-  pass.add(case_of("a"), 1.0, true);
-  FakeMachine machine;
-  machine.steady_from["a"] = 4;
-  pass.repeat(machine, 1e3);
-  EXPECT_EQ(machine.timed["a"], 3);
-  EXPECT_EQ(pass.run.timings[0].repeats, 3);
-  EXPECT_TRUE(pass.run.timings[0].inconclusive);
-  EXPECT_EQ(pass.run.timings[0].summary.median, 103.0);
-}
+TEST(TimingRepeats, StopsAtTheFirstConclusiveRepeatAndKeepsIt) { expect_repeats_of_one(2, 2, false); }
+
+TEST(TimingRepeats, AfterThreeRepeatsItIsPublishedAsInconclusive) { expect_repeats_of_one(4, 3, true); }
 
 TEST(TimingRepeats, GivesACaseOfOneRoundASpread) {
   FirstPass pass;

@@ -41,24 +41,26 @@ Vec3 random_way(RandomJoint& random, double length) { return random.rotation() *
 
 // A point as often as a triangle.
 TurnFace random_part(RandomJoint& random, const Vec3& middle) {
-  const double size = random.between(0.0, 1.0) < 0.5 ? 0.0 : random.power(-2.0, 0.5);
+  const double size = random.between(0.0, 1.0) < 0.5 ? 0.0 : random.power(-2.0, 1.0);
   const auto corner = [&] { return Vec3(middle + random_way(random, size)); };
   TurnFace face = turn_face(corner(), corner(), corner());
   face.doubt = random.between(0.0, 0.1);
   return face;
 }
 
-// Parts at rest are about the threshold from where one that turns comes by.
+// Parts at rest are about the threshold from where one that turns comes by: all at nearly one angle, which
+// may be that of the start, so that some come first by little and some at the end of the turn.
 SweptCase random_case(RandomJoint& random) {
   SweptCase made;
   made.within = {random.power(-2.0, 0.3), random.between(0.0, 0.2)};
+  const double about = random.between(0.0, 1.0) < 0.5 ? random.between(0.0, kWholeTurn) : 0.0;
   for (std::size_t k = 0; k < kParts; ++k) {
     const double arm = random.power(-1.0, 1.5);
     const Vec3 middle = turned(Vec3(arm, 0, random.between(-20.0, 20.0)), random.between(0.0, kWholeTurn));
     made.turning.push_back(random_part(random, middle));
     for (const Vec3& x : made.turning.back().corner) made.arm = std::max(made.arm, x.head<2>().norm());
     const Vec3 off = random_way(random, made.within.start * random.between(0.5, 1.5));
-    made.resting.push_back(random_part(random, turned(middle, random.between(0.0, kWholeTurn)) + off));
+    made.resting.push_back(random_part(random, turned(middle, about - random.power(-4.0, 0.0)) + off));
   }
   return made;
 }
@@ -91,7 +93,7 @@ TEST(SweptParts, AreFirstWithinWhereBruteForceHasThem) {
   const std::size_t cases = random_cases();
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
     const SweptCase given = random_case(random);
-    const double largest = random.between(0.0, kWholeTurn);
+    const double largest = std::min(random.between(0.0, 2.0 * kWholeTurn), kWholeTurn);
     const double first =
         first_within(SweptParts(given.turning), SweptParts(given.resting), given.within, largest);
     expect_nothing_before(given, first, random);
