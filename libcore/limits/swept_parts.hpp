@@ -53,6 +53,7 @@ using WithinSpan = std::function<double(const AngleSpan&)>;
 // The first angle up to `largest` at which the turning parts may be within that distance of those at rest; no
 // pair is before, and what is returned is early by the way of 1e-5 rad at most unless parts stay about as
 // near as that; `largest` if there is none. +z is the axis; largest in [0, 2 pi].
+// Parts that pierce each other at the start may go unseen: distances are those of corners and edges.
 double first_within(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within,
                     double largest);
 
