@@ -68,7 +68,8 @@ class CentreIntervals {
   CentreIntervals(const CulledJoint& joint, const CentreQuestion& question);
 
   // The lower end, `to_deg` at most: no centre is free beyond the lower end of the origin. 0 where the start
-  // is within reach of a contact.
+  // is within reach of a contact. The start must not be impinged: then no faces pierce each other there
+  // (reference/meeting_surfaces.hpp), which first_within() would not see.
   double low_deg(const JointTurn& turn, double to_deg) const;
   // The least angle that was found, from `from` on, at which every centre has an impinged pose.
   std::optional<double> high_deg(const JointTurn& turn, double from_deg) const;
