@@ -22,6 +22,7 @@ inline std::string rounded_down(double value, int places) {
   if (shown > value) shown -= std::pow(10.0, -places);
   return formatted("%.*f", places, shown + 0.0);  // no minus before a zero
 }
+// The other end.
 inline std::string rounded_up(double value, int places) {
   double shown = std::stod(formatted("%.*f", places, value));
   if (shown < value) shown += std::pow(10.0, -places);
