@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The colours of a gap: those of the scene (libcore/joint/gap_levels.hpp), the thesis' five, darker towards
+"""The colours of a gap: those of the scene (libcore/hip/gap_levels.hpp), the thesis' five, darker towards
 contact, so that a picture reads in grey and with every common colour vision.
 """
 

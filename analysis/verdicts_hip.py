@@ -54,7 +54,7 @@ def recorded(value, ends: pd.DataFrame) -> dict:
     if used != float(value.value):
         raise common.Refused(
             f"data/motion_frames.csv ends {value.row} of {value.column} at {used:g} degrees and the thesis at "
-            f"{value.value}: see libcore/joint/recorded_range.hpp"
+            f"{value.value}: see libcore/hip/recorded_range.hpp"
         )
     return input_row(value)
 

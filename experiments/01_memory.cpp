@@ -3,7 +3,7 @@
 // @writes    lut_memory
 // @timing    no
 // @seconds   10 10
-// @links     experiment sampling
+// @links     harness table
 //
 // Every table is really made and filled with a surface that has a rim. Its bytes are those of its radii, and
 // those of its rim mask beside them; the allocator is asked whether it handed out more.
@@ -12,16 +12,17 @@
 
 #include <malloc.h>
 
-#include "experiment/driver.hpp"
+#include "harness/driver.hpp"
+#include "harness/equator_turn.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/exact_raster.hpp"
-#include "sphere/equator_turn.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
+#include "table/exact_raster.hpp"
 
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 300;                 // of the socket: any rim takes the whole mask
@@ -122,6 +123,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv,
-                             {"01_memory", "Entries and bytes of the tables (Tables 2, 6 and 7)."}, body);
+  return impinge::lab::run_driver(
+      argc, argv, {"01_memory", "Entries and bytes of the tables (Tables 2, 6 and 7)."}, body);
 }

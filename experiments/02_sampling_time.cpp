@@ -3,7 +3,7 @@
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
 // @seconds   140 330
-// @links     experiment contenders
+// @links     harness methods
 //
 // The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.
 // Tables are made, emptied, masked along their rim and freed within it, but for the methods that end in
@@ -17,14 +17,15 @@
 
 #include <benchmark/benchmark.h>
 
-#include "contenders/fill_method.hpp"
-#include "contenders/kept_tables.hpp"
-#include "experiment/driver.hpp"
-#include "experiment/timing_report.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
+#include "methods/fill_method.hpp"
+#include "methods/kept_tables.hpp"
 
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 3000;                // of each model
@@ -187,6 +188,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
+  return impinge::lab::run_driver(
       argc, argv, {"02_sampling_time", "Time to fill the tables of a joint (Tables 3 and 8)."}, body);
 }

@@ -3,11 +3,11 @@
 // @writes    scheme_points
 // @timing    no
 // @seconds   1 1
-// @links     experiment reference
+// @links     harness reference
 //
 // Tables small enough for their entries to be seen in a picture.
 
-#include "experiment/driver.hpp"
+#include "harness/driver.hpp"
 #include "reference/scheme_metrics.hpp"
 #include "reference/scheme_search.hpp"
 #include "sphere/scheme_list.hpp"
@@ -15,6 +15,7 @@
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::size_t kEntries = 1600;
 
@@ -50,5 +51,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv, {"08_scheme_points", "Entries and areas of every scheme."}, body);
+  return impinge::lab::run_driver(argc, argv, {"08_scheme_points", "Entries and areas of every scheme."},
+                                  body);
 }

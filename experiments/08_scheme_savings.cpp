@@ -3,14 +3,14 @@
 // @writes    scheme_savings
 // @timing    no
 // @seconds   12 120
-// @links     experiment reference
+// @links     harness reference
 //
 // In four meanings of "as good": see reference/scheme_savings.hpp. Each time a table of the scheme is made
 // and measured.
 
 #include <array>
 
-#include "experiment/driver.hpp"
+#include "harness/driver.hpp"
 #include "reference/scheme_savings.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -19,6 +19,7 @@
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5};  // degrees, of RSID
 constexpr double kFinestInQuick = 1.0;       // beyond it equal spacing alone is counted
@@ -98,6 +99,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv,
-                             {"08_scheme_savings", "Entries that each scheme needs to equal RSID."}, body);
+  return impinge::lab::run_driver(
+      argc, argv, {"08_scheme_savings", "Entries that each scheme needs to equal RSID."}, body);
 }

@@ -3,12 +3,12 @@
 // @writes    schemes scheme_covering scheme_errors
 // @timing    no
 // @seconds   6 20
-// @links     experiment reference
+// @links     harness reference
 //
 // Every scheme of the list, with about as many entries as RSID has at 1 degree. Everything is measured on the
 // directions and the stencils of the scheme; declared_radius_deg alone is what it says of itself.
 
-#include "experiment/driver.hpp"
+#include "harness/driver.hpp"
 #include "reference/interpolation_error.hpp"
 #include "reference/scheme_metrics.hpp"
 #include "reference/scheme_search.hpp"
@@ -19,6 +19,7 @@
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::size_t kProbes = 400000;  // directions in which tables are compared with the function
 constexpr std::size_t kProbesInQuick = 100000;
@@ -119,6 +120,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv,
-                             {"08_schemes", "Covering and interpolation of every sampling scheme."}, body);
+  return impinge::lab::run_driver(
+      argc, argv, {"08_schemes", "Covering and interpolation of every sampling scheme."}, body);
 }

@@ -3,7 +3,7 @@
 // @writes    lookup_time lookup_time_samples
 // @timing    yes
 // @seconds   12 40
-// @links     experiment reference
+// @links     harness reference
 //
 // Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random
 // directions: no look-up profits from the one before it, as neighbouring vertices of a mesh would. The points
@@ -16,8 +16,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "experiment/driver.hpp"
-#include "experiment/timing_report.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
 #include "reference/scheme_search.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
@@ -27,6 +27,7 @@
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::size_t kLookups = 20000;  // in one run
 constexpr std::size_t kChecked = 2000;   // of them, compared with what is known before anything is timed
@@ -104,5 +105,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv, {"09_lookup_time", "Time of one look-up with every scheme."}, body);
+  return impinge::lab::run_driver(argc, argv, {"09_lookup_time", "Time of one look-up with every scheme."},
+                                  body);
 }

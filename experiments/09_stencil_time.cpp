@@ -3,7 +3,7 @@
 // @writes    stencil_time stencil_time_samples
 // @timing    yes
 // @seconds   8 25
-// @links     experiment reference
+// @links     harness reference
 //
 // The thesis says that polyhedra need a search, O(n log n) for n look-ups. Only the stencil is computed here,
 // no radius is read: the memory of a larger table is slower, whatever the scheme.
@@ -15,8 +15,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "experiment/driver.hpp"
-#include "experiment/timing_report.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
 #include "reference/scheme_search.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/uniform_directions.hpp"
@@ -24,6 +24,7 @@
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::array<std::size_t, 2> kEntries{1000, 1000000};  // a search would take twice as many steps
 constexpr std::size_t kStencils = 20000;                       // in one run
@@ -89,6 +90,6 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
+  return impinge::lab::run_driver(
       argc, argv, {"09_stencil_time", "Time to find the entries of a look-up, by their number."}, body);
 }

@@ -3,9 +3,9 @@
 // @writes    stability stability_detail stability_families
 // @timing    no
 // @seconds   50 90
-// @links     stability
+// @links     harness stress
 //
-// Every family of libcore/stability/families/: its knob is turned from harmless to extreme, and each answer
+// Every family of experiments/stress/families/: its knob is turned from harmless to extreme, and each answer
 // is held against the exact one. The run fails, with the results written, if ours fails in a case that it
 // does not refuse.
 
@@ -13,13 +13,14 @@
 #include <string>
 #include <utility>
 
-#include "experiment/driver.hpp"
-#include "stability/measure.hpp"
-#include "stability/report.hpp"
+#include "harness/driver.hpp"
+#include "stress/measure.hpp"
+#include "stress/report.hpp"
 
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr std::size_t kMostLines = 20;
 
@@ -52,5 +53,5 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv, {"11_stability", "Stiff and extreme cases."}, body);
+  return impinge::lab::run_driver(argc, argv, {"11_stability", "Stiff and extreme cases."}, body);
 }

@@ -4,23 +4,24 @@
 // @writes-with-bones  sample_points_bones
 // @timing    no
 // @seconds   1 1
-// @links     experiment joint sampling scene
+// @links     harness real_joints table hip thesis_forms
 //
 // The generated socket, that of a hip (Figure 40), and real ones when they are given. The tables are filled
 // as in the thesis: the raster on the grid, and the helix resampled from it.
 
 #include <cmath>
 
-#include "experiment/driver.hpp"
-#include "joint/hip.hpp"
-#include "joint/hip_presets.hpp"
-#include "sampling/resampled.hpp"
-#include "scene/real_joints.hpp"
+#include "harness/driver.hpp"
+#include "harness/real_joints.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "methods/resampled.hpp"
 #include "sphere/schemes/usid.hpp"
 
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 constexpr double kPrecision = 1.0;         // degrees, as in the figure
 constexpr std::size_t kTriangles = 12000;  // of the generated socket
@@ -85,7 +86,7 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
+  return impinge::lab::run_driver(
       argc, argv,
       {"14_sample_points", "Points that the thesis' tables sample (Figure 49).", /*takes_bones=*/true}, body);
 }

@@ -3,7 +3,7 @@
 // @writes    finding_comparison finding_interpolation finding_grids
 // @timing    no
 // @seconds   3 3
-// @links     experiment detection
+// @links     harness gap thesis_forms
 //
 // The comparison of Algorithms 2 and 3 for both scans; how far a radius that is linear in the angles is from
 // the mesh and from the sphere behind it, and how far the faces of the heads of Tables 4 and 9 are inside it;
@@ -13,16 +13,16 @@
 #include <cmath>
 #include <utility>
 
-#include "detection/algorithm_2.hpp"
-#include "detection/gap_scan.hpp"
-#include "experiment/driver.hpp"
+#include "gap/algorithm_2.hpp"
+#include "gap/gap_scan.hpp"
+#include "harness/driver.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
-#include "sampling/exact_raster.hpp"
-#include "sampling/thesis_raster.hpp"
+#include "methods/thesis_raster.hpp"
+#include "table/exact_raster.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 constexpr std::size_t kPairFaces = 3000;
@@ -150,9 +150,9 @@ void body(DriverRun& run) {
 }
 
 }  // namespace
-}  // namespace impinge
+}  // namespace impinge::lab
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(argc, argv, {"15_findings", "Statements of the thesis, checked."},
-                             impinge::body);
+  return impinge::lab::run_driver(argc, argv, {"15_findings", "Statements of the thesis, checked."},
+                                  impinge::lab::body);
 }

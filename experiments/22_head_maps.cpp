@@ -6,24 +6,25 @@
 // @bones     yes
 // @timing    no
 // @seconds   1 3
-// @links     experiment joint mesh scene
+// @links     harness real_joints mesh hip ply_series
 //
 // Each mesh stands about the centre of its sphere, with the distance of every vertex from the sphere and
-// whether it was fitted. The patients are stand-ins (joint/hip_presets.hpp).
+// whether it was fitted. The patients are stand-ins (hip/hip_presets.hpp).
 
 #include <algorithm>
 
-#include "experiment/driver.hpp"
 #include "files/file_bytes.hpp"
-#include "joint/hip.hpp"
-#include "joint/hip_presets.hpp"
-#include "joint/sphere_fit.hpp"
-#include "mesh/ply_series.hpp"
-#include "scene/real_joints.hpp"
+#include "harness/driver.hpp"
+#include "harness/ply_series.hpp"
+#include "harness/real_joints.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "hip/sphere_fit.hpp"
 
 namespace {
 
 using namespace impinge;
+using namespace impinge::lab;
 
 // A ball and where its origin is.
 struct Ball {
@@ -85,7 +86,7 @@ void body(DriverRun& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::run_driver(
+  return impinge::lab::run_driver(
       argc, argv,
       {"22_head_maps", "Spheres fitted to balls (Figures 38, 39, 60 and 61).", /*takes_bones=*/true}, body);
 }

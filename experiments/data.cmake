@@ -63,7 +63,7 @@ if(IMPINGE_BONES)
 endif()
 
 foreach(driver IN LISTS drivers)
-  cmake_path(GET driver STEM name)
+  name_of(name "${driver}")
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
   foreach(key question writes writes-with-bones files files-with-bones bones cache timing seconds)

@@ -14,8 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include "files/file_bytes.hpp"
-#include "joint/hip.hpp"
-#include "joint/hip_presets.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/io.hpp"
 
@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
   std::vector<std::string> changes;
   CLI::Option* name = app.add_option("--hip", hip, "a hip instead: " + listed(hip_preset_names()));
   app.add_option("--set", changes,
-                 "parameter=value of the hip, once or more; libcore/joint/hip_parameters.hpp has all")
+                 "parameter=value of the hip, once or more; libcore/hip/hip_parameters.hpp has all")
       ->needs(name);
   app.add_option("--faces", faces,
                  "triangles of each surface; of the pair an even number, of a hip about so many")

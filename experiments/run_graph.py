@@ -126,7 +126,9 @@ def script_of(job: Job) -> str:
     for word in job.command.split():
         if word.startswith(("analysis/", "paper/")):
             return word
-    return f"experiments/{Path(job.command.split()[0]).stem}.cpp"
+    name = Path(job.command.split()[0]).stem
+    has_parts = (Path(__file__).resolve().parent / name).is_dir()
+    return f"experiments/{name}/main.cpp" if has_parts else f"experiments/{name}.cpp"
 
 
 def show_list(jobs: dict[str, Job]) -> None:

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "kernels/open_cells.hpp"
-#include "sampling/exact_raster.hpp"
-#include "sampling/table_bound.hpp"
 #include "sphere/quantised_table.hpp"
+#include "table/exact_raster.hpp"
+#include "table/table_bound.hpp"
 
 namespace impinge {
 namespace {

@@ -13,8 +13,8 @@
 #include "kernels/tile_bins.hpp"
 #include "kernels/tile_painter.hpp"
 #include "mesh/lengths.hpp"
-#include "sampling/local_refill.hpp"
 #include "sphere/stored_values.hpp"
+#include "table/local_refill.hpp"
 
 namespace impinge {
 namespace {

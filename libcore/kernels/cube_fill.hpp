@@ -19,7 +19,7 @@
 #include "kernels/lane_table.hpp"
 #include "kernels/tile_triangle.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

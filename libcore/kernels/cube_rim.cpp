@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/edge_cells.hpp"
-#include "sampling/rim.hpp"
+#include "table/rim.hpp"
 
 namespace impinge {
 namespace {
@@ -34,7 +34,7 @@ class StoredRim {
     table.none[entry / 32] |= 1U << (entry % 32);
   }
 
-  // exp(2 change_to_be_seen()) of sampling/rim.hpp for an edge in the cell: all its corners have a surface.
+  // exp(2 change_to_be_seen()) of table/rim.hpp for an edge in the cell: all its corners have a surface.
   double squared_change(std::size_t entry, double squared_edge) const {
     const std::array taps{squared_radius(entry), squared_radius(entry + 1), squared_radius(entry + side_),
                           squared_radius(entry + side_ + 1)};

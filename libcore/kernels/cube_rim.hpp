@@ -6,7 +6,7 @@
 
 #include "kernels/lane_table.hpp"
 #include "mesh/jump_edges.hpp"
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 
@@ -19,7 +19,7 @@ struct RimTask {
   LaneTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
 };
 
-// Along the jump edges of the mesh, as mask_rim_along() of sampling/rim.hpp. What is stored is taken for as
+// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. What is stored is taken for as
 // near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
 template <LaneValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges);

@@ -37,7 +37,7 @@
 
 #include "kernels/gap_kernels.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two scans of detection/gap_scan.hpp with vector instructions: several vertices at a time, the pose
+// The two scans of gap/gap_scan.hpp with vector instructions: several vertices at a time, the pose
 // fused, no function of libm.
 //
 //   gap(u) = S(u) - B(u), mm; NaN where the other surface is not met, in a cell that has no answer, and for a

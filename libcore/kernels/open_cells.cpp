@@ -9,7 +9,7 @@ namespace impinge {
 
 namespace {
 
-// tan psi up to which a radius in double, off by 84 2^-53 (1 + tan psi) of itself (sampling/error_bound.hpp),
+// tan psi up to which a radius in double, off by 84 2^-53 (1 + tan psi) of itself (table/error_bound.hpp),
 // is within the 18 2^-24 of exact_cells.hpp.
 constexpr double kSteepestInDouble = 1e8;
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "kernels/tile_triangle.hpp"
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

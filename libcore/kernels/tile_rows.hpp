@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

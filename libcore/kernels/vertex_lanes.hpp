@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "detection/pose.hpp"
+#include "gap/pose.hpp"
 
 namespace impinge {
 

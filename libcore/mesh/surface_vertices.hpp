@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces and vertices of a mesh are its surface. A face that is edge-on at rest, in the centre frame of
 // its own mesh, covers no direction and takes no part in anything, in any pose and either frame; what that
-// means for contact is said in detection/overlay.hpp. A vertex of no other face belongs to no surface, and
+// means for contact is said in gap/overlay.hpp. A vertex of no other face belongs to no surface, and
 // has no gap.
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 #include "planning/table_choice.hpp"
 
 namespace impinge {

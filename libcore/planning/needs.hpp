@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "detection/pose.hpp"
+#include "gap/pose.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
 namespace impinge {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 
 namespace impinge {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "culling/culled_scan.hpp"
-#include "culling/near_items.hpp"
+#include "contact/culled_scan.hpp"
+#include "contact/near_items.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 

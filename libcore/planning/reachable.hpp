@@ -37,7 +37,7 @@ struct Reach {
 };
 
 // Finds them: of the vertices of faces, in the order of the mesh. With caps the vertices of a node are left
-// out together where its bound is above the limit (culling/gap_bounds.hpp), by limits with a margin of the
+// out together where its bound is above the limit (contact/gap_bounds.hpp), by limits with a margin of the
 // stencil radius, so that they hold for tables too.
 Reach find_reach(const ReachTask& task, double stencil_radius);
 

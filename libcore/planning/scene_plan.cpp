@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 #include "planning/entry_choice.hpp"
 #include "planning/vertex_choice.hpp"
 

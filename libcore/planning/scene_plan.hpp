@@ -23,10 +23,10 @@
 #include <string>
 #include <vector>
 
-#include "detection/algorithm_2.hpp"
+#include "gap/algorithm_2.hpp"
 #include "planning/needs.hpp"
 #include "planning/path_choice.hpp"
-#include "sampling/partial_table.hpp"
+#include "table/partial_table.hpp"
 
 namespace impinge {
 

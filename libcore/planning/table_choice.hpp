@@ -15,7 +15,7 @@ struct LookUpNeed {
   double slope = 0.0;   // the largest tan psi near it
 };
 
-// Error of first order of a table whose stencil radius is s (sampling/error_bound.hpp): radius * (exp(slope *
+// Error of first order of a table whose stencil radius is s (table/error_bound.hpp): radius * (exp(slope *
 // s) - 1), mm.
 double first_order_error(const LookUpNeed& need, double stencil_radius);
 

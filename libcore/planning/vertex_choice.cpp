@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 #include "planning/reachable.hpp"
 #include "sphere/infinity.hpp"
 

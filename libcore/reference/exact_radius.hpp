@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

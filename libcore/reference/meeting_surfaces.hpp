@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Do two surfaces meet? By CGAL's exact predicates on all pairs of faces, without a centre, directions or
-// radii. And what that has to do with radial contact, the statements (1) and (2) of detection/overlay.hpp.
+// radii. And what that has to do with radial contact, the statements (1) and (2) of gap/overlay.hpp.
 //
-// Surfaces are as in detection/overlay.hpp, without faces that are edge-on. Those with a common point x are
+// Surfaces are as in gap/overlay.hpp, without faces that are edge-on. Those with a common point x are
 // impinged: x is on or beyond the socket and on or within the ball. The converse needs more. Let the ball X
 // be closed, star-shaped about its centre and in one piece, and the socket Y star-shaped about its own
 // centre, in one piece, a manifold with or without a rim (the edges with one face). Let the shadow Y+ of the

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "joint/cartilage_map.hpp"
+#include "hip/cartilage_map.hpp"
 
 namespace impinge {
 

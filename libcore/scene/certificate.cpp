@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "experiment/stopwatch.hpp"
+#include "files/stopwatch.hpp"
 #include "mesh/surface_vertices.hpp"
 
 namespace impinge {

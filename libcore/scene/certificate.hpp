@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "detection/certified_gap.hpp"
-#include "detection/overlay.hpp"
+#include "gap/certified_gap.hpp"
+#include "gap/overlay.hpp"
 
 namespace impinge {
 
@@ -27,9 +27,9 @@ struct VertexVerdicts {
 };
 
 struct Certificate {
-  VertexVerdicts ball;             // of the first scan
-  VertexVerdicts socket;           // of the second scan
-  bool surfaces_impinged = false;  // decided exactly, crossings of edges included (detection/overlay.hpp)
+  VertexVerdicts ball;                    // of the first scan
+  VertexVerdicts socket;                  // of the second scan
+  bool surfaces_impinged = false;         // decided exactly, crossings of edges included (gap/overlay.hpp)
   std::optional<OverlayContact> deepest;  // where the surfaces are deepest in each other
   double seconds = 0.0;                   // that it took
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 #include "scene/report.hpp"
 
 namespace impinge {

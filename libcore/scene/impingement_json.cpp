@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/impingement_json.hpp"
 
-#include "detection/gap_histogram.hpp"
-#include "detection/gap_summary.hpp"
-#include "joint/close_zones.hpp"
+#include "gap/gap_histogram.hpp"
+#include "gap/gap_summary.hpp"
+#include "hip/close_zones.hpp"
 #include "scene/json_values.hpp"
 
 namespace impinge {

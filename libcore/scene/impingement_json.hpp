@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "joint/clock.hpp"
+#include "hip/clock.hpp"
 #include "scene/reported_surface.hpp"
 
 namespace impinge {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "detection/formatted.hpp"
-#include "experiment/stopwatch.hpp"
-#include "joint/clock.hpp"
-#include "joint/sphere_fit.hpp"
-#include "limits/told_limit.hpp"
+#include "files/stopwatch.hpp"
+#include "gap/formatted.hpp"
+#include "hip/clock.hpp"
+#include "hip/sphere_fit.hpp"
+#include "motion/told_limit.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 

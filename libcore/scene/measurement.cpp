@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "detection/formatted.hpp"
-#include "experiment/stopwatch.hpp"
-#include "joint/motion.hpp"
+#include "files/stopwatch.hpp"
+#include "gap/formatted.hpp"
+#include "hip/motion.hpp"
 #include "scene/planned_answer.hpp"
 #include "scene/whole_tables.hpp"
 

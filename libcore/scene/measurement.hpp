@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "detection/euclidean_bracket.hpp"
-#include "detection/measured_gap.hpp"
-#include "detection/pose.hpp"
+#include "gap/euclidean_bracket.hpp"
+#include "gap/measured_gap.hpp"
+#include "gap/pose.hpp"
 #include "planning/scene_answer.hpp"
 #include "scene/certificate.hpp"
 #include "scene/joint.hpp"
@@ -44,7 +44,7 @@ struct Measurement {
 // Fills a table for each surface at the precision asked for, and scans both. Where neither bounds nor
 // verdicts are asked for, only what the gaps need is done (planning/scene_plan.hpp). With --max-error, gaps
 // that no table is proven to keep that accurate are measured on the faces, and bounds, where they are asked
-// for, are those of holding each gap against the faces (detection/measured_gap.hpp).
+// for, are those of holding each gap against the faces (gap/measured_gap.hpp).
 //
 // Tables are filled and scanned in double, without the kernels of libcore/kernels. Those have tables of the
 // cube map, RSID and USID in fewer bits, whose bounds are wider, and there is little that they could save:

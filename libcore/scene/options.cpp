@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "files/one_line.hpp"
-#include "joint/anatomy.hpp"
+#include "hip/anatomy.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {

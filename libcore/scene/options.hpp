@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "joint/motion.hpp"
+#include "hip/motion.hpp"
 #include "planning/needs.hpp"
 #include "sphere/direction.hpp"
 
@@ -33,7 +33,7 @@ struct SceneOptions {
   Motion motion;                       // of the femur from the pose of the scan
   std::string pose = "as scanned";     // the text that motion was read from
   std::optional<Side> side;            // of the body; abduction and rotation need it
-  std::string axes = "RAS";            // where +x, +y and +z of the meshes point (joint/anatomy.hpp)
+  std::string axes = "RAS";            // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   double cartilage_mm = 4.0;           // both layers together; the thesis' value
   std::optional<std::filesystem::path> cartilage_map;  // instead of one thickness (cartilage_file.hpp)
   Question question = Question::all_gaps;              // what is asked of the pose

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiment/stopwatch.hpp"
+#include "files/stopwatch.hpp"
 #include "scene/wanted_tables.hpp"
 
 namespace impinge {

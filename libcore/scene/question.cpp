@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "detection/formatted.hpp"
+#include "gap/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 

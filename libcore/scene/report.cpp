@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "experiment/csv.hpp"
+#include "files/csv.hpp"
 #include "files/file_set.hpp"
-#include "joint/gap_files.hpp"
+#include "hip/gap_files.hpp"
 #include "mesh/ply_writer.hpp"
 #include "scene/question.hpp"
 #include "scene/reported_surface.hpp"

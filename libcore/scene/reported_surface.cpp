@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/reported_surface.hpp"
 
-#include "detection/gap_summary.hpp"
-#include "joint/close_zones.hpp"
+#include "gap/gap_summary.hpp"
+#include "hip/close_zones.hpp"
 
 namespace impinge {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "joint/gap_levels.hpp"
+#include "hip/gap_levels.hpp"
 #include "scene/joint.hpp"
 #include "scene/measurement.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "detection/gap_histogram.hpp"
-#include "detection/gap_summary.hpp"
+#include "gap/gap_histogram.hpp"
+#include "gap/gap_summary.hpp"
 #include "scene/asked.hpp"
 #include "scene/impingement_json.hpp"
 #include "scene/json_values.hpp"

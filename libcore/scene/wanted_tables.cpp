@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "detection/formatted.hpp"
-#include "experiment/machine.hpp"
+#include "files/machine.hpp"
+#include "gap/formatted.hpp"
 
 namespace impinge {
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "detection/gap_scan.hpp"
-#include "experiment/stopwatch.hpp"
+#include "files/stopwatch.hpp"
+#include "gap/gap_scan.hpp"
 #include "mesh/surface_vertices.hpp"
-#include "sampling/direction_bounds.hpp"
-#include "sampling/exact_raster.hpp"
 #include "scene/wanted_tables.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "table/direction_bounds.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
 #include "spectrum/gauss_grid.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Does an arc of a great circle meet each cell of a scheme in one stretch? What a scheme with curved borders
-// says about them, for the rim of a surface (sampling/rim.hpp).
+// says about them, for the rim of a surface (table/rim.hpp).
 //
 // An arc is in a cell while it is between the borders of the cell. It crosses a border that is a great circle
 // once at most. Other borders are given as the lines on which a coordinate is a whole number: where a

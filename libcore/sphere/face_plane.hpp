@@ -24,7 +24,7 @@ struct FacePlane {
 };
 
 // Almost no face of a scanned hip is above it, and none whose corners have angles above 15 degrees, if it is
-// small for its distance. The error that tests allow follows from it (stability/measure.hpp).
+// small for its distance. The error that tests allow follows from it (stress/measure.hpp).
 inline constexpr double kMostTilt = 4.0;
 
 // From exact sums (sphere/expansion.hpp): for lengths of mesh/lengths.hpp. side = orientation(a, b, c), not

@@ -98,7 +98,7 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
 };
 
 // A scheme that tells how its cells are bounded, so that the rim of a surface takes out no more of them than
-// it crosses (sampling/rim.hpp). It has one of
+// it crosses (table/rim.hpp). It has one of
 //   kFlatCells               true: all cells are bounded by great circles and convex
 //   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
 //                            cell in one stretch at most? Of arcs short enough it has to be sure, but round

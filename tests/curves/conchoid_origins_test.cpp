@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "curves/conchoid_surface.hpp"
-#include "joint/sphere_fit.hpp"
+#include "hip/sphere_fit.hpp"
 
 namespace impinge {
 namespace {

@@ -26,7 +26,7 @@ BONES = os.environ.get("IMPINGE_BONES", "")
 # What the experiments say that they write.
 DATA = [
     name
-    for driver in sorted((ROOT / "experiments").glob("*.cpp"))
+    for driver in sorted((ROOT / "experiments").glob("**/*.cpp"))
     for line in re.findall(r"^// @writes (.*)$", driver.read_text(), re.MULTILINE)
     for name in line.split()
 ]

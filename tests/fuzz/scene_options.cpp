@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/require.hpp"
-#include "joint/anatomy.hpp"
+#include "hip/anatomy.hpp"
 #include "scene/options.hpp"
 
 namespace {

@@ -13,8 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "joint/hip.hpp"
-#include "joint/hip_presets.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
 #include "verdicts.hpp"
 
 namespace {

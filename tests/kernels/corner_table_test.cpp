@@ -14,7 +14,7 @@
 #include "kernels/corner_fixture.hpp"
 #include "kernels/lane_fixture.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/exact_raster.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/exact_raster.hpp"
 #include "support/soup.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "kernels/cube_fill.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/exact_raster.hpp"
 #include "support/directions.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

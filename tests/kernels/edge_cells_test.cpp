@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: along a straight line between two points in front of one face of the cube, the cells and places
-// of for_each_cell_along() (sampling/rim.hpp), which searches for every change of cell:
+// of for_each_cell_along() (table/rim.hpp), which searches for every change of cell:
 //   the same cells in the same order, |x| of both ends of each stretch within 1e-9 of it
 #include "kernels/edge_cells.hpp"
 
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sampling/rim.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/rim.hpp"
 
 namespace impinge {
 namespace {

@@ -15,10 +15,10 @@
 #include "kernels/seen_planes.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/pairwise.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "kernels/cube_fill.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/exact_raster.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

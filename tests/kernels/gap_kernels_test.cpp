@@ -13,12 +13,12 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "detection/gap_scan.hpp"
+#include "gap/gap_scan.hpp"
 #include "kernels/lane_fixture.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/exact_raster.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/uniform_directions.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract: scan_joint() gives what the two scans of detection/gap_scan.hpp give, but for rounding in double;
+// Contract: scan_joint() gives what the two scans of gap/gap_scan.hpp give, but for rounding in double;
 // of tables of corners, but for what kernels/corner_table.hpp and a vertex moved in float allow:
 //   u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 (D + r / m) + E (1 + 2 m D / |x|),   E = 10.4 u (|v| + |t|)
 #include "kernels/joint_scan.hpp"
@@ -10,11 +10,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "detection/gap_scan.hpp"
+#include "gap/gap_scan.hpp"
 #include "kernels/corner_fixture.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/exact_raster.hpp"
 #include "support/poses.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

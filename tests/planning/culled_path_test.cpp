@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "harness/answer_difference.hpp"
 #include "mesh/bodies.hpp"
-#include "planning/answer_difference.hpp"
 #include "planning/reachable.hpp"
 #include "planning/scene_answer.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -17,6 +17,8 @@
 
 namespace impinge {
 namespace {
+
+using namespace lab;
 
 constexpr double kPathPrecision = 2.0;  // degrees
 

@@ -11,16 +11,18 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "detection/gap_scan.hpp"
+#include "gap/gap_scan.hpp"
+#include "harness/answer_difference.hpp"
 #include "mesh/bodies.hpp"
-#include "planning/answer_difference.hpp"
 #include "planning/table_choice.hpp"
-#include "sampling/pairwise.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/poses.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {
+
+using namespace lab;
 
 constexpr double kPrecision = 1.0;  // degrees
 

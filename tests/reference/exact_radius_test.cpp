@@ -15,11 +15,11 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "reference/exact_ratio.hpp"
-#include "sampling/pairwise.hpp"
 #include "support/bits.hpp"
 #include "support/directions.hpp"
 #include "support/precise.hpp"
 #include "support/soup.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
-#include "joint/hip.hpp"
-#include "joint/hip_presets.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
 #include "mesh/io.hpp"
 #include "scene/cartilage_file.hpp"
 #include "scene/report.hpp"

@@ -9,11 +9,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "detection/gap_scan.hpp"
+#include "gap/gap_scan.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/exact_raster.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

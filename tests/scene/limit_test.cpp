@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "limits/told_limit.hpp"
 #include "mesh/ball_socket_pair.hpp"
+#include "motion/told_limit.hpp"
 
 namespace impinge {
 namespace {

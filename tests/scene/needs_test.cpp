@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "mesh/ball_socket_pair.hpp"
-#include "sampling/pairwise.hpp"
 #include "scene/planned_answer.hpp"
 #include "scene/question.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
-#include "joint/sphere_fit.hpp"
+#include "hip/sphere_fit.hpp"
 #include "mesh/io.hpp"
 #include "reference/closest_point.hpp"
 #include "scene/report.hpp"

@@ -12,10 +12,10 @@
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
 #include "reference/closest_point.hpp"
-#include "sampling/pairwise.hpp"
 #include "scene/report.hpp"
 #include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {

@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "detection/gap_scan.hpp"
+#include "gap/gap_scan.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/io.hpp"
-#include "sampling/exact_raster.hpp"
 #include "scene/report.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
 #include "support/temporary_folder.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

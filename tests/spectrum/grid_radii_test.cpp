@@ -8,7 +8,7 @@
 
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
-#include "sampling/pairwise.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {

@@ -89,7 +89,7 @@ TEST(FacePlane, OfExactSumsIsRoundedOnce) {
   }
 }
 
-// 60 as in stability/measure.hpp, of which 8 are for what is not asked here.
+// 60 as in stress/measure.hpp, of which 8 are for what is not asked here.
 TEST(FacePlane, ARadiusIsOffByAFewRoundingsHoweverThinTheFaceIs) {
   std::size_t exact = 0;
   double largest = 0.0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "culling/cap_tree.hpp"
+#include "contact/cap_tree.hpp"
 #include "mesh/bodies.hpp"
 
 namespace impinge::test {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "culling/culled_joint.hpp"
-#include "detection/exact_side.hpp"
-#include "sampling/near_faces.hpp"
+#include "contact/culled_joint.hpp"
+#include "gap/exact_side.hpp"
 #include "sphere/infinity.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge::test {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "detection/pose.hpp"
+#include "gap/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge::test {

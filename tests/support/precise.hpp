@@ -12,8 +12,8 @@
 #include <boost/multiprecision/mpfr.hpp>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
 #include "sphere/radial_table.hpp"
+#include "table/layer.hpp"
 
 namespace impinge::test {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cctype>
 
-#include "joint/hip_presets.hpp"
-#include "joint/recorded_range.hpp"
-#include "limits/named_motion.hpp"
+#include "hip/hip_presets.hpp"
+#include "hip/recorded_range.hpp"
+#include "motion/named_motion.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
 

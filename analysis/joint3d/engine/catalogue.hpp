@@ -2,7 +2,7 @@
 // What there is to choose from: hips, their parameters, motions, schemes and precisions.
 #pragma once
 
-#include "joint/hip_parameters.hpp"
+#include "hip/hip_parameters.hpp"
 #include "js_values.hpp"
 
 namespace impinge {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "joint/gap_files.hpp"
+#include "hip/gap_files.hpp"
 #include "mesh/ply_writer.hpp"
 #include "pose_answer.hpp"
 

@@ -13,7 +13,7 @@
 
 #include <emscripten/bind.h>
 
-#include "joint/clock.hpp"
+#include "hip/clock.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {

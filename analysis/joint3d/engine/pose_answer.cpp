@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "joint/close_zones.hpp"
+#include "hip/close_zones.hpp"
 
 namespace impinge {
 namespace {

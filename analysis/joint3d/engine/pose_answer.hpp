@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "detection/gap_histogram.hpp"
-#include "detection/gap_summary.hpp"
-#include "joint/gap_levels.hpp"
-#include "limits/told_limit.hpp"
+#include "gap/gap_histogram.hpp"
+#include "gap/gap_summary.hpp"
+#include "hip/gap_levels.hpp"
+#include "motion/told_limit.hpp"
 #include "session.hpp"
 
 namespace impinge {
@@ -50,7 +50,7 @@ Pose pose_of(const SessionJoint& joint, const PoseRequest& request);
 PoseAnswer answer_pose(Session& session, const PoseRequest& request);
 
 // Smallest gaps while one angle grows from a start, by the tables, and the limits that no step can jump over,
-// about the meshes themselves (limits/told_limit.hpp).
+// about the meshes themselves (motion/told_limit.hpp).
 struct SweepRequest {
   Motion start;
   std::string growing;  // of motion_names()

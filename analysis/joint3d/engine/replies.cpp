@@ -2,7 +2,7 @@
 #include "replies.hpp"
 
 #include "catalogue.hpp"
-#include "joint/rim_line.hpp"
+#include "hip/rim_line.hpp"
 #include "requests.hpp"
 
 namespace impinge {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "joint/hip_presets.hpp"
-#include "limits/named_motion.hpp"
+#include "hip/hip_presets.hpp"
 #include "mesh/raw_mesh.hpp"
+#include "motion/named_motion.hpp"
 
 namespace impinge {
 namespace {

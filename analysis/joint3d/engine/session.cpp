@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "joint/hip.hpp"
-#include "sampling/probe_directions.hpp"
-#include "sampling/surface_index.hpp"
+#include "hip/hip.hpp"
+#include "table/probe_directions.hpp"
+#include "table/surface_index.hpp"
 
 namespace impinge {
 namespace {

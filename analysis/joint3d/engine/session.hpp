@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "joint/clock.hpp"
-#include "joint/hip_parameters.hpp"
-#include "joint/joint.hpp"
-#include "joint/motion.hpp"
-#include "limits/turn_limit.hpp"
-#include "sampling/near_faces.hpp"
+#include "hip/clock.hpp"
+#include "hip/hip_parameters.hpp"
+#include "hip/joint.hpp"
+#include "hip/motion.hpp"
+#include "motion/turn_limit.hpp"
 #include "surface_bounds.hpp"
 #include "surface_table.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 
@@ -57,7 +57,7 @@ struct SessionJoint {
 
 // What a shift of the ball means. The ball turns about its own centre, which the shift moves in the socket.
 // All gaps, tables, bounds and limits are then along rays from that centre, about which the socket is `seen`:
-// there the pose has no translation, and the statements (1) and (2) of detection/overlay.hpp are one. Of the
+// there the pose has no translation, and the statements (1) and (2) of gap/overlay.hpp are one. Of the
 // pose with its translation it is statement (2).
 void shift_ball(Session& session, const Vec3& shift);
 

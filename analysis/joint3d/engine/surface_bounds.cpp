@@ -5,10 +5,10 @@
 #include <concepts>
 #include <utility>
 
-#include "sampling/direction_bounds.hpp"
-#include "sampling/exact_raster.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "table/direction_bounds.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "kernels/gap_kernels.hpp"
-#include "sampling/exact_raster.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {
 
-// Vertex by vertex, as scan_ball() and scan_socket() of detection/gap_scan.hpp.
+// Vertex by vertex, as scan_ball() and scan_socket() of gap/gap_scan.hpp.
 class ScalarTable : public SurfaceTable {
  public:
   void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) final {

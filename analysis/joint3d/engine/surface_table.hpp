@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "detection/pose.hpp"
+#include "gap/pose.hpp"
 #include "kernels/vertex_lanes.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sampling/layer.hpp"
-#include "sampling/partial_table.hpp"
+#include "table/layer.hpp"
+#include "table/partial_table.hpp"
 
 namespace impinge {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "joint/sphere_fit.hpp"
+#include "hip/sphere_fit.hpp"
 #include "pose_answer.hpp"
 
 namespace impinge {

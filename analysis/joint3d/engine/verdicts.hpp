@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "detection/measured_gap.hpp"
+#include "gap/measured_gap.hpp"
 #include "pose_answer.hpp"
 
 namespace impinge {

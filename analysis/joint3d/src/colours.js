@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps to colours. The thesis' five levels come from the library (joint/gap_levels.hpp); the other scale is a ramp from
+// Gaps to colours. The thesis' five levels come from the library (hip/gap_levels.hpp); the other scale is a ramp from
 // dark blue to yellow whose lightness grows steadily, so that no kind of colour vision and no grey print loses it.
 
 const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120], [166, 157, 117], [209, 192, 96], [255, 234, 70]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dragging the femur: the angles that make a grabbed point follow the pointer, to first order. The library turns them into
-// a pose; here are only the axes of that pose (joint/motion.hpp): flexion about the pelvis' transverse axis, rotation about
+// a pose; here are only the axes of that pose (hip/motion.hpp): flexion about the pelvis' transverse axis, rotation about
 // the femur's long axis, abduction about the axis square to both.
 import { Matrix3, Matrix4, Raycaster, Vector2, Vector3 } from "three";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clock of the library (joint/clock.hpp), drawn round the rim: a line and the twelve hours.
+// The clock of the library (hip/clock.hpp), drawn round the rim: a line and the twelve hours.
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
 import { wordSprite } from "./labels.js";
 

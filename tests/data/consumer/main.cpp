@@ -6,7 +6,7 @@
 
 #include "kernels/gap_kernels.hpp"
 #include "mesh/io.hpp"
-#include "sampling/exact_raster.hpp"
+#include "table/exact_raster.hpp"
 
 int main(int, char** files) {
   using namespace impinge;

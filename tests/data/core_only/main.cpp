@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "joint/sphere_fit.hpp"
+#include "hip/sphere_fit.hpp"
 #include "planning/scene_answer.hpp"
 
 int main() {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error budget of a gap: what each stage between the true surface and the number that is read adds to it.
+//
+//   mesh         flat faces for a curved socket, measured where its surface has a formula
+//   centre       the table is filled about a centre of rotation that is not the true one
+//   table        interpolation between entries
+//   arithmetic   double instead of extended precision in the look-up
+//   storage      entries rounded to fewer bits
+//
+// A stage is the difference of two gaps of the same vertex, one taken with what the stage adds and one
+// without, all else alike. What is wrong with the last gap is therefore the sum of the stages, vertex by
+// vertex; that the sums agree checks that no stage was left out.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/csv.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "sphere/quantised_table.hpp"
+#include "table/exact_raster.hpp"
+
+namespace impinge::lab {
+
+// A joint whose gaps are taken apart.
+struct BudgetJoint {
+  std::string name;                  // in the results
+  BallSocketPair meshes;             // about the true centre, mm
+  Vec3 wrong_centre = Vec3::Zero();  // that the table is filled about, in the same frame
+  // Radius of the true socket along a unit vector, mm; empty where nobody knows it.
+  std::function<double(const Vec3&)> socket_radius;
+};
+
+// Gaps of the ball's vertices against the socket in the pose as given, mm, one list a stage: the first is the
+// truth that is known, each further one has one source of error more. NaN where there is no gap.
+struct Stage {
+  std::string_view adds;    // the name of the stage that leads here; empty for the first
+  std::vector<double> gap;  // mm, by vertex
+};
+
+// The exact stages: truth, mesh and centre, which no table has a part in.
+std::vector<Stage> exact_stages(const BudgetJoint& joint);
+
+// The stages of one table after the exact ones, for each way to store it.
+struct StoredStages {
+  std::string_view storage;   // double, float or uint16
+  std::vector<Stage> stages;  // from the table on
+};
+
+// Vertices of the ball seen from the centre that the table is filled about, mm.
+std::vector<Vec3> seen_from_wrong_centre(const BudgetJoint& joint);
+TriangleMesh socket_about_wrong_centre(const BudgetJoint& joint);  // the socket's mesh in the same frame, mm
+
+// Of those vertices, mm, looked up in extended precision with the stencil and the entries as doubles.
+template <SamplingScheme S>
+std::vector<double> extended_gaps(const RadialTable<S>& table, const std::vector<Vec3>& vertices) {
+  std::vector<double> gaps;
+  gaps.reserve(vertices.size());
+  for (const Vec3& x : vertices) {
+    const Stencil stencil = table.scheme().stencil(x);
+    long double radius = 0.0L;
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      if (stencil.weight[k] > 0.0)
+        radius += static_cast<long double>(stencil.weight[k]) * table.radii()[stencil.entry[k]];
+    }
+    const long double length =
+        std::sqrt(static_cast<long double>(x.x()) * x.x() + static_cast<long double>(x.y()) * x.y() +
+                  static_cast<long double>(x.z()) * x.z());
+    gaps.push_back(table.is_rim_cell(stencil.cell) ? kNoSurface : static_cast<double>(radius - length));
+  }
+  return gaps;
+}
+
+// Of those vertices, mm, in double, from any kind of table.
+template <class AnyTable>
+std::vector<double> computed_gaps(const AnyTable& table, const std::vector<Vec3>& vertices) {
+  std::vector<double> gaps;
+  gaps.reserve(vertices.size());
+  for (const Vec3& x : vertices) gaps.push_back(table.radius_at(x) - x.norm());
+  return gaps;
+}
+
+// The stages of the tables of one scheme, filled exactly: in double, in float and in 16 bits.
+template <SamplingScheme S>
+std::vector<StoredStages> table_stages(const BudgetJoint& joint, const S& scheme) {
+  const std::vector<Vec3> vertices = seen_from_wrong_centre(joint);
+  const RadialTable<S> table = fill_exact(socket_about_wrong_centre(joint), scheme, Layer::nearest);
+  const std::vector<Stage> looked_up{{"table", extended_gaps(table, vertices)},
+                                     {"arithmetic", computed_gaps(table, vertices)}};
+  std::vector<StoredStages> all{{"double", looked_up}, {"float", looked_up}, {"uint16", looked_up}};
+  all[1].stages.push_back({"storage", computed_gaps(FloatTable<S>(table), vertices)});
+  all[2].stages.push_back({"storage", computed_gaps(Uint16Table<S>(table), vertices)});
+  return all;
+}
+
+// The columns of error_budget.csv, without any row.
+Table budget_table();
+
+// Key columns of the rows of one table.
+struct BudgetCase {
+  std::string_view joint;      // its name
+  std::string_view scheme;     // its name
+  double precision_deg = 0.0;  // of the scheme
+  std::string_view storage;    // of the entries
+};
+
+// Adds one row a stage, one of the total (last gap minus first) and one of the sums of what the stages have
+// at most. Vertices that one of the stages gives no gap are counted and left out of all. Throws
+// std::logic_error where the stages of a vertex do not add up to its total.
+void add_budget(Table& table, const BudgetCase& now, const std::vector<Stage>& stages);
+
+// Estimate of how far the surface behind a mesh stands out from its faces, mm, one value a face: the sagitta
+// R - sqrt(R^2 - rho^2) of a sphere over the face, rho the circumradius of the face and 1 / R the curvature
+// across its most bent edge, the angle between two faces by the distance of their centroids (at most that of
+// a half sphere). It takes the surface for smooth: noise of the vertices counts as curvature. For a mesh of
+// which nothing else is known.
+std::vector<double> face_sagittas(const TriangleMesh& mesh);
+
+// Adds a row of stage mesh_estimate.
+void add_sagittas(Table& table, std::string_view joint, const std::vector<double>& sagittas);
+
+}  // namespace impinge::lab

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How wrong a method is on a scene, and whether what is proven of it holds.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "10_error_against_time/race_probes.hpp"
+#include "methods/radius_method.hpp"
+
+namespace impinge::lab {
+
+// Millimetres. Errors are answer minus truth wherever both are there; the rest is counted.
+struct RaceErrors {
+  double max_over = 0.0;   // answer above the truth, at most
+  double max_under = 0.0;  // below it
+  // Over the uniform probes, so that every part of the surface counts by its solid angle.
+  double rms = 0.0;
+  double p99 = 0.0;              // 99th percentile of the errors' size
+  double uniform_max = 0.0;      // largest of the uniform probes
+  double feature_max = 0.0;      // over the other probes
+  double adversarial_max = 0.0;  // over those of the ascent
+  std::size_t misses = 0;        // no answer where there is a surface
+  std::size_t false_hits = 0;    // an answer where there is none
+  std::size_t directions = 0;    // examined in all
+  Vec3 worst = Vec3::Zero();     // the point of the largest error
+
+  double max() const { return std::max(max_over, max_under); }  // largest in size
+};
+
+// Local ascent on |error| from the worst probes: steps along the sphere in four directions, each halved until
+// the error no longer grows.
+struct AscentOptions {
+  std::size_t starts = 8;             // probes that it begins at
+  std::size_t steps = 40;             // questions for each start, at most
+  double first_step = 0.3 * kDegree;  // radians
+};
+
+// Not for Measure::pose.
+RaceErrors measure_errors(RadiusMethod& method, const RaceProbes& probes, const AscentOptions& ascent);
+
+// A method that answers for a whole pose, beside the true smallest distance (mm). Where it says no more than
+// that the surfaces do not touch (NaN), a wrong answer is a miss or a false hit.
+RaceErrors measure_pose(RadiusMethod& method, double truth);
+
+// An error above its bound. Truth and look-ups are worked out in double: that much is let pass.
+inline constexpr double kRaceRounding = 1e-10;  // mm
+// The point at which a bound does not hold, to look into.
+struct Violation {
+  std::string scene;          // its name
+  std::string method;         // its name
+  std::string setting;        // such as "1deg float"
+  double error_mm = 0.0;      // measured
+  double bound_mm = 0.0;      // proven
+  Vec3 point = Vec3::Zero();  // mm, in the socket's frame
+
+  // One line of JSON; the point in hexadecimal, digit for digit.
+  std::string text() const;
+};
+// Without the names, which the caller knows. None where no bound is given.
+std::optional<Violation> find_violation(const RaceErrors& errors, const MethodBound& bound);
+
+}  // namespace impinge::lab

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the errors of the methods are measured, with the truth there.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "methods/radius_method.hpp"
+
+namespace impinge::lab {
+
+// Points in the socket's frame, mm; the first `uniform` of them lie in directions uniform on the sphere.
+struct RaceProbes {
+  std::vector<Vec3> points;   // those in uniform directions first
+  std::size_t uniform = 0;    // number of them
+  std::vector<double> truth;  // mm, NaN where there is no surface; by the exact reference
+  // The truth at any other point, among all triangles in double.
+  std::function<double(const Vec3&)> truth_at;
+};
+
+// How many probes of each kind.
+struct ProbeOptions {
+  std::size_t uniform = 0;           // directions
+  std::size_t each_feature = 0;      // directions of each kind of feature, at most
+  std::uint64_t seed = 0;            // of the uniform directions
+  std::filesystem::path cache = {};  // folder of exact distances, see reference_cache.hpp
+};
+
+// Directions where a table or a ray may fail: through vertices, points of edges, close to the poles, on and
+// beside the seam theta = 0, on either side of the rim, and in the middle of the faces seen most obliquely.
+// Of each kind as many as asked for, spread evenly over those there are. mesh in the centre frame.
+std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t each);
+
+// The truth is the nearest crossing of the ray, see reference/exact_radius.hpp; points are unit vectors.
+RaceProbes radial_probes(const RaceScene& scene, const ProbeOptions& options);
+
+// The truth is the least distance from any triangle, see reference/closest_point.hpp. Points are as far from
+// the centre as the ball is in the mean, along the same directions.
+RaceProbes euclidean_probes(const RaceScene& scene, const ProbeOptions& options);
+
+}  // namespace impinge::lab

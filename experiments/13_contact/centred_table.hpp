@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables whose errors are centred: half as large at the edges of a surface that bends one way, in the same
+// memory and by the same look-up.
+//
+// `mesh_exact` reproduces flat faces, so that its errors are at edges alone, and of one sign: where a surface
+// is convex, its inverse depth y lies on one side of the interpolation Y between its entries. Let
+//   l <= y - Y <= h,  l <= 0 <= h
+// in a cell, and let L and H be the least l and the largest h of it and the cells around it. To each entry is
+// added half the sum of the least l and the largest h of the cells that read it, which is within
+// [(L + h) / 2, (l + H) / 2] for each of them. So is the mean of those of a cell, and
+//   (l - H) / 2 <= y - Y' <= (h - L) / 2
+// with the new entries: the largest error, H or -L, does not grow, and is halved where L or H is 0. No other
+// entries do better there: what moves Y by more than half of its error moves one of them by as much.
+// In mm, r^2 depth (y - Y) in first order, that holds up to the change of r^2 depth between two cells.
+//
+// l and h are exact. On the part of a flat face in a cell y is affine and Y bilinear, so that y - Y is
+// largest and least on the border of that part: on a side of the cell, where it is linear, at an end; along
+// an edge of the mesh, where it is quadratic, at an end or where its derivative is 0. (The surface
+// changes from face to face at edges: one where faces pass through each other is not looked at.)
+#pragma once
+
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/inverse_depth_table.hpp"
+#include "sphere/schemes/cube_equiangular.hpp"
+#include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/layer.hpp"
+
+namespace impinge::lab {
+
+// `filled` is fill_exact(mesh, scheme, layer). Cells that answer none do not count, and entries that no other
+// cell reads keep their number; no entry loses more than half of its own, and entries in one direction stay
+// alike. Bounds that ask for exact entries (error_bound.hpp) do not hold any more; those of table_bound.hpp
+// do. O(faces + cells that edges run through).
+template <PlaneExactScheme S>
+InverseDepthTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer);
+
+}  // namespace impinge::lab

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  How fast is it told whether a joint touches, and its smallest gap, beside FCL and scans of all
+// vertices?
+// @writes    contact contact_samples contact_agreement
+// @timing    yes
+// @seconds   10 140
+// @links     harness contact_poses methods methods_vtk contact kernels
+//
+// Poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; meshes of ever more triangles. First
+// the answers are compared, close to contact too, with the exact test of every vertex and with FCL. Warm.
+
+#include "13_contact/contact_agreement.hpp"
+#include "13_contact/contact_study.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::lab;
+
+void write_agreement(DriverRun& run) {
+  AgreementOptions options;
+  options.seed = run.record.seed;
+  options.poses = run.quick() ? 1000 : 10000;
+  Result result;
+  result.name = "contact_agreement";
+  result.question =
+      "Do culled answers agree with the exact test of every vertex and with FCL, close to contact too?";
+  result.table =
+      agreement_table(options, contact_agreement(make_ball_socket_pair(options.triangles), options));
+  run.write(result);
+}
+
+void body(DriverRun& run) {
+  write_agreement(run);
+  ContactOptionsTimed options;
+  options.triangles = {3000, 12000};
+  if (!run.quick()) options.triangles = {300, 3000, 12000, 100000, 400000};
+  options.rounds = run.quick() ? 5 : 11;
+  options.timing.min_round_ms = 5.0;
+  options.seed = run.record.seed;
+  ContactTables tables = contact_tables(options, run.progress);
+  Result result;
+  result.name = "contact";
+  result.question = "Time of a pose of every way to say whether the joint touches, or its smallest gap?";
+  result.parameters = {{"warm", true}, {"step_deg", 0.5}, {"motions", 16}};
+  result.table = std::move(tables.table);
+  write_timed(run, std::move(result), contact_keys(), tables.timing);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::lab::run_driver(argc, argv, {"13_contact", "Touch and smallest gap of a pose, beside FCL."},
+                                  body);
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "18_baselines/baseline_study.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "files/stopwatch.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr std::size_t kPosesTimed = 14;
+
+// A joint with its methods, which refer to it.
+struct Prepared {
+  const BaselineJoint* joint = nullptr;
+  std::vector<BaselinePose> poses;
+  std::vector<BaselineMethod> methods;
+  std::vector<BaselineVerdicts> verdicts;
+};
+
+Prepared prepare(const BaselineJoint& joint, Progress& progress) {
+  Prepared prepared;
+  prepared.joint = &joint;
+  prepared.poses = baseline_poses(joint.meshes, joint.ways);
+  prepared.methods = baseline_methods(joint.meshes, joint.sizes, baseline_points(joint.meshes, joint.points));
+  for (const BaselineMethod& method : prepared.methods)
+    prepared.verdicts.push_back(judge(*method.contender, prepared.poses));
+  progress.say("judged " + std::to_string(prepared.poses.size()) + " poses of " + joint.name);
+  return prepared;
+}
+
+std::vector<Cell> key_of(const Prepared& prepared, const BaselineMethod& method, const char* step) {
+  return {prepared.joint->name, method.name, method.setting, step};
+}
+
+TimedCase build_case(const Prepared& prepared, const BaselineMethod& method, const BaselineOptions& options) {
+  TimedCase timed;
+  timed.key = key_of(prepared, method, "build");
+  timed.run = method.build;
+  timed.rounds = options.build_rounds;
+  Stopwatch watch;
+  method.build();
+  const double seconds = watch.lap_s();
+  if (seconds > options.slow_s) {
+    timed.expected_s = seconds;
+    timed.rounds = 1;
+  }
+  return timed;
+}
+
+TimedCase pose_case(const Prepared& prepared, const BaselineMethod& method, const BaselineOptions& options) {
+  TimedCase timed;
+  timed.key = key_of(prepared, method, "pose");
+  const std::size_t count = std::min(kPosesTimed, prepared.poses.size());
+  timed.units = static_cast<double>(count);
+  timed.rounds = options.pose_rounds;
+  timed.run = [&poses = prepared.poses, &contender = *method.contender, count] {
+    for (std::size_t i = 0; i < count; ++i) benchmark::DoNotOptimize(contender.touches(poses[i].pose));
+  };
+  return timed;
+}
+
+std::vector<TimedCase> cases_of(const std::vector<Prepared>& all, const BaselineOptions& options) {
+  std::vector<TimedCase> cases;
+  for (const Prepared& prepared : all) {
+    for (const BaselineMethod& method : prepared.methods) {
+      if (method.build) cases.push_back(build_case(prepared, method, options));
+      if (!prepared.poses.empty()) cases.push_back(pose_case(prepared, method, options));
+    }
+  }
+  return cases;
+}
+
+// Median and IQR of building, ms; scaled by the work from the largest size of the method that was timed.
+struct BuildTime {
+  Cell median;
+  Cell iqr;
+  bool extrapolated = false;
+};
+
+BuildTime build_time(const TimingRun& timing, const Prepared& prepared, const BaselineMethod& method) {
+  if (method.build) {
+    const Summary summary = find(timing, key_of(prepared, method, "build")).summary;
+    return {summary.median, summary.iqr, false};
+  }
+  const BaselineMethod* largest = nullptr;
+  for (const BaselineMethod& other : prepared.methods) {
+    if (other.name == method.name && other.build && (!largest || other.work > largest->work))
+      largest = &other;
+  }
+  if (!largest) return {Cell(), Cell(), true};
+  const Summary summary = find(timing, key_of(prepared, *largest, "build")).summary;
+  return {summary.median * method.work / largest->work, Cell(), true};
+}
+
+std::vector<Cell> row_of(const TimingRun& timing, const Prepared& prepared, std::size_t m) {
+  const BaselineMethod& method = prepared.methods[m];
+  const BaselineVerdicts& verdicts = prepared.verdicts[m];
+  const BuildTime build = build_time(timing, prepared, method);
+  Cell pose_us;
+  Cell pose_iqr_us;
+  if (!prepared.poses.empty()) {
+    const Summary pose = find(timing, key_of(prepared, method, "pose")).summary;
+    pose_us = 1e3 * pose.median;
+    pose_iqr_us = 1e3 * pose.iqr;
+  }
+  const BaselineAnswers& answers = method.answers;
+  const bool asked = answers.points > 0;
+  return {prepared.joint->name,
+          method.name,
+          method.setting,
+          method.size,
+          method.bytes,
+          build.median,
+          build.iqr,
+          build.extrapolated,
+          pose_us,
+          pose_iqr_us,
+          prepared.joint->meshes.ball.faces.size(),
+          method.missed_faces,
+          asked ? Cell(answers.points) : Cell(),
+          asked ? Cell(answers.missed) : Cell(),
+          answers.largest_mm,
+          answers.rms_mm,
+          prepared.poses.size(),
+          verdicts.false_touches,
+          verdicts.missed_touches,
+          verdicts.wrong_within_mm,
+          method.contender->gives_distance()};
+}
+
+}  // namespace
+
+BaselineTables baseline_tables(const std::vector<BaselineJoint>& joints, const BaselineOptions& options,
+                               Progress& progress) {
+  std::vector<Prepared> all;
+  all.reserve(joints.size());
+  for (const BaselineJoint& joint : joints) all.push_back(prepare(joint, progress));
+  BaselineTables tables;
+  tables.timing = run_interleaved(cases_of(all, options), {}, progress);
+  tables.table.columns = baseline_columns();
+  for (const Prepared& prepared : all) {
+    for (std::size_t m = 0; m < prepared.methods.size(); ++m)
+      tables.table.add_row(row_of(tables.timing, prepared, m));
+  }
+  return tables;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  Do the claims hold that the thesis makes without showing them? (Chapter 6, Section 6.2)
+// @writes    claims claims_samples
+// @timing    yes
+// @seconds   8 40
+// @links     harness methods hip reference
+//
+// A deforming surface updated in place, self-collision found while sampling, several layers, several joints
+// in one scene: each a small experiment, with an exact or bit-for-bit check before anything is timed.
+
+#include "20_claims/claims_study.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::lab;
+
+void body(DriverRun& run) {
+  ClaimsOptions options;
+  if (run.quick()) {
+    options.faces = 3000;
+    options.precision_deg = 1.0;
+    options.collision_precisions = {1.0, 0.5};
+    options.rounds = 3;
+  } else {
+    options.collision_precisions.push_back(0.1);
+  }
+  ClaimsStudy study;
+  add_deforming(study, options);
+  add_self_collision(study, options);
+  add_layers(study, options);
+  add_pairs(study, options);
+  ClaimsTables tables = claims_tables(study, run.progress);
+  Result result;
+  result.name = "claims";
+  result.question = "Do the claims of Chapter 6 and Section 6.2 hold?";
+  result.parameters = {{"faces_of_each_surface", options.faces},
+                       {"precision_deg", options.precision_deg},
+                       {"memory_of_a_scene", "growth of the heap (mallinfo2)"}};
+  result.table = std::move(tables.table);
+  write_timed(run, std::move(result), claims_keys(), tables.timing);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::lab::run_driver(argc, argv,
+                                  {"20_claims", "Claims that the thesis never showed (Chapter 6)."}, body);
+}

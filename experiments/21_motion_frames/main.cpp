@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  Where are hips impinged through the recorded motions of two patients? (Tables 11 to 13)
+// @writes    motion_frames motion_zones
+// @files     motion_frames/patient_a-ball.ply motion_frames/patient_a-socket.ply
+// @files     motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
+// @timing    no
+// @seconds   3 3
+// @links     harness kernels hip ply_series
+//
+// On stand-ins: the patients' scans are not public (hip/hip_presets.hpp).
+
+#include "21_motion_frames/motion_replay.hpp"
+#include "files/file_bytes.hpp"
+#include "harness/driver.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "hip/recorded_range.hpp"
+#include "hip/sphere_fit.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::lab;
+
+const ReplayOptions kOptions;
+
+std::vector<RecordedMotion> motions_of(double RecordedRange::*patient) {
+  std::vector<RecordedMotion> motions;
+  motions.reserve(kRecordedRanges.size());
+  for (const RecordedRange& range : kRecordedRanges) {
+    motions.push_back({std::string(range.motion), range.*patient});
+  }
+  return motions;
+}
+
+void write(DriverRun& run, const char* name, const char* question, Table table) {
+  Result result;
+  result.name = name;
+  result.question = question;
+  result.table = std::move(table);
+  result.parameters = {{"precision_deg", kOptions.precision_deg},
+                       {"step_deg", kOptions.step_deg},
+                       {"joints", "stand-ins for the patients of the thesis, whose scans are not public"}};
+  run.write(result);
+}
+
+void body(DriverRun& run) {
+  ReplayTables tables = replay_tables();
+  const auto folder = run.record.folder / "motion_frames";
+  require_writable_folder(folder);
+  for (const auto& [name, angles] : {std::pair("patient_a", &RecordedRange::patient_a),
+                                     std::pair("patient_b", &RecordedRange::patient_b)}) {
+    const HipParameters parameters = hip_preset(name);
+    const Hip hip = make_hip(parameters);
+    const Vec3 centre = fit_ball(hip.ball).centre;  // as the thesis has it
+    replay({name, parameters.side, relative_to(hip.ball, centre), relative_to(hip.socket, centre)},
+           motions_of(angles), kOptions, folder, tables);
+  }
+  write(run, "motion_frames", "How close are the surfaces through the recorded motions?",
+        std::move(tables.frames));
+  write(run, "motion_zones", "Where on the dial of the socket are the surfaces close?",
+        std::move(tables.zones));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::lab::run_driver(
+      argc, argv, {"21_motion_frames", "Recorded motions of a hip, replayed (Tables 11 to 13)."}, body);
+}

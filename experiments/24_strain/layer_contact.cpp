@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "24_strain/layer_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include <Eigen/LU>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_bessel.h>
+
+#include "sphere/direction.hpp"
+
+namespace impinge::lab {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kThinnest = 0.05;  // h / a
+constexpr double kThickest = 50.0;
+// Transforms fall as x^2 exp(-x) at the bone, and twice as fast in g.
+constexpr double kFarthest = 40.0;  // of x = xi h
+
+struct Rule {
+  ArrayXd node;
+  ArrayXd weight;
+};
+
+// Gauss-Legendre over 0 to `to`.
+Rule gauss(Eigen::Index count, double to) {
+  const auto size = static_cast<std::size_t>(count);
+  const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
+      gsl_integration_glfixed_table_alloc(size), &gsl_integration_glfixed_table_free);
+  if (!table) throw std::bad_alloc();
+  Rule rule{ArrayXd(count), ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    gsl_integration_glfixed_point(0.0, to, static_cast<std::size_t>(i), &rule.node[i], &rule.weight[i],
+                                  table.get());
+  }
+  return rule;
+}
+
+// The layer at one x = xi h; hyperbolic functions over exp(x), so that none overflows.
+struct Mode {
+  Mode(double x_of_h, double nu)
+      : x(x_of_h),
+        k(3.0 - 4.0 * nu),
+        fade(std::exp(-2.0 * x)),
+        c(0.5 * (1.0 + fade)),
+        s(0.5 * (1.0 - fade)),
+        clamp(0.25 * (1.0 + k) * (1.0 + k)),
+        whole(k * s * s + (x * x + clamp) * fade) {}
+
+  double missing() const { return fade * (x * x + x + clamp - k * s) / whole; }  // g
+  // A and B over exp(-x), for a pressure of one.
+  double amplitude_a() const { return -(2.0 * x * c + (1.0 - k) * s) / (4.0 * whole); }
+  double amplitude_b() const { return ((1.0 + k) * c + 2.0 * x * s) / (4.0 * whole); }
+  // d u_z / d z at the surface.
+  double surface_slope() const {
+    return amplitude_a() * (s + x * c) + amplitude_b() * ((1.0 - k) * c + x * s);
+  }
+
+  double x;
+  double k;
+  double fade;
+  double c;
+  double s;
+  double clamp;
+  double whole;
+};
+
+// f of the mode at each node.
+template <class F>
+ArrayXd of_modes(const ArrayXd& xi, const ElasticLayer& layer, const F& f) {
+  return xi.unaryExpr([&](double node) { return f(Mode(node * layer.thickness, layer.poisson)); });
+}
+
+ArrayXXd cosines(const ArrayXd& t, const ArrayXd& xi) {
+  return (t.matrix() * xi.matrix().transpose()).array().cos();
+}
+
+void require_layer(const ElasticLayer& layer, double contact) {
+  if (!(layer.poisson >= 0.0 && layer.poisson <= 0.5))
+    throw std::invalid_argument("a layer's Poisson ratio is 0 to 0.5");
+  const double share = layer.thickness / contact;
+  if (!(contact > 0.0 && share >= kThinnest && share <= kThickest))
+    throw std::invalid_argument("a layer is 0.05 to 50 radii of contact thick");
+}
+
+}  // namespace
+
+LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(layer), a_(contact) {
+  require_layer(layer, contact);
+  // Enough for the cosines to turn: those of xi t up to kFarthest a / h, those of the product twice.
+  const double turns = contact / layer.thickness;
+  const Rule in_circle = gauss(static_cast<Eigen::Index>(40.0 + 20.0 * turns), contact);
+  const Rule in_space = gauss(static_cast<Eigen::Index>(100.0 + 45.0 * turns), kFarthest / layer.thickness);
+  t_ = in_circle.node;
+  xi_ = in_space.node;
+  xi_step_ = in_space.weight;
+  missing_ = of_modes(xi_, layer, [](const Mode& m) { return m.missing(); }) * xi_step_;
+  const MatrixXd wave = cosines(t_, xi_).matrix();
+  const MatrixXd kernel = (2.0 / kPi) * wave * missing_.matrix().asDiagonal() * wave.transpose();
+  const MatrixXd system =
+      MatrixXd::Identity(t_.size(), t_.size()) - kernel * in_circle.weight.matrix().asDiagonal();
+  MatrixXd right(t_.size(), 2);
+  right << VectorXd::Constant(t_.size(), 2.0 / kPi), (2.0 / kPi) * t_.square().matrix();
+  const MatrixXd both = system.partialPivLu().solve(right);
+  const MatrixXd weighted = in_circle.weight.matrix().asDiagonal() * both;
+  // phi(a) = 0 of d times the first less the second.
+  const VectorXd edge = (2.0 / kPi) * weighted.transpose() * wave * ((a_ * xi_).cos() * missing_).matrix() +
+                        (2.0 / kPi) * Eigen::Vector2d(1.0, a_ * a_);
+  d_ = edge[1] / edge[0];
+  phi_ = d_ * weighted.col(0) - weighted.col(1);
+  transform_ = (wave.transpose() * phi_.matrix()).array();
+}
+
+double LayerContact::force() const { return 2.0 * kPi / (1.0 - layer_.poisson) * phi_.sum(); }
+
+double LayerContact::bend(double t) const {
+  // sin(xi t) / t, also in the middle.
+  const ArrayXd turned = t > 0.0 ? ArrayXd((t * xi_).sin() / t) : xi_;
+  return (2.0 / kPi) * (2.0 + (missing_ * transform_ * xi_ * turned).sum());
+}
+
+// With t^2 = r^2 + v^2, dt / root(t^2 - r^2) = dv / t.
+double LayerContact::pressure(double r) const {
+  if (r >= a_) return 0.0;
+  const Rule way = gauss(40, std::sqrt((a_ - r) * (a_ + r)));
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < way.node.size(); ++i) sum += way.weight[i] * bend(std::hypot(r, way.node[i]));
+  return sum / (1.0 - layer_.poisson);
+}
+
+double LayerContact::sunk(double r) const {
+  if (r <= a_) return d_ - 0.5 * r * r;
+  const ArrayXd wave = xi_.unaryExpr([r](double xi) { return gsl_sf_bessel_J0(xi * r); });
+  return (phi_ / (r * r - t_.square()).sqrt()).sum() - (missing_ * transform_ * wave).sum();
+}
+
+double LayerContact::bone_strain(double r) const {
+  const ArrayXd mode = of_modes(xi_, layer_, [](const Mode& m) { return m.amplitude_b() * std::exp(-m.x); });
+  const ArrayXd wave = xi_.unaryExpr([r](double xi) { return gsl_sf_bessel_J0(xi * r); });
+  const double share = 2.0 * (1.0 - 2.0 * layer_.poisson) / (1.0 - layer_.poisson);  // (k - 1) / (1 - nu)
+  return share * (xi_step_ * xi_ * mode * transform_ * wave).sum();
+}
+
+double LayerContact::bone_shear(double r) const {
+  const ArrayXd mode = of_modes(xi_, layer_, [](const Mode& m) { return m.amplitude_a() * std::exp(-m.x); });
+  const ArrayXd wave = xi_.unaryExpr([r](double xi) { return gsl_sf_bessel_J1(xi * r); });
+  return -4.0 * (xi_step_ * xi_ * mode * transform_ * wave).sum();  // (1 + k) / (1 - nu)
+}
+
+// What a half-space has there, and what the bone below adds to it.
+double LayerContact::middle_surface_strain() const {
+  const double half_space = 0.5 * (1.0 - 2.0 * layer_.poisson);
+  const ArrayXd added = of_modes(xi_, layer_, [&](const Mode& m) { return m.surface_slope() + half_space; });
+  return half_space * pressure(0.0) - (xi_step_ * xi_ * added * transform_).sum() / (1.0 - layer_.poisson);
+}
+
+double LayerContact::strain_by_gap(double r) const {
+  return std::max(0.0, d_ - 0.5 * r * r) / layer_.thickness;
+}
+
+double LayerContact::aggregate_modulus() const {
+  const double nu = layer_.poisson;
+  return nu < 0.5 ? 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses in which it is hard to say whether a joint impinges, beside easy ones.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "gap/overlay.hpp"
+
+namespace impinge::lab {
+
+// A way from one pose to another: the ball is turned by share * turn about the axis and moved by share *
+// shift, share in [0, 1].
+struct PosePath {
+  Vec3 axis = Vec3::UnitZ();  // unit vector through the centre
+  double from_turn = 0.0;     // radians, at share 0
+  double to_turn = 0.0;       // at share 1
+  Vec3 shift = Vec3::Zero();  // mm, at share 1
+
+  Pose at(double share) const;  // the pose at that share
+};
+
+// The way of a point so far from the centre, mm.
+inline constexpr double kArm = 25.0;
+double path_length(const PosePath& path);  // of the way, mm: the shift, and the arc of a point kArm away
+
+// The first share of the way at which a pose is impinged, to within 2^-24 of it, found by bisection: none if
+// the end is free, or if the beginning is impinged. `impinged` must be false before a share and true after
+// it; otherwise some change between the two is found.
+std::optional<double> first_contact(const PosePath& path, const std::function<bool(const Pose&)>& impinged);
+
+// How many poses, and how far from the pose as given.
+struct ContactOptions {
+  std::size_t count = 1000;  // of poses
+  double turn = 1.0;         // radians: the largest turn, about any axis
+  double shift = 12.0;       // mm, the longest way
+  std::size_t ways = 300;    // at most, followed beyond the contact of the surfaces to that of a vertex
+  std::uint64_t seed = 0;    // of ways and places on them
+};
+
+// One random way for every kPosesPerPath poses: turned by up to `turn` and then moved in any direction; where
+// the turned ball impinges already, the way is the turn. Of four poses one lies anywhere on its way and three
+// are close to its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
+inline constexpr std::size_t kPosesPerPath = 8;
+// A pose, and the way that it is on.
+struct ContactPose {
+  PosePath path;                  // that it was chosen on
+  std::optional<double> contact;  // share of the way
+  Pose pose;                      // of the ball in the socket
+};
+// Those poses, in the order of their ways.
+std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options);
+
+// Is some vertex of either surface impinged in the pose? Exact.
+bool vertices_impinged(const SurfaceOverlay& joint, const Pose& pose);
+
+}  // namespace impinge::lab

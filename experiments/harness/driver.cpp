@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "harness/driver.hpp"
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "files/file_bytes.hpp"
+
+namespace impinge::lab {
+namespace {
+
+struct Options {
+  std::string out = "results/data";
+  std::string profile = "full";
+  std::string bones;
+  std::string cache;
+  std::uint64_t seed = 1;
+};
+
+void declare(CLI::App& app, Options& options, const DriverInfo& info) {
+  app.add_option("--out", options.out, "folder for the results")->capture_default_str();
+  app.add_option("--profile", options.profile, "quick extrapolates what takes minutes, full measures it")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "seed of every random number")
+      ->check(CLI::NonNegativeNumber)  // CLI11 lets -1 wrap round otherwise
+      ->capture_default_str();
+  if (info.takes_bones) {
+    app.add_option("--bones", options.bones, "folder with real meshes, one folder a subject")
+        ->check(CLI::ExistingDirectory);
+  }
+  if (info.takes_cache)
+    app.add_option("--cache", options.cache, "folder that keeps exact distances for the next run");
+}
+
+// The call without the folder of the program, and without --cache, which no result depends on. Where the
+// joints lie on this machine is nobody's business: an absolute folder is called BONES.
+std::string command_text(int argc, const char* const* argv, const std::string& name) {
+  std::string text = name;
+  std::string_view before;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--cache") {
+      ++i;
+      continue;
+    }
+    const bool place = before == "--bones" && std::filesystem::path(word).is_absolute();
+    text.append(" ").append(place ? "BONES" : word);
+    before = word;
+  }
+  return text;
+}
+
+int report(const std::string& name, const std::string& message, int code) {
+  std::cerr << name << ": error: " << message << std::endl;
+  return code;
+}
+
+}  // namespace
+
+void DriverRun::write(const Result& result) {
+  write_result(record, result);
+  progress.say("wrote " + (record.folder / (result.name + ".csv")).string());
+}
+
+int run_driver(int argc, const char* const* argv, const DriverInfo& info,
+               const std::function<void(DriverRun&)>& body) {
+  CLI::App app{info.purpose, info.name};
+  Options options;
+  declare(app, options, info);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return report(info.name, std::string(error.what()) + ": see " + info.name + " --help", 2);
+  }
+  try {
+    require_writable_folder(options.out);
+  } catch (const std::exception& error) {
+    return report(info.name, std::string(error.what()) + ": choose another folder with --out", 2);
+  }
+  try {
+    DriverRun run{
+        {info.name, command_text(argc, argv, info.name), options.profile, options.seed, options.out},
+        std::nullopt,
+        options.cache,
+        Progress(info.name, &std::cerr)};
+    if (!options.bones.empty()) run.bones = options.bones;
+    body(run);
+  } catch (const std::exception& error) {
+    return report(info.name, error.what(), 1);
+  }
+  return 0;
+}
+
+}  // namespace impinge::lab

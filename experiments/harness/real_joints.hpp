@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real ball-and-socket joints that a user brings: a folder with one folder a subject. In each, in one frame
+// and in millimetres,
+//   ball, femoral_head or humeral_head                                      the ball
+//   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
+// as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
+//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z], otherwise it is
+//                     fitted to the ball; perhaps with the head's radius, "radius_mm", and the "side" and
+//                     "axes" of results/README.md
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/progress.hpp"
+#include "hip/anatomy.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge::lab {
+
+// One joint, as its folder describes it.
+struct RealJoint {
+  std::string subject;           // name of its folder
+  BallSocketPair meshes;         // in the centre frame, mm
+  Vec3 centre;                   // of rotation, in the input frame, mm
+  bool described = false;        // is the centre that of the description?
+  std::optional<double> radius;  // of the head, from the description, mm
+  std::optional<Side> side;      // from the description
+  std::string axes = "RAS";      // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
+};
+
+// In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws
+// std::runtime_error for a file that cannot be used, or when no joint is left.
+std::vector<RealJoint> read_real_joints(const std::filesystem::path& folder, Progress& progress);
+
+// Both meshes in the joint frame (x right, y anterior, z superior) about the centre.
+BallSocketPair in_joint_frame(const RealJoint& joint);
+
+}  // namespace impinge::lab

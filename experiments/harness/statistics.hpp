@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Order statistics of repeated measurements.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace impinge::lab {
+
+// Quantile p in [0, 1] of samples in any order: linear interpolation of the order statistics at (n - 1) p,
+// type 7 of Hyndman and Fan (1996), the default of R and NumPy. NaN for no sample.
+double quantile(std::span<const double> samples, double p);
+
+// Of samples.
+struct Summary {
+  double median = 0.0;    // unit of the samples
+  double iqr = 0.0;       // third minus first quartile; 0 for one sample
+  std::size_t count = 0;  // samples behind it
+};
+
+Summary summarise(std::span<const double> samples);  // NaN and 0 for no sample.
+
+}  // namespace impinge::lab

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "harness/timing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <stdexcept>
+
+#include <benchmark/benchmark.h>
+
+#include "files/stopwatch.hpp"
+#include "harness/timing_repeats.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr const char* kControlMark = "#control";
+
+// Throws std::runtime_error with the case in front of what is wrong.
+void verify_all(const std::vector<TimedCase>& cases, Progress& progress) {
+  progress.say("verifying " + std::to_string(cases.size()) + " cases before any is timed");
+  for (const TimedCase& work : cases) {
+    if (!work.verify) continue;
+    try {
+      work.verify();
+    } catch (const std::exception& wrong) {
+      throw std::runtime_error(key_text(work.key) + ": " + wrong.what());
+    }
+  }
+}
+
+// Collects the raw time of every round, under the name of its case.
+class SampleReporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      samples[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+    }
+  }
+  std::map<std::string, std::vector<double>> samples;  // milliseconds a run
+};
+
+// Work of a round. The first exception is kept, and what is left of the run does nothing: the harness wants
+// the same number of iterations in every round, so they are counted off.
+void register_plan(const RoundPlan& plan, const std::string& name, std::exception_ptr& failure,
+                   Progress& progress) {
+  const auto round = [&plan, &failure, &progress](benchmark::State& state) {
+    if (!failure) {
+      try {
+        if (plan.warm_up) plan.work->run();
+        while (state.KeepRunning()) plan.work->run();
+        progress.advance(plan.round_s(), plan.name);
+        return;
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }
+    while (state.KeepRunning()) {
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), round)
+      ->Iterations(plan.batch)
+      ->Repetitions(plan.work->rounds)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+// Settles every option that the environment could change otherwise.
+void initialise_harness() {
+  std::array<std::string, 7> options{"impinge",
+                                     "--benchmark_enable_random_interleaving=true",
+                                     "--benchmark_min_warmup_time=0",
+                                     "--benchmark_out=",
+                                     "--benchmark_perf_counters=",
+                                     "--benchmark_report_aggregates_only=false",
+                                     "--benchmark_display_aggregates_only=false"};
+  std::array<char*, options.size() + 1> arguments{};
+  for (std::size_t i = 0; i < options.size(); ++i) arguments[i] = options[i].data();
+  int count = static_cast<int>(options.size());
+  benchmark::Initialize(&count, arguments.data());
+}
+
+Timing collect(const RoundPlan& plan, std::vector<double> samples) {
+  for (double& sample : samples) sample /= plan.work->units;
+  Timing timing;
+  timing.key = plan.work->key;
+  timing.summary = summarise(samples);
+  timing.samples_ms = std::move(samples);
+  timing.batch = plan.batch;
+  return timing;
+}
+
+const RoundPlan& fastest(const std::vector<RoundPlan>& plans) {
+  return *std::min_element(plans.begin(), plans.end(),
+                           [](const RoundPlan& a, const RoundPlan& b) { return a.round_s() < b.round_s(); });
+}
+
+// All rounds of all cases, in one random order.
+TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& options, Progress& progress) {
+  TimingRun result;
+  result.options = options;
+  std::vector<RoundPlan> plans;
+  plans.reserve(cases.size());
+  for (const TimedCase& work : cases) plans.push_back(plan_rounds(work, options));
+  const RoundPlan& control = fastest(plans);
+  double expected = control.round_s() * control.work->rounds;
+  for (const RoundPlan& plan : plans) expected += plan.round_s() * plan.work->rounds;
+
+  progress.say("timing " + std::to_string(cases.size()) + " cases, about " + duration_text(expected));
+  progress.begin(expected);
+  std::exception_ptr failure;
+  initialise_harness();
+  benchmark::ClearRegisteredBenchmarks();
+  for (const RoundPlan& plan : plans) register_plan(plan, plan.name, failure, progress);
+  register_plan(control, control.name + kControlMark, failure, progress);
+  SampleReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter, nullptr, ".");
+  benchmark::ClearRegisteredBenchmarks();
+  if (failure) std::rethrow_exception(failure);
+
+  for (const RoundPlan& plan : plans) result.timings.push_back(collect(plan, reporter.samples[plan.name]));
+  result.control = collect(control, reporter.samples[control.name + kControlMark]);
+  const double first = result.timings[static_cast<std::size_t>(&control - plans.data())].summary.median;
+  result.control_ratio = result.control.summary.median / first;
+  for (Timing& timing : result.timings)
+    timing.inconclusive = is_inconclusive(timing, result.control_ratio, options);
+  return result;
+}
+
+}  // namespace
+
+bool is_inconclusive(const Timing& timing, double control_ratio, const TimingOptions& options) {
+  return std::abs(control_ratio - 1.0) > options.max_control_off || timing.summary.count < 2 ||
+         timing.summary.iqr > options.max_spread * timing.summary.median;
+}
+
+Timing scaled(Timing timing, double factor) {
+  for (double& sample : timing.samples_ms) sample *= factor;
+  timing.summary.median *= factor;
+  timing.summary.iqr *= factor;
+  return timing;
+}
+
+const Timing& find(const TimingRun& run, const std::vector<Cell>& key) {
+  for (const Timing& timing : run.timings) {
+    if (key_text(timing.key) == key_text(key)) return timing;
+  }
+  throw std::out_of_range(key_text(key) + ": no such timing");
+}
+
+TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
+                          Progress& progress) {
+  if (cases.empty()) return {};
+  check_cases(cases);
+  verify_all(cases, progress);
+  Stopwatch watch;
+  TimingRun run = run_once(cases, options, progress);
+  const double budget_s = std::max(options.repeat_share * watch.lap_s(), options.least_repeat_s);
+  Progress silent("", nullptr);
+  const auto alone = [&](const TimedCase& work) { return run_once({work}, options, silent); };
+  double spent_s = 0.0;
+  repeat_inconclusive(run, cases, {budget_s, alone, [&] { return spent_s += watch.lap_s(); }}, progress);
+  return run;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Method cartesian_field: a signed distance field of the socket on a Cartesian grid, and every vertex of the
+// ball in it (thesis, Section 3.6.2). Negative beyond the socket as the centre sees it: where the socket is
+// met along the direction of a node and the node is farther. An open surface has no inside, so that the sign
+// jumps at the rim by twice the distance, and within a cell of it the answer means nothing.
+#pragma once
+
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "methods/contender.hpp"
+#include "methods/grid_field.hpp"
+
+namespace impinge::lab {
+
+// Signed distances (mm, in float) at every node: CGAL's closest points, and the sign by its first hit.
+GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape& shape);
+
+class CartesianField final : public Contender {
+ public:
+  // Meshes in their centre frames, mm.
+  CartesianField(const TriangleMesh& ball, GridField socket)
+      : ball_(ball.vertices), socket_(std::move(socket)), distance_(ball_.size()) {}
+
+  std::string_view name() const override { return "cartesian_field"; }
+  bool gives_distance() const override { return true; }
+  bool touches(const Pose& pose) override {
+    bool touching = false;
+    for (std::size_t i = 0; i < ball_.size(); ++i) {
+      distance_[i] = socket_.at(to_socket(pose, ball_[i]));
+      touching = touching || distance_[i] <= 0.0;  // NaN outside of the grid
+    }
+    return touching;
+  }
+
+  // Of the ball's vertices in the last pose, mm.
+  const std::vector<double>& distances() const { return distance_; }
+  std::size_t bytes() const { return socket_.bytes(); }  // of the grid
+
+ private:
+  std::vector<Vec3> ball_;
+  GridField socket_;
+  std::vector<double> distance_;
+};
+
+}  // namespace impinge::lab

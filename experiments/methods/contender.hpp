@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One interface for every way to answer whether the ball touches the socket in a pose.
+#pragma once
+
+#include <string_view>
+
+#include "gap/pose.hpp"
+
+namespace impinge::lab {
+
+class Contender {
+ public:
+  Contender() = default;
+  Contender(const Contender&) = delete;
+  Contender& operator=(const Contender&) = delete;
+  virtual ~Contender() = default;
+
+  // Method name of the results; begins with the name of the library where there is one.
+  virtual std::string_view name() const = 0;
+
+  // Does the work for one answer also yield the distance between the surfaces, everywhere?
+  virtual bool gives_distance() const = 0;
+
+  // Do the surfaces meet in this pose? Not const: a contender may keep its scratch memory between poses.
+  virtual bool touches(const Pose& pose) = 0;
+};
+
+}  // namespace impinge::lab

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which faces of one mesh cross each other, exactly: the oracle of self-collision.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge::lab {
+
+// Pairs of faces without a common vertex that share a point, by exact predicates; each once, the smaller
+// number first, in order. Exactly degenerate faces cross nothing.
+std::vector<std::pair<std::size_t, std::size_t>> face_crossings(const TriangleMesh& mesh);
+
+}  // namespace impinge::lab

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways of filling the tables of a joint that Tables 3 and 8 of the thesis time, and ours beside them.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "methods/resampled.hpp"
+#include "methods/table_check.hpp"
+#include "methods/thesis_pairwise.hpp"
+#include "sphere/schemes/usid.hpp"
+#include "table/exact_raster.hpp"
+
+namespace impinge::lab {
+
+// One way of filling the table of a scheme.
+template <SamplingScheme S>
+struct FillMethod {
+  std::string_view name;                                         // in the results
+  RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);  // mesh in the centre frame
+  // Proven bound on the error of an entry, mm, at a precision in degrees.
+  double (*tolerance)(const TriangleMesh&, double);
+  bool same_cover = false;  // does it fill the entries of the surface exactly, along its rim too?
+};
+
+// Of what is exact but for rounding: far above its rounding, mm.
+inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
+  double radius = 0.0;
+  for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
+  return 1e-9 * radius;
+}
+
+// Of the thesis' raster, whatever the precision, mm.
+inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
+  return thesis_raster_bound(mesh);
+}
+
+// The rival of Tables 3 and 8, as described.
+inline constexpr FillMethod<Rsid> kPairwiseThesis{"pairwise_thesis", fill_thesis_pairwise<Rsid>,
+                                                  exact_tolerance, true};
+// Tables 3 and 8, as described.
+inline constexpr FillMethod<Rsid> kRsidThesis{"rsid_thesis", fill_thesis, raster_tolerance};
+inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};  // our exact raster
+// Section 4.2.2.
+inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
+inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};  // our exact raster
+
+// Calls visit(table, mesh, layer) for the tables of ball and socket, each filled and released in its turn.
+template <SamplingScheme S, class Visit>
+void for_both_tables(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
+                     Visit&& visit) {
+  visit(method.fill(pair.ball, scheme, Layer::farthest), pair.ball, Layer::farthest);
+  visit(method.fill(pair.socket, scheme, Layer::nearest), pair.socket, Layer::nearest);
+}
+
+// Compares `entries` entries of both tables with brute force. Throws std::runtime_error for the first one
+// that is farther off than the tolerance of the method.
+template <SamplingScheme S>
+void require_filling(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
+                     std::size_t entries) {
+  for_both_tables(method, pair, scheme, [&](const auto& table, const TriangleMesh& mesh, Layer layer) {
+    const double tolerance = method.tolerance(mesh, scheme.precision_deg());
+    require_radii(table, mesh, layer, {entries, tolerance, method.same_cover});
+  });
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The least that any look-up in a table has to do: read a vertex, move it by the pose, read one entry of a
+// table, write a number. What a kernel takes beside it says how far from the machine's limit it is. Its
+// answers mean nothing.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "kernels/gap_kernels.hpp"
+
+namespace impinge::lab {
+
+// A square table of ones, as large as asked.
+struct FloorTable {
+  // Of at least so many bytes, for vertices up to `reach` mm from the centre.
+  FloorTable(std::size_t bytes, double most_distant)
+      : side(static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bytes) / sizeof(float))))),
+        reach(static_cast<float>(most_distant)),
+        values(side * side, 1.0F) {}
+
+  std::size_t side;           // entries of a row and rows
+  float reach;                // mm
+  std::vector<float> values;  // all 1
+};
+
+// The vertices behind the last whole vector are left out.
+void floor_scan(const FloorTable& table, const LaneScan<float>& scan, std::span<float> out);
+
+}  // namespace impinge::lab

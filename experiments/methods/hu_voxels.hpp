@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Method hu_voxels: the impingement detection of Hu et al. (2001), which Kubiak-Langer et al. (2007) took for
+// their ranges of motion, as the thesis tells it (Section 2.4, Eq. 1-4). The socket's voxels are marked in a
+// table with a byte for each voxel of its box, n^3 of them; each voxel of the ball is moved and looked up; a
+// mark is a collided point. No distance is known.
+//
+// Voxels are those that a face meets: the socket of a joint is an open surface and has no inside. What is
+// proven: a hit is no lie by more than 3/2 sqrt(3) h. The middle of a ball's voxel is within sqrt(3)/2 h of
+// the ball's surface, and a point of a marked voxel within sqrt(3) h of the socket's. A contact may be
+// missed, where no middle falls into a marked voxel.
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "methods/contender.hpp"
+#include "methods/voxel_table.hpp"
+
+namespace impinge::lab {
+
+// Farthest that the surfaces are apart where a voxel is hit, in voxels' sides.
+inline constexpr double kVoxelReach = 1.5 * std::numbers::sqrt3;
+
+class HuVoxels final : public Contender {
+ public:
+  // Meshes in their centre frames, mm; size is the side of a voxel, mm. Throws as surface_voxels() does.
+  HuVoxels(const TriangleMesh& ball, const TriangleMesh& socket, double size);
+
+  std::string_view name() const override { return "hu_voxels"; }
+  bool gives_distance() const override { return false; }
+  // All voxels of the ball are looked up, as the method reports each collided point.
+  bool touches(const Pose& pose) override { return !collided(pose).empty(); }
+
+  // Middles of the ball's voxels that hit, in the socket's frame, mm.
+  const std::vector<Vec3>& collided(const Pose& pose);
+
+  const VoxelTable& table() const { return socket_; }       // of the socket
+  std::size_t ball_voxels() const { return ball_.size(); }  // number of voxels that are looked up
+  // Of the table and of the ball's voxels.
+  std::size_t bytes() const { return socket_.occupied.size() + ball_.size() * sizeof(Vec3); }
+
+ private:
+  std::vector<Vec3> ball_;  // middles of voxels, ball frame
+  VoxelTable socket_;
+  std::vector<Vec3> collided_;
+};
+
+}  // namespace impinge::lab

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The poses that detection is timed over, and the check that must pass before.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "methods/contender.hpp"
+
+namespace impinge::lab {
+
+// A pose, and what the results call it.
+struct NamedPose {
+  std::string name;  // clear, near or touching, and the rotation
+  Pose pose;         // of the ball in the socket
+};
+
+// Six poses: the ball as given and turned by 10 degrees about an axis across the socket's, each of them
+//   clear     centres together,
+//   near      moved along the socket's axis, in steps of 0.05 mm, until the smallest gap is at most 0.5 mm,
+//   touching  moved on until the smallest gap is at most -0.5 mm.
+// Gaps by RSID tables at 1 degree. Meshes in their centre frames, mm. Throws std::runtime_error when 20 mm do
+// not bring the surfaces together.
+std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& socket);
+
+// Throws std::runtime_error that names contender and pose when the two contenders differ in one.
+void require_agreement(Contender& contender, Contender& oracle, const std::vector<NamedPose>& poses);
+
+// Number of poses that touch: one answer a pose, which makes it the work that is timed.
+int count_touching(Contender& contender, const std::vector<NamedPose>& poses);
+
+}  // namespace impinge::lab

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method of the thesis (Algorithm 2): all vertices of the ball against the table of the socket and all
+// vertices of the socket against the table of the ball. Named after the scheme of its tables.
+//
+// What is counted: the signed gap of every vertex of both surfaces, none left out, and the smallest of them.
+// Vertices alone are looked at: an edge that cuts an edge between vertices is missed by less than the tables
+// resolve.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gap/gap_scan.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "methods/contender.hpp"
+#include "sphere/radial_table.hpp"
+
+namespace impinge::lab {
+
+// Tables of one joint at one precision.
+template <SamplingScheme S>
+struct TablePair {
+  RadialTable<S> ball;    // its farthest layer
+  RadialTable<S> socket;  // its nearest layer
+};
+
+template <SamplingScheme S>
+class TableScan final : public Contender {
+ public:
+  // Meshes in their centre frames, mm. Their vertices are copied; the tables are shared.
+  TableScan(const TriangleMesh& ball, const TriangleMesh& socket, std::shared_ptr<const TablePair<S>> tables)
+      : ball_(ball.vertices),
+        socket_(socket.vertices),
+        tables_(std::move(tables)),
+        gap_(ball_.size() + socket_.size()) {}
+
+  std::string_view name() const override { return S::name; }
+  bool gives_distance() const override { return true; }
+  bool touches(const Pose& pose) override { return smallest_gap(pose) <= 0.0; }
+
+  // Millimetres; NaN where no vertex meets the other surface.
+  double smallest_gap(const Pose& pose) {
+    const std::span<double> gaps(gap_);
+    scan_ball(tables_->socket, ball_, pose, gaps.first(ball_.size()));
+    scan_socket(tables_->ball, socket_, pose, gaps.subspan(ball_.size()));
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double gap : gap_) smallest = gap < smallest ? gap : smallest;  // a NaN is never smaller
+    return std::isinf(smallest) ? std::numeric_limits<double>::quiet_NaN() : smallest;
+  }
+
+  // Gaps of the last pose, mm: those of the ball's vertices, then those of the socket's.
+  std::span<const double> gaps() const { return gap_; }
+
+ private:
+  std::vector<Vec3> ball_;
+  std::vector<Vec3> socket_;
+  std::shared_ptr<const TablePair<S>> tables_;
+  std::vector<double> gap_;
+};
+
+}  // namespace impinge::lab

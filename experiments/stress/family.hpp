@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a family of stiff or extreme cases is, and what one case of it came to. Adding a family is adding one
+// file to stress/families/: NAME.cpp defines StabilityFamily NAME_family() in namespace impinge::lab, and the
+// build finds it.
+//
+// An input has a condition number: the relative change of the answer, in units of the largest relative change
+// of the data, that no algorithm in that arithmetic can avoid. With u the unit roundoff an algorithm is as
+// stable as can be if its relative error is a small number times condition * u; how large that number may be
+// is worked out from the operations of the algorithm, before anything is measured, and is the threshold. It
+// covers the worst of all inputs, and so lies far above what is measured; that has a limit of its own. A
+// scene is stiff if its largest tan psi is more than 1000 times its median (dr / d angle = r tan psi).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace impinge::lab {
+
+// Stands in a column that has no value.
+inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+// The arithmetic or storage whose rounding a method cannot avoid.
+enum class Scalar { float32, float64 };
+std::string_view name_of(Scalar scalar);  // "float", "double"
+double unit_roundoff(Scalar scalar);      // 2^-24, 2^-53
+
+// One method at one magnitude: one row of the results. What was not measured is NaN or 0.
+struct StabilityCase {
+  double magnitude = 0.0;           // of the knob, in the unit of the family
+  std::string method;               // as the race calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
+  std::string kind;                 // ours, library or brute; a failure of ours fails the run
+  Scalar scalar = Scalar::float64;  // whose rounding counts
+
+  std::size_t questions = 0;                     // directions, entries or poses that were asked
+  double condition = kNotMeasured;               // largest over the questions
+  double relative_error = kNotMeasured;          // largest |answer - truth| / truth
+  double error_over_condition_u = kNotMeasured;  // largest, each question over its own condition
+  double backward_error_over_u = kNotMeasured;   // largest |error| / (r tan psi u), where tan psi >= 1
+  double stiffness = kNotMeasured;               // largest tan psi of the scene over its median
+  double threshold = kNotMeasured;               // on error_over_condition_u
+
+  std::size_t nan = 0;  // answers that are no length: infinite, not positive, NaN where NaN says nothing
+  std::size_t false_hits = 0;   // an answer where there is no surface
+  std::size_t missed_hits = 0;  // none where there is one, unless `withheld`
+  std::size_t wrong = 0;        // error_over_condition_u above the threshold, or bits that should be the same
+  std::size_t withheld = 0;     // none in a cell that a rim crosses: as documented, no failure
+  std::string refused;          // the one line of a refusal: nothing was answered, so nothing failed
+
+  double bound_um = kNotMeasured;  // proven, on the error of a look-up between entries
+  double error_um = kNotMeasured;  // largest error of a look-up
+
+  // Answers that are wrong in any way.
+  std::size_t failures() const { return nan + false_hits + missed_hits + wrong; }
+  // None where nothing is proven; an infinite bound holds and says nothing.
+  std::optional<bool> bound_holds() const;
+};
+
+// The cases of two scenes of one magnitude, method by method: counts added, the worse of the errors kept.
+// Both lists hold the same methods.
+std::vector<StabilityCase> worse_of(std::vector<StabilityCase> a, const std::vector<StabilityCase>& b);
+
+// What a run of all families shares.
+struct StabilityRun {
+  bool quick = true;       // fewer magnitudes, smaller scenes
+  std::uint64_t seed = 0;  // of all that is drawn
+};
+
+// One family: what it turns, what is expected, and how it is run.
+struct StabilityFamily {
+  std::string name;      // of its file, and in the results
+  std::string knob;      // what grows stiff or extreme, in words
+  std::string unit;      // of the magnitudes
+  std::string expected;  // behaviour of ours, stated before it is run
+  // Of ours in double; a case may have one of its own, such as that of a table stored in float.
+  double threshold = 0.0;
+  std::string derivation;  // which operations the threshold counts
+  // Largest error_over_condition_u of ours in quick and full runs, rounded down: in double, in float. More
+  // than twice as much breaks the run: what is far below its threshold may still have grown worse.
+  std::array<double, 2> seen{};
+  // Every method at every magnitude, 5 magnitudes or more. Deterministic.
+  std::function<std::vector<StabilityCase>(const StabilityRun&)> run;
+};
+
+// All families, in alphabetical order of their names.
+std::vector<StabilityFamily> stability_families();
+
+// What makes the run fail, one line each: a failure of ours, a bound that does not hold, or an error of more
+// than twice what was seen.
+std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases);
+
+}  // namespace impinge::lab

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stress/measure.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <memory>
+
+#include <Eigen/Geometry>
+
+#include "mesh/jump_edges.hpp"
+#include "methods/table_method.hpp"
+#include "reference/exact_radius.hpp"
+#include "stress/conditions.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr double kMicrometres = 1000.0;  // in a millimetre
+
+void raise(double& largest, double value) {
+  if (!(value <= largest)) largest = value;  // a NaN is replaced
+}
+
+// Least angle between a direction and the part of a great circle between two directions.
+double angle_to_arc(const Vec3& u, const Vec3& from, const Vec3& to) {
+  const Vec3 across = from.cross(to).stableNormalized();
+  const bool beside = across.cross(from).dot(u) >= 0.0 && across.cross(to).dot(u) <= 0.0;
+  const double to_ends = std::min(angle_between(u, from), angle_between(u, to));
+  return beside ? std::min(to_ends, std::abs(std::asin(std::clamp(across.dot(u), -1.0, 1.0)))) : to_ends;
+}
+
+// May a table answer nothing here? Within its reach of an entry that it reads, as the direction is too, the
+// surface ends or jumps.
+bool is_near_rim(const TriangleMesh& mesh, const std::vector<JumpEdge>& rim, const Vec3& u, double reach) {
+  return std::ranges::any_of(rim, [&](const JumpEdge& edge) {
+    return angle_to_arc(u, mesh.vertices[edge.from], mesh.vertices[edge.to]) <= 2.0 * reach * (1.0 + 1e-9);
+  });
+}
+
+bool is_length(double radius) { return radius > 0.0 && std::isfinite(radius); }
+
+// What the methods of one scene share.
+struct Shared {
+  const StabilityScene& scene;
+  RadiusQuestions along;
+  std::vector<JumpEdge> rim;
+  std::map<std::string, std::pair<std::vector<Vec3>, RadiusQuestions>> entries;  // by scheme
+
+  const RadiusQuestions& at_entries(const std::string& scheme, std::vector<Vec3> directions) {
+    auto& [kept, questions] = entries[scheme];
+    if (kept.empty()) {
+      kept = std::move(directions);
+      questions = ask(scene.mesh, kept);
+    }
+    return questions;
+  }
+};
+
+// Look-ups between entries.
+void judge_look_ups(StabilityCase& result, const Shared& shared, const StoredRadii& table,
+                    std::span<const double> answers) {
+  const auto& [directions, truth, condition] = shared.along;
+  result.questions += answers.size();
+  result.error_um = 0.0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const bool there = !std::isnan(truth[i]);
+    if (std::isnan(answers[i])) {
+      if (!there) continue;
+      const bool documented = is_near_rim(shared.scene.mesh, shared.rim, directions[i], table.reach);
+      ++(documented ? result.withheld : result.missed_hits);
+    } else if (!is_length(answers[i])) {
+      ++result.nan;
+    } else if (!there) {
+      ++result.false_hits;
+    } else {
+      raise(result.error_um, kMicrometres * std::abs(answers[i] - truth[i]));
+    }
+  }
+}
+
+void judge_twins(StabilityCase& result, const StabilityScene& scene, std::span<const double> answers) {
+  for (const auto& [i, j] : scene.twins) {
+    if (std::isnan(answers[i]) && std::isnan(answers[j])) continue;
+    if (std::bit_cast<std::uint64_t>(answers[i]) != std::bit_cast<std::uint64_t>(answers[j])) ++result.wrong;
+  }
+}
+
+StabilityCase blank(const StabilityMethod& method, double magnitude, double threshold) {
+  StabilityCase result;
+  result.magnitude = magnitude;
+  result.method = method.maker.name;
+  result.kind = method.maker.kind;
+  result.scalar = method.scalar;
+  const bool stored_in_float = method.maker.kind == "ours" && method.scalar == Scalar::float32;
+  result.threshold = stored_in_float ? kStoredThreshold : threshold;
+  result.refused = method.refused;
+  return result;
+}
+
+StabilityCase measure_one(Shared& shared, const StabilityMethod& method, StabilityCase result) {
+  if (!result.refused.empty()) return result;
+  const std::unique_ptr<RadiusMethod> answering = method.maker.make();
+  std::vector<double> answers(shared.along.directions.size());
+  answering->answer(shared.along.directions, answers);
+  const auto* keeper = dynamic_cast<const KeepsRadii*>(answering.get());
+  if (keeper == nullptr) {
+    judge(result, shared.along, answers);
+  } else {
+    const StoredRadii table = keeper->stored();
+    judge(result, shared.at_entries(method.maker.scheme, table.directions), table.radii);
+    judge_look_ups(result, shared, table, answers);
+    result.bound_um = kMicrometres * method.maker.bound(*answering).bound_mm;
+  }
+  judge_twins(result, shared.scene, answers);
+  return result;
+}
+
+}  // namespace
+
+MeasureOptions measure_options(const StabilityRun& run) {
+  MeasureOptions options;
+  options.search.budget = run.quick ? 0 : 2000;
+  return options;
+}
+
+RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions) {
+  return {directions, exact_radii(mesh, {directions, RaceScene::kLayer, {}}),
+          conditions_along(mesh, directions)};
+}
+
+void judge(StabilityCase& result, const RadiusQuestions& questions, std::span<const double> answers) {
+  const double u = unit_roundoff(result.scalar);
+  result.questions += answers.size();
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const double truth = questions.truth[i];
+    if (std::isnan(answers[i])) {
+      result.missed_hits += std::isnan(truth) ? 0U : 1U;
+      continue;
+    }
+    if (!is_length(answers[i])) {
+      ++result.nan;
+      continue;
+    }
+    if (std::isnan(truth)) {
+      ++result.false_hits;
+      continue;
+    }
+    const double condition = questions.condition[i].condition();
+    const double slope = questions.condition[i].slope;
+    const double error = std::abs(answers[i] - truth) / truth;
+    const double share = error / condition / u;
+    raise(result.condition, condition);
+    raise(result.relative_error, error);
+    raise(result.error_over_condition_u, share);
+    if (slope >= 1.0) raise(result.backward_error_over_u, error / slope / u);
+    if (share > result.threshold) ++result.wrong;
+  }
+}
+
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options, std::span<const StabilityMethod> methods) {
+  Shared shared{scene, ask(scene.mesh, scene.directions), jump_edges(scene.mesh), {}};
+  const double stiff = stiffness(scene.mesh);
+  std::vector<StabilityCase> cases;
+  for (const StabilityMethod& method : methods) {
+    cases.push_back(measure_one(shared, method, blank(method, magnitude, options.threshold)));
+    cases.back().stiffness = stiff;
+  }
+  return cases;
+}
+
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options) {
+  return measure(scene, magnitude, options, stability_methods(scene, options.search));
+}
+
+std::vector<StabilityCase> sweep(std::span<const double> magnitudes, const ScenesAt& scenes_at,
+                                 const StabilityRun& run) {
+  const MeasureOptions options = measure_options(run);
+  std::vector<StabilityCase> all;
+  for (const double magnitude : magnitudes) {
+    std::vector<StabilityCase> cases;
+    for (const StabilityScene& scene : scenes_at(magnitude)) {
+      auto more = measure(scene, magnitude, options);
+      cases = cases.empty() ? std::move(more) : worse_of(std::move(cases), more);
+    }
+    all.insert(all.end(), cases.begin(), cases.end());
+  }
+  return all;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All methods on one scene, held against the exact reference.
+//
+// Two things are kept apart. Rounding: a ray method is asked along every direction, a table at every entry,
+// and the answer is compared with the exact radius along that very double direction; its relative error over
+// condition * u stays below the threshold. Interpolation: a table is looked up along every direction, and
+// the error is never above its proven bound, rounding included.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stress/conditions.hpp"
+#include "stress/family.hpp"
+#include "stress/methods.hpp"
+#include "stress/scene.hpp"
+
+namespace impinge::lab {
+
+// Of ours in double, from the operations of TriangleCone::radius() = (n . v0) / (n . u). With u = 2^-53, s =
+// |b - a| |c - a| and |n| <= s, the 4 roundings of n = (b - a) x (c - a), each of at most sqrt(4/3) s, and
+// the 3 of a scalar product move n . v0 by (4.62 s + 3 |n|) R u and n . u by (4.62 s + 3 |n|) u. The
+// condition is at least |n| r / (n . v0): of it they are (4.62 s / |n| + 3) (1 + R / r) u. Where s R / (|n|
+// r) is above kMostTilt = 4 (sphere/face_plane.hpp) they are those of an exact plane, (1 + 1 + 3) u,
+// elsewhere at most (2 x 4.62 x 4 + 3 + 3 x 4) u. The division, a direction whose length is 1 to within 3 u
+// and the 4 roundings that normalise a direction, or that read a mesh_exact table, add 8: 60 in all. Where a
+// plane holds the centre but for 20 roundings of its size, the answer is that of a corner, which is off by
+// less than half of the radius if no corner is twice as far as another one: 20 x 4 / 2 at most.
+inline constexpr double kRadiusThreshold = 60.0;
+// The same in words, for the results.
+inline constexpr const char* kRadiusDerivation =
+    "4 roundings of n, of 1.16 |b - a| |c - a|, at most 4 times as large in n.v0 or n.u, or 1 of an exact "
+    "plane; 3 each of n.v0 and n.u; 8 of quotient, length and normalised direction or inverse depth";
+
+// Of tables stored in float: one rounding to float, and the others, which are in double.
+inline constexpr double kStoredThreshold = 1.0 + 2.0 * kRadiusThreshold * 0x1p-29;
+
+// What is the same for all magnitudes of a family.
+struct MeasureOptions {
+  double threshold = kRadiusThreshold;  // of everything that is not stored in float by us
+  BoundOptions search;                  // of the bounds of tables
+};
+// How hard a quick or a full run searches for bounds.
+MeasureOptions measure_options(const StabilityRun& run);
+
+// The truth along some directions.
+struct RadiusQuestions {
+  std::span<const Vec3> directions;     // of any length above zero
+  std::vector<double> truth;            // mm, NaN where there is no surface
+  std::vector<RayCondition> condition;  // of each direction
+};
+// Works out the truth and the conditions.
+RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions);
+
+// Adds to the case what the answers came to: hits, errors, conditions, wrong ones.
+void judge(StabilityCase& result, const RadiusQuestions& questions, std::span<const double> answers);
+
+// Every method of the scene.
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options);
+
+// The same of some methods.
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options, std::span<const StabilityMethod> methods);
+
+// The scenes of one magnitude.
+using ScenesAt = std::function<std::vector<StabilityScene>(double magnitude)>;
+
+// Every method at every magnitude, the worse of its scenes.
+std::vector<StabilityCase> sweep(std::span<const double> magnitudes, const ScenesAt& scenes_at,
+                                 const StabilityRun& run);
+
+}  // namespace impinge::lab

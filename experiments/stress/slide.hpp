@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A vertex that turns about an axis and touches the face of an octahedron on its way, almost along it: the
+// motion of the family `stiff_motion`. Lengths in mm, angles in radians.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "methods/radius_method.hpp"
+#include "sphere/direction.hpp"
+#include "stress/precise.hpp"
+
+namespace impinge::lab {
+
+// The vertex is along + cos(angle) aside + sin(angle) (axis x aside).
+struct Slide {
+  Vec3 axis;   // unit vector
+  Vec3 along;  // mm, the part of the vertex along the axis
+  Vec3 aside;  // mm, the part across it at angle 0
+
+  Vec3 vertex(double angle) const;  // mm
+};
+
+// About an axis 60 degrees from the normal of the face x, y, z > 0 of an octahedron of that radius, 40
+// degrees from the axis: nearest to the face, 20 degrees from the normal, at angle 0, and on it at the angle
+// `contact`, to rounding.
+Slide slide_touching_at(double contact, double octahedron_radius);
+
+// The same in 200 bits, of the doubles that the slide consists of.
+class PreciseSlide {
+ public:
+  PreciseSlide(const Slide& slide, double octahedron_radius);  // octahedron_radius as in slide_touching_at()
+
+  // Of the vertex from the face, along its ray.
+  Precise gap(const Precise& angle) const;
+  // Where it is nothing, before angle 0.
+  Precise contact() const;
+
+ private:
+  Precise radius_;
+  std::array<Precise, 3> along_;
+  std::array<Precise, 3> aside_;
+  std::array<Precise, 3> ahead_;
+};
+
+// The first angle from `start` to 0 at which the method sees no gap, by bisection down to neighbouring
+// doubles; none where it sees none at the start, or one at 0.
+std::optional<double> touching_angle(RadiusMethod& method, const Slide& slide, double start);
+
+}  // namespace impinge::lab

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How near to the centre a surface comes, or how far from it, over a cap of directions of any size: one
+// look-up.
+//
+// A ladder of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
+// a direction within c + reach + margin of it, c = sqrt(2) / n being the farthest that a direction is from
+// the entry nearest to it on the grid (that way is along a straight line of the gnomonic plane, and central
+// projection makes no length longer); the reaches are 2, 1.75, 1.5, 1.25, 1, 0.875 ... radians. So
+//
+//   within(x, angle), angle <= reach: no face has a smaller radius (a larger one for Layer::farthest) in any
+//   direction within `angle` of x, nor within the margin of such a direction
+//
+// There is one grid more, finer, with a reach of kAloneReach, for single vertices. A table whose look-ups
+// read entries within the margin, and answer with a mean of them, keeps the limits too.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "table/layer.hpp"
+
+namespace impinge {
+
+// The grids of all levels, as kernels read them.
+struct CapLadder {
+  const std::int32_t* steps;  // of each level: cells along an edge in kLineBits, above the place of its
+                              // limits; all 32 bits count
+  const float* limits;        // of each level by face, row and column, mm
+  std::int32_t finest;        // level of caps; the next one is that of single vertices
+  float overall;              // limit of all directions
+};
+
+class CapLimits {
+ public:
+  static constexpr int kQuarterOctave = 21;  // bits of a float below a quarter of its octave
+  // Of the widest reach.
+  static constexpr std::int32_t kWidest = std::bit_cast<std::uint32_t>(2.0F) >> kQuarterOctave;
+  static constexpr float kAloneReach = 1e-4F;  // radians, of single vertices
+  static constexpr int kLineBits = 9;          // of a step that hold the cells along an edge
+  static constexpr std::int32_t kMostLines = (1 << kLineBits) - 1;  // most cells along an edge
+
+  // mesh in the centre frame; margin in radians. O(faces). Faces whose plane holds the centre cover no
+  // direction and are left out.
+  CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
+
+  // The limit of a cap.
+  struct Limit {
+    float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
+    float reach;   // radians: it holds for caps as wide as that
+  };
+  // The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
+  // infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
+  Limit within(const Vec3& x, float angle) const {
+    const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
+    return look_up(std::clamp(level, 0, finest_), x);
+  }
+  float overall() const { return ladder().overall; }  // of all directions
+  // In the direction of x.
+  float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
+  // Of all levels.
+  CapLadder ladder() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
+
+  std::size_t bytes() const;  // of memory
+
+ private:
+  // At the entry nearest to x; see cube_place.hpp.
+  Limit look_up(int level, const Vec3& x) const;
+  float reach(int level) const;
+
+  std::vector<std::int32_t> steps_;
+  std::vector<float> limits_;
+  std::int32_t finest_ = 0;
+};
+
+}  // namespace impinge

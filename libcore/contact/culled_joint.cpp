@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/culled_joint.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "contact/gap_bounds.hpp"
+#include "contact/touch_search.hpp"
+#include "gap/exact_side.hpp"
+#include "sphere/infinity.hpp"
+#include "sphere/radial_table.hpp"
+
+namespace impinge {
+namespace {
+
+// Best first over both scans: the node that may hold the smallest gap is opened next.
+class LeastGapSearch {
+ public:
+  LeastGapSearch(const CulledJoint& joint, const Pose& pose)
+      : joint_(joint), moves_{CapMove(ScannedSurface::ball, pose), CapMove(ScannedSurface::socket, pose)} {
+    pending_.reserve(2 * CapTree::kMostPending);
+  }
+
+  std::optional<LeastGap> run() {
+    for (std::uint32_t scan = 0; scan < 2; ++scan) {
+      if (!joint_.scans()[scan].tree().blocks().empty()) add(scan, 0);
+    }
+    while (!pending_.empty()) {
+      const Pending next = pending_.front();
+      if (next.gap > limit()) break;
+      std::ranges::pop_heap(pending_, later);
+      pending_.pop_back();
+      open(next);
+    }
+    return best_;
+  }
+
+ private:
+  struct Pending {
+    double gap;
+    std::uint32_t scan;
+    CapNode node;
+  };
+  static bool later(const Pending& a, const Pending& b) { return a.gap > b.gap; }
+
+  double limit() const { return best_ ? best_->gap_mm : kInfinity; }
+
+  void add(std::uint32_t scan, std::uint32_t at) {
+    const CulledScan& culled = joint_.scans()[scan];
+    const float enough = std::nextafter(static_cast<float>(limit()), HUGE_VALF);
+    const GapBounds bounds = gap_bounds(culled.tree().blocks()[at], moves_[scan], culled.limits(), {enough});
+    for (std::uint32_t open = bounds.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
+      const double gap = bounds.gap[lane];
+      if (gap == kInfinity) continue;
+      pending_.push_back({gap, scan, {at, lane}});
+      std::ranges::push_heap(pending_, later);
+    }
+  }
+
+  void open(const Pending& next) {
+    const CulledScan& scan = joint_.scans()[next.scan];
+    const CapBlock& block = scan.tree().blocks()[next.node.block];
+    const std::uint32_t first = block.first[next.node.lane];
+    if (!block.leaf(next.node.lane)) return add(next.scan, first);
+    for (std::uint32_t k = 0; k < block.items[next.node.lane]; ++k) ask(scan, moves_[next.scan], first + k);
+  }
+
+  void ask(const CulledScan& scan, const CapMove& move, std::size_t item) {
+    const double gap = joint_.gap(scan.scanned(), move.place(scan.position(item)));
+    const ScannedVertex at{scan.scanned(), scan.vertex(item)};
+    const bool earlier = best_ && gap == best_->gap_mm && before(at, best_->at);
+    if (gap < limit() || earlier) best_ = LeastGap{gap, at};
+  }
+
+  static bool before(const ScannedVertex& a, const ScannedVertex& b) {
+    if (a.scanned != b.scanned) return a.scanned == ScannedSurface::ball;
+    return a.vertex < b.vertex;
+  }
+
+  const CulledJoint& joint_;
+  std::array<CapMove, 2> moves_;
+  std::vector<Pending> pending_;  // a heap, the least first
+  std::optional<LeastGap> best_;
+};
+
+}  // namespace
+
+CulledJoint::CulledJoint(const BallSocketPair& joint)
+    : joint_(joint),
+      ball_(joint.ball, 0.0),
+      socket_(joint.socket, 0.0),
+      scans_{CulledScan(ScannedSurface::ball, joint.ball, joint.socket),
+             CulledScan(ScannedSurface::socket, joint.socket, joint.ball)} {}
+
+bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const {
+  return scanned == ScannedSurface::ball ? on_or_beyond(socket_, x) : on_or_within(ball_, x);
+}
+
+std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
+  const PosedTrees posed{
+      PosedTree{scans_[0].tree(), scans_[0].limits(), CapMove(ScannedSurface::ball, pose)},
+      PosedTree{scans_[1].tree(), scans_[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const auto touches = [&](const ScannedItem& at) {
+    const CulledScan& scan = scans_[at.scan];
+    return exactly_impinged(scan.scanned(), posed[at.scan].move.place(scan.position(at.item)));
+  };
+  const auto found = touching_item(posed, ItemQuestion(touches));
+  if (!found) return std::nullopt;
+  return ScannedVertex{scans_[found->scan].scanned(), scans_[found->scan].vertex(found->item)};
+}
+
+std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {
+  return LeastGapSearch(*this, pose).run();
+}
+
+double CulledJoint::gap(ScannedSurface scanned, const Vec3& x) const {
+  if (x.isZero(0.0)) return kNoSurface;
+  if (scanned == ScannedSurface::ball) return socket_.radius(x.normalized(), Layer::nearest) - x.norm();
+  return x.norm() - ball_.radius(x.normalized(), Layer::farthest);
+}
+
+std::size_t CulledJoint::bytes() const {
+  return ball_.bytes() + socket_.bytes() + scans_[0].bytes() + scans_[1].bytes();
+}
+
+}  // namespace impinge

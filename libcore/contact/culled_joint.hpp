@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without asking most
+// vertices. Answers are those of asking all of them, in every pose.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "contact/culled_scan.hpp"
+#include "gap/pose.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+
+// The first of the smallest gaps, in the order of scans and vertices.
+struct LeastGap {
+  double gap_mm = 0.0;  // radial
+  ScannedVertex at;     // where it is
+  bool operator==(const LeastGap&) const = default;
+};
+
+class CulledJoint {
+ public:
+  // Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
+  explicit CulledJoint(const BallSocketPair& joint);
+
+  // A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); none
+  // exactly if there is none.
+  std::optional<ScannedVertex> impinged(const Pose& pose) const;
+
+  // Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
+  std::optional<LeastGap> least_gap(const Pose& pose) const;
+
+  // Is that vertex, which a pose has at x, impinged? Exact.
+  bool exactly_impinged(ScannedSurface scanned, const Vec3& x) const;
+  // Gap at x to the faces there, mm; NaN where there is none.
+  double gap(ScannedSurface scanned, const Vec3& x) const;
+
+  const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
+  const BallSocketPair& meshes() const { return joint_; }            // as given
+  std::size_t bytes() const;  // of everything that was made, without the meshes
+
+ private:
+  const BallSocketPair& joint_;
+  NearFaces ball_;
+  NearFaces socket_;
+  std::array<CulledScan, 2> scans_;
+};
+
+}  // namespace impinge

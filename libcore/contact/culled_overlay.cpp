@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/culled_overlay.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/face_item.hpp"
+#include "contact/touch_search.hpp"
+#include "gap/face_overlay.hpp"
+#include "sphere/orientation.hpp"
+#include "table/face_index.hpp"
+
+namespace impinge {
+namespace {
+
+// A moved face and the tree of the other surface.
+struct OverlayReach {
+  const CapTree& tree;
+  const FaceIndex::SeenFace& seen;
+  bool of_ball;  // that is moved: it reaches what is no farther than it is
+};
+
+// Calls visit(item) for the items from block `at` on that may share a direction with the face and be reached
+// by it, until it returns true.
+template <class Visit>
+bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& visit) {
+  const CapBlock& block = reach.tree.blocks()[at];
+  const double wide = reach.seen.cap.radius < 0.5 * kPi ? reach.seen.cap.radius : kPi;
+  for (std::size_t k = 0; k < block.nodes; ++k) {
+    if (reach.of_ball ? reach.seen.range.high < block.low[k] : reach.seen.range.low > block.high[k]) continue;
+    const Vec3 axis(block.x[k], block.y[k], block.z[k]);
+    if ((axis - reach.seen.cap.axis).norm() > wide + block.angle[k]) continue;  // no longer than the angle
+    if (!block.leaf(k)) {
+      if (visit_reached(reach, block.first[k], visit)) return true;
+      continue;
+    }
+    for (std::uint32_t item = block.first[k]; item < block.first[k] + block.items[k]; ++item) {
+      if (visit(item)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+CulledOverlay::Faces CulledOverlay::faces_of(const TriangleMesh& mesh) {
+  std::vector<CapItem> items;
+  std::vector<Face> kept;
+  for (const Face& face : mesh.faces) {
+    const auto item = face_item(mesh, face);
+    if (!item) continue;
+    items.push_back(*item);
+    kept.push_back(face);
+  }
+  Faces found{CapTree(items), {}, {}};
+  for (const std::uint32_t f : found.tree.order()) {
+    const Face& face = kept[f];
+    found.faces.push_back(face);
+    found.sides.push_back(orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
+  }
+  return found;
+}
+
+CulledOverlay::CulledOverlay(const CulledJoint& joint)
+    : joint_(joint), surfaces_{faces_of(joint.meshes().ball), faces_of(joint.meshes().socket)} {}
+
+const TriangleMesh& CulledOverlay::moved(std::size_t scan) const {
+  return scan == 0 ? joint_.meshes().ball : joint_.meshes().socket;
+}
+
+bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Face& face) const {
+  OverlayFace moving;
+  for (std::size_t k = 0; k < 3; ++k) moving.corner[k] = move.place(corner(moved(scan), face, k));
+  const FaceIndex::SeenFace seen = see_face(moving.corner);
+  moving.side = seen.side;
+  const Faces& rest = surfaces_[1 - scan];
+  if (rest.faces.empty()) return false;
+  return visit_reached({rest.tree, seen, scan == 0}, 0, [&](std::uint32_t item) {
+    OverlayFace resting;
+    for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), rest.faces[item], k);
+    resting.side = rest.sides[item];
+    return scan == 0 ? reaches(moving, resting) : reaches(resting, moving);
+  });
+}
+
+bool CulledOverlay::impinged(const Pose& pose) const {
+  const std::array<CulledScan, 2>& scans = joint_.scans();
+  const PosedTrees posed{
+      PosedTree{surfaces_[0].tree, scans[0].limits(), CapMove(ScannedSurface::ball, pose)},
+      PosedTree{surfaces_[1].tree, scans[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const auto touches = [&](const ScannedItem& at) {
+    return reaches_any(at.scan, posed[at.scan].move, surfaces_[at.scan].faces[at.item]);
+  };
+  return joint_.impinged(pose) || touching_item(posed, ItemQuestion(touches));
+}
+
+std::size_t CulledOverlay::bytes() const {
+  std::size_t bytes = 0;
+  for (const Faces& of : surfaces_) bytes += of.tree.bytes() + of.faces.size() * (sizeof(Face) + sizeof(int));
+  return bytes;
+}
+
+}  // namespace impinge

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do the surfaces of ball and socket impinge, edges and all, without asking most faces? The answers are those
+// of SurfaceOverlay::impinged(), in every pose; which faces count is said there (gap/overlay.hpp).
+//
+// A face is an item like a vertex: its directions are within its cap and its radii in its range, so that the
+// bounds of contact/gap_bounds.hpp hold for every point of it, also where the pose makes it edge-on. A face
+// whose cap is clear shares no direction with a face that it reaches. The others are compared with those
+// faces that share a direction with them, exactly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact/cap_move.hpp"
+#include "contact/culled_joint.hpp"
+
+namespace impinge {
+
+class CulledOverlay {
+ public:
+  // The joint must outlive this. O(faces).
+  explicit CulledOverlay(const CulledJoint& joint);
+
+  // Is the pose impinged? Exact.
+  bool impinged(const Pose& pose) const;
+
+  std::size_t bytes() const;  // of trees, faces and orientations
+
+ private:
+  // The faces of a surface that are not edge-on, in the order of their tree.
+  struct Faces {
+    CapTree tree;
+    std::vector<Face> faces;
+    std::vector<int> sides;  // orientations
+  };
+  static Faces faces_of(const TriangleMesh& mesh);
+  bool reaches_any(std::size_t scan, const CapMove& move, const Face& face) const;
+  // The surface whose faces a scan moves, and the other one.
+  const TriangleMesh& moved(std::size_t scan) const;
+  const TriangleMesh& at_rest(std::size_t scan) const { return moved(1 - scan); }
+
+  const CulledJoint& joint_;
+  std::array<Faces, 2> surfaces_;  // ball and socket
+};
+
+}  // namespace impinge

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scan, made ready for whole caps of its vertices to be decided at once: a tree of the vertices of one
+// surface, and the limits of the other one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact/cap_limits.hpp"
+#include "contact/cap_tree.hpp"
+#include "gap/algorithm_2.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+// A vertex of one of the surfaces.
+struct ScannedVertex {
+  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
+  std::size_t vertex = 0;                         // place among the vertices of its mesh
+  bool operator==(const ScannedVertex&) const = default;
+};
+
+class CulledScan {
+ public:
+  // Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
+  // lengths of either beyond those of floats in mesh/lengths.hpp.
+  CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
+             double margin = 0.0);
+
+  ScannedSurface scanned() const { return scanned_; }  // whose vertices are scanned
+  const CapTree& tree() const { return tree_; }        // of these vertices
+  const CapLimits& limits() const { return limits_; }  // of the other surface
+  // Item of the tree's order: a vertex of the mesh.
+  std::uint32_t vertex(std::size_t item) const { return vertex_[item]; }
+  // Where that vertex is in its mesh, mm.
+  const Vec3& position(std::size_t item) const { return position_[item]; }
+  std::size_t bytes() const;  // of tree, limits and positions
+
+ private:
+  ScannedSurface scanned_;
+  CapTree tree_;
+  CapLimits limits_;
+  std::vector<std::uint32_t> vertex_;
+  std::vector<Vec3> position_;
+};
+
+}  // namespace impinge

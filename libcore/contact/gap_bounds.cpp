@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/gap_bounds.hpp"
+
+#include <cmath>
+
+#include "contact/ladder_lanes.hpp"
+#include "contact/moved_lanes.hpp"
+#include "sphere/vector_clones.hpp"
+
+namespace impinge {
+namespace {
+
+using namespace lanes;
+
+// What the caps have to spare. A limit that all directions have, if it is good enough, lasts whatever they
+// turn by.
+template <ScannedSurface kScanned>
+inline void make_last(const MovedCaps& caps, const WholeLanes& level, const CapLadder& ladder, float enough,
+                      GapBounds& __restrict bounds) {
+  const CapLanes reach = reaches_of(level, ladder);
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    const float overall =
+        kScanned == ScannedSurface::ball ? ladder.overall - caps.length[k] : caps.length[k] - ladder.overall;
+    const bool surely = overall > enough;
+    bounds.gap[k] = surely ? overall : bounds.gap[k];
+    bounds.spare[k] = surely ? HUGE_VALF : reach[k] - caps.angle[k];
+  }
+}
+
+// The work on a block, once for each scan and kind of answer: what the other one needs is left out.
+template <ScannedSurface kScanned, bool kLasting>
+inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
+                        GapBounds& __restrict bounds) {
+  const MovedCaps caps = moved_lanes<kScanned>(block, move);
+  const WholeLanes level = levels_of(caps.angle, ladder, kLasting ? -1.0F : CapLimits::kAloneReach);
+  WholeLanes steps;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) steps[k] = ladder.steps[level[k]];
+  const WholeLanes entry = entries_of(caps, steps);
+  CapLanes limit;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) limit[k] = ladder.limits[entry[k]];
+  constexpr bool kBall = kScanned == ScannedSurface::ball;
+  WholeLanes open;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    const float gap = kBall ? limit[k] - caps.length[k] : caps.length[k] - limit[k];
+    const float middle = dot(move.own, block, k) + (kBall ? block.low[k] : block.high[k]);
+    bounds.gap[k] = gap;
+    bounds.likely[k] = kBall ? limit[k] - middle : middle - limit[k];
+    open[k] = gap > enough ? 0 : 1 << k;
+  }
+  if constexpr (kLasting) make_last<kScanned>(caps, level, ladder, enough, bounds);
+  std::int32_t some = 0;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) some |= open[k];
+  bounds.open = static_cast<std::uint32_t>(some) & ((1U << block.nodes) - 1U);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball(const CapBlock& block, const CapMove& move,
+                                                       const CapLadder& ladder, float enough,
+                                                       GapBounds& bounds) {
+  bound_lanes<ScannedSurface::ball, false>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket(const CapBlock& block, const CapMove& move,
+                                                         const CapLadder& ladder, float enough,
+                                                         GapBounds& bounds) {
+  bound_lanes<ScannedSurface::socket, false>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball_lastingly(const CapBlock& block, const CapMove& move,
+                                                                 const CapLadder& ladder, float enough,
+                                                                 GapBounds& bounds) {
+  bound_lanes<ScannedSurface::ball, true>(block, move, ladder, enough, bounds);
+}
+
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket_lastingly(const CapBlock& block, const CapMove& move,
+                                                                   const CapLadder& ladder, float enough,
+                                                                   GapBounds& bounds) {
+  bound_lanes<ScannedSurface::socket, true>(block, move, ladder, enough, bounds);
+}
+
+}  // namespace
+
+MovedCaps moved(const CapBlock& block, const CapMove& move) {
+  return move.scanned == ScannedSurface::ball ? moved_lanes<ScannedSurface::ball>(block, move)
+                                              : moved_lanes<ScannedSurface::socket>(block, move);
+}
+
+GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
+                     const GapsWanted& wanted) {
+  GapBounds bounds;
+  const bool ball = move.scanned == ScannedSurface::ball;
+  const CapLadder ladder = limits.ladder();
+  if (wanted.lasting) {
+    (ball ? bound_ball_lastingly : bound_socket_lastingly)(block, move, ladder, wanted.enough, bounds);
+  } else {
+    (ball ? bound_ball : bound_socket)(block, move, ladder, wanted.enough, bounds);
+  }
+  return bounds;
+}
+
+}  // namespace impinge

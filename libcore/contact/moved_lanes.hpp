@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a pose takes the caps of a block, in loops without a branch that the compiler turns into vector
+// instructions, for whoever includes them with its own; see contact/gap_bounds.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "contact/gap_bounds.hpp"
+
+namespace impinge::lanes {
+
+inline float larger(float a, float b) { return a > b ? a : b; }                        // of NaN the second
+inline float smaller(float a, float b) { return a < b ? a : b; }                       // likewise
+inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }   // of the two
+inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }  // of the two
+
+// Of a vector with the axis of a node.
+inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::size_t k) {
+  return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
+}
+
+// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger but by the rounding that
+// gap_bounds.hpp counts. Sums of so many terms of a series whose signs change are above or below sine and
+// cosine of any angle. T sin b is rounded upwards: where o is along the axis all digits of it are lost, and
+// where o points against it the sine decides.
+inline float most_along(float along, float angle, float shift) {
+  const float square = angle * angle;
+  const float low = 1.0F - 0.5F * square;
+  const float high = low + square * square * (1.0F / 24.0F);
+  const float sine = angle * (1.0F - square * (1.0F / 6.0F) * (1.0F - square * (1.0F / 20.0F)));
+  const float rest = larger(shift * shift - along * along, 0.0F);
+  const float across = std::sqrt(rest + kSquareSlack * (shift * shift));
+  const float edge = along * (along > 0.0F ? high : low) + across * sine;
+  return along >= low * shift ? shift : smaller(edge, shift);
+}
+
+// Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
+template <ScannedSurface kScanned>
+inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
+  const float shift = move.shift;
+  const float square = shift * shift;
+  const float along = dot(move.own, block, k);
+  const float low = block.low[k];
+  const float high = block.high[k];
+  if constexpr (kScanned == ScannedSurface::ball) {
+    const float twice = 2.0F * most_along(along, block.angle[k], shift);
+    const float most = larger(low * (low + twice), high * (high + twice)) + square;
+    return std::sqrt(larger(most + kSquareSlack * (high * high + square), 0.0F));
+  } else {
+    const float least_along = -most_along(-along, block.angle[k], shift);
+    const float nearest = smaller(larger(-least_along, low), high);
+    const float least = nearest * (nearest + 2.0F * least_along) + square;
+    return std::sqrt(larger(least - kSquareSlack * (nearest * nearest + square), 0.0F));
+  }
+}
+
+// Angle that holds the directions of a node's vertices, radians; infinite or NaN where any is possible.
+inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k) {
+  const float rest = larger(block.low[k] * (1.0F - static_cast<float>(kNodeSlack)) - move.shift, 0.0F);
+  return (block.angle[k] * block.low[k] + move.shift * block.spread[k]) / rest;
+}
+
+// Where the pose takes the caps of a block.
+template <ScannedSurface kScanned>
+inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
+  MovedCaps caps;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    caps.x[k] = block.mean[k] * dot(move.rotation[0], block, k) + move.translation[0];
+    caps.y[k] = block.mean[k] * dot(move.rotation[1], block, k) + move.translation[1];
+    caps.z[k] = block.mean[k] * dot(move.rotation[2], block, k) + move.translation[2];
+    caps.angle[k] = angle_of(block, move, k);
+    caps.length[k] = length_of<kScanned>(block, move, k);
+  }
+  return caps;
+}
+
+}  // namespace impinge::lanes

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does an item of either scan, a vertex or a face, touch the other surface? Whole caps of items are decided
+// at once; what is left over is asked item by item, of whoever is given. The answer is that of asking all
+// items.
+//
+// Whoever is asked must keep to the limits: its radii are those of the mesh, or means of radii within the
+// margin of the direction (see contact/cap_limits.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "contact/cap_limits.hpp"
+#include "contact/cap_move.hpp"
+#include "contact/cap_tree.hpp"
+
+namespace impinge {
+
+// A scan in a pose.
+struct PosedTree {
+  const CapTree& tree;      // of the items that are moved
+  const CapLimits& limits;  // of the other surface
+  CapMove move;             // of the items
+};
+// Both scans: of the ball's items and of the socket's.
+using PosedTrees = std::array<PosedTree, 2>;
+
+// An item of one of the scans.
+struct ScannedItem {
+  std::size_t scan;    // 0 of the ball, 1 of the socket
+  std::uint32_t item;  // place in the order of its tree
+};
+
+// Who is asked about single items: a function object that is borrowed.
+class ItemQuestion {
+ public:
+  // asked(item) says whether it touches: a gap of 0 or less.
+  template <class Asked>
+  explicit ItemQuestion(const Asked& asked)
+      : asked_(&asked), call_([](const void* self, const ScannedItem& at) {
+          return static_cast<bool>((*static_cast<const Asked*>(self))(at));
+        }) {}
+
+  // The answer.
+  bool operator()(const ScannedItem& at) const { return call_(asked_, at); }
+
+ private:
+  const void* asked_;
+  bool (*call_)(const void*, const ScannedItem&);
+};
+
+// Among all items of both scans: one that touches, if one does.
+std::optional<ScannedItem> touching_item(const PosedTrees& posed, const ItemQuestion& touches);
+
+}  // namespace impinge

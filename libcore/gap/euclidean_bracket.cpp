@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gap/euclidean_bracket.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "mesh/jump_edges.hpp"
+#include "mesh/triangle_distance.hpp"
+#include "sphere/infinity.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kGridPrecision = 1.0;  // degrees
+constexpr double kFarthest = 0.45;      // of |x|: no lower end for a distance beyond it
+constexpr double kAngleSlack = 1e-9;    // radians, for rounding
+constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
+constexpr double kRestRounding = 0x1p-49;  // of 1 - q^2 tan^2 psi: 5 roundings of at most 1, and to spare
+constexpr int kHalvings = 8;               // of the range of D
+
+// Largest tan psi of a face, off by less than 512 u (1 + tan psi) of itself (table/error_bound.hpp), from
+// outside.
+double steepest(const TriangleCone& cone) {
+  const double slope = cone.largest_slope();
+  const double off = 0x1p-44 * (1.0 + slope);
+  return off < 1.0 ? slope / (1.0 - off) : kInfinity;
+}
+
+// tan psi where the ray along u ends.
+double slope_along(const TriangleCone& cone, const Vec3& u) {
+  const Vec3& normal = cone.plane().normal;
+  return normal.cross(u).norm() / std::abs(normal.dot(u));
+}
+
+// L for the faces that count at this D, seen from a point of that length.
+double stretch(const auto& slopes, double length, double D) {
+  double slope = 0.0;
+  double radius = 0.0;
+  for (const auto& near : slopes) {
+    if (near.from > D) continue;
+    slope = std::max(slope, near.slope);
+    radius = std::max(radius, near.radius);
+  }
+  if (std::isinf(slope)) return kInfinity;
+  const double q = D / (length - D);
+  const double rest = 1.0 - q * q * slope * slope - kRestRounding;
+  double ratio = radius / (length - D);
+  if (rest > 0.0) ratio = std::min(ratio, (1.0 + std::sqrt(1.0 - rest * (1.0 - q * q))) / rest);
+  return std::hypot(1.0, ratio * slope);
+}
+
+}  // namespace
+
+EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
+    : mesh_(std::move(mesh)),
+      grid_(CubeGnomonic::with_precision(kGridPrecision)),
+      walker_(grid_.walker()),
+      near_(grid_.size()) {
+  if (mesh_.faces.empty()) {
+    throw std::invalid_argument("mesh: it has no faces, so there is no distance to it; read another file");
+  }
+  for (const JumpEdge& edge : jump_edges(mesh_))
+    jumps_.push_back({mesh_.vertices[edge.from], mesh_.vertices[edge.to]});
+  for (std::size_t f = 0; f < mesh_.faces.size(); ++f) list_face(f);
+}
+
+void EuclideanBracket::list_face(std::size_t f) {
+  const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
+  const auto& c = cone.corners();
+  const double radius = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
+  farthest_corner_ = std::max(farthest_corner_, radius);
+  if (cone.edge_on()) {
+    const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
+    edge_on_.push_back(
+        {middle, std::max({(c[0] - middle).norm(), (c[1] - middle).norm(), (c[2] - middle).norm()})});
+    return;
+  }
+  const double slope = steepest(cone);
+  walker_.visit_near(cone, grid_.covering_radius() + kAngleSlack, [&](const DirectionRun& run) {
+    for (std::size_t k = 0; k < run.count; ++k) {
+      Near& near = near_[run.first + k];
+      near.faces.push_back(static_cast<std::uint32_t>(f));
+      near.slope = std::max(near.slope, slope);
+      near.radius = std::max(near.radius, radius);
+      if (slope > kSteep || !cone.contains(run[k])) continue;
+      near.nearest = std::min(near.nearest, cone.radius(run[k]));
+      near.farthest = std::max(near.farthest, cone.radius(run[k]));
+    }
+  });
+}
+
+// Calls visit(near, direction) for the entries within that angle of unit u, and those next to them: one of
+// them lists any face that is seen within the angle.
+template <class Visit>
+void EuclideanBracket::for_each_within(const Vec3& u, double angle, Visit&& visit) const {
+  const double wide = angle + grid_.covering_radius() + kAngleSlack;
+  const double least = std::cos(wide + kAngleSlack);
+  walker_.visit_near(TriangleCone(u, u, u), wide, [&](const DirectionRun& run) {
+    for (std::size_t k = 0; k < run.count; ++k) {
+      const Vec3 direction = run[k];
+      if (direction.dot(u) >= least) visit(run.first + k, direction);
+    }
+  });
+}
+
+// It lists all faces that are met along u.
+std::size_t EuclideanBracket::entry_next_to(const Vec3& u) const {
+  std::size_t nearest = 0;
+  double closest = -kInfinity;
+  for_each_within(u, 0.0, [&](std::size_t i, const Vec3& direction) {
+    if (direction.dot(u) <= closest) return;
+    closest = direction.dot(u);
+    nearest = i;
+  });
+  return nearest;
+}
+
+// All but the lower end. x and the unit vector u along it, any u for x in the centre.
+DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) const {
+  DistanceBracket found;
+  found.upper_mm = kInfinity;
+  const Vec3& exact_direction = x.isZero(0.0) ? u : x;
+  for (const std::uint32_t f : near_[entry_next_to(u)].faces) {
+    const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
+    if (place_in_cone(cone.corners(), cone.side(), exact_direction) < 0) continue;
+    const double gap = std::abs(x.norm() - cone.radius(u));
+    if (gap < found.gap_mm) {
+      found.gap_mm = gap;
+      found.slope = slope_along(cone, u);
+    }
+    if (cone.largest_slope() <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
+    for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
+  }
+  for (const auto& [from, to] : jumps_)
+    found.edge_mm = std::min(found.edge_mm, std::sqrt(squared_distance_to_segment(x, from, to)));
+  found.upper_mm = std::min(found.upper_mm, found.edge_mm);
+  for (const auto& [middle, radius] : edge_on_)
+    found.upper_mm = std::min(found.upper_mm, (x - middle).norm() + radius);
+  return found;
+}
+
+// The upper end by points of the surface along the entries near x: where faces are steep they are nearer than
+// the end of the gap.
+double EuclideanBracket::shortened(const Vec3& x, double upper) const {
+  double least = upper;
+  for_each_within(x.normalized(), std::asin(upper / x.norm()), [&](std::size_t i, const Vec3& u) {
+    if (near_[i].farthest == 0.0) return;
+    least = std::min({least, (x - near_[i].nearest * u).norm(), (x - near_[i].farthest * u).norm()});
+  });
+  return least;
+}
+
+// Slopes that count for some D up to `farthest`.
+std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x, double farthest) const {
+  const double length = x.norm();
+  const Vec3 axis = x / length;
+  const double listed_within = grid_.covering_radius() + kAngleSlack;
+  const double sine = std::sin(listed_within);
+  const double cosine = std::cos(listed_within);
+  std::vector<Slope> slopes;
+  for_each_within(axis, std::asin(farthest / length), [&](std::size_t i, const Vec3& u) {
+    if (near_[i].faces.empty()) return;
+    const double from =
+        axis.cross(u).norm() * cosine - axis.dot(u) * sine;  // of the angle less listed_within
+    slopes.push_back({length * std::max(from, 0.0), near_[i].slope, near_[i].radius});
+  });
+  for (const Ball& ball : edge_on_)
+    slopes.push_back({std::max((x - ball.middle).norm() - ball.radius, 0.0), kInfinity, 0.0});
+  return slopes;
+}
+
+// The largest min(D, m / L(D)), nearly.
+double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) const {
+  const double m = std::min(found.gap_mm, found.edge_mm);
+  double high = std::min(found.upper_mm, kFarthest * x.norm());
+  const std::vector<Slope> slopes = slopes_near(x, high);
+  const auto end = [&](double D) { return m / stretch(slopes, x.norm(), D); };
+  if (end(high) >= high) return high;
+  double low = 0.0;
+  for (int step = 0; step < kHalvings; ++step) {
+    const double middle = 0.5 * (low + high);
+    (end(middle) >= middle ? low : high) = middle;
+  }
+  return std::max(low, end(high));
+}
+
+DistanceBracket EuclideanBracket::at(const Vec3& x) const {
+  const double length = x.norm();
+  const double allowance = kDistanceAllowance * (length + farthest_corner_);
+  DistanceBracket found = gap_and_edge(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
+  found.upper_mm += allowance;
+  if (length == 0.0) return found;
+  if (found.upper_mm < kFarthest * length) found.upper_mm = shortened(x, found.upper_mm) + allowance;
+  found.lower_mm = std::clamp(lower_end(x, found) - allowance, 0.0, found.upper_mm);
+  return found;
+}
+
+}  // namespace impinge

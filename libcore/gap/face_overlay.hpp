@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One face of the ball over one face of the socket, as the centre of one of them sees them.
+//
+// Does the ball's face X reach the socket's face Y: is there x = s y with x in X, y in Y, s >= 1? Along a
+// direction u the plane of a face has 1 / r = q.u, with one vector q for each face. So 1 / S - 1 / B is
+// linear in u over the directions that both faces cover, a convex cone, and the ball reaches the socket (B
+// >= S, so that the difference is not negative) somewhere in it exactly if it does so along one of its edges.
+// Those are directions through
+//   a corner of the ball's face over the socket's,
+//   a corner of the socket's face over the ball's,
+//   a crossing of an edge of one and an edge of the other.
+// Each is decided by exact signs (sphere/plane_side.hpp).
+//
+// The face at rest is never edge-on (gap/overlay.hpp). One that a pose makes edge-on as this centre
+// sees it covers no direction, so that nothing is over it, but it reaches or is reached like any other: along
+// a ray of its plane it is farthest from the centre on a side, and nearest on a side too, but where it holds
+// the centre. A side is over a sector of its plane, and over what the other face covers of that sector the
+// difference is linear again, so that its ends decide: a corner over the other face, or a crossing with a
+// side of it. (A side in the same plane changes nothing: its ends belong to other sides, which cross.) A face
+// of the socket that holds the centre of the ball is within any face of the ball, s growing beyond all bounds
+// as y comes to the centre; a face of the ball that holds the centre of the socket is beyond another only
+// with its sides.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sphere/orientation.hpp"
+#include "sphere/plane_side.hpp"
+
+namespace impinge {
+
+// Corners in a centre frame, mm, and their orientation.
+struct OverlayFace {
+  std::array<Vec3, 3> corner;  // as the face has them
+  int side = 0;                // orientation of the corners; 0 only for one that a pose has moved
+};
+
+// Does a face that is edge-on hold the centre, its boundary included? Exact.
+bool holds_centre(const OverlayFace& face);
+
+// Which of the three directions above it is, or that the face of the socket holds the centre.
+enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
+
+// A direction at which the gap over two faces may be smallest.
+struct OverlayPoint {
+  OverlayKind kind = OverlayKind::crossing;  // says what `ball` and `socket` are
+  int order = 0;  // +1 if the ball is beyond the socket there, 0 if they touch, -1 if the ball is nearer
+  std::size_t ball = 0;    // corner, or side from this corner to the next
+  std::size_t socket = 0;  // likewise of the socket's face
+};
+
+// Calls visit(point) for each of them until it returns true; returns whether it did. The face that is at rest
+// has a side other than 0.
+template <class Visit>
+bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& visit) {
+  const auto beyond = [](const OverlayFace& face, const Vec3& x) {
+    return face.side * plane_side(face.corner[0], face.corner[1], face.corner[2], x);
+  };
+  const auto over = [](const Vec3& x, const OverlayFace& face) {
+    return face.side != 0 && place_in_cone(face.corner, face.side, x) >= 0;
+  };
+  if (socket.side == 0 && holds_centre(socket) && visit(OverlayPoint{OverlayKind::centre, 1, 0, 0}))
+    return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& x = ball.corner[k];
+    if (over(x, socket) && visit(OverlayPoint{OverlayKind::ball_corner, beyond(socket, x), k, 0}))
+      return true;
+  }
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Vec3& y = socket.corner[l];
+    if (over(y, ball) && visit(OverlayPoint{OverlayKind::socket_corner, -beyond(ball, y), 0, l})) return true;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Crossing found =
+          crossing(ball.corner[k], ball.corner[(k + 1) % 3], socket.corner[l], socket.corner[(l + 1) % 3]);
+      if (found.crosses && visit(OverlayPoint{OverlayKind::crossing, found.order, k, l})) return true;
+    }
+  }
+  return false;
+}
+
+// Does the ball's face reach the socket's? Exact.
+inline bool reaches(const OverlayFace& ball, const OverlayFace& socket) {
+  return visit_overlay(ball, socket, [](const OverlayPoint& point) { return point.order >= 0; });
+}
+
+// Ball radius minus socket radius at that point, mm, in floating point: how deep the ball is in the socket.
+// At the centre, where any direction is meant, the farthest corner of the ball's face.
+double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point);
+
+}  // namespace impinge

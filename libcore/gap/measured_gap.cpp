@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gap/measured_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impinge {
+namespace {
+
+constexpr double kSteps = 64.0 * 0x1p-53;       // of a radius over the cosine
+constexpr double kLengthSteps = 8.0 * 0x1p-53;  // of the length of the vertex
+
+// Of one face along u, which its cone contains.
+RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
+  const double radius = cone.radius(u);
+  const FacePlane& plane = cone.plane();
+  const double error = kSteps * radius * (plane.normal.norm() * radius / plane.offset);
+  RadiusRange corners;
+  for (const Vec3& corner : cone.corners()) corners.include(corner.norm());
+  if (std::isinf(cone.largest_slope()) || !(error < corners.high)) return {0.0, corners.high};
+  return {radius - error, radius + error};
+}
+
+// Of the layer along x: the nearest or the farthest of the faces that x meets.
+RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
+  const Vec3 u = x.stableNormalized();
+  RadiusRange found;
+  surface.any_met(x, [&](std::uint32_t f, int side) {
+    const TriangleCone cone = cone_of(surface.mesh(), surface.mesh().faces[f]);
+    if (place_in_cone(cone.corners(), side, x) < 0) return false;
+    const RadiusRange here = radius_range(cone, u);
+    if (found.empty()) {
+      found = here;
+    } else if (layer == Layer::nearest) {
+      found = {std::min(found.low, here.low), std::min(found.high, here.high)};
+    } else {
+      found = {std::max(found.low, here.low), std::max(found.high, here.high)};
+    }
+    return false;  // and the next
+  });
+  return found;
+}
+
+CertifiedGap measured(const BoundedScan& scan, std::size_t i) {
+  const Vec3& x = scan.places[i];
+  return scan.scanned == ScannedSurface::ball ? measured_ball_gap(scan.asked, x)
+                                              : measured_socket_gap(scan.asked, x);
+}
+
+}  // namespace
+
+CertifiedGap measured_ball_gap(const NearFaces& socket, const Vec3& x) {
+  if (x.isZero(0.0)) return {};
+  const RadiusRange range = layer_range(socket, x, Layer::nearest);
+  if (range.empty()) return {};
+  const double length = x.norm();
+  const double error = kLengthSteps * length;
+  return certified(range.low - length - error, range.high - length + error, Cover::whole);
+}
+
+CertifiedGap measured_socket_gap(const NearFaces& ball, const Vec3& x) {
+  if (x.isZero(0.0)) return {};
+  const RadiusRange range = layer_range(ball, x, Layer::farthest);
+  if (range.empty()) return {};
+  const double length = x.norm();
+  const double error = kLengthSteps * length;
+  return certified(length - range.high - error, length - range.low + error, Cover::whole);
+}
+
+SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& socket) {
+  SmallestBetween found;
+  for (const BoundedScan* scan : {&ball, &socket}) {
+    for (std::size_t i = 0; i < scan->gap.size(); ++i) {
+      if (!std::isnan(scan->gap[i])) found.high = std::min(found.high, scan->gap[i] + scan->bound[i]);
+    }
+  }
+  const double by_bounds = found.high;
+  for (const BoundedScan* scan : {&ball, &socket}) {
+    for (std::size_t i = 0; i < scan->gap.size(); ++i) {
+      const double low = scan->gap[i] - scan->bound[i];
+      if (std::isnan(scan->gap[i]) || low > by_bounds) continue;
+      const CertifiedGap exact = measured(*scan, i);
+      ++found.measured;
+      if (exact.cover == Cover::none) continue;
+      found.low = std::min(found.low, exact.low);
+      found.high = std::min(found.high, exact.high);
+    }
+  }
+  return found;
+}
+
+}  // namespace impinge

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gap of a vertex measured on the faces themselves, with a bound on its rounding: what a table cannot
+// prove, beside a rim or where a surface is seen nearly edge-on, a few faces can.
+//
+// The bound. TriangleCone::radius() errs by at most 60 u r / cos psi, u = 2^-53 and psi the angle between the
+// ray and the normal of the face (stress/measure.hpp derives it); 1 / cos psi = |n| r / (n . v0). kSteps
+// takes 64 for what is of second order. Of a face that is seen so nearly edge-on that no digit is certain the
+// radius is anything up to that of its farthest corner. Whether the ray of the vertex meets a face is decided
+// exactly, for the vertex as to_socket() or to_ball() rounds it. Its length and the difference add 8 u of it.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "gap/algorithm_2.hpp"
+#include "gap/certified_gap.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+
+// Of a vertex of the ball, x in the socket's frame, mm; the nearest layer of the socket counts.
+CertifiedGap measured_ball_gap(const NearFaces& socket, const Vec3& x);
+
+// Of a vertex of the socket, x in the ball's frame, mm; the farthest layer of the ball counts.
+CertifiedGap measured_socket_gap(const NearFaces& ball, const Vec3& x);
+
+// Gaps of one scan by a table and what is proven about them, by vertex, mm.
+struct BoundedScan {
+  ScannedSurface scanned = ScannedSurface::ball;  // whose vertices
+  const NearFaces& asked;                         // the other surface
+  std::span<const Vec3> places;                   // of the vertices, in the frame of that
+  std::span<const double> gap;                    // NaN where there is none
+  std::span<const double> bound;                  // infinite where nothing is proven
+};
+
+// Where the smallest gap of all vertices that have one is proven to be.
+struct SmallestBetween {
+  double low = std::numeric_limits<double>::infinity();   // mm
+  double high = std::numeric_limits<double>::infinity();  // mm; infinite if no vertex has a gap
+  std::size_t measured = 0;  // vertices whose bound left it open, so that they were measured on the faces
+};
+
+// Of both scans. Bounds are believed.
+SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& socket);
+
+}  // namespace impinge

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hip/hip.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "hip/hip_checks.hpp"
+#include "hip/hip_rings.hpp"
+#include "mesh/loft.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr int kMostTries = 12;
+constexpr double kCloseEnough = 0.01;
+
+// Faces that loft() makes of the rings.
+std::size_t face_count(const PointRings& rings) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const std::size_t bands = i == 0 || i + 1 == rings.size() ? 1 : 2;
+    count += rings[i].size() == 1 ? 0 : bands * rings[i].size();
+  }
+  return count;
+}
+
+void turn_over(TriangleMesh& mesh) {
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+}
+
+// Faces are as many as edges are short: their number goes with 1 / spacing^2, up to rounding.
+template <class Rings>
+TriangleMesh mesh_of(const HipSurface& hip, const Rings& rings_of, std::size_t faces) {
+  double spacing = hip.head_radius * std::sqrt(30.0 / static_cast<double>(faces));
+  PointRings rings = rings_of(hip, spacing);
+  for (int k = 0; k < kMostTries; ++k) {
+    const double ratio = static_cast<double>(face_count(rings)) / static_cast<double>(faces);
+    if (std::abs(ratio - 1.0) < kCloseEnough) break;
+    spacing *= std::sqrt(ratio);
+    rings = rings_of(hip, spacing);
+  }
+  TriangleMesh mesh = loft(rings);
+  turn_over(mesh);  // the rings run clockwise
+  return mesh;
+}
+void mirror(TriangleMesh& mesh) {
+  for (Vec3& v : mesh.vertices) v.x() = -v.x();
+  turn_over(mesh);
+}
+
+}  // namespace
+
+Hip make_hip(const HipParameters& parameters, std::size_t faces) {
+  if (faces < kFewestHipFaces) {
+    throw std::invalid_argument("a surface of a hip needs " + std::to_string(kFewestHipFaces) +
+                                " faces or more, not " + std::to_string(faces));
+  }
+  const HipSurface surface = hip_surface(parameters);
+  require_free_at_rest(surface);
+  Hip hip{mesh_of(surface, femur_rings, faces), mesh_of(surface, acetabulum_rings, faces)};
+  if (parameters.side == Side::left) {
+    mirror(hip.ball);
+    mirror(hip.socket);
+  }
+  return hip;
+}
+
+}  // namespace impinge

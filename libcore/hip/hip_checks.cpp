@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hip/hip_checks.hpp"
+
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace impinge {
+namespace {
+
+constexpr double kThickestNeck = 0.95;  // of the head's radius
+constexpr double kThinnestNeck = 0.25;
+constexpr double kLargestFillet = 0.33;  // the same
+constexpr double kStraightNeck = 1.45;   // of the head's radius, from the centre
+constexpr double kWidestRim = 140.0;     // degrees from the pole
+constexpr double kNarrowestRim = 20.0;
+constexpr int kRimSteps = 144;
+constexpr int kPolarSteps = 48;
+
+[[noreturn]] void refuse(const char* pattern, auto... values) {
+  char text[320];
+  std::snprintf(text, sizeof text, pattern, values...);
+  throw std::invalid_argument(text);
+}
+
+void require_neck(const HipSurface& hip) {
+  const HipParameters& p = hip.parameters;
+  const double share = hip.neck_radius / hip.head_radius;
+  if (!(share >= kThinnestNeck && share <= kThickestNeck)) {
+    refuse(
+        "parameter head_neck_offset = %g leaves a neck of %.1f mm radius on a head of %.1f mm; give %.1f to "
+        "%.1f mm",
+        p.head_neck_offset, hip.neck_radius, hip.head_radius, (1.0 - kThickestNeck) * hip.head_radius,
+        (1.0 - kThinnestNeck) * hip.head_radius);
+  }
+  if (p.neck_fillet > kLargestFillet * hip.head_radius) {
+    refuse("parameter neck_fillet = %g would round off the neck itself; give at most %.1f mm", p.neck_fillet,
+           kLargestFillet * hip.head_radius);
+  }
+  const double missing = kStraightNeck * hip.head_radius - neck_end(hip);
+  if (missing > 0.0) {
+    refuse("parameter neck_length = %g leaves no neck between head and shaft; give at least %.1f mm",
+           p.neck_length, p.neck_length + missing);
+  }
+}
+
+void require_conchoid(const HipParameters& p) {
+  if ((p.conchoid_a > 0.0) != (p.conchoid_b > 0.0)) {
+    refuse("parameter conchoid_%s is 0 and the other is not; give both a and b, or neither",
+           p.conchoid_a > 0.0 ? "b" : "a");
+  }
+  if (p.conchoid_b > 0.0 && !(p.conchoid_a > p.conchoid_b)) {
+    refuse("parameter conchoid_a = %g is not above conchoid_b = %g, and the curve crosses itself; raise a",
+           p.conchoid_a, p.conchoid_b);
+  }
+}
+
+void require_rim(const HipSurface& hip) {
+  for (int k = 0; k < kRimSteps; ++k) {
+    const double hours = 12.0 * k / kRimSteps;
+    const double polar = rim_polar(hip, hours) / kDegree;
+    if (polar >= kNarrowestRim && polar <= kWidestRim) continue;
+    const bool pincer = hip.parameters.pincer_height > 0.0 && polar > kWidestRim;
+    refuse(
+        "parameter %s puts the rim %.0f degrees from the pole of the socket at %s o'clock, where %.0f to "
+        "%.0f are possible; %s",
+        pincer ? "pincer_height" : "lateral_centre_edge", polar, clock_text(hours).c_str(), kNarrowestRim,
+        kWidestRim, pincer ? "lower it" : "give one nearer to half_opening minus inclination");
+  }
+}
+
+struct RestGap {
+  double gap = std::numeric_limits<double>::infinity();
+  double hours = 0.0;
+};
+
+RestGap smallest_at_rest(const HipSurface& hip) {
+  RestGap least;
+  for (int k = 0; k < kRimSteps; ++k) {
+    const double hours = 12.0 * k / kRimSteps;
+    for (int i = 0; i <= kPolarSteps; ++i) {
+      const double polar = rim_polar(hip, hours) * i / kPolarSteps;
+      const Vec3 x =
+          hip.socket_centre + hip.socket_radius * clock_direction(-hip.opening, hip.rim_clock, polar, hours);
+      const double gap = x.norm() - head_neck_radius(hip, x.normalized());
+      if (gap < least.gap) least = {gap, hours};
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+void require_range(const HipParameters& parameters) {
+  require_in_range(parameters);
+  require_conchoid(parameters);
+}
+
+void require_shape(const HipSurface& hip) {
+  require_neck(hip);
+  require_rim(hip);
+}
+
+void require_free_at_rest(const HipSurface& hip) {
+  const HipParameters& p = hip.parameters;
+  const RestGap rest = smallest_at_rest(hip);
+  if (rest.gap > 0.0) return;
+  HipSurface without_cam = hip;
+  without_cam.parameters.cam_height = 0.0;
+  const bool cam = p.cam_height > 0.0 && smallest_at_rest(without_cam).gap > 0.0;
+  refuse("parameter %s = %g lets the ball penetrate the socket by %.2f mm at rest, at %s o'clock; %s",
+         cam ? "cam_height" : "joint_space", cam ? p.cam_height : p.joint_space, -rest.gap,
+         clock_text(rest.hours).c_str(),
+         cam ? "lower it, or move the cam from under the rim with cam_polar or cam_half_width"
+             : "raise it, or lower what brings the surfaces together: shifts, half_opening, pincer_height");
+}
+
+}  // namespace impinge

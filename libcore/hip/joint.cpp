@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hip/joint.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "files/file_error.hpp"
+#include "gap/formatted.hpp"
+#include "hip/arrangement.hpp"
+#include "hip/length_unit.hpp"
+
+namespace impinge {
+namespace {
+
+// A closed ball round the centre sums to a solid angle of 4 pi. A shell of cartilage sums to 0; one that
+// fills less than half of the view is a cap, or lies beside its centre.
+constexpr double kHalfOfTheView = 0.5;
+constexpr double kHalfOfTheSphere = 2.0 * kPi;
+
+[[noreturn]] void refuse_mesh(const NamedMesh& mesh, const std::string& reason) {
+  throw std::runtime_error(mesh.name + ": " + reason);
+}
+
+std::string text_of(const Vec3& x) { return formatted("%.3f,%.3f,%.3f", x.x(), x.y(), x.z()); }
+
+JointPart examine(TriangleMesh mesh, const Vec3& centre) {
+  JointPart part;
+  part.validation = validate(mesh);
+  part.mesh = relative_to(std::move(mesh), centre);
+  part.star_shape = star_shape(part.mesh);
+  return part;
+}
+
+// Finds the centre where it is not given.
+void place_centre(const JointInput& input, Joint& joint) {
+  if (input.centre) {
+    joint.centre = *input.centre;
+    return;
+  }
+  try {
+    joint.fit = fit_ball(input.ball.mesh);
+  } catch (const std::invalid_argument& error) {
+    refuse_mesh(input.ball, error.what() + ("; give the centre " + input.wording.centre));
+  }
+  joint.centre = joint.fit->centre;
+}
+
+bool is_cap(const StarShapeReport& ball) {
+  return std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView;
+}
+
+// The sphere that fits a ball, or all of a cap that is too small for that.
+SphereFit fit_cap(const TriangleMesh& mesh) {
+  try {
+    return fit_ball(mesh);
+  } catch (const std::invalid_argument&) {
+    return fit_sphere(mesh.vertices, vertex_areas(mesh));
+  }
+}
+
+// Why a centre that is given cannot be that of a cap; empty where it can. One that was fitted can.
+std::string refused_centre(const Joint& joint) {
+  if (joint.fit) return {};
+  try {
+    const SphereFit fit = fit_cap(joint.ball.mesh);
+    return fit.centre.norm() < fit.radius ? "" : "which lies outside of the ball";
+  } catch (const std::invalid_argument&) {
+    return "and no sphere fits it";
+  }
+}
+
+// A joint has two surfaces: the same mesh for both is a slip, whatever the names of the files.
+void require_two_meshes(const JointInput& input) {
+  if (input.ball.mesh.vertices != input.socket.mesh.vertices ||
+      input.ball.mesh.faces != input.socket.mesh.faces)
+    return;
+  throw FileError(input.socket.name, "is the mesh of the ball and of the socket",
+                  "check " + input.wording.meshes);
+}
+
+// A cap of a ball is good for what it covers; a ball beside the centre is none.
+void check_view(const JointInput& input, Joint& joint) {
+  const StarShapeReport& ball = joint.ball.star_shape;
+  const bool cap = is_cap(ball);
+  const std::string share = formatted("%.0f %% of the view from the centre ", 100.0 * ball.covered);
+  const std::string refused = cap ? refused_centre(joint) : "";
+  if (!refused.empty()) {
+    refuse_mesh(input.ball, "fills only " + share + text_of(joint.centre) + ", " + refused +
+                                "; give a centre inside " + input.wording.centre +
+                                ", or check that the files are not swapped and in mm");
+  }
+  if (joint.socket.star_shape.covered == 0.0) {
+    refuse_mesh(input.socket, "no direction from the centre " + text_of(joint.centre) +
+                                  " meets the socket; check that both meshes are in one frame and in mm");
+  }
+  if (cap)
+    joint.warnings.push_back(input.ball.name + ": is a cap, " + share + text_of(joint.centre) +
+                             "; beyond its edge there is no gap and no contact");
+}
+
+void check_units(const JointInput& input, const Facing& found, Joint& joint) {
+  const std::string apart =
+      different_units(reach_of(joint.ball.mesh), reach_of(joint.socket.mesh), found.ratio);
+  if (!apart.empty()) refuse_mesh(input.socket, apart);
+  const std::string doubt = doubtful_unit(found.ball_radius);
+  if (!doubt.empty()) joint.warnings.push_back(input.ball.name + ": " + doubt);
+}
+
+void check_arrangement(const JointInput& input, const Facing& found, Joint& joint) {
+  if (look_swapped(found, is_cap(joint.ball.star_shape))) {
+    throw FileError(input.ball.name, "lies outside of the socket and does not close about the centre",
+                    "check that " + input.wording.meshes + " are not swapped");
+  }
+  if (!input.side) return;
+  TriangleMesh socket = joint.socket.mesh;
+  const Eigen::Matrix3d axes = input_to_joint(input.axes);
+  for (Vec3& x : socket.vertices) x = axes * x;
+  if (!looks_lateral(socket, *input.side)) return;
+  const std::string side = *input.side == Side::right ? "right" : "left";
+  joint.warnings.push_back(input.socket.name + ": lies to the " + side + " of the ball, which no " + side +
+                           " socket does; check " + input.wording.side);
+}
+
+void warn(const JointPart& part, const std::string& name, const std::string& policy, Joint& joint) {
+  const MeshReport& report = part.validation;
+  if (report.degenerate_faces + report.duplicate_faces + report.flipped_faces + report.non_manifold_edges +
+          report.unreferenced_vertices >
+      0) {
+    std::string found = describe(report);
+    for (char& c : found) c = c == '\n' ? ' ' : c;
+    joint.warnings.push_back(name + ": " + found);
+  }
+  if (!part.star_shape.star_shaped) {
+    joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; " + policy);
+  }
+}
+
+}  // namespace
+
+Joint assemble_joint(JointInput input) {
+  require_two_meshes(input);
+  Joint joint;
+  place_centre(input, joint);
+  joint.ball = examine(std::move(input.ball.mesh), joint.centre);
+  joint.socket = examine(std::move(input.socket.mesh), joint.centre);
+  check_view(input, joint);
+  const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
+  check_units(input, found, joint);
+  check_arrangement(input, found, joint);
+  warn(joint.ball, input.ball.name, "the outermost layer stands for the ball", joint);
+  warn(joint.socket, input.socket.name, "the layer nearest to the centre stands for the socket", joint);
+  return joint;
+}
+
+}  // namespace impinge

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "motion/named_motion.hpp"
+
+#include <array>
+
+namespace impinge {
+namespace {
+
+constexpr std::array kMotions{
+    NamedMotion{"flexion", {}, "flexion", "thigh forward"},
+    NamedMotion{"extension", {}, "extension", "thigh back"},
+    NamedMotion{"abduction", {}, "abduction", "thigh outwards"},
+    NamedMotion{"adduction", {}, "adduction", "thigh inwards"},
+    NamedMotion{"internal_rotation", {}, "internal_rotation", "knee inwards"},
+    NamedMotion{"external_rotation", {}, "external_rotation", "knee outwards"},
+    NamedMotion{"internal_rotation_at_45", {45, 0, 0}, "internal_rotation", "at 45 degrees of flexion"},
+    NamedMotion{"internal_rotation_at_70", {70, 0, 0}, "internal_rotation", "at 70 degrees of flexion"},
+    NamedMotion{"internal_rotation_at_90", {90, 0, 0}, "internal_rotation", "at 90 degrees of flexion"},
+    NamedMotion{"external_rotation_at_90", {90, 0, 0}, "external_rotation", "at 90 degrees of flexion"},
+    NamedMotion{"fadir", {90, -15, 0}, "internal_rotation", "at 90 of flexion and 15 of adduction"},
+    NamedMotion{"faber", {45, 30, 0}, "external_rotation", "at 45 of flexion and 30 of abduction"}};
+
+}  // namespace
+
+std::span<const NamedMotion> named_motions() { return kMotions; }
+
+}  // namespace impinge

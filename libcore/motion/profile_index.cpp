@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "motion/profile_index.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/triangle_distance.hpp"
+
+namespace impinge {
+namespace {
+
+std::size_t cell(double value, double low, double high, std::size_t cells) {
+  if (!(value > low) || !(high > low)) return 0;
+  const double share = (value - low) / (high - low) * static_cast<double>(cells);
+  return std::min(static_cast<std::size_t>(std::min(share, static_cast<double>(cells))), cells - 1);
+}
+
+}  // namespace
+
+ProfileBox profile_of(const Vec3& x, double margin) {
+  const double r = x.norm();
+  return {x.z() - margin, x.z() + margin, r - margin, r + margin};
+}
+
+ProfileBox profile_of(const Vec3& a, const Vec3& b, double margin) {
+  const double nearest = std::sqrt(squared_distance_to_segment(Vec3::Zero(), a, b));
+  return {std::min(a.z(), b.z()) - margin, std::max(a.z(), b.z()) + margin, nearest - margin,
+          std::max(a.norm(), b.norm()) + margin};
+}
+
+ProfileBox profile_of(const Vec3& a, const Vec3& b, const Vec3& c, double margin) {
+  const double nearest = std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c));
+  return {std::min({a.z(), b.z(), c.z()}) - margin, std::max({a.z(), b.z(), c.z()}) + margin,
+          nearest - margin, std::max({a.norm(), b.norm(), c.norm()}) + margin};
+}
+
+ProfileBox bounds_of(const std::vector<ProfileBox>& boxes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ProfileBox all{kInfinity, -kInfinity, kInfinity, -kInfinity};
+  for (const ProfileBox& box : boxes) {
+    all.z_low = std::min(all.z_low, box.z_low);
+    all.z_high = std::max(all.z_high, box.z_high);
+    all.r_low = std::min(all.r_low, box.r_low);
+    all.r_high = std::max(all.r_high, box.r_high);
+  }
+  return all;
+}
+
+ProfileIndex::ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& within)
+    : boxes_(std::move(boxes)), bounds_(bounds_of(boxes_)) {
+  bounds_ = {std::max(bounds_.z_low, within.z_low), std::min(bounds_.z_high, within.z_high),
+             std::max(bounds_.r_low, within.r_low), std::min(bounds_.r_high, within.r_high)};
+  first_.assign(kCells * kCells + 1, 0);
+  const auto for_each_cell = [&](const auto& action) {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (!bounds_.overlaps(boxes_[i])) continue;
+      const Cells cells = cells_of(boxes_[i]);
+      for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
+        for (std::size_t r = cells.r_low; r <= cells.r_high; ++r) action(z * kCells + r, i);
+      }
+    }
+  };
+  for_each_cell([&](std::size_t c, std::size_t) { ++first_[c + 1]; });
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  listed_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for_each_cell([&](std::size_t c, std::size_t i) { listed_[next[c]++] = static_cast<std::uint32_t>(i); });
+}
+
+ProfileIndex::Cells ProfileIndex::cells_of(const ProfileBox& box) const {
+  return {cell(box.z_low, bounds_.z_low, bounds_.z_high, kCells),
+          cell(box.z_high, bounds_.z_low, bounds_.z_high, kCells),
+          cell(box.r_low, bounds_.r_low, bounds_.r_high, kCells),
+          cell(box.r_high, bounds_.r_low, bounds_.r_high, kCells)};
+}
+
+}  // namespace impinge

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first contact in a turn about an axis through the centre, in closed form: no step, so no tunnelling.
+//
+// The ball X turns by t about an axis through the centre of both surfaces, the socket Y rests. The pose is
+// impinged if x = s y for some x in X(t), y in Y and s >= 1 (gap/overlay.hpp). Start from a pose that
+// is not, and let t0 be the first angle that is. Then one of these happens at t0:
+//   (a) the surfaces have a common point. Two triangles that were apart and now meet do so in a convex set
+//       whose extreme points are a corner of one in the other or a crossing of their edges. (An edge that
+//       pierces the inside of a face across its plane did so before.)
+//   (b) they have none, so that s > 1 in all such pairs. If x lies where X goes on in all directions round
+//   it,
+//       some x' in X(t) was beyond the same y a little earlier, and likewise for y in Y: hence both lie on
+//       jump edges (mesh/jump_edges.hpp). As the centre sees it two arcs meet for the first time: an end of
+//       one comes to lie on the other. (Were they to cross with s < 1 and s to grow to 1, that is (a).) In
+//       other words an end of a jump edge of the ball comes into the wall { k y : k >= 1 } beyond a jump edge
+//       of the socket, or an end of one of the socket into the wall { k x : 0 <= k <= 1 } within one of the
+//       ball.
+// Corner and plane, edge and edge, corner and wall each give a sinusoid (motion/sinusoid.hpp). Only pairs
+// whose boxes of height and radius overlap can meet (motion/profile_index.hpp); where a sinusoid is near zero
+// the span of angles is halved until the distance of the two parts shows that they do not meet in it (no
+// point moves farther than its distance from the axis times the angle), or no point moves farther than the
+// tolerance. A pair that takes more than 10,000 halvings counts as touching from there on.
+//
+// A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
+// socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets
+// the ball or is within it. These are corners and faces again, and walls of all jump edges, for every vertex.
+// A vertex of the socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is asked
+// for no nearer to the centre than half the way to the nearest point of the ball, where only walls are.
+// What it finds is the first angle at which the two scans of vertices have a gap of t or less.
+//
+// What rounding may do. With u = 2^-53 and R the largest radius: vertices are turned to the frame of the axis
+// and by the angle, within 20 u R each; distances of parts that are not thin are right to 16 u D / 1e-2 with
+// D <= 2 R, others are not above the true ones (motion/part_distance.hpp); a pose that is rounded has its
+// vertices within 20 u R: 3500 u R = 4e-13 R together. The coefficients of a sinusoid are right to 20 u R
+// times the lengths that it is a product of. So `tolerance()`, 1e-12 R, is above what rounding may hide, and
+// a sinusoid is asked for at twice of it. Parts nearer than twice the tolerance count as touching: no contact
+// comes before the angle that is returned, but it may be a false one where the parts pass as closely as that
+// and do not meet: turn_limit.hpp makes certain of it. The wall beyond an edge, q the ratio of the
+// least to the largest distance of the edge from the centre, has 64 u / q of its reach as further tolerance.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "motion/sinusoid.hpp"
+#include "motion/turn_surface.hpp"
+
+namespace impinge {
+
+// Which of the parts touch: a corner of one and a face of the other, two edges, or two rims as the centre
+// sees them.
+enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
+
+// "ball vertex", "socket vertex", "edges", "rims".
+std::string_view name(ContactKind kind);
+
+struct TurnContact {
+  double angle = 0.0;                     // radians; nothing touches before
+  ContactKind kind = ContactKind::edges;  // what touches
+  Vec3 place = Vec3::Zero();              // mm, in the frame of the axis, the socket at rest
+  Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
+};
+
+// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
+struct TurnMesh {
+  const TriangleMesh& mesh;                              // borrowed
+  const TurnParts& parts;                                // those of the mesh, borrowed
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // a rotation
+};
+
+// The centres coincide. The ball turns about the unit axis.
+struct TurnScene {
+  TurnMesh ball;              // that turns
+  TurnMesh socket;            // that rests
+  Vec3 axis = Vec3::UnitZ();  // unit vector, in the frame of both after `before`
+  double largest_gap = 0.0;   // threshold that will be asked for, mm
+};
+
+// The search, made ready for one axis.
+class TurnContacts {
+ public:
+  // Takes the parts of both surfaces to the frame of the axis.
+  explicit TurnContacts(const TurnScene& scene);
+
+  // Angles to look at, radians, 0 <= from <= to <= 2 pi.
+  // The first contact, if there is one.
+  std::optional<TurnContact> first(const AngleSpan& angles) const;
+  // The first angle at which a vertex of either surface has a gap of `gap_mm`, 0 or more; none is at `from`.
+  std::optional<TurnContact> first_gap(double gap_mm, const AngleSpan& angles) const;
+
+  double tolerance() const { return tolerance_; }  // mm
+
+ private:
+  struct Indices {
+    ProfileIndex faces;
+    ProfileIndex edges;
+    ProfileIndex walls;
+  };
+  Indices index(const TurnSurface& surface, const ProfileBox& within) const;
+  std::optional<TurnContact> in_mesh_frame(std::optional<TurnContact> found) const;
+
+  Eigen::Matrix3d rotation_;  // to the frame whose +z is the axis
+  TurnSurface ball_;
+  TurnSurface socket_;
+  double tolerance_;
+  std::optional<Indices> ball_index_;  // always there
+  std::optional<Indices> socket_index_;
+};
+
+}  // namespace impinge

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bringing a table up to date after a part of its mesh has moved (the thesis' deformable case): only entries
+// that a changed face covers, before or after, are worked out again.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "sphere/entry_set.hpp"
+#include "table/cap_range.hpp"
+#include "table/exact_raster.hpp"
+#include "table/face_index.hpp"
+
+namespace impinge {
+
+// Faces with a corner that is not where it was. The meshes differ in the places of their vertices alone, else
+// std::invalid_argument.
+std::vector<std::size_t> changed_faces(const TriangleMesh& before, const TriangleMesh& after);
+
+// A cap that holds all directions of these faces in both meshes; all directions where none narrower is found.
+DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
+                          const std::vector<std::size_t>& faces);
+
+// Are all directions of the face outside of the cap? false is safe.
+bool surely_outside(const TriangleMesh& mesh, const Face& face, const DirectionCap& cap);
+
+// `table` was filled exactly from `before` for this layer and becomes that of `after`, bit for bit. Returns
+// how many entries were worked out. The rim, where there is one, is followed anew as a whole.
+template <SamplingScheme S>
+std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer layer,
+                   RadialTable<S>& table) {
+  const std::vector<std::size_t> changed = changed_faces(before, after);
+  if (changed.empty()) return 0;
+  if constexpr (!HasKnownBorders<S>) {  // entries beside the rim that was have no radius any more
+    table = fill_exact(after, table.scheme(), layer);
+    return table.scheme().size();
+  }
+  const auto& walker = table.scheme().walker();
+  EntrySet touched(table.scheme().size());
+  for (const std::size_t f : changed) {
+    for (const TriangleMesh* mesh : {&before, &after}) {
+      const TriangleCone cone = cone_of(*mesh, mesh->faces[f]);
+      if (cone.edge_on()) continue;
+      for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3&) { touched.insert(entry); });
+    }
+  }
+  touched.number();
+  const auto radii = table.radii();
+  touched.for_each([&](std::size_t entry) { radii[entry] = kNoSurface; });
+  const DirectionCap cap = cap_of_faces(before, after, changed);
+  for (const Face& face : after.faces) {
+    if (surely_outside(after, face, cap)) continue;
+    const TriangleCone cone = cone_of(after, face);
+    if (cone.edge_on()) continue;
+    for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
+      if (touched.contains(entry)) keep(radii[entry], cone.radius(u), layer);
+    });
+  }
+  table.forget_rim();
+  mask_rim(after, layer, table);
+  return touched.count();
+}
+
+}  // namespace impinge

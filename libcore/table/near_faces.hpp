@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a surface is near a direction, made in a few milliseconds: its faces, and what they prove about any
+// table of the surface without there being one. For looking up few directions, where a table of all of them
+// costs more than it saves; table/face_index.hpp knows tighter ranges and takes longer to make.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/jump_edges.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/cap_range.hpp"
+#include "table/layer.hpp"
+
+namespace impinge {
+
+class NearFaces {
+ public:
+  // Of all directions within the margin of the one that was asked for.
+  struct Near {
+    std::span<const std::uint32_t> faces;  // every face that is met there, and perhaps some that are not
+    RadiusRange range;   // mm, holds every radius there and every mean of them; empty if there is none
+    double slope = 0.0;  // no face there has a larger tan psi
+    bool rim = true;     // may the surface end or jump there?
+
+    bool nothing() const { return range.empty(); }  // no face is met
+  };
+
+  // mesh in the centre frame; it must outlive this. margin in radians. Faces whose
+  // plane holds the centre cover no direction and are not listed, but their slope is infinite.
+  NearFaces(const TriangleMesh& mesh, double margin);
+
+  // x of any length. Nothing is known about the centre, which has no direction.
+  Near near(const Vec3& x) const;
+
+  // Radius of the layer along unit u, mm; kNoSurface if it meets no face. The number that exact
+  // rasterisation gives to an entry in this direction.
+  double radius(const Vec3& u, Layer layer) const;
+
+  // The same, for u within the margin of the direction that `near` was asked for.
+  double radius(const Vec3& u, const Near& near, Layer layer) const;
+
+  // Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
+  // of its corners.
+  template <class Test>
+  bool any_met(const Vec3& x, Test&& test) const {
+    const Vec3 u = x.stableNormalized();
+    for (const std::uint32_t f : listed(grid_.stencil(u))) {
+      const Cap& cap = caps_[f];
+      if (cap.axis.dot(u) >= cap.cosine && test(f, cap.side)) return true;
+    }
+    return false;
+  }
+
+  const TriangleMesh& mesh() const { return mesh_; }             // that the faces are of
+  bool empty() const { return faces_.empty(); }                  // no face covers a direction
+  double margin() const { return margin_; }                      // radians
+  const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
+
+  // Those of the jump edges that come within `angle` radians of some of these directions, and perhaps others.
+  std::vector<JumpEdge> jumps_near(std::span<const Vec3> directions, double angle) const;
+
+  std::size_t bytes() const;  // of memory, without the mesh
+
+ private:
+  struct Cap {
+    Vec3 axis;
+    double cosine;  // of the angle that holds the face; -1 where it does not
+    int side;       // orientation of its corners
+  };
+  // Of the faces within reach of an entry of the grid; as floats, rounded outwards, for a look-up to find
+  // those of neighbours together.
+  struct Summary {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -std::numeric_limits<float>::infinity();
+    float slope = 0.0F;
+    bool rim = false;
+  };
+  using Listed = std::pair<std::uint32_t, std::uint32_t>;  // entry of the grid, face
+
+  void see(std::size_t f, const CubeGnomonic::Walker& walker, std::vector<Listed>& listed);
+  void sort(const std::vector<Listed>& listed);
+  // The faces of that entry of the stencil which has the fewest: none that is met there is missing.
+  std::span<const std::uint32_t> listed(const Stencil& stencil) const;
+
+  const TriangleMesh& mesh_;
+  double margin_;
+  CubeGnomonic grid_;
+  double reach_;  // radians: of the summary of an entry
+  std::vector<Cap> caps_;
+  std::vector<Summary> summaries_;
+  std::vector<std::uint32_t> first_;  // faces of entry i: faces_[first_[i]] .. faces_[first_[i + 1] - 1]
+  std::vector<std::uint32_t> faces_;
+  std::vector<JumpEdge> jumps_;
+};
+
+}  // namespace impinge

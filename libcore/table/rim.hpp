@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rim mask: which cells of a table the edge of a surface crosses.
+//
+// Every cell is found that an edge is in, by more than rounding, however the borders of cells bend. The edge
+// is halved in angle until each part surely meets every cell in one stretch (HasKnownBorders in
+// sphere/scheme.hpp); along such a part the places where the cell changes are found by halving, one after the
+// other. A part shorter than kRimPlace is not halved any more: a border that bends by k cuts less than k
+// kRimPlace^2 off it. What is left out by rounding is found from either side, at kBesideEdge. Not found is a
+// cell that is narrower than that and runs along the edge; it is read across by its neighbours and marked
+// with them.
+//
+// Of a scheme that does not tell how its cells are bounded the entries beside an edge have no surface.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mesh/jump_edges.hpp"
+#include "sphere/radial_table.hpp"
+#include "table/layer.hpp"
+
+namespace impinge {
+
+// An edge may run along the border of two cells, both of which it then separates: it is followed at this
+// distance on either side, radians.
+inline constexpr double kBesideEdge = 1e-9;
+
+// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
+inline constexpr double kRimPlace = 1e-12;
+
+// The line from `from` to `to`, each of its points x moved by |x| `aside`. In halves of an angle: a ray that
+// halves the angle between two points divides the line between them as their distances from the centre.
+struct RimLine {
+  Vec3 from;                  // mm
+  Vec3 to;                    // mm
+  Vec3 aside = Vec3::Zero();  // across, radians
+
+  // Two places of the line as shares of it, and the angle between their directions.
+  struct Part {
+    double first;  // share
+    double last;   // share
+    double angle;  // radians
+  };
+
+  Part whole() const { return {0.0, 1.0, angle_between(from, to)}; }  // of the line
+  // The point at a share of the line, mm.
+  Vec3 point(double share) const {
+    const Vec3 x = from + share * (to - from);
+    return x + x.norm() * aside;
+  }
+  // Where the angle of a part is halved.
+  double middle(const Part& part) const {
+    const double near = (from + part.first * (to - from)).norm();
+    const double far = (from + part.last * (to - from)).norm();
+    return near + far > 0.0 ? part.first + (part.last - part.first) * (near / (near + far)) : part.last;
+  }
+};
+
+// Follows a line from cell to cell.
+template <class S, class Visit>
+class RimTrace {
+ public:
+  // Keeps references to all three.
+  RimTrace(const S& scheme, const RimLine& line, Visit& visit)
+      : scheme_(scheme), line_(line), visit_(visit), here_(scheme.stencil(line.point(0.0))) {}
+
+  // From one end to the other, once.
+  void run() {
+    follow(line_.whole());
+    visit_(here_, line_.point(entered_), line_.point(1.0));
+  }
+
+ private:
+  // In parts that meet each cell in one stretch, or are too short to matter.
+  void follow(const RimLine::Part& part) {
+    if (part.angle < kRimPlace || meets_once(part)) return find_changes(part);
+    const double middle = line_.middle(part);
+    follow({part.first, middle, 0.5 * part.angle});
+    follow({middle, part.last, 0.5 * part.angle});
+  }
+  bool meets_once(const RimLine::Part& part) const {
+    const Vec3 a = line_.point(part.first);
+    const Vec3 b = line_.point(part.last);
+    return meets_cells_once(scheme_, a, b);
+  }
+
+  // Where the line leaves the cell that it is in is found by halving.
+  void find_changes(RimLine::Part part) {
+    const std::size_t last_cell = scheme_.stencil(line_.point(part.last)).cell;
+    while (here_.cell != last_cell) {
+      RimLine::Part change = part;
+      for (; change.angle > kRimPlace; change.angle *= 0.5) {
+        const double middle = line_.middle(change);
+        (scheme_.stencil(line_.point(middle)).cell == here_.cell ? change.first : change.last) = middle;
+      }
+      visit_(here_, line_.point(entered_), line_.point(change.first));
+      part.first = entered_ = change.last;
+      here_ = scheme_.stencil(line_.point(entered_));
+    }
+  }
+
+  const S& scheme_;
+  const RimLine& line_;
+  Visit& visit_;
+  double entered_ = 0.0;  // where the line entered the cell that it is in
+  Stencil here_;
+};
+
+// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
+// ends. No cell is left out in which the line is deeper than rounding. Beside an edge a line is straight for
+// an eighth of a turn, no farther than 1.09 `aside` from it, and then goes on from there.
+template <class S, class Visit>
+void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
+  const RimLine::Part whole = line.whole();
+  if (whole.angle > 0.25 * kPi && !line.aside.isZero(0.0)) {
+    const Vec3 middle = line.from + line.middle(whole) * (line.to - line.from);
+    for_each_cell_along(scheme, {line.from, middle, line.aside}, visit);
+    return for_each_cell_along(scheme, {middle, line.to, line.aside}, visit);
+  }
+  const RimLine straight{line.point(0.0), line.point(1.0)};
+  RimTrace<S, std::remove_reference_t<Visit>>(scheme, straight, visit).run();
+}
+
+// The least distance from the centre of a stretch of a line, mm.
+inline double least_radius(const Vec3& first, const Vec3& last) {
+  const Vec3 along = last - first;
+  const double length = along.squaredNorm();
+  if (length == 0.0) return first.norm();
+  return (first + std::clamp(-first.dot(along) / length, 0.0, 1.0) * along).norm();
+}
+// The largest, which is at an end.
+inline double largest_radius(const Vec3& first, const Vec3& last) {
+  return std::max(first.norm(), last.norm());
+}
+// The one of both at which a stretch is most likely to be of the layer.
+inline double radius_to_be_seen(const Vec3& first, const Vec3& last, Layer layer) {
+  return layer == Layer::nearest ? least_radius(first, last) : largest_radius(first, last);
+}
+
+// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
+// to belong to the layer; 0 or less if not at all. `radius` is that of the stretch of the edge in the cell.
+template <class Table>
+double change_to_be_seen(const Table& table, const Stencil& stencil, double radius, Layer layer) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < stencil.taps; ++k) {
+    const double tap = table.radius_of(stencil.entry[k]);
+    if (!std::isnan(tap))
+      least = std::min(least, layer == Layer::nearest ? std::log(radius / tap) : std::log(tap / radius));
+  }
+  return least;
+}
+
+// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
+// scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
+template <class S, class Visit>
+void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
+  visit(at);
+  if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
+}
+
+// Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
+// entry speaks for its cell, but not on the line between two others.) Where a cell reads one entry only, that
+// speaks for directions beyond the rim.
+template <class Table>
+bool may_be_parted(const Table& table, const Stencil& stencil) {
+  return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
+                       [&](std::size_t i) { return !std::isnan(table.radius_of(i)); }) > 1 ||
+         stencil.taps == 1;
+}
+
+// An edge in a cell that the faces at the edge alone would call hidden.
+struct DoubtfulRim {
+  Stencil reader;  // of the cell, by the entries that it reads
+  double slope;    // tan psi that a face within the reach of a tap needs for the edge to be seen
+};
+
+// Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T s)
+// between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
+template <class Table>
+void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful, Table& table) {
+  std::unordered_map<std::size_t, double> slopes;  // of the taps
+  double least = std::numeric_limits<double>::infinity();
+  for (const DoubtfulRim& rim : doubtful) {
+    least = std::min(least, rim.slope);
+    for (std::size_t k = 0; k < rim.reader.taps; ++k) slopes[rim.reader.entry[k]] = 0.0;
+  }
+  if (doubtful.empty()) return;
+  const auto& scheme = table.scheme();
+  const auto& walker = scheme.walker();
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
+    if (slope < least) continue;
+    walker.visit_near(cone, scheme.stencil_radius(), [&](const DirectionRun& run) {
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const auto tap = slopes.find(run.first + k);
+        if (tap != slopes.end()) tap->second = std::max(tap->second, slope);
+      }
+    });
+  }
+  for (const DoubtfulRim& rim : doubtful) {
+    for (std::size_t k = 0; k < rim.reader.taps; ++k) {
+      const std::size_t entry = rim.reader.entry[k];
+      if (!std::isnan(table.radius_of(entry)) && slopes[entry] >= rim.slope)
+        table.mark_rim_cell(rim.reader.cell);
+    }
+  }
+}
+
+// The direction across an edge, unit; 0 where the centre sees it as a point. The difference of near ends is
+// exact, or nearly so, and their product is small: its rounding is one of the edge's own length.
+inline Vec3 across(const Vec3& from, const Vec3& to) { return from.cross(to - from).stableNormalized(); }
+
+// For a scheme that does not tell the borders of its cells: takes the surface from every entry within the
+// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
+// one across an edge.
+template <class Table>
+void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Table& table) {
+  const auto& walker = table.scheme().walker();
+  const double reach = table.scheme().stencil_radius() + kBesideEdge;
+  for (const JumpEdge& edge : edges) {
+    const Vec3& to = mesh.vertices[edge.to];
+    walker.visit_near(TriangleCone(mesh.vertices[edge.from], to, to), reach, [&](const DirectionRun& run) {
+      for (std::size_t k = 0; k < run.count; ++k) table.forget(run.first + k);
+    });
+  }
+}
+
+// Marks the cells that one side of an edge parts, or puts them down as doubtful.
+template <class Table>
+void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& table,
+                std::vector<DoubtfulRim>& doubtful) {
+  const double reach = table.scheme().stencil_radius();
+  for_each_cell_along(table.scheme(), line, [&](const Stencil& at, const Vec3& first, const Vec3& last) {
+    const double radius = radius_to_be_seen(first, last, layer);
+    for_each_cell_reading(table.scheme(), at, [&](const Stencil& reader) {
+      if (!table.keeps(reader) || !may_be_parted(table, reader)) return;
+      const double change = change_to_be_seen(table, reader, radius, layer);
+      if (change <= edge.slope * reach) {
+        table.mark_rim_cell(reader.cell);
+      } else {
+        doubtful.push_back({reader, change / reach});
+      }
+    });
+  });
+}
+
+// Marks the cells that these edges part and those that read across them.
+template <class Table>
+void mask_crossed(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
+  std::vector<DoubtfulRim> doubtful;
+  for (const JumpEdge& edge : edges) {
+    RimLine line{mesh.vertices[edge.from], mesh.vertices[edge.to]};
+    const Vec3 normal = across(line.from, line.to);
+    if (normal.isZero(0.0)) continue;  // seen as a point
+    for (const double side : {-kBesideEdge, kBesideEdge}) {
+      line.aside = side * normal;
+      mask_along(edge, line, layer, table, doubtful);
+    }
+  }
+  std::erase_if(doubtful, [&table](const DoubtfulRim& rim) { return table.is_rim_cell(rim.reader.cell); });
+  mask_doubtful(mesh, doubtful, table);
+}
+
+// Marks every cell in which the surface ends or jumps between the entries that it reads, for these of the
+// jump edges of the mesh. A table is one that has radius_of(), keeps(), forget(), scheme() and a rim mask;
+// cells that read an entry that it does not keep are never asked, and are left out.
+template <class Table>
+void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
+  const auto& scheme = table.scheme();
+  if constexpr (requires { scheme.has_known_borders(); }) {  // AnyScheme
+    scheme.has_known_borders() ? mask_crossed(edges, mesh, layer, table) : forget_beside(edges, mesh, table);
+  } else if constexpr (HasKnownBorders<std::remove_cvref_t<decltype(scheme)>>) {
+    mask_crossed(edges, mesh, layer, table);
+  } else {
+    forget_beside(edges, mesh, table);
+  }
+}
+
+// For all of them.
+template <class Table>
+void mask_rim(const TriangleMesh& mesh, Layer layer, Table& table) {
+  mask_rim_along(jump_edges(mesh), mesh, layer, table);
+}
+
+}  // namespace impinge

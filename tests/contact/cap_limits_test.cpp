@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What culling rests on:
+//   a node holds the directions and the radii of all its items
+//   within(x, angle): every radius of the surface along u, angle(u, x) <= angle + margin, is beyond the limit
+#include "contact/cap_limits.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "contact/ladder_lanes.hpp"
+#include "mesh/bodies.hpp"
+#include "support/cap_nodes.hpp"
+#include "support/directions.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+Vec3 axis_of(const CapBlock& block, std::size_t lane) {
+  return {block.x[lane], block.y[lane], block.z[lane]};
+}
+
+TEST(CapTree, EveryNodeHoldsItsItems) {
+  std::vector<CapItem> items;
+  for (const Vec3& u : test::random_directions(3000, 31)) {
+    const double low = 20.0 + u.x();
+    items.push_back({{u, 0.02 * (1.0 + u.y())}, {low, low + 0.1 * (1.0 + u.z())}});
+  }
+  const CapTree tree(items);
+  std::vector<std::uint32_t> all;
+  std::size_t nodes = 0;
+  test::for_each_node(tree, [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
+    ++nodes;
+    const auto below = test::items_below(tree, node);
+    if (node.block == 0) all.insert(all.end(), below.begin(), below.end());
+    for (const std::uint32_t k : below) {
+      const CapItem& item = items[tree.order()[k]];
+      const double away = angle_between(axis_of(block, lane), item.cap.axis) + item.cap.radius;
+      EXPECT_LE(std::min(away, kPi), block.angle[lane]);
+      EXPECT_LE(block.low[lane], item.range.low);
+      EXPECT_GE(block.high[lane], item.range.high);
+    }
+  });
+  EXPECT_LT(nodes, items.size() + items.size() / 2);
+  std::ranges::sort(all);
+  std::vector<std::uint32_t> every(items.size());
+  std::iota(every.begin(), every.end(), 0U);
+  EXPECT_EQ(all, every);
+}
+
+// The caps of leaves are little wider than their cells.
+TEST(CapTree, CapsShrink) {
+  std::vector<CapItem> items;
+  for (const Vec3& u : test::random_directions(3000, 32)) items.push_back({{u, 0.0}, {20.0, 20.0}});
+  test::for_each_node(CapTree(items), [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
+    EXPECT_LT(block.angle[lane], block.leaf(node.lane) ? 0.2F : 4.0F);
+  });
+}
+
+class LimitsOf : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Faces, LimitsOf, ::testing::Values(8, 200, 1500));
+
+TEST_P(LimitsOf, AreKeptInEveryCap) {
+  const double margin = 0.01;
+  const TriangleMesh mesh = test::bumpy(GetParam());
+  const CapLimits low(mesh, Layer::nearest, margin);
+  const CapLimits high(mesh, Layer::farthest, margin);
+  const RayCaster rays(mesh);
+  const auto ways = test::random_directions(400, 33);
+  const auto asides = test::random_directions(400, 34);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const double angle = std::pow(10.0, -4.0 + 4.4 * static_cast<double>(k) / 400.0);
+    const Vec3 aside = (asides[k] - asides[k].dot(ways[k]) * ways[k]).normalized();
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const auto radius = [&](double way) {
+        return rays.cast((std::cos(way) * ways[k] + std::sin(way) * aside).normalized(), Layer::nearest);
+      };
+      const double wide = radius(share * (angle + margin));
+      EXPECT_LE(low.within(ways[k], static_cast<float>(angle)).radius, wide);
+      EXPECT_GE(high.within(ways[k], static_cast<float>(angle)).radius, wide);
+      EXPECT_GE(low.within(ways[k], static_cast<float>(angle)).reach, angle);
+      const double narrow = radius(share * margin);
+      EXPECT_LE(low.beside(ways[k]), narrow);
+      EXPECT_GE(high.beside(ways[k]), narrow);
+    }
+  }
+}
+
+// The finest ladder holds 6e6 limits and more: kernels find the last of them, too. Along +x of a face of n
+// cells that is the entry (n / 2) (n + 1) + n / 2.
+TEST(CapLimits, KernelsReachTheEndOfALongLadder) {
+  constexpr std::uint32_t kPlace = 8'000'000;
+  constexpr std::uint32_t kCells = 510;
+  MovedCaps caps;
+  caps.x.fill(20.0F);
+  caps.y.fill(0.0F);
+  caps.z.fill(0.0F);
+  lanes::WholeLanes steps;
+  steps.fill(static_cast<std::int32_t>((kPlace << CapLimits::kLineBits) + kCells));
+  for (const std::int32_t entry : lanes::entries_of(caps, steps))
+    EXPECT_EQ(entry, static_cast<std::int32_t>(kPlace + kCells / 2 * (kCells + 1) + kCells / 2));
+}
+
+// Small caps of a fine mesh have limits that are worth something: a radius changes by 2 mm a radian, over the
+// cap, the way to an entry and a face.
+TEST(CapLimits, AreTightInSmallCaps) {
+  const TriangleMesh mesh = sphere(22.0, 3000, Vec3(2.0, 0.0, 0.0));
+  const CapLimits limits(mesh, Layer::nearest);
+  const RayCaster rays(mesh);
+  for (const Vec3& u : test::random_directions(200, 35)) {
+    const double radius = rays.cast(u, Layer::nearest);
+    EXPECT_GT(limits.within(u, 0.05F).radius, radius - 2.0 * (0.25 + 0.101 + 0.2));
+    EXPECT_GT(limits.beside(u), radius - 2.0 * (0.0505 + 0.2));
+  }
+}
+
+TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
+  const TriangleMesh mesh = cup(20.0, 30.0, 500);
+  const Vec3 away = -Vec3::UnitZ();
+  EXPECT_EQ(CapLimits(mesh, Layer::nearest).within(away, 0.2F).radius, HUGE_VALF);
+  EXPECT_EQ(CapLimits(mesh, Layer::farthest).within(away, 0.2F).radius, -HUGE_VALF);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(away, 2.7F).radius, 20.1F);
+  EXPECT_LT(CapLimits(mesh, Layer::nearest).within(Vec3::Zero(), HUGE_VALF).radius, 20.1);
+  EXPECT_EQ(CapLimits({}, Layer::nearest).beside(away), HUGE_VALF);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Limits of real joints that jump where a graze becomes a contact: the interval holds for random centres
+// within half a millimetre of the one that the joint is described with. Needs the folder that IMPINGE_BONES
+// names; without it there is nothing to test.
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "harness/real_joints.hpp"
+#include "hip/sphere_fit.hpp"
+#include "motion/told_limit.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr int kCentres = 6;
+
+struct JumpingLimit {
+  const char* subject;
+  const char* motion;
+};
+
+Vec3 random_centre(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Vec3 way(normal(random), normal(random), normal(random));
+  return std::uniform_real_distribution<double>(0.3, 0.99)(random) * kErrorOfInput * way.normalized();
+}
+
+TEST(CentreIntervalBones, HoldsForOtherCentres) {
+  const char* bones = std::getenv("IMPINGE_BONES");  // NOLINT(concurrency-mt-unsafe)
+  if (bones == nullptr) GTEST_SKIP() << "no real joints: set IMPINGE_BONES";
+  Progress progress("test", nullptr);
+  std::mt19937_64 random(18);
+  for (const RealJoint& joint : read_real_joints(bones, progress)) {
+    for (const JumpingLimit& jumping :
+         {JumpingLimit{"cargen_left", "internal_rotation"}, JumpingLimit{"libhip_m4_left", "flexion"}}) {
+      if (joint.subject != jumping.subject) continue;
+      const BallSocketPair meshes = in_joint_frame(joint);
+      const JointTurn turn = joint_turn({}, motion_name(jumping.motion), joint.side);
+      const ToldLimit told = told_limit(TurnLimits(meshes), turn, 0.0, 180.0);
+      EXPECT_TRUE(told.hangs_on_less()) << jumping.subject;
+      ASSERT_TRUE(told.common.limited) << jumping.subject;
+      double least = told.limit.low_deg;
+      double most = told.limit.high_deg;
+      for (int k = 0; k < kCentres; ++k) {
+        // The last is the centre of a sphere fitted to the ball, 0.1 mm away, about which the limit is
+        // another.
+        const Vec3 at = k + 1 < kCentres ? random_centre(random) : fit_ball(meshes.ball).centre;
+        const TurnLimit limit = TurnLimits({relative_to(meshes.ball, at), relative_to(meshes.socket, at)})
+                                    .first_contact(turn, 180.0);
+        ASSERT_EQ(limit.state, LimitState::limited);
+        least = std::min(least, limit.low_deg);
+        most = std::max(most, limit.high_deg);
+      }
+      EXPECT_GT(most - least, 20.0) << jumping.subject << ": it does not jump";
+      EXPECT_LE(told.common.low_deg, least) << jumping.subject;
+      EXPECT_GE(told.common.high_deg, most) << jumping.subject;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impinge::lab

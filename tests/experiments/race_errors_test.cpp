@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors of methods that are wrong in a known way, and bounds that are held against them.
+#include "10_error_against_time/race_errors.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "10_error_against_time/race_scenes.hpp"
+#include "methods/table_method.hpp"
+#include "sphere/quantised_table.hpp"
+#include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/probe_directions.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Answers by a function.
+class Formula final : public RadiusMethod {
+ public:
+  explicit Formula(std::function<double(const Vec3&)> formula) : formula_(std::move(formula)) {}
+  void answer(std::span<const Vec3> points, std::span<double> out) override {
+    std::ranges::transform(points, out.begin(), formula_);
+  }
+  double bytes() const override { return 0.0; }
+
+ private:
+  std::function<double(const Vec3&)> formula_;
+};
+
+// The truth is 20 mm everywhere but below z = -0.5, where there is no surface.
+double truth_at(const Vec3& x) { return x.normalized().z() < -0.5 ? kNone : 20.0; }
+
+RaceProbes sphere_probes() {
+  RaceProbes probes;
+  probes.points = uniform_directions(4000, 3);
+  probes.uniform = 4000;
+  probes.points.emplace_back(0.0, 0.0, 1.0);
+  probes.truth_at = truth_at;
+  for (const Vec3& x : probes.points) probes.truth.push_back(truth_at(x));
+  return probes;
+}
+
+TEST(RaceErrors, AreSignedAndWeightedBySolidAngle) {
+  // 0.01 mm above on the upper half, 0.02 mm below on the rest.
+  Formula method([](const Vec3& x) { return truth_at(x) + (x.z() > 0.0 ? 0.01 : -0.02); });
+  const RaceErrors errors = measure_errors(method, sphere_probes(), {.starts = 0});
+  EXPECT_NEAR(errors.max_over, 0.01, 1e-12);
+  EXPECT_NEAR(errors.max_under, 0.02, 1e-12);
+  EXPECT_NEAR(errors.max(), 0.02, 1e-12);
+  // The half stands for two of three parts of the covered solid angle.
+  EXPECT_NEAR(errors.rms, std::sqrt((2.0 * 0.01 * 0.01 + 0.02 * 0.02) / 3.0), 3e-4);
+  EXPECT_NEAR(errors.p99, 0.02, 1e-12);
+  EXPECT_NEAR(errors.uniform_max, 0.02, 1e-12);
+  EXPECT_NEAR(errors.feature_max, 0.01, 1e-12);
+  EXPECT_EQ(errors.misses + errors.false_hits, 0U);
+  EXPECT_EQ(errors.directions, 4001U);
+}
+
+TEST(RaceErrors, AbsentAnswersAreCountedAndNotDropped) {
+  Formula method([](const Vec3& x) { return x.normalized().x() > 0.8 ? kNone : 20.0; });
+  const RaceProbes probes = sphere_probes();
+  const RaceErrors errors = measure_errors(method, probes, {});
+  std::size_t misses = 0;
+  std::size_t false_hits = 0;
+  for (const Vec3& x : probes.points) {
+    misses += x.z() >= -0.5 && x.x() > 0.8 ? 1U : 0U;
+    false_hits += x.z() < -0.5 && x.x() <= 0.8 ? 1U : 0U;
+  }
+  EXPECT_GT(misses, 300U);
+  EXPECT_GT(false_hits, 900U);
+  EXPECT_EQ(errors.misses, misses);
+  EXPECT_EQ(errors.false_hits, false_hits);
+  EXPECT_EQ(errors.max(), 0.0);
+}
+
+// An error that peaks so sharply that no probe is on top of it; the ascent gets there.
+TEST(RaceErrors, TheAscentFindsThePeak) {
+  const Vec3 top = Vec3(0.3, -0.4, 0.6).normalized();
+  Formula method(
+      [&](const Vec3& x) { return truth_at(x) + 0.1 * std::exp(-50.0 * (x.normalized() - top).norm()); });
+  const RaceErrors without = measure_errors(method, sphere_probes(), {.starts = 0});
+  const RaceErrors with = measure_errors(method, sphere_probes(), {.starts = 4, .steps = 200});
+  EXPECT_LT(without.max(), 0.09);
+  EXPECT_NEAR(with.max(), 0.1, 1e-4);
+  EXPECT_NEAR(with.adversarial_max, 0.1, 1e-4);
+  EXPECT_EQ(without.adversarial_max, 0.0);
+  EXPECT_LT((with.worst.normalized() - top).norm(), 1e-3);
+  EXPECT_GT(with.directions, without.directions + 4 * 200 - 1);
+}
+
+TEST(RaceErrors, OfAPoseAreThoseOfOneAnswer) {
+  Formula distance([](const Vec3&) { return 1.25; });
+  EXPECT_NEAR(measure_pose(distance, 1.0).max_over, 0.25, 1e-15);
+  Formula apart([](const Vec3&) { return kNone; });
+  EXPECT_EQ(measure_pose(apart, 1.0).misses, 0U);
+  EXPECT_EQ(measure_pose(apart, 0.0).misses, 1U);
+  Formula touching([](const Vec3&) { return 0.0; });
+  EXPECT_EQ(measure_pose(touching, 1.0).false_hits, 1U);
+  EXPECT_EQ(measure_pose(touching, 0.0).false_hits, 0U);
+}
+
+TEST(Violation, IsAnErrorAboveTheBound) {
+  RaceErrors errors;
+  errors.max_under = 0.002;
+  errors.worst = Vec3(0.1, -0.2, 0.3);
+  EXPECT_FALSE(find_violation(errors, {}));
+  EXPECT_FALSE(find_violation(errors, {.bound_mm = 0.002}));
+  const auto violation = find_violation(errors, {.bound_mm = 0.001});
+  ASSERT_TRUE(violation);
+  const auto line = nlohmann::json::parse(violation->text());
+  EXPECT_DOUBLE_EQ(line["error_um"].get<double>(), 2.0);
+  EXPECT_DOUBLE_EQ(line["bound_um"].get<double>(), 1.0);
+  EXPECT_EQ(std::strtod(line["point_mm"][1].get<std::string>().c_str(), nullptr), -0.2);
+  EXPECT_EQ(violation->text().find('\n'), std::string::npos);
+}
+
+// What 16 bits add is bounded; the error of the stored table on a body whose table in double is exact (each
+// of its cells has one radius) comes close to it, so that half of the bound is found to be violated.
+TEST(Violation, AHalvedBoundIsFound) {
+  RadialTable<CubeGnomonic> table(CubeGnomonic::with_precision(4.0));
+  const auto radius = [](const Vec3& x) { return 24.0 + 3.0 * std::sin(1000.0 * x.normalized().x()); };
+  for (std::size_t i = 0; i < table.scheme().size(); ++i)
+    table.radii()[i] = radius(table.scheme().direction(i));
+  TableMethod<Uint16Table<CubeGnomonic>> method{Uint16Table<CubeGnomonic>(table)};
+  RaceProbes probes;
+  probes.points = uniform_directions(5000, 9);
+  probes.uniform = probes.points.size();
+  for (std::size_t i = 0; i < table.scheme().size(); ++i)
+    probes.points.push_back(table.scheme().direction(i));
+  probes.truth_at = [&table](const Vec3& x) { return table.radius_at(x); };
+  for (const Vec3& x : probes.points) probes.truth.push_back(probes.truth_at(x));
+  const RaceErrors errors = measure_errors(method, probes, {});
+  EXPECT_FALSE(find_violation(errors, {.bound_mm = method.storage_bound()}));
+  EXPECT_TRUE(find_violation(errors, {.bound_mm = 0.5 * method.storage_bound()}));
+}
+
+}  // namespace
+}  // namespace impinge::lab

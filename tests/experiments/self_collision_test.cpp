@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: two faces without a common vertex whose radii at one entry differ by no more than the tolerance
+// are a pair, each once; faces that share a vertex never are.
+#include "20_claims/self_collision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/icosphere.hpp"
+#include "sphere/schemes/rsid.hpp"
+
+namespace impinge::lab {
+namespace {
+
+TriangleMesh with_second_layer(TriangleMesh mesh, const TriangleMesh& other) {
+  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Face& f : other.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  return mesh;
+}
+
+// Brute force over entries and pairs.
+std::vector<FacePair> collisions_by_force(const TriangleMesh& mesh, const Rsid& scheme, double tolerance) {
+  std::vector<FacePair> pairs;
+  for (std::size_t a = 0; a < mesh.faces.size(); ++a) {
+    for (std::size_t b = a + 1; b < mesh.faces.size(); ++b) {
+      if (are_neighbours(mesh.faces[a], mesh.faces[b])) continue;
+      const TriangleCone first = cone_of(mesh, mesh.faces[a]);
+      const TriangleCone second = cone_of(mesh, mesh.faces[b]);
+      for (std::size_t i = 0; i < scheme.size(); ++i) {
+        const Vec3 u = scheme.direction(i);
+        if (!first.contains(u) || !second.contains(u)) continue;
+        if (std::abs(first.radius(u) - second.radius(u)) > tolerance) continue;
+        pairs.emplace_back(a, b);
+        break;
+      }
+    }
+  }
+  return pairs;
+}
+
+TEST(SelfCollisions, AreThoseOfBruteForce) {
+  TriangleMesh other = icosphere(22.0, 0);
+  for (Vec3& v : other.vertices) v += Vec3(1.5, 0.7, -0.4);
+  const TriangleMesh mesh = with_second_layer(icosphere(22.0, 0), other);
+  const Rsid scheme = Rsid::with_precision(6.0);
+  for (const double tolerance : {0.2, 10.0}) {
+    const auto expected = collisions_by_force(mesh, scheme, tolerance);
+    EXPECT_EQ(self_collisions(mesh, scheme, tolerance), expected) << tolerance;
+    EXPECT_TRUE(tolerance < 0.2 || expected.size() > 3U);
+  }
+}
+
+TEST(SelfCollisions, NeitherNeighboursNorLayersApartAreAny) {
+  const TriangleMesh one = icosphere(22.0, 1);
+  EXPECT_TRUE(self_collisions(one, Rsid::with_precision(5.0), 100.0).empty()) << "one layer";
+  const TriangleMesh two = with_second_layer(one, icosphere(24.0, 1));
+  EXPECT_TRUE(self_collisions(two, Rsid::with_precision(5.0), 1.0).empty()) << "2 mm apart";
+  EXPECT_FALSE(self_collisions(two, Rsid::with_precision(5.0), 2.5).empty());
+}
+
+TEST(SelfCollisions, OneVertexInCommonMakesNeighbours) {
+  EXPECT_TRUE(are_neighbours({0, 1, 2}, {5, 2, 7}));
+  EXPECT_FALSE(are_neighbours({0, 1, 2}, {3, 4, 5}));
+}
+
+}  // namespace
+}  // namespace impinge::lab

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: a gap measured on the faces holds the exact one between its ends, with digits to spare; the
+// smallest gap of two scans lies between the ends that their bounds and the faces prove.
+#include "gap/measured_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "reference/exact_radius.hpp"
+#include "support/directions.hpp"
+#include "support/random_cases.hpp"
+#include "support/soup.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr auto kHalfUnit = static_cast<long double>(kExactRadiusError);
+
+// The gap of x by the oracle, exact but for half a unit in the last place of the radius.
+long double true_gap(const TriangleMesh& mesh, const Vec3& x, ScannedSurface scanned) {
+  const bool ball = scanned == ScannedSurface::ball;
+  const long double radius =
+      exact_radii(mesh, {.directions = {&x, 1}, .layer = ball ? Layer::nearest : Layer::farthest})[0];
+  const long double length = x.cast<long double>().norm();
+  return ball ? radius - length : length - radius;
+}
+
+CertifiedGap measured_gap(const NearFaces& faces, const Vec3& x, ScannedSurface scanned) {
+  return scanned == ScannedSurface::ball ? measured_ball_gap(faces, x) : measured_socket_gap(faces, x);
+}
+
+void expect_holds(const TriangleMesh& mesh, const NearFaces& faces, const Vec3& x, double widest) {
+  for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+    const CertifiedGap found = measured_gap(faces, x, scanned);
+    const long double gap = true_gap(mesh, x, scanned);
+    ASSERT_EQ(found.cover == Cover::none, std::isnan(gap)) << x.transpose();
+    if (found.cover == Cover::none) continue;
+    // Of the radius, and of the length in long double.
+    const long double slack =
+        kHalfUnit * (x.norm() + (scanned == ScannedSurface::ball ? gap : -gap)) + 0x1p-60L * x.norm();
+    ASSERT_LE(found.low, gap + slack) << x.transpose();
+    ASSERT_GE(found.high, gap - slack) << x.transpose();
+    ASSERT_LE(found.high - found.low, widest) << x.transpose();
+  }
+}
+
+TEST(MeasuredGap, OfAJointIsExactToAMillionthOfAMicrometre) {
+  const BallSocketPair pair = make_ball_socket_pair(800, impinging_cam());
+  const NearFaces socket(pair.socket, 0.0);
+  const NearFaces ball(pair.ball, 0.0);
+  for (const Vec3& x : pair.ball.vertices) expect_holds(pair.socket, socket, x, 1e-9);
+  for (const Vec3& x : pair.socket.vertices) expect_holds(pair.ball, ball, x, 1e-9);
+}
+
+TEST(MeasuredGap, ThereIsNoneAtTheCentreAndWhereNoFaceIsMet) {
+  const BallSocketPair pair = make_ball_socket_pair(60);
+  const NearFaces socket(pair.socket, 0.0);
+  EXPECT_EQ(measured_ball_gap(socket, Vec3::Zero()).cover, Cover::none);
+  EXPECT_EQ(measured_ball_gap(socket, Vec3(0.0, 0.0, -20.0)).cover, Cover::none);
+  EXPECT_EQ(measured_socket_gap(socket, Vec3::Zero()).cover, Cover::none);
+}
+
+// A sphere within a sphere: neither end is that of the other layer.
+TEST(MeasuredGap, OfTwoLayersIsThatOfTheOneThatCounts) {
+  TriangleMesh mesh = sphere(20.0, 300);
+  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
+  const TriangleMesh outer = sphere(30.0, 300);
+  mesh.vertices.insert(mesh.vertices.end(), outer.vertices.begin(), outer.vertices.end());
+  for (const Face& f : outer.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  const NearFaces faces(mesh, 0.0);
+  for (const Vec3& u : test::random_directions(300, 36)) expect_holds(mesh, faces, 25.0 * u, 1e-9);
+}
+
+// A face seen so nearly edge-on that its radius is anything up to 40, and a plain one at 20, in either order.
+TEST(MeasuredGap, AnUncertainFaceLeavesTheOtherItsEnd) {
+  TriangleMesh mesh;
+  mesh.vertices = {{10, -1, 0}, {10, 1, 0}, {40, 0, 1e-15}, {20, -9, -9}, {20, 9, -9}, {20, 0, 9}};
+  mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+  const Vec3 x(19.0, 0.0, 19e-17);
+  for (int order = 0; order < 2; ++order) {
+    const NearFaces faces(mesh, 0.0);
+    const CertifiedGap nearest = measured_ball_gap(faces, x);
+    EXPECT_NEAR(nearest.low, -19.0, 1e-9);
+    EXPECT_NEAR(nearest.high, 1.0, 1e-9);
+    const CertifiedGap farthest = measured_socket_gap(faces, x);
+    EXPECT_NEAR(farthest.low, -21.0, 1e-9);
+    EXPECT_NEAR(farthest.high, -1.0, 1e-9);
+    std::swap(mesh.faces[0], mesh.faces[1]);
+  }
+}
+
+// What the header derives is taken in full on both sides: 60 u r / cos psi of the radius.
+TEST(MeasuredGap, TheEndsAreAsFarOutAsIsDerived) {
+  for (const double slope : {0.0, 1.0, 1e3, 1e8}) {
+    TriangleMesh mesh;  // through (20, 0, 0)
+    mesh.vertices = {
+        {20 - 1e-3 * slope, -1, -1e-3}, {20 - 1e-3 * slope, 1, -1e-3}, {20 + 2e-3 * slope, 0, 2e-3}};
+    mesh.faces = {{0, 1, 2}};
+    const NearFaces faces(mesh, 0.0);
+    const Vec3 x(20.0, 0.0, 1e-9);
+    const auto derived = static_cast<long double>(60.0 * 0x1p-53 * 20.0 * std::hypot(1.0, slope));
+    for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+      const CertifiedGap found = measured_gap(faces, x, scanned);
+      EXPECT_GE(found.high - found.low, 2.0L * derived) << slope;
+      EXPECT_LE(found.high - found.low, 3.0L * derived) << slope;
+    }
+  }
+}
+
+// Faces that are seen more and more edge-on, slivers, and points next to corners and edges, near and far.
+TEST(MeasuredGapAttack, HoldsTheExactGapOfSteepFacesAndSlivers) {
+  std::mt19937_64 random(181);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  for (std::size_t k = 0; k < random_cases() / 2; ++k) {
+    TriangleMesh mesh = test::soup(3, static_cast<unsigned>(k));
+    const double tilt =
+        k % 8 == 0 ? 0.0 : std::pow(10.0, 8.0 * (unit(random) - 1.0));  // or by rounding alone
+    for (std::size_t f = 0; f < 2; ++f) {  // two of them nearly in a plane with the centre, or a sliver
+      Vec3& c = mesh.vertices[3 * f + 2];
+      const Vec3& a = mesh.vertices[3 * f];
+      const Vec3& b = mesh.vertices[3 * f + 1];
+      c = (f == 0 ? Vec3(0.7 * a + 0.9 * b) : Vec3(0.4 * a + 0.6 * b)) + tilt * vector();
+    }
+    const NearFaces faces(mesh, 0.0);
+    for (const Face& face : mesh.faces) {
+      const Vec3 inside =
+          0.3 * corner(mesh, face, 0) + 0.5 * corner(mesh, face, 1) + 0.2 * corner(mesh, face, 2);
+      const Vec3 edge = 0.5 * (corner(mesh, face, 0) + corner(mesh, face, 1));
+      for (const Vec3& x :
+           {inside, edge, corner(mesh, face, 2), Vec3(1.01 * inside),
+            Vec3(std::pow(10.0, 3.0 * unit(random)) * inside), Vec3(inside + 1e-9 * vector())})
+        expect_holds(mesh, faces, x, 200.0 + 1e-12 * x.norm());
+    }
+  }
+}
+
+struct Scanned {
+  std::vector<double> gap;
+  std::vector<double> bound;
+};
+
+// A table that errs by up to its bound, of which some are large and some are missing.
+Scanned disturbed(const std::vector<double>& truth, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Scanned scan;
+  for (const double gap : truth) {
+    const double kind = unit(random);
+    const double bound = kind < 0.1 ? 60.0 : 0.05 * unit(random);
+    scan.gap.push_back(gap + bound * (2.0 * unit(random) - 1.0));
+    scan.bound.push_back(kind < 0.05 ? HUGE_VAL : bound);
+  }
+  return scan;
+}
+
+TEST(SmallestBetween, HoldsTheSmallestGapAndIsAsNarrowAsTheFaces) {
+  const BallSocketPair pair = make_ball_socket_pair(600, impinging_cam());
+  const NearFaces socket_faces(pair.socket, 0.0);
+  const NearFaces ball_faces(pair.ball, 0.0);
+  std::vector<double> ball;
+  std::vector<double> socket;
+  for (const Vec3& x : pair.ball.vertices)
+    ball.push_back(static_cast<double>(true_gap(pair.socket, x, ScannedSurface::ball)));
+  for (const Vec3& x : pair.socket.vertices)
+    socket.push_back(static_cast<double>(true_gap(pair.ball, x, ScannedSurface::socket)));
+  double smallest = HUGE_VAL;
+  for (const double gap : ball) smallest = std::fmin(smallest, gap);
+  for (const double gap : socket) smallest = std::fmin(smallest, gap);
+  std::mt19937_64 random(18);
+  for (int k = 0; k < 20; ++k) {
+    const Scanned first = disturbed(ball, random);
+    const Scanned second = disturbed(socket, random);
+    const SmallestBetween found = smallest_between(
+        {ScannedSurface::ball, socket_faces, pair.ball.vertices, first.gap, first.bound},
+        {ScannedSurface::socket, ball_faces, pair.socket.vertices, second.gap, second.bound});
+    EXPECT_LE(found.low, smallest + 1e-12);
+    EXPECT_GE(found.high, smallest - 1e-12);
+    EXPECT_LT(found.high - found.low, 1e-9);
+    EXPECT_GT(found.measured, 0U);
+    EXPECT_LT(found.measured, ball.size());
+  }
+}
+
+// Bounds of nothing leave the smallest gap itself to be measured.
+TEST(SmallestBetween, HoldsAGapThatIsKnownExactly) {
+  const TriangleMesh socket = sphere(20.0, 300);
+  const NearFaces faces(socket, 0.0);
+  const std::vector<Vec3> places{{18.0, 1.0, 2.0}, {3.0, 18.5, 1.0}};
+  std::vector<double> gaps;
+  for (const Vec3& x : places) gaps.push_back(static_cast<double>(true_gap(socket, x, ScannedSurface::ball)));
+  const std::vector<double> bounds(gaps.size(), 0.0);
+  const SmallestBetween found = smallest_between({ScannedSurface::ball, faces, places, gaps, bounds},
+                                                 {ScannedSurface::socket, faces, {}, {}, {}});
+  EXPECT_NEAR(found.low, std::min(gaps[0], gaps[1]), 1e-12);
+  EXPECT_NEAR(found.high, std::min(gaps[0], gaps[1]), 1e-12);
+  EXPECT_EQ(found.measured, 1U);
+}
+
+TEST(SmallestBetween, IsInfiniteWhereNoVertexHasAGap) {
+  const BallSocketPair pair = make_ball_socket_pair(60);
+  const NearFaces faces(pair.socket, 0.0);
+  // The table has one, and proves nothing, where the faces have none.
+  const std::vector<Vec3> place{{0.0, 0.0, -20.0}};
+  const std::vector<double> gap{5.0};
+  const std::vector<double> bound{HUGE_VAL};
+  const SmallestBetween missed = smallest_between({ScannedSurface::ball, faces, place, gap, bound},
+                                                  {ScannedSurface::socket, faces, {}, {}, {}});
+  EXPECT_TRUE(std::isinf(missed.low) && std::isinf(missed.high));
+  const SmallestBetween found = smallest_between({ScannedSurface::ball, faces, {}, {}, {}},
+                                                 {ScannedSurface::socket, faces, {}, {}, {}});
+  EXPECT_TRUE(std::isinf(found.low) && std::isinf(found.high));
+}
+
+}  // namespace
+}  // namespace impinge

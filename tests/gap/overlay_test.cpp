@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ball and socket impinge exactly if some face of the ball meets the shadow of some face of the socket, seen
+// from either centre (reference/shadow.hpp).
+#include "gap/overlay.hpp"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "gap/exact_side.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "reference/shadow.hpp"
+#include "support/poses.hpp"
+
+namespace impinge {
+namespace {
+
+bool oracle(const TriangleMesh& ball, const TriangleMesh& socket, const Pose& pose) {
+  return ShadowReference(test::ball_in_socket_frame(ball, pose), socket).ball_beyond_socket() ||
+         ShadowReference(ball, test::socket_in_ball_frame(socket, pose)).socket_within_ball();
+}
+
+struct Agreement {
+  int wrong = 0;
+  int clear = 0;
+  int impinged = 0;
+};
+
+Agreement compare(const TriangleMesh& ball, const TriangleMesh& socket, const std::vector<Pose>& poses) {
+  const SurfaceOverlay overlay(ball, socket);
+  Agreement found;
+  for (const Pose& pose : poses) {
+    const bool expected = oracle(ball, socket, pose);
+    found.wrong += overlay.impinged(pose) != expected ? 1 : 0;
+    found.wrong += overlay.deepest(pose).has_value() != expected ? 1 : 0;
+    ++(expected ? found.impinged : found.clear);
+  }
+  return found;
+}
+
+// Faces from a quarter of the view to small ones, so that every way of looking them up is taken.
+TEST(Overlay, AgreesWithTheOracleOnBodiesOfAllKinds) {
+  struct Case {
+    TriangleMesh ball;
+    TriangleMesh socket;
+    double shift;
+  };
+  const BallSocketPair pair = make_ball_socket_pair(100, impinging_cam());
+  const std::vector<Case> cases{{octahedron(16.0), octahedron(30.0), 6.0},
+                                {octahedron(20.0), cup(22.0, 80.0, 100), 4.0},
+                                {sphere(20.0, 60), sphere(22.5, 80), 3.0},
+                                {cone({20.0, 24.0, 10.0, 9}), cup(24.5, 100.0, 60), 2.0},
+                                {pair.ball, pair.socket, 4.0}};
+  for (const Case& joint : cases) {
+    const Agreement found = compare(joint.ball, joint.socket, test::random_poses(100, 3.0, joint.shift, 5));
+    EXPECT_EQ(found.wrong, 0);
+    EXPECT_GT(found.clear, 3) << found.impinged;
+    EXPECT_GT(found.impinged, 3) << found.clear;
+  }
+}
+
+// Exact contact and everything within a unit of the last place of it: identical surfaces touch everywhere.
+TEST(Overlay, SurfacesThatTouchAreImpinged) {
+  const TriangleMesh mesh = octahedron(16.0);
+  EXPECT_TRUE(SurfaceOverlay(mesh, mesh).impinged({}));
+  TriangleMesh smaller = mesh;
+  for (Vec3& v : smaller.vertices) v *= 1.0 - 0x1p-52;
+  EXPECT_FALSE(SurfaceOverlay(smaller, mesh).impinged({}));
+  EXPECT_TRUE(SurfaceOverlay(mesh, smaller).impinged({}));
+  EXPECT_FALSE(SurfaceOverlay(smaller, mesh).deepest({}));
+  EXPECT_EQ(SurfaceOverlay(mesh, mesh).deepest({})->depth, 0.0);
+}
+
+// Two faces that cross like the bars of an X: no corner of either is over the other, the edges cross 1 mm
+// too deep.
+TEST(Overlay, SeesACrossingOfEdgesThatNoVertexShows) {
+  const TriangleMesh ball{{{-8, 1, 21}, {8, 1, 21}, {0, 1, 10}}, {{0, 1, 2}}};
+  const TriangleMesh socket{{{0, -7, 20}, {0, 7, 20}, {6, 9, 40}}, {{0, 1, 2}}};
+  const SurfaceOverlay overlay(ball, socket);
+  ASSERT_TRUE(overlay.impinged({}));
+  const auto deepest = overlay.deepest({});
+  EXPECT_EQ(deepest->kind, OverlayKind::crossing);
+  EXPECT_NEAR(deepest->depth, Vec3(0, 1, 21).norm() * (1.0 - 20.0 / 21.0), 1e-12);
+  for (const Vec3& x : ball.vertices) EXPECT_FALSE(on_or_beyond(socket, overlay.socket_index(), x));
+  for (const Vec3& y : socket.vertices) EXPECT_FALSE(on_or_within(ball, overlay.ball_index(), y));
+  Pose up;
+  up.translation.z() = -1.5;
+  EXPECT_FALSE(overlay.impinged(up));
+}
+
+// A ball that has slipped past the rim is beyond the socket, although the surfaces have no common point;
+// where the socket has no surface the ball is free.
+TEST(Overlay, KnowsTheRim) {
+  const TriangleMesh socket = cup(26.0, 60.0, 400);
+  const TriangleMesh pin = sphere(1.0, 40, {0.0, 0.0, 0.0});
+  const SurfaceOverlay overlay(pin, socket);
+  Pose pose;
+  EXPECT_FALSE(overlay.impinged(pose));
+  pose.translation = Vec3(0, 0, 30);
+  EXPECT_TRUE(overlay.impinged(pose));
+  pose.translation = Vec3(0, 0, -30);
+  EXPECT_FALSE(overlay.impinged(pose));
+  pose.translation = Vec3(30, 0, 0);
+  EXPECT_FALSE(overlay.impinged(pose));
+}
+
+// The verdict on an octahedron of 20 mm with a flange that reaches beyond one of 60 mm, in a plane through
+// the centre and the least bit beside it.
+TEST(Overlay, FacesInAPlaneThroughTheirCentreTakeNoPart) {
+  for (const double off : {0.0, 0x1p-40}) {
+    TriangleMesh ball = octahedron(20.0);
+    ball.vertices.insert(ball.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
+    ball.faces.push_back({6, 7, 8});
+    const SurfaceOverlay of_ball(ball, octahedron(60.0));
+    TriangleMesh socket = octahedron(60.0);
+    socket.vertices.insert(socket.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
+    socket.faces.push_back({6, 7, 8});
+    const SurfaceOverlay of_socket(octahedron(20.0), socket);
+    for (const Pose& pose : test::random_poses(100, 3.0, 0.0, 6)) {
+      EXPECT_EQ(of_ball.impinged(pose), off > 0.0);
+      EXPECT_EQ(of_socket.impinged(pose), off > 0.0);
+    }
+  }
+}
+
+// A turn about an axis that is none of the mesh's rounds a face of the socket out of the plane through the
+// centre, to either side of it.
+TEST(Overlay, DoesNotFlipFromPoseToPose) {
+  const TriangleMesh ball{{{25, -20, -20}, {25, 20, -20}, {25, 0, 30}}, {{0, 1, 2}}};
+  const TriangleMesh socket{{{5, -3, 0}, {20, 0, 0}, {5, 3, 0}}, {{0, 1, 2}}};
+  const SurfaceOverlay overlay(ball, socket);
+  for (int k = 0; k <= 1000; ++k) {
+    const Eigen::AngleAxisd turn(0.01 * k * kDegree, Vec3(1, 2, 3).normalized());
+    ASSERT_FALSE(overlay.impinged({turn.toRotationMatrix(), Vec3::Zero()})) << k;
+  }
+}
+
+// A face of the ball that is shifted into a plane through the centre of the socket: its sides and corners are
+// beyond the socket, or not.
+TEST(Overlay, AFaceThatAPoseMakesEdgeOnIsAsked) {
+  const TriangleMesh ball{{{-6, 3, 8}, {6, 3, 8}, {0, 3, 22}}, {{0, 1, 2}}};
+  const TriangleMesh wide{{{-9, -9, 20}, {9, -9, 20}, {0, 9, 20}}, {{0, 1, 2}}};
+  const TriangleMesh narrow{{{-1, -9, 6}, {1, -9, 6}, {0, 9, 9}}, {{0, 1, 2}}};
+  Pose pose;
+  pose.translation.y() = -3;
+  EXPECT_EQ(SurfaceOverlay(ball, wide).deepest(pose)->kind, OverlayKind::ball_corner);
+  EXPECT_TRUE(SurfaceOverlay(ball, narrow).impinged(pose));
+  pose.translation.z() = -2.5;
+  EXPECT_FALSE(SurfaceOverlay(ball, wide).impinged(pose));
+  const TriangleMesh bar{{{-40, 3, 20.5}, {40, 3, 20.5}, {0, 3, 8}},
+                         {{0, 1, 2}}};  // no corner over the other
+  EXPECT_FALSE(SurfaceOverlay(bar, wide).impinged(pose));
+  pose.translation.z() = 0.0;
+  EXPECT_EQ(SurfaceOverlay(bar, wide).deepest(pose)->kind, OverlayKind::crossing);
+}
+
+TEST(Overlay, TheSocketInTheCentreOfTheBallIsWithinIt) {
+  const TriangleMesh ball = octahedron(2.0);
+  const TriangleMesh socket{{{-50, -40, 9}, {50, -40, 9}, {0, 60, 9}}, {{0, 1, 2}}};
+  Pose pose;
+  for (const Vec3& shift :
+       {Vec3(0, 0, 9), Vec3(0, -40, 9), Vec3(50, -40, 9)}) {  // inside, on a side, a corner
+    pose.translation = shift;
+    ASSERT_TRUE(SurfaceOverlay(ball, socket).impinged(pose)) << shift.transpose();
+    EXPECT_GE(SurfaceOverlay(ball, socket).deepest(pose)->depth, 2.0);
+    EXPECT_TRUE(SurfaceOverlay({ball.vertices, {ball.faces[0]}}, socket).impinged(pose));
+    EXPECT_FALSE(SurfaceOverlay({}, socket).impinged(pose));
+  }
+  // Before the socket but for its centre.
+  const TriangleMesh below{{{-2, -2, -1}, {2, -2, -1}, {0, 2, -1}}, {{0, 1, 2}}};
+  const auto deepest = SurfaceOverlay(below, socket).deepest({Eigen::Matrix3d::Identity(), {0, 0, 9}});
+  ASSERT_TRUE(deepest);
+  EXPECT_EQ(deepest->kind, OverlayKind::centre);
+  EXPECT_EQ(deepest->depth, 3.0);
+  // A ball whose face holds the centre of the socket is not beyond it: 2 mm are less than 9.
+  const TriangleMesh small{{{-2, -2, 1}, {2, -2, 1}, {0, 2, 1}}, {{0, 1, 2}}};
+  EXPECT_FALSE(SurfaceOverlay(small, socket).impinged({Eigen::Matrix3d::Identity(), {0, 0, -1}}));
+}
+
+TEST(HoldsCentre, InsideOnASideAndBetweenCornersOnALine) {
+  const auto holds = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    EXPECT_EQ(orientation(a, b, c), 0);
+    const bool found = holds_centre({{a, b, c}, 0});
+    EXPECT_EQ(holds_centre({{c, a, b}, 0}), found);
+    EXPECT_EQ(holds_centre({{b, a, c}, 0}), found);
+    return found;
+  };
+  EXPECT_TRUE(holds({3, 0, 1}, {-1, 2, 0}, {-2, -2, -1}));
+  EXPECT_TRUE(holds({3, 0, 1}, {-6, 0, -2}, {1, 1, 1}));
+  EXPECT_TRUE(holds({0, 0, 0}, {1, 2, 3}, {3, 2, 1}));
+  EXPECT_FALSE(holds({3, 0, 1}, {-1, 2, 0}, {2, 2, 1}));
+  EXPECT_FALSE(holds({3, 0, 1}, {6, 0, 2}, {1, 1, 1}));  // a side that points at the centre
+  EXPECT_FALSE(holds({1, 0, 1}, {1, 1, 1}, {1, 2, 1}));  // without area, beside the centre
+  EXPECT_TRUE(holds({1, 0, 1}, {-2, 0, -2}, {3, 0, 3}));
+  EXPECT_TRUE(holds({1, 0, 1}, {0, 0, 0}, {3, 0, 3}));
+  EXPECT_FALSE(holds({1, 0, 1}, {2, 0, 2}, {3, 0, 3}));
+}
+
+}  // namespace
+}  // namespace impinge

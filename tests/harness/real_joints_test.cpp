@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "harness/real_joints.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "mesh/io.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace impinge::lab {
+namespace {
+
+using test::TemporaryFolder;
+namespace fs = std::filesystem;
+
+const Vec3 kCentre{100.0, -50.0, 25.0};
+
+// A folder of a subject as a user brings it: the generated pair about kCentre.
+void bring(const fs::path& folder, const std::string& ball, const std::string& socket,
+           const std::string& json) {
+  fs::create_directories(folder);
+  const BallSocketPair pair = make_ball_socket_pair(100);
+  write_mesh(folder / ball, relative_to(pair.ball, -kCentre));
+  write_mesh(folder / socket, relative_to(pair.socket, -kCentre));
+  std::ofstream(folder / "subject.json") << json;
+}
+
+constexpr const char* kSubject = R"({"center_of_rotation_mm": [100, -50.0, 25]})";
+
+TEST(RealJoints, AreReadInOrderAndMovedToTheirCentre) {
+  const TemporaryFolder folder;
+  bring(folder.path() / "b_hip", "femoral_head.ply", "acetabulum_facing.ply", kSubject);
+  bring(folder.path() / "a_shoulder", "humeral_head.ply", "glenoid_facing.ply", kSubject);
+  folder.write("README.md", "no joint");
+  Progress progress("test", nullptr);
+  const auto joints = read_real_joints(folder.path(), progress);
+  ASSERT_EQ(joints.size(), 2U);
+  EXPECT_EQ(joints[0].subject, "a_shoulder");
+  EXPECT_EQ(joints[1].subject, "b_hip");
+  EXPECT_EQ(joints[1].centre, kCentre);
+  const BallSocketPair expected = make_ball_socket_pair(100);
+  ASSERT_EQ(joints[1].meshes.ball.vertices.size(), expected.ball.vertices.size());
+  for (std::size_t i = 0; i < expected.ball.vertices.size(); ++i) {
+    EXPECT_LT((joints[1].meshes.ball.vertices[i] - expected.ball.vertices[i]).norm(),
+              2e-5);  // float32 of 125 mm
+  }
+}
+
+// "side" and "axes" of the description put the meshes into the joint frame; without them it is RAS.
+TEST(RealJoints, SideAndAxesAreRead) {
+  const TemporaryFolder folder;
+  const std::string start = R"({"center_of_rotation_mm": [100, -50.0, 25], "side": "left", "axes": ")";
+  bring(folder.path() / "a", "ball.ply", "socket.ply",
+        start + R"(+x = patient left, +y = posterior, +z = superior"})");
+  bring(folder.path() / "b", "ball.ply", "socket.ply", kSubject);
+  Progress progress("test", nullptr);
+  const auto joints = read_real_joints(folder.path(), progress);
+  ASSERT_EQ(joints.size(), 2U);
+  EXPECT_EQ(joints[0].side, Side::left);
+  EXPECT_EQ(joints[0].axes, "LPS");
+  EXPECT_FALSE(joints[1].side);
+  EXPECT_EQ(joints[1].axes, "RAS");
+  const Vec3 x = joints[0].meshes.socket.vertices[3];
+  EXPECT_EQ(in_joint_frame(joints[0]).socket.vertices[3], Vec3(-x.x(), -x.y(), x.z()));
+  bring(folder.path() / "c", "ball.ply", "socket.ply", start + R"(+x = left, +y = right, +z = superior"})");
+  EXPECT_THROW(read_real_joints(folder.path(), progress), std::runtime_error);
+}
+
+TEST(RealJoints, AFolderThatLacksAMeshIsLeftOutAndNamed) {
+  const TemporaryFolder folder;
+  bring(folder.path() / "good", "femoral_head.ply", "acetabulum_facing.ply", kSubject);
+  bring(folder.path() / "no_socket", "femoral_head.ply", "other.ply", kSubject);
+  std::ostringstream out;
+  Progress progress("test", &out);
+  EXPECT_EQ(read_real_joints(folder.path(), progress).size(), 1U);
+  EXPECT_NE(out.str().find("no_socket has no socket mesh"), std::string::npos) << out.str();
+}
+
+// Any format, the first name of the list that is there, and without a description the centre of the fitted
+// ball.
+TEST(RealJoints, NamesAreTriedInOrderAndACentreIsFitted) {
+  const TemporaryFolder folder;
+  const fs::path joint = folder.path() / "mine";
+  bring(joint, "ball.stl", "glenoid.off", kSubject);
+  write_mesh(joint / "socket.obj", relative_to(make_ball_socket_pair(60).socket, -kCentre));
+  fs::remove(joint / "subject.json");
+  Progress progress("test", nullptr);
+  const auto joints = read_real_joints(folder.path(), progress);
+  ASSERT_EQ(joints.size(), 1U);
+  EXPECT_EQ(joints[0].meshes.ball.faces.size(), 100U);
+  EXPECT_EQ(joints[0].meshes.socket.faces.size(), 60U);
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& v : joints[0].meshes.ball.vertices) middle += v;
+  EXPECT_LT(middle.norm() / static_cast<double>(joints[0].meshes.ball.vertices.size()), 1.0);
+}
+
+TEST(RealJoints, ABadDescriptionIsAnErrorThatNamesTheFile) {
+  for (const char* json :
+       {"", "{", "[]", "{}", R"({"center_of_rotation_mm": [1, 2]})", R"({"center_of_rotation_mm": 5})",
+        R"({"center_of_rotation_mm": "abc"})", R"({"center_of_rotation_mm": [1, 2, "x"]})",
+        R"({"center_of_rotation_mm": {"x": 1, "y": 2, "z": 3}})"}) {
+    const TemporaryFolder folder;
+    bring(folder.path() / "bad", "femoral_head.ply", "acetabulum_facing.ply", json);
+    Progress progress("test", nullptr);
+    try {
+      read_real_joints(folder.path(), progress);
+      FAIL() << json;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("bad/subject.json"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(RealJoints, AFolderWithoutAnyJointIsAnError) {
+  const TemporaryFolder folder;
+  Progress progress("test", nullptr);
+  EXPECT_THROW(read_real_joints(folder.path(), progress), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace impinge::lab

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the harness does is counted; how long it takes is never asserted.
+#include "harness/timing.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace impinge::lab {
+namespace {
+
+// Cases that note each call of theirs.
+struct Log {
+  std::vector<std::string> calls;
+
+  TimedCase make(const std::string& name, int rounds) {
+    TimedCase timed;
+    timed.key = {name, 3000};
+    timed.rounds = rounds;
+    timed.expected_s = 1e-6;  // neither warmed up nor repeated: one call a round
+    timed.verify = [this, name] { calls.push_back("verify " + name); };
+    timed.run = [this, name] { calls.push_back(name); };
+    return timed;
+  }
+  long count(const std::string& name) const { return std::count(calls.begin(), calls.end(), name); }
+};
+
+Progress silent() { return {"test", nullptr}; }
+
+// Work of no length is never steady: without repeats its calls can be counted.
+TimingOptions once() {
+  TimingOptions options;
+  options.most_repeats = 0;
+  return options;
+}
+
+TEST(Timing, RunsEachCaseOnceARoundAndTheControlTwice) {
+  Log log;
+  Progress progress = silent();
+  const TimingRun run = run_interleaved({log.make("a", 7), log.make("b", 4)}, once(), progress);
+  ASSERT_EQ(run.timings.size(), 2U);
+  EXPECT_EQ(run.timings[0].samples_ms.size(), 7U);
+  EXPECT_EQ(run.timings[1].samples_ms.size(), 4U);
+  EXPECT_EQ(run.timings[0].summary.count, 7U);
+  const long control_rounds = static_cast<long>(run.control.samples_ms.size());
+  const bool a_is_control = key_text(run.control.key) == "a/3000";
+  EXPECT_EQ(control_rounds, a_is_control ? 7 : 4);
+  EXPECT_EQ(log.count("a"), 7 + (a_is_control ? control_rounds : 0));
+  EXPECT_EQ(log.count("b"), 4 + (a_is_control ? 0 : control_rounds));
+}
+
+TEST(Timing, InterleavesTheRounds) {
+  Log log;
+  Progress progress = silent();
+  run_interleaved({log.make("a", 40), log.make("b", 40)}, once(), progress);
+  long changes = 0;
+  for (std::size_t i = 1; i < log.calls.size(); ++i) changes += log.calls[i] != log.calls[i - 1] ? 1 : 0;
+  // One block after the other has 3 changes, verification and control included. A random order of 120 has 53
+  // in the mean; fewer than 20 happen less than once in 1e9 runs.
+  EXPECT_GT(changes, 20);
+}
+
+TEST(Timing, VerifiesAllBeforeAnythingRuns) {
+  Log log;
+  Progress progress = silent();
+  run_interleaved({log.make("a", 2), log.make("b", 2)}, once(), progress);
+  ASSERT_GE(log.calls.size(), 2U);
+  EXPECT_EQ(log.calls[0], "verify a");
+  EXPECT_EQ(log.calls[1], "verify b");
+  EXPECT_EQ(log.count("verify a"), 1);
+}
+
+TEST(Timing, FailedVerificationStopsTheRunAndNamesTheCase) {
+  Log log;
+  Progress progress = silent();
+  std::vector<TimedCase> cases{log.make("a", 2), log.make("b", 2)};
+  cases[1].verify = [] { throw std::runtime_error("radius is off by 3 mm"); };
+  try {
+    run_interleaved(cases, once(), progress);
+    FAIL() << "a wrong result was timed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "b/3000: radius is off by 3 mm");
+  }
+  EXPECT_EQ(log.count("a"), 0);
+}
+
+TEST(Timing, WhatTheWorkThrowsEndsTheRunAndTheHarnessIsUsableAgain) {
+  Log log;
+  Progress progress = silent();
+  std::vector<TimedCase> cases{log.make("a", 3), log.make("b", 3)};
+  cases[0].run = [] { throw std::length_error("no memory for the table"); };
+  EXPECT_THROW(run_interleaved(cases, once(), progress), std::length_error);
+  const TimingRun run = run_interleaved({log.make("c", 3)}, once(), progress);
+  EXPECT_EQ(run.timings.at(0).samples_ms.size(), 3U);
+}
+
+TEST(Timing, FastWorkIsRepeatedWithinARoundAndTimesAreForOneUnit) {
+  Progress progress = silent();
+  long calls = 0;
+  TimedCase timed;
+  timed.key = {"fast"};
+  timed.rounds = 3;
+  timed.units = 4.0;
+  timed.run = [&calls] { ++calls; };
+  TimingOptions options = once();
+  options.min_round_ms = 0.01;
+  const TimingRun run = run_interleaved({timed}, options, progress);
+  EXPECT_GT(run.timings[0].batch, 1);
+  EXPECT_GT(calls,
+            2L * 3L * run.timings[0].batch);  // both registrations, a warm-up each round, and the calibration
+  timed.units = 4e6;
+  EXPECT_LT(run_interleaved({timed}, options, progress).timings[0].summary.median,
+            run.timings[0].summary.median);
+}
+
+TEST(Timing, RefusesCasesThatCannotBeTimed) {
+  Log log;
+  Progress progress = silent();
+  EXPECT_THROW(run_interleaved({log.make("a", 0)}, once(), progress), std::invalid_argument);
+  EXPECT_THROW(run_interleaved({log.make("a", 1), log.make("a", 1)}, once(), progress),
+               std::invalid_argument);
+  TimedCase idle = log.make("b", 1);
+  idle.run = nullptr;
+  EXPECT_THROW(run_interleaved({idle}, once(), progress), std::invalid_argument);
+  EXPECT_TRUE(log.calls.empty());
+}
+
+TEST(Timing, FindsATimingByItsKey) {
+  Log log;
+  Progress progress = silent();
+  const TimingRun run = run_interleaved({log.make("a", 1), log.make("b", 2)}, once(), progress);
+  EXPECT_EQ(find(run, {"b", 3000}).samples_ms.size(), 2U);
+  EXPECT_THROW(find(run, {"b", 12000}), std::out_of_range);
+}
+
+Timing timing_of(std::vector<double> samples) {
+  Timing timing;
+  timing.summary = summarise(samples);
+  timing.samples_ms = std::move(samples);
+  return timing;
+}
+
+// Noise verdicts on synthetic samples.
+TEST(Timing, IsInconclusiveWhenTheControlIsOffOrTheSpreadIsLarge) {
+  const Timing steady = timing_of({1.00, 1.01, 1.02, 1.03, 1.04});
+  const Timing noisy = timing_of({1.0, 1.1, 1.2, 1.3, 1.4});
+  EXPECT_FALSE(is_inconclusive(steady, 1.0, {}));
+  EXPECT_TRUE(is_inconclusive(noisy, 1.0, {}));
+  for (const double ratio : {0.979, 1.021}) EXPECT_TRUE(is_inconclusive(steady, ratio, {})) << ratio;
+  for (const double ratio : {0.981, 1.019}) EXPECT_FALSE(is_inconclusive(steady, ratio, {})) << ratio;
+}
+
+TEST(Timing, OneRoundHasNoSpreadAndIsInconclusive) {
+  EXPECT_TRUE(is_inconclusive(timing_of({1.0}), 1.0, {}));
+  EXPECT_FALSE(is_inconclusive(timing_of({1.0, 1.0}), 1.0, {}));
+  Log log;
+  Progress progress = silent();
+  TimingOptions options = once();
+  options.max_control_off = 1e9;
+  EXPECT_TRUE(run_interleaved({log.make("a", 1)}, options, progress).timings[0].inconclusive);
+}
+
+// A case whose spread no machine can pass is timed again, alone, as often as the rule says, with its control,
+// and never verified twice.
+TEST(Timing, ARunRepeatsWhatIsInconclusive) {
+  Log log;
+  Progress progress = silent();
+  TimingOptions options;
+  options.max_spread = -1.0;
+  const TimingRun run = run_interleaved({log.make("a", 4), log.make("b", 4)}, options, progress);
+  for (const Timing& timing : run.timings) {
+    EXPECT_TRUE(timing.inconclusive);
+    EXPECT_EQ(timing.repeats, 3);
+    EXPECT_EQ(timing.samples_ms.size(), 4U);
+  }
+  EXPECT_EQ(log.count("a") + log.count("b"), 3 * 4 + 2 * 3 * 2 * 4);
+  EXPECT_EQ(log.count("verify a"), 1);
+}
+
+TEST(Timing, ScalesSamplesMedianAndSpread) {
+  const Timing twice = scaled(timing_of({1.0, 2.0, 4.0}), 2.0);
+  EXPECT_EQ(twice.samples_ms, (std::vector<double>{2.0, 4.0, 8.0}));
+  EXPECT_EQ(twice.summary.median, 4.0);
+  EXPECT_EQ(twice.summary.iqr, 3.0);
+  EXPECT_EQ(twice.summary.count, 3U);
+}
+
+}  // namespace
+}  // namespace impinge::lab

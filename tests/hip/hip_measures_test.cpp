@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: measured from the meshes alone, a generated hip has its parameters: angles to 0.5 degrees,
+// lengths to 0.05 mm; over all presets, both sides, and hips drawn at random.
+#include "hip/hip_measures.hpp"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "hip/hip_surface.hpp"
+#include "mesh/bodies.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kAngle = 0.5;    // degrees
+constexpr double kLength = 0.05;  // mm
+const Vec3 kFarAway(40.0, -70.0, 900.0);
+
+TriangleMesh far_away(TriangleMesh mesh) {
+  for (Vec3& v : mesh.vertices) v += kFarAway;
+  return mesh;
+}
+
+void expect_measures(const HipParameters& p, const Hip& hip) {
+  HipParameters right = p;
+  right.side = Side::right;
+  const HipSurface surface = hip_surface(right);
+  const FemurMeasures femur = measure_femur(far_away(hip.ball), p.side);
+  EXPECT_LT((femur.head.centre - kFarAway).norm(), kLength);
+  EXPECT_NEAR(femur.head.radius, p.head_radius, kLength);
+  EXPECT_NEAR(femur.head_neck_offset, p.head_neck_offset, kLength);
+  EXPECT_NEAR(femur.neck_shaft_angle.value(), p.neck_shaft_angle, kAngle);
+  EXPECT_NEAR(femur.femoral_torsion.value(), p.femoral_torsion, kAngle);
+  for (std::size_t h = 0; h < kClockHours; ++h)
+    EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
+
+  const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head.centre, p.side);
+  EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
+  Vec3 shift = socket.socket.centre - femur.head.centre;
+  if (p.side == Side::left) shift.x() = -shift.x();
+  EXPECT_LT((shift - surface.socket_centre).norm(), kLength);
+  EXPECT_NEAR(socket.inclination, p.inclination, kAngle);
+  EXPECT_NEAR(socket.version, p.version, kAngle);
+  EXPECT_NEAR(socket.half_opening, p.half_opening, kAngle);
+  EXPECT_NEAR(socket.lateral_centre_edge.value(), p.lateral_centre_edge, kAngle);
+}
+
+class HipMeasure : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(HipMeasure, PresetsHaveTheirParameters) {
+  for (const Side side : {Side::left, Side::right}) {
+    SCOPED_TRACE(side == Side::left ? "left" : "right");
+    HipParameters p = hip_preset(GetParam());
+    p.side = side;
+    expect_measures(p, make_hip(p));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, HipMeasure, testing::ValuesIn(hip_preset_names()),
+                         [](const auto& name) { return std::string(name.param); });
+
+// Each of these is drawn evenly from its range; the rest is the normal hip.
+struct Range {
+  double HipParameters::*value;
+  double from;
+  double to;
+};
+
+constexpr std::array kRanges{Range{&HipParameters::head_radius, 20.0, 28.0},
+                             Range{&HipParameters::cam_height, 0.0, 4.0},
+                             Range{&HipParameters::cam_half_width, 20.0, 40.0},
+                             Range{&HipParameters::cam_polar, 45.0, 70.0},
+                             Range{&HipParameters::cam_clock, 0.0, 4.0},
+                             Range{&HipParameters::head_neck_offset, 6.5, 10.0},
+                             Range{&HipParameters::neck_fillet, 3.0, 6.5},
+                             Range{&HipParameters::neck_length, 50.0, 65.0},
+                             Range{&HipParameters::neck_shaft_angle, 110.0, 145.0},
+                             Range{&HipParameters::femoral_torsion, -20.0, 40.0},
+                             Range{&HipParameters::shaft_length, 25.0, 80.0},
+                             Range{&HipParameters::shaft_radius, 11.0, 17.0},
+                             Range{&HipParameters::joint_space, 2.5, 6.0},
+                             Range{&HipParameters::inclination, 40.0, 65.0},
+                             Range{&HipParameters::version, -10.0, 35.0},
+                             Range{&HipParameters::half_opening, 75.0, 95.0},
+                             Range{&HipParameters::lateral_centre_edge, 15.0, 45.0},
+                             Range{&HipParameters::pincer_height, 0.0, 5.0},
+                             Range{&HipParameters::pincer_clock, 0.5, 5.0},
+                             Range{&HipParameters::pincer_half_width, 0.7, 1.5},
+                             Range{&HipParameters::fossa_depth, 0.0, 4.0},
+                             Range{&HipParameters::shift_lateral, -1.0, 1.0},
+                             Range{&HipParameters::shift_anterior, -1.0, 1.0},
+                             Range{&HipParameters::shift_superior, -1.0, 1.0}};
+
+class RandomHip : public testing::TestWithParam<unsigned> {};
+
+// Drawn again where the parameters make no hip.
+TEST_P(RandomHip, HasItsParameters) {
+  constexpr int kMostDraws = 50;
+  std::mt19937_64 random(GetParam());
+  for (int k = 0; k < kMostDraws; ++k) {
+    HipParameters p;
+    p.side = GetParam() % 2 == 0 ? Side::right : Side::left;
+    for (const Range& range : kRanges)
+      p.*range.value = std::uniform_real_distribution<double>(range.from, range.to)(random);
+    try {
+      const Hip hip = make_hip(p);
+      expect_measures(p, hip);
+      return;
+    } catch (const std::invalid_argument& impossible) {
+      EXPECT_EQ(std::string(impossible.what()).substr(0, 9), "parameter");
+    }
+  }
+  FAIL() << "no hip in " << kMostDraws;
+}
+
+INSTANTIATE_TEST_SUITE_P(Eight, RandomHip, testing::Range(1U, 9U));
+
+TEST(HipMeasures, TheWallChangesNothing) {
+  HipParameters p = hip_preset("pincer");
+  p.wall_thickness = 5.0;
+  expect_measures(p, make_hip(p, 20000));
+}
+
+TEST(HipMeasures, ABallWithoutAShaftHasNoShaftAngle) {
+  const FemurMeasures femur = measure_femur(make_hip({.shaft_length = 0.0}).ball, Side::right);
+  EXPECT_FALSE(femur.neck_shaft_angle);
+  EXPECT_FALSE(femur.femoral_torsion);
+  EXPECT_NEAR(femur.head_neck_offset, 9.1, kLength);
+}
+
+TEST(HipMeasures, WhatIsNoHipIsRefused) {
+  EXPECT_THROW(measure_femur(sphere(24.0, 1000), Side::right), std::invalid_argument);
+  EXPECT_THROW(measure_acetabulum(sphere(24.0, 1000), Vec3::Zero(), Side::right), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract of a generated hip: about as many faces as asked for; the ball closed with outward normals, its
+// vertices on head and neck at |v| = head_neck_radius(v / |v|); the socket with normals towards the centre,
+// its vertices at |v| = socket_radius(v / |v|); star-shaped about the centre (proven) where there is no
+// shaft; the left hip the mirror image of the right one; nothing penetrates at rest.
+#include "hip/hip.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip_presets.hpp"
+#include "hip/hip_surface.hpp"
+#include "mesh/star_shape.hpp"
+#include "mesh/validation.hpp"
+
+namespace impinge {
+namespace {
+
+class HipPreset : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(HipPreset, MeshesAreSound) {
+  const Hip hip = make_hip(hip_preset(GetParam()));
+  for (const TriangleMesh* mesh : {&hip.ball, &hip.socket}) {
+    const MeshReport report = validate(*mesh);
+    EXPECT_NEAR(static_cast<double>(report.faces), static_cast<double>(kHipFaces), 0.03 * kHipFaces);
+    EXPECT_EQ(report.degenerate_faces + report.flipped_faces + report.non_manifold_edges, 0U);
+    EXPECT_EQ(report.components, 1U);
+    EXPECT_EQ(report.unreferenced_vertices, 0U);
+  }
+  EXPECT_GT(validate(hip.ball).volume.value(), 0.0);  // closed
+  for (const Face& face : hip.socket.faces) {
+    EXPECT_LT(area_vector(hip.socket, face).dot(corner(hip.socket, face, 0)), 0.0);
+  }
+}
+
+TEST_P(HipPreset, VerticesLieOnTheSmoothSurfaces) {
+  HipParameters p = hip_preset(GetParam());
+  p.side = Side::right;
+  const HipSurface surface = hip_surface(p);
+  const Hip hip = make_hip(p, 3000);
+  std::size_t checked = 0;
+  for (const Vec3& v : hip.ball.vertices) {
+    if (v.dot(surface.neck) > neck_end(surface) - 1e-9) continue;  // the shaft
+    ++checked;
+    EXPECT_NEAR(v.norm(), head_neck_radius(surface, v.normalized()), 1e-9);
+  }
+  EXPECT_GT(checked, hip.ball.vertices.size() / 2);
+  for (const Vec3& v : hip.socket.vertices)
+    EXPECT_NEAR(v.norm(), socket_radius(surface, v.normalized()), 1e-9);
+}
+
+TEST_P(HipPreset, IsStarShapedWithoutTheShaft) {
+  HipParameters p = hip_preset(GetParam());
+  p.shaft_length = 0.0;
+  const Hip hip = make_hip(p, 3000);
+  EXPECT_TRUE(star_shape(hip.ball).star_shaped);
+  EXPECT_TRUE(star_shape(hip.socket).star_shaped);
+  EXPECT_GT(validate(hip.ball).volume.value(), 0.0);
+}
+
+TEST_P(HipPreset, AWallMakesTheSocketAClosedShell) {
+  HipParameters p = hip_preset(GetParam());
+  p.wall_thickness = 5.0;
+  const MeshReport report = validate(make_hip(p, 3000).socket);
+  EXPECT_EQ(report.degenerate_faces + report.flipped_faces + report.non_manifold_edges, 0U);
+  EXPECT_GT(report.volume.value(), 0.0);
+}
+
+TEST_P(HipPreset, TheLeftHipIsTheMirrorImage) {
+  HipParameters p = hip_preset(GetParam());
+  p.side = Side::right;
+  const Hip right = make_hip(p, 1000);
+  p.side = Side::left;
+  const Hip left = make_hip(p, 1000);
+  ASSERT_EQ(left.ball.vertices.size(), right.ball.vertices.size());
+  for (std::size_t i = 0; i < left.ball.vertices.size(); ++i) {
+    const Vec3& v = right.ball.vertices[i];
+    EXPECT_EQ(left.ball.vertices[i], Vec3(-v.x(), v.y(), v.z()));
+  }
+  EXPECT_DOUBLE_EQ(validate(left.ball).volume.value(), validate(right.ball).volume.value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, HipPreset, testing::ValuesIn(hip_preset_names()),
+                         [](const auto& name) { return std::string(name.param); });
+
+TEST(Hip, TooFewFacesAreRefused) { EXPECT_THROW(make_hip({}, kFewestHipFaces - 1), std::invalid_argument); }
+
+TEST(Hip, UnknownPresetsAreRefused) { EXPECT_THROW(hip_preset("coxa"), std::invalid_argument); }
+
+TEST(Hip, ParametersAreSetByName) {
+  HipParameters p;
+  set_hip_parameter(p, "cam_height=3.5");
+  set_hip_parameter(p, "side=left");
+  EXPECT_EQ(p.cam_height, 3.5);
+  EXPECT_EQ(p.side, Side::left);
+  for (const char* wrong : {"cam_height", "cam_height=", "cam_height=3mm", "cam=3", "side=up", "=3",
+                            "cam_height=nan", "cam_height=-1", "half_opening=181", "joint_space=0"}) {
+    EXPECT_THROW(set_hip_parameter(p, wrong), std::invalid_argument) << wrong;
+  }
+  EXPECT_EQ(p.cam_height, 3.5);
+}
+
+// Every parameter is in the list: one that is not keeps its value when all of the list are changed.
+TEST(Hip, TheListHoldsEveryParameter) {
+  static_assert(sizeof(HipParameters) == (kHipParameters + 1) * sizeof(double));
+  for (const HipParameter& parameter : hip_parameter_list()) {
+    const double standard = HipParameters{}.*parameter.value;
+    EXPECT_LE(parameter.least, standard) << parameter.name;
+    EXPECT_GE(parameter.most, standard) << parameter.name;
+  }
+}
+
+// Each impossible hip, and the parameter that the message names.
+struct Impossible {
+  const char* change;
+  const char* named;
+};
+
+class ImpossibleHip : public testing::TestWithParam<Impossible> {};
+
+TEST_P(ImpossibleHip, IsRefusedByName) {
+  HipParameters p;
+  std::string changes = GetParam().change;
+  try {
+    for (std::size_t at = 0; at < changes.size();) {
+      const std::size_t end = std::min(changes.find(' ', at), changes.size());
+      set_hip_parameter(p, changes.substr(at, end - at));
+      at = end + 1;
+    }
+    make_hip(p, 1000);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(std::string("parameter ") + GetParam().named), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find(';'), std::string::npos) << message;  // reason; cure
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImpossibleHip,
+    testing::Values(
+        Impossible{"cam_height=6 cam_polar=115", "cam_height"},
+        Impossible{"half_opening=190", "half_opening"}, Impossible{"wall_thickness=-1", "wall_thickness"},
+        Impossible{"joint_space=-0.5", "joint_space"},
+        Impossible{"joint_space=1 shift_superior=-2", "joint_space"},
+        Impossible{"half_opening=120 inclination=15", "joint_space"},
+        Impossible{"head_neck_offset=24", "head_neck_offset"},
+        Impossible{"head_neck_offset=0", "head_neck_offset"}, Impossible{"neck_fillet=12", "neck_fillet"},
+        Impossible{"neck_length=30", "neck_length"}, Impossible{"conchoid_a=20", "conchoid_b"},
+        Impossible{"conchoid_a=17 conchoid_b=18", "conchoid_a"}, Impossible{"head_radius=0", "head_radius"},
+        Impossible{"half_opening=50 lateral_centre_edge=70 inclination=85", "lateral_centre_edge"},
+        Impossible{"half_opening=120 pincer_height=15 pincer_clock=4", "pincer_height"}),
+    [](const auto& hip) { return "No" + std::to_string(hip.index); });
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "methods/pose_set.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "methods/cgal_tree.hpp"
+#include "methods/detection_race.hpp"
+#include "methods/table_check.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "table/exact_raster.hpp"
+
+namespace impinge::lab {
+namespace {
+
+TEST(PoseSet, IsClearNearAndTouchingAtEveryLevel) {
+  for (const std::size_t faces : {300U, 1000U, 3000U}) {
+    const BallSocketPair pair = make_ball_socket_pair(faces);
+    const auto poses = pose_set(pair.ball, pair.socket);
+    ASSERT_EQ(poses.size(), 6U);
+    TableScan<Rsid> scan(pair.ball, pair.socket, make_tables<Rsid>(pair, 0.5));
+    for (const NamedPose& named : poses) {
+      const double gap = scan.smallest_gap(named.pose);
+      const bool clear = named.name.starts_with("clear");
+      const double expected = clear ? 4.0 : named.name.starts_with("near") ? 0.5 : -0.5;
+      EXPECT_NEAR(gap, expected, clear ? 0.5 : 0.15) << faces << " faces, " << named.name;
+    }
+    EXPECT_EQ(count_touching(*make_cgal_tree(pair.ball, pair.socket), poses), 2);
+  }
+}
+
+TEST(PoseSet, SaysSoWhenTheSurfacesAreNowhereNear) {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  BallSocketPair far = make_ball_socket_pair(300, PairShape{.socket_radius = 60.0});
+  EXPECT_THROW(pose_set(pair.ball, far.socket), std::runtime_error);
+}
+
+// A contender that is wrong whenever the surfaces touch.
+class Blind final : public Contender {
+ public:
+  std::string_view name() const override { return "blind"; }
+  bool gives_distance() const override { return false; }
+  bool touches(const Pose& /*pose*/) override { return false; }
+};
+
+TEST(PoseSet, AWrongContenderIsNamedWithThePose) {
+  const DetectionRace race = make_detection_race(make_ball_socket_pair(300), 0.5);
+  for (const auto& contender : race.contenders)
+    EXPECT_NO_THROW(require_agreement(*contender, *race.oracle, race.poses));
+  Blind blind;
+  try {
+    require_agreement(blind, *race.oracle, race.poses);
+    FAIL() << "a blind contender passed";
+  } catch (const std::runtime_error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("blind disagrees with cgal_tree"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"touching\""), std::string::npos) << text;
+  }
+}
+
+TEST(TableCheck, PassesARightTableAndNamesAWrongEntry) {
+  const TriangleMesh ball = make_ball_socket_pair(300).ball;
+  auto table = fill_exact(ball, Rsid::with_precision(5.0), Layer::farthest);
+  const TableCheck check{table.scheme().size(), 1e-9, true};
+  EXPECT_NO_THROW(require_radii(table, ball, Layer::farthest, check));
+  const double right = table.radii()[1234];
+  for (const double wrong : {right + 1e-6, kNoSurface}) {
+    table.radii()[1234] = wrong;
+    try {
+      require_radii(table, ball, Layer::farthest, check);
+      FAIL() << wrong;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("entry 1234 ", 0), 0U) << error.what();
+    }
+  }
+  EXPECT_NO_THROW(require_radii(table, ball, Layer::farthest, {table.scheme().size(), 1e-9, false}));
+}
+
+}  // namespace
+}  // namespace impinge::lab

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random cases of what made a limit false: faces that slide in one plane, grazes with a contact behind them,
+// jump edges of the socket next to the centre, thresholds beyond the distance of a vertex, and loose
+// triangles. No pose up to low is impinged, the pose at high is, and free is said of no motion that is not.
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "motion/random_joint.hpp"
+#include "motion/turn_limit.hpp"
+#include "motion/turn_oracle.hpp"
+#include "support/random_cases.hpp"
+
+namespace impinge {
+namespace {
+
+using test::add;
+using test::RandomJoint;
+
+Vec3 at(double radius, double azimuth, double z) {
+  return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
+}
+
+struct Case {
+  BallSocketPair joint;
+  JointTurn motion{Eigen::Matrix3d::Identity(), Vec3::UnitZ(), Eigen::Matrix3d::Identity()};
+  double largest = 170.0;
+  double gap = 0.0;
+  long double margin = test::TurnOracle::kMargin;
+
+  void turn(const Eigen::Matrix3d& rotation) {
+    for (Vec3& x : joint.ball.vertices) x = rotation * x;
+    for (Vec3& x : joint.socket.vertices) x = rotation * x;
+    motion.axis = rotation * motion.axis;
+  }
+};
+
+// Angles up to low: everywhere, and next to it.
+std::vector<double> angles_up_to(double low, RandomJoint& random) {
+  std::vector<double> angles{low, std::max(0.0, low - 1e-6)};
+  for (int k = 0; k < 6; ++k) angles.push_back(low * random.between(0.0, 1.0));
+  for (int k = 0; k < 2; ++k) angles.push_back(low * (1.0 - random.power(-6.0, -1.0)));
+  return angles;
+}
+
+// The limit of the case, held against the oracle.
+TurnLimit checked(const Case& given, RandomJoint& random, std::size_t number) {
+  const TurnLimits limits(given.joint);
+  const TurnLimit limit = limits.first_contact(given.motion, given.largest);
+  const test::TurnOracle oracle(given.joint, given.motion.axis);
+  if (limit.state == LimitState::blocked) {
+    EXPECT_TRUE(oracle.perhaps_impinged(0.0)) << number;
+    return limit;
+  }
+  for (const double angle : angles_up_to(limit.low_deg, random))
+    EXPECT_FALSE(oracle.surely_impinged(angle, given.margin))
+        << number << " at " << angle << " of " << limit.low_deg;
+  if (limit.state == LimitState::limited) {
+    EXPECT_TRUE(oracle.perhaps_impinged(limit.high_deg, given.margin)) << number << " at " << limit.high_deg;
+  }
+  return limit;
+}
+
+// Where a graze lasts, poses are asked for one by one, a millisecond or three a case: each of four tests has
+// a quarter of the cases.
+class LongGrazeAttack : public testing::TestWithParam<unsigned> {};
+
+INSTANTIATE_TEST_SUITE_P(Quarters, LongGrazeAttack, testing::Range(0U, 4U));
+
+// The faces z = 2 of both slide over each other; a wall that stands later in the way.
+TEST_P(LongGrazeAttack, OfFacesThatSlideInOnePlane) {
+  RandomJoint random(10 + GetParam());
+  for (std::size_t k = 0; k < random_cases() / 4; ++k) {
+    Case given;
+    const double z = random.between(1.0, 3.0);
+    add(given.joint.ball, {4, 0, z}, {3.5, -1, z}, {2.6, -1, z});
+    add(given.joint.socket, {2, 3, z}, {2, 4, z}, {-1, 3.5, z});
+    const double from = random.between(130.0, 150.0) * kDegree;
+    const double to = from + random.between(3.0, 10.0) * kDegree;
+    add(given.joint.socket, at(3, from, 0.6 * z), at(3, to, 0.6 * z), at(3, from, 0.95 * z));
+    given.turn(random.rotation());
+    const TurnLimit limit = checked(given, random, k);
+    ASSERT_EQ(limit.state, LimitState::limited) << k;
+    ASSERT_LT(limit.high_deg, to / kDegree) << k;
+    ASSERT_FALSE(HasFailure()) << k;
+  }
+}
+
+// A corner at 25 mm passes another within some billionths, or meets it; right behind it, or farther, is a
+// pair of small faces that it runs into.
+TEST_P(LongGrazeAttack, OfAGrazeBeforeAContact) {
+  RandomJoint random(20 + GetParam());
+  for (std::size_t k = 0; k < random_cases() / 4; ++k) {
+    Case given;
+    const double passes = random.between(20.0, 90.0) * kDegree;
+    const double width = random.power(-3.5, -2.0);
+    const double behind = passes + random.power(-3.7, -0.5);
+    const double tip = 25.0 + (random.between(0.0, 1.0) < 0.8 ? 1.0 : -1.0) * random.power(-13.0, -6.0);
+    add(given.joint.ball, at(25, 0, 0), at(25, -1e-4, 1e-3), at(25, -1e-4, -1e-3));
+    add(given.joint.socket, at(tip, passes, 0), at(27, passes + 1e-5, 1), at(27, passes + 1e-5, -1));
+    for (const double z : {3.0, -3.0})
+      add(given.joint.socket, at(24.9, behind, z), at(24.9, behind + width, z),
+          at(24.9, behind + 0.5 * width, -1.2 * z));
+    given.largest = (behind + 0.5) / kDegree;
+    given.turn(random.rotation());
+    const TurnLimit limit = checked(given, random, k);
+    ASSERT_EQ(limit.state, LimitState::limited) << k;
+    ASSERT_LT(limit.high_deg, (behind + width) / kDegree) << k;
+    ASSERT_FALSE(HasFailure()) << k;
+  }
+}
+
+// A side of the socket that passes the centre at h, and a small face of the ball that turns into the view of
+// it.
+TEST(TurnLimitAttack, OfAJumpEdgeNextToTheCentre) {
+  RandomJoint random(3);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    Case given;
+    const double h = random.power(-6.0, 0.0);
+    const double long_way = random.power(-0.5, 1.5);
+    const double tilt = random.between(-0.5, 0.5) * h;
+    add(given.joint.socket, {h, -long_way, h + tilt}, {h, long_way, h}, {8, 0, h});
+    const double y = random.between(-0.5, 0.5);
+    add(given.joint.ball, {4, y - 0.5, 25}, {4, y + 0.5, 25}, {5, y, 25});
+    given.motion.axis = Vec3::UnitY();
+    given.largest = 60.0;
+    given.margin = 1e-11L + 1e-14L * long_way / h;  // what rounding of its ends does to the side's direction
+    given.turn(random.rotation());
+    const TurnLimit limit = checked(given, random, k);
+    ASSERT_EQ(limit.state, LimitState::limited) << k << " " << h;
+    ASSERT_LT(limit.high_deg - limit.low_deg, 1e-4) << k << " " << h;
+    ASSERT_FALSE(HasFailure()) << k << " " << h;
+  }
+}
+
+// A patch of the ball that turns over a small face of the socket, at distances below the threshold and above.
+TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
+  RandomJoint random(4);
+  std::size_t limited = 0;
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    Case given;
+    given.gap = random.between(0.5, 8.0);
+    const double r = random.between(0.3, 3.0);
+    const double out = r + random.between(0.2, 4.0);
+    const double at_z = random.between(-0.5, 0.5);
+    add(given.joint.ball, at(r, 0, 2.0 * r), at(0.6 * r, 0.7, -0.3 * r), at(0.6 * r, -0.7, -0.3 * r));
+    add(given.joint.socket, at(out, 1.4, at_z), at(out, 1.45, at_z), at(out, 1.42, at_z + 0.1));
+    given.largest = 120.0;
+    given.turn(random.rotation());
+    const TurnLimits limits(given.joint);
+    const TurnLimit limit = limits.gap_of(given.motion, given.gap, given.largest);
+    const test::TurnOracle oracle(given.joint, given.motion.axis);
+    constexpr long double kMargin = test::TurnOracle::kMargin;
+    constexpr long double kDepth = test::TurnOracle::kDepth;
+    ASSERT_NE(limit.state, LimitState::blocked);
+    for (const double angle : angles_up_to(limit.low_deg, random))
+      ASSERT_GT(oracle.smallest_gap(angle, kMargin), given.gap - kDepth) << k << " at " << angle;
+    if (limit.state != LimitState::limited) continue;
+    ++limited;
+    ASSERT_LT(limit.high_deg - limit.low_deg, 1e-4) << k;
+    ASSERT_LE(oracle.smallest_gap(limit.high_deg, -kMargin), given.gap + kDepth) << k;
+  }
+  EXPECT_GT(limited, random_cases() / 4);
+}
+
+TEST(TurnLimitAttack, OfLooseTriangles) {
+  RandomJoint random(5);
+  std::size_t limited = 0;
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    Case given;
+    for (int f = 0; f < 2; ++f) {
+      for (TriangleMesh* mesh : {&given.joint.ball, &given.joint.socket}) {
+        const Vec3 middle = random.rotation() * Vec3(0, 0, random.between(2.0, 25.0));
+        const double size = random.power(-1.0, 1.0);
+        const auto corner = [&] { return Vec3(middle + random.rotation() * Vec3(0, 0, size)); };
+        add(*mesh, corner(), corner(), corner());
+      }
+    }
+    given.motion.axis = random.rotation() * Vec3::UnitX();
+    const TurnLimit limit = checked(given, random, k);
+    limited += limit.state == LimitState::limited ? 1 : 0;
+    if (limit.state == LimitState::limited) {
+      ASSERT_LT(limit.high_deg - limit.low_deg, 1e-3) << k;
+    }
+    ASSERT_FALSE(HasFailure()) << k;
+  }
+  EXPECT_GT(limited, random_cases() / 10);
+}
+
+}  // namespace
+}  // namespace impinge

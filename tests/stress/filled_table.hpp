@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of a scheme that kernels are made from, and what is asked of all of them.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "kernels/gap_kernels.hpp"
+#include "kernels/lane_fixture.hpp"
+#include "table/exact_raster.hpp"
+#include "table/table_bound.hpp"
+
+namespace impinge::test {
+
+// What a table of the library keeps for the kernels of its scheme.
+template <class S>
+auto numbers_of(const RadialTable<S>& radii) {
+  if constexpr (std::same_as<S, CubeGnomonic>) {
+    return InverseDepthTable<S>(radii);
+  } else {
+    return radii;
+  }
+}
+
+// Of the kernel of that table, mm.
+template <class Table>
+std::vector<double> gaps_of(const Table& table, const std::vector<Vec3>& vertices, const Pose& pose,
+                            Scan scan) {
+  using Real = typename Table::Real;
+  std::vector<Real> gap(vertices.size());
+  scan_gaps(table, {vertex_lanes<Real>(vertices), pose, scan}, gap);
+  return {gap.begin(), gap.end()};
+}
+
+// Of one scheme; shared by what it is stored as.
+template <class S>
+struct Filled {
+  RadialTable<S> radii;                                          // mm
+  decltype(numbers_of(std::declval<RadialTable<S>>())) numbers;  // radii or inverse depths
+  double bound_mm = 0.0;  // proven, before any search; 0 if it was not asked for
+};
+
+// From a mesh.
+template <class S>
+std::shared_ptr<const Filled<S>> filled(const TriangleMesh& mesh, Layer layer, double precision_deg,
+                                        bool bounded) {
+  auto radii = fill_exact(mesh, S::with_precision(precision_deg), layer);
+  auto numbers = numbers_of(radii);
+  const double bound = bounded ? table_bound(mesh, numbers, layer, {1.0, 0}).bound_mm : 0.0;
+  return std::make_shared<const Filled<S>>(Filled<S>{std::move(radii), std::move(numbers), bound});
+}
+
+}  // namespace impinge::test

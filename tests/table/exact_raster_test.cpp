@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fill_exact() = fill_pairwise() at every entry, for every scheme: the same entries have a surface, and the
+// radii agree within 1e-9 r (they differ by rounding only; 1e-12 r is what is met).
+#include "table/exact_raster.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "sphere/scheme_list.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kRelative = 1e-9;
+
+void expect_same_everywhere(const TriangleMesh& mesh, double precision, Layer layer) {
+  for_each_scheme([&]<class S>() {
+    const S scheme = S::with_precision(precision);
+    const auto oracle = fill_pairwise(mesh, scheme, layer);
+    const auto table = fill_exact(mesh, scheme, layer);
+    for (std::size_t i = 0; i < scheme.size(); ++i) {
+      const double expected = oracle.radii()[i];
+      const double found = table.radii()[i];
+      ASSERT_EQ(std::isnan(found), std::isnan(expected)) << S::name << " entry " << i;
+      if (!std::isnan(expected)) {
+        ASSERT_NEAR(found, expected, kRelative * expected) << S::name << " entry " << i;
+      }
+    }
+    for (std::size_t cell = 0; cell < scheme.cells(); ++cell) {
+      ASSERT_EQ(table.is_rim_cell(cell), oracle.is_rim_cell(cell));
+    }
+  });
+}
+
+TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
+  for (Vec3& v : mesh.vertices) v = rotation * v;
+  return mesh;
+}
+
+Eigen::Matrix3d some_rotation() {
+  return (Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).toRotationMatrix();
+}
+
+// Edges along phi = 90 degrees and theta = 0, 90, 180, 270, that is on grid lines; corners on entries, the
+// poles among them.
+TEST(ExactRaster, EdgesOnGridLinesAndCornersOnEntries) {
+  expect_same_everywhere(octahedron(20.0), 1.0, Layer::farthest);
+  expect_same_everywhere(octahedron(20.0), 7.5, Layer::farthest);
+}
+
+TEST(ExactRaster, PoleInsideAFace) {
+  expect_same_everywhere(turned(octahedron(20.0), some_rotation()), 2.0, Layer::farthest);
+}
+
+TEST(ExactRaster, PoleOnAnEdge) {
+  const Eigen::Matrix3d eighth = Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitX()).toRotationMatrix();
+  TriangleMesh mesh = turned(octahedron(20.0), eighth);
+  for (Vec3& v : mesh.vertices) {
+    if (std::abs(v.x()) < 1e-12) v.x() = 0.0;  // the edges over the poles lie in the plane x = 0 exactly
+  }
+  expect_same_everywhere(mesh, 2.0, Layer::farthest);
+}
+
+TEST(ExactRaster, GeneratedJoint) {
+  const BallSocketPair pair = make_ball_socket_pair(1000);
+  expect_same_everywhere(pair.ball, 1.0, Layer::farthest);
+  expect_same_everywhere(pair.socket, 1.0, Layer::nearest);
+  expect_same_everywhere(turned(pair.socket, some_rotation()), 1.0, Layer::nearest);
+}
+
+TEST(ExactRaster, OffCentreBodyAndCone) {
+  expect_same_everywhere(sphere(22.0, 500, {15.0, 5.0, -8.0}), 2.0, Layer::farthest);
+  expect_same_everywhere(cone(), 2.0, Layer::farthest);
+}
+
+TEST(ExactRaster, LayersOfAThickSocket) {
+  TriangleMesh wall = cup(26.0, 70.0, 600);
+  const TriangleMesh outside = cup(29.0, 75.0, 600);
+  const auto shift = static_cast<VertexIndex>(wall.vertices.size());
+  for (const Face& f : outside.faces) wall.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
+  wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
+  expect_same_everywhere(wall, 1.0, Layer::nearest);
+  expect_same_everywhere(wall, 1.0, Layer::farthest);
+}
+
+// The result belongs to the surface, not to the order in which its faces are listed.
+TEST(ExactRaster, OrderOfFacesDoesNotMatter) {
+  TriangleMesh mesh = make_ball_socket_pair(1000).ball;
+  const Rsid scheme = Rsid::with_precision(1.0);
+  const auto before = fill_exact(mesh, scheme, Layer::farthest);
+  std::reverse(mesh.faces.begin(), mesh.faces.end());
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);  // and turn them inside out
+  const auto after = fill_exact(mesh, scheme, Layer::farthest);
+  for (std::size_t i = 0; i < scheme.size(); ++i) {
+    EXPECT_NEAR(after.radii()[i], before.radii()[i], 1e-13 * before.radii()[i]);
+  }
+}
+
+// Powers of two change no digit.
+TEST(ExactRaster, UnitsDoNotMatter) {
+  const TriangleMesh mesh = make_ball_socket_pair(300).ball;
+  const Rsid scheme = Rsid::with_precision(5.0);
+  const auto table = fill_exact(mesh, scheme, Layer::farthest);
+  for (const double unit : {0x1p-60, 0x1p-10, 0x1p60}) {
+    TriangleMesh scaled = mesh;
+    for (Vec3& v : scaled.vertices) v *= unit;
+    const auto other = fill_exact(scaled, scheme, Layer::farthest);
+    for (std::size_t i = 0; i < scheme.size(); ++i) ASSERT_EQ(other.radii()[i], unit * table.radii()[i]);
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What NearFaces says of a cap of directions is true of every direction in it: each is asked of every face.
+#include "table/near_faces.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/bodies.hpp"
+#include "support/directions.hpp"
+#include "support/soup.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kMargin = 2.0 * kDegree;
+
+// A direction within `angle` of u.
+Vec3 beside(const Vec3& u, const Vec3& way, double angle) {
+  const Vec3 aside = (way - way.dot(u) * u).normalized();
+  return std::cos(angle) * u + std::sin(angle) * aside;
+}
+
+void expect_true_of(const TriangleMesh& mesh) {
+  const NearFaces faces(mesh, kMargin);
+  const RayCaster oracle(mesh);
+  const auto directions = test::random_directions(400, 5);
+  const auto ways = test::random_directions(400 * 8, 6);
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const NearFaces::Near near = faces.near(30.0 * directions[i]);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double angle = 0.999 * kMargin * static_cast<double>(k) / 7.0;
+      const Vec3 u = beside(directions[i], ways[8 * i + k], angle);
+      for (const Layer layer : {Layer::nearest, Layer::farthest}) {
+        const double radius = oracle.cast(u, layer);
+        if (!near.rim) {
+          EXPECT_EQ(std::isnan(radius), near.nothing());
+        }
+        if (std::isnan(radius)) {
+          EXPECT_TRUE(std::isnan(faces.radius(u, near, layer)));
+          continue;
+        }
+        ++met;
+        EXPECT_FALSE(near.nothing());
+        EXPECT_LE(near.range.low, radius);
+        EXPECT_GE(near.range.high, radius);
+        EXPECT_NEAR(faces.radius(u, near, layer), radius, 1e-9 * radius);
+      }
+    }
+  }
+  EXPECT_GT(met, 500U);
+}
+
+TEST(NearFaces, KnowsAClosedBall) { expect_true_of(make_ball_socket_pair(1200).ball); }
+TEST(NearFaces, KnowsAnOpenSocket) { expect_true_of(make_ball_socket_pair(1200).socket); }
+TEST(NearFaces, KnowsFewLargeFaces) { expect_true_of(octahedron(20.0)); }
+
+TEST(NearFaces, TheSlopeIsThatOfTheSteepestFaceNear) {
+  const TriangleMesh mesh = make_ball_socket_pair(600, impinging_cam()).ball;
+  const NearFaces faces(mesh, kMargin);
+  for (const Face& face : mesh.faces) {
+    const TriangleCone cone = cone_of(mesh, face);
+    const Vec3 middle = (cone.corners()[0] + cone.corners()[1] + cone.corners()[2]) / 3.0;
+    EXPECT_GE(faces.near(middle).slope, cone.largest_slope());
+  }
+}
+
+TEST(NearFaces, NothingIsCertainAboutTheCentreOrAFaceThroughIt) {
+  TriangleMesh mesh = octahedron(20.0);
+  const NearFaces round(mesh, kMargin);
+  EXPECT_FALSE(round.near(Vec3::Zero()).nothing());
+  EXPECT_TRUE(std::isinf(round.near(Vec3::Zero()).slope));
+  const TriangleMesh flat{{{10, 0, 0}, {20, 0, 0}, {10, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_TRUE(NearFaces(flat, kMargin).near({1, 0.02, 0}).nothing());
+}
+
+TEST(NearFaces, EdgesOfTheRimAreFoundNearTheDirectionsThatAskForThem) {
+  const TriangleMesh socket = make_ball_socket_pair(1200).socket;
+  const NearFaces faces(socket, kMargin);
+  ASSERT_FALSE(faces.jumps().empty());
+  for (const JumpEdge& edge : faces.jumps()) {
+    const std::vector<Vec3> there{
+        beside(socket.vertices[edge.from].normalized(), Vec3(0.1, 0.2, -0.9), 0.9 * kMargin)};
+    bool found = false;
+    for (const JumpEdge& near : faces.jumps_near(there, kMargin))
+      found = found || (near.from == edge.from && near.to == edge.to);
+    EXPECT_TRUE(found);
+  }
+  EXPECT_TRUE(faces.jumps_near(std::vector<Vec3>{Vec3::UnitZ()}, kMargin).empty())
+      << "the rim is a quarter turn away";
+}
+
+}  // namespace
+}  // namespace impinge
