@@ -16,6 +16,8 @@
 
 namespace impinge::test {
 
+using namespace lab;
+
 // Bonded at z = 0, held at its outer end; shear modulus 1.
 class LayerElements {
  public:

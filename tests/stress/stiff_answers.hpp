@@ -19,6 +19,8 @@
 
 namespace impinge::test {
 
+using namespace lab;
+
 // Points in a pose, and the surface that they are asked of.
 struct Questions {
   TriangleMesh mesh;

@@ -7,6 +7,8 @@
 #include "support/directions.hpp"
 
 namespace impinge::test {
+
+using namespace lab;
 namespace {
 
 constexpr std::size_t kMost = 250;  // points of a kind

@@ -21,6 +21,8 @@
 #include "support/soup.hpp"
 
 namespace impinge::test {
+
+using namespace lab;
 namespace {
 
 TriangleMesh in_floats(TriangleMesh mesh) {

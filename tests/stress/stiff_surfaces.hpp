@@ -15,6 +15,8 @@
 
 namespace impinge::test {
 
+using namespace lab;
+
 inline constexpr double kStiffPrecision = 10.0;  // degrees, of the tables whose entries are aimed at
 
 // A surface and where it is hardest to ask it.
