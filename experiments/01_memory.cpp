@@ -14,7 +14,7 @@
 
 #include "harness/driver.hpp"
 #include "harness/equator_turn.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
 #include "table/exact_raster.hpp"

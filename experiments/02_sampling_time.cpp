@@ -19,6 +19,7 @@
 
 #include "harness/driver.hpp"
 #include "harness/timing_report.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/fill_method.hpp"
 #include "methods/kept_tables.hpp"
 

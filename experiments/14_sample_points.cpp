@@ -15,6 +15,7 @@
 #include "harness/real_joints.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/resampled.hpp"
 #include "sphere/schemes/usid.hpp"
 

@@ -13,12 +13,12 @@
 #include <cmath>
 #include <utility>
 
-#include "gap/algorithm_2.hpp"
 #include "gap/gap_scan.hpp"
 #include "harness/driver.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
+#include "methods/algorithm_2.hpp"
 #include "methods/thesis_raster.hpp"
 #include "table/exact_raster.hpp"
 
@@ -45,16 +45,16 @@ Result comparison() {
   result.parameters = {{"faces", kPairFaces}, {"precision_deg", kTable}, {"pose", "identity"}};
   const BallSocketPair pair = make_ball_socket_pair(kPairFaces);
   const Rsid scheme = Rsid::with_precision(kTable);
-  const auto add = [&](const char* name, ScannedSurface scanned, const std::vector<double>& gap) {
+  const auto add = [&](const char* name, Surface scanned, const std::vector<double>& gap) {
     const ScanVerdicts verdicts = compare_as_written(gap, scanned);
     result.table.add_row({name, verdicts.met, verdicts.by_gap, verdicts.as_written});
   };
   std::vector<double> gap(pair.ball.vertices.size());
-  scan_ball(fill_exact(pair.socket, scheme, Layer::nearest), pair.ball.vertices, {}, gap);
-  add("ball", ScannedSurface::ball, gap);
+  scan_gaps(fill_exact(pair.socket, scheme, Layer::nearest), pair.ball.vertices, {}, Surface::ball, gap);
+  add("ball", Surface::ball, gap);
   gap.resize(pair.socket.vertices.size());
-  scan_socket(fill_exact(pair.ball, scheme, Layer::farthest), pair.socket.vertices, {}, gap);
-  add("socket", ScannedSurface::socket, gap);
+  scan_gaps(fill_exact(pair.ball, scheme, Layer::farthest), pair.socket.vertices, {}, Surface::socket, gap);
+  add("socket", Surface::socket, gap);
   return result;
 }
 

@@ -16,7 +16,7 @@
 #include "files/file_bytes.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 
 namespace {

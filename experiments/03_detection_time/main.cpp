@@ -22,6 +22,7 @@
 #include "harness/timing_report.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "hip/sphere_fit.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "curves/conchoid.hpp"
+#include "mesh/generated_pair.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {

@@ -14,7 +14,7 @@
 #include "05_slices/spectrum_tables.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "spectrum/grid_radii.hpp"
 #include "spectrum/power_spectrum.hpp"
 #include "spectrum/slices.hpp"

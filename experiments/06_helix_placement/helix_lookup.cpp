@@ -8,7 +8,7 @@
 #include "curves/helix_entries.hpp"
 #include "curves/helix_stencil.hpp"
 #include "curves/lookup_error.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/fibonacci.hpp"
 
 namespace impinge::lab {

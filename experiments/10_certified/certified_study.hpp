@@ -95,15 +95,15 @@ SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, 
     const Pose& pose = judged.pose;
     ++found.poses;
     Stopwatch watch;
-    certify_ball(socket_ranges, ball.vertices, pose, ball_gaps);
-    certify_socket(ball_ranges, socket.vertices, pose, socket_gaps);
+    certify(Surface::ball, socket_ranges, ball.vertices, pose, ball_gaps);
+    certify(Surface::socket, ball_ranges, socket.vertices, pose, socket_gaps);
     found.seconds += watch.lap_s();
     found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
     found.vertices += count_verdicts(ball_gaps);
     found.vertices += count_verdicts(socket_gaps);
     watch.lap_s();  // the counting is not of the method
-    resolve_ball(socket, joint.overlay.socket_index(), ball.vertices, pose, ball_gaps);
-    resolve_socket(ball, joint.overlay.ball_index(), socket.vertices, pose, socket_gaps);
+    resolve(Surface::ball, socket, joint.overlay.socket_index(), ball.vertices, pose, ball_gaps);
+    resolve(Surface::socket, ball, joint.overlay.ball_index(), socket.vertices, pose, socket_gaps);
     found.seconds += watch.lap_s();
     found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
   }

@@ -15,6 +15,7 @@
 #include "10_certified/certified_study.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
 

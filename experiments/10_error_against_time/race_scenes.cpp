@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/generated_pair.hpp"
+
 namespace impinge::lab {
 namespace {
 

@@ -23,6 +23,7 @@
 #include "harness/real_joints.hpp"
 #include "harness/statistics.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace {
 

@@ -18,6 +18,7 @@
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "harness/timing_report.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace {
 

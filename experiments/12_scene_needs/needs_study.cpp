@@ -120,10 +120,10 @@ struct Bounds {
 };
 
 Bounds bounds_against(const RadialTable<Rsid>& table, const TriangleMesh& asked, const TriangleMesh& scanned,
-                      const Pose& pose, ScannedSurface which) {
+                      const Pose& pose, Surface of) {
   Bounds bounds{largest_slopes(asked, table.scheme()), {}};
   for (const Vec3& v : scanned.vertices)
-    bounds.of_vertices.push_back(error_bound_at(table, bounds.slopes, placed(which, pose, v)));
+    bounds.of_vertices.push_back(error_bound_at(table, bounds.slopes, to_other(of, pose, v)));
   return bounds;
 }
 
@@ -184,8 +184,8 @@ std::vector<NeedsCase> outputs_of(const NeedsScene& scene, const NeedsOptions& o
       fill_exact(joint->ball, scheme, Layer::farthest), fill_exact(joint->socket, scheme, Layer::nearest)});
   std::vector<NeedsCase> cases;
   const auto bounds = [=] {
-    return std::array{bounds_against(tables->socket, joint->socket, joint->ball, pose, ScannedSurface::ball),
-                      bounds_against(tables->ball, joint->ball, joint->socket, pose, ScannedSurface::socket)};
+    return std::array{bounds_against(tables->socket, joint->socket, joint->ball, pose, Surface::ball),
+                      bounds_against(tables->ball, joint->ball, joint->socket, pose, Surface::socket)};
   };
   cases.push_back(output_case(scene, Omission::error_bounds, bounds));
   const auto distances = [=] {
@@ -199,8 +199,8 @@ std::vector<NeedsCase> outputs_of(const NeedsScene& scene, const NeedsOptions& o
   cases.push_back(output_case(scene, Omission::distances, distances));
   std::vector<double> ball_gap(joint->ball.vertices.size());
   std::vector<double> socket_gap(joint->socket.vertices.size());
-  scan_ball(tables->socket, joint->ball.vertices, pose, ball_gap);
-  scan_socket(tables->ball, joint->socket.vertices, pose, socket_gap);
+  scan_gaps(tables->socket, joint->ball.vertices, pose, Surface::ball, ball_gap);
+  scan_gaps(tables->ball, joint->socket.vertices, pose, Surface::socket, socket_gap);
   auto found = bounds();
   const auto verdicts = [=, ball_bound = std::move(found[0].of_vertices),
                          socket_bound = std::move(found[1].of_vertices)] {

@@ -62,9 +62,9 @@ struct ExactGaps {
 ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose) {
   ExactGaps gaps;
   for (const Vec3& v : joint.meshes().ball.vertices)
-    gaps.ball.push_back(joint.gap(ScannedSurface::ball, to_socket(pose, v)));
+    gaps.ball.push_back(joint.gap(Surface::ball, to_socket(pose, v)));
   for (const Vec3& v : joint.meshes().socket.vertices)
-    gaps.socket.push_back(joint.gap(ScannedSurface::socket, to_ball(pose, v)));
+    gaps.socket.push_back(joint.gap(Surface::socket, to_ball(pose, v)));
   return gaps;
 }
 

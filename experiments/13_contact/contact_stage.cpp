@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mesh/generated_pair.hpp"
 #include "methods/fcl_obb.hpp"
 #include "methods/vtk_collision.hpp"
 
@@ -16,10 +17,10 @@ constexpr double kExactTests = 3e5;  // vertices looked at for each joint and ca
 bool any_impinged(const ContactStage& stage, const Pose& pose) {
   return std::ranges::any_of(stage.pair.ball.vertices,
                              [&](const Vec3& x) {
-                               return stage.culled.exactly_impinged(ScannedSurface::ball, to_socket(pose, x));
+                               return stage.culled.exactly_impinged(Surface::ball, to_socket(pose, x));
                              }) ||
          std::ranges::any_of(stage.pair.socket.vertices, [&](const Vec3& y) {
-           return stage.culled.exactly_impinged(ScannedSurface::socket, to_ball(pose, y));
+           return stage.culled.exactly_impinged(Surface::socket, to_ball(pose, y));
          });
 }
 

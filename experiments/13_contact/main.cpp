@@ -13,6 +13,7 @@
 #include "13_contact/contact_study.hpp"
 #include "harness/driver.hpp"
 #include "harness/timing_report.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "13_fast/fast_study.hpp"
 #include "contact/coherent_contact.hpp"
 #include "kernels/instruction_set.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/fcl_obb.hpp"
 
 namespace impinge::lab {
@@ -52,7 +52,7 @@ void count_scans(const AskedSurface& surface, const AskedPoints& asked, int pose
     for (const std::string& set : instruction_sets()) {
       if (!maker.kernel && set != instruction_sets().front()) continue;
       use_instruction_set(set);
-      const std::string direction = surface.scan == Scan::ball ? "ball->socket" : "socket->ball";
+      const std::string direction = surface.scanned == Surface::ball ? "ball->socket" : "socket->ball";
       const auto units = static_cast<double>(poses) * static_cast<double>(asked.points.size());
       count_run(label_of({maker.name, maker.setting, maker.storage, direction,
                           maker.kernel ? set : std::string("none"), "vertex"},
@@ -102,8 +102,9 @@ void count_touch(const BallSocketPair& pair) {
 
 void run_counted(const CountOptions& options) {
   const BallSocketPair pair = make_ball_socket_pair(options.triangles);
-  count_scans({pair.ball, Layer::farthest, Scan::socket}, AskedPoints(pair.socket.vertices), options.poses);
-  count_scans({pair.socket, Layer::nearest, Scan::ball}, AskedPoints(pair.ball.vertices), options.poses);
+  count_scans({pair.ball, Layer::farthest, Surface::socket}, AskedPoints(pair.socket.vertices),
+              options.poses);
+  count_scans({pair.socket, Layer::nearest, Surface::ball}, AskedPoints(pair.ball.vertices), options.poses);
   count_touch(pair);
 }
 

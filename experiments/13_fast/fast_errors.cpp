@@ -61,10 +61,9 @@ FastProbes fast_probes(const AskedSurface& surface, std::size_t count, std::uint
   const std::size_t taken = std::min(count / 2, features.size());
   for (std::size_t k = 0; k < taken; ++k) points.push_back(features[k * features.size() / taken]);
   const RayCaster caster(surface.mesh);
-  const double sign = surface.scan == Scan::ball ? 1.0 : -1.0;
   std::vector<double> truth;
   for (Vec3& x : points) {
-    truth.push_back(sign * (caster.cast(x, surface.layer) - kDistance));
+    truth.push_back(signed_gap(surface.scanned, caster.cast(x, surface.layer), kDistance));
     x *= kDistance;
   }
   std::vector<double> distances;

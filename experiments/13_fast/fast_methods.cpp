@@ -22,8 +22,8 @@ constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
 constexpr double kVoxelReach = 5.0;  // mm
 
 template <class Table>
-std::unique_ptr<GapMethod> kernel(Table table, Scan scan) {
-  return std::make_unique<KernelScan<Table>>(std::move(table), scan);
+std::unique_ptr<GapMethod> kernel(Table table, Surface scanned) {
+  return std::make_unique<KernelScan<Table>>(std::move(table), scanned);
 }
 
 std::string trimmed(double value) {
@@ -44,15 +44,16 @@ void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMa
   const auto filled = [s, cells] { return filled_cube(s, cells); };
   const std::string name = kCubeName;
   const std::string setting = "n=" + std::to_string(cells);
+  makers.push_back({name, setting, "uint16", true,
+                    [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scanned); }});
   makers.push_back(
-      {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
-  makers.push_back(
-      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
+      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scanned); }});
 }
 
 void add_corners(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
-  makers.push_back({kCubeName, "n=" + std::to_string(cells), kCorners, true,
-                    [=] { return kernel(corner_table(lane_table<float>(filled_cube(s, cells))), s.scan); }});
+  makers.push_back({kCubeName, "n=" + std::to_string(cells), kCorners, true, [=] {
+                      return kernel(corner_table(lane_table<float>(filled_cube(s, cells))), s.scanned);
+                    }});
 }
 
 // A grid of radii: the library's scan and the kernels.
@@ -62,13 +63,13 @@ void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMa
   const std::string name(S::name);
   const std::string setting = trimmed(precision) + "deg";
   makers.push_back({name + "_scalar", setting, "double", false,
-                    [=] { return std::make_unique<ScalarScan<S>>(filled(), s.scan); }});
+                    [=] { return std::make_unique<ScalarScan<S>>(filled(), s.scanned); }});
   makers.push_back(
-      {name, setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scan); }});
+      {name, setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scanned); }});
   makers.push_back(
-      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scan); }});
-  makers.push_back(
-      {name, setting, "uint16", true, [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scan); }});
+      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scanned); }});
+  makers.push_back({name, setting, "uint16", true,
+                    [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scanned); }});
 }
 
 using PeerMaker = std::unique_ptr<RadiusMethod> (*)(const TriangleMesh&);
@@ -77,11 +78,11 @@ using PeerMaker = std::unique_ptr<RadiusMethod> (*)(const TriangleMesh&);
 void add_peers(const AskedSurface& s, std::vector<GapMethodMaker>& makers) {
   const auto rays = [&](const char* name, const char* setting, PeerMaker make) {
     makers.push_back({name, setting, "none", false,
-                      [s, make] { return std::make_unique<RayScan>(make(s.mesh), s.scan); }, true});
+                      [s, make] { return std::make_unique<RayScan>(make(s.mesh), s.scanned); }, true});
   };
   const auto closest = [&](const char* name, const char* setting, PeerMaker make) {
     makers.push_back({name, setting, "none", false,
-                      [s, make] { return std::make_unique<ClosestScan>(make(s.mesh), s.scan); }, true});
+                      [s, make] { return std::make_unique<ClosestScan>(make(s.mesh), s.scanned); }, true});
   };
   rays("cgal_first_hit", "tree", make_cgal_first_hit);
   rays("vtk_first_hit", "buckets", make_vtk_first_hit);
@@ -94,7 +95,7 @@ void add_peers(const AskedSurface& s, std::vector<GapMethodMaker>& makers) {
 void add_voxels(const AskedSurface& s, double voxel_mm, std::vector<GapMethodMaker>& makers) {
   makers.push_back(
       {"vdb_grid", trimmed(voxel_mm) + "mm", "float", false, [s, voxel_mm] {
-         return std::make_unique<ClosestScan>(make_vdb_distances(s.mesh, {voxel_mm, kVoxelReach}), s.scan);
+         return std::make_unique<ClosestScan>(make_vdb_distances(s.mesh, {voxel_mm, kVoxelReach}), s.scanned);
        }});
 }
 
@@ -108,7 +109,7 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
   for (const int width : {1, 8, 16}) {
     makers.push_back({"embree_ray" + std::to_string(width), "fast", "none", false, [surface, width] {
                         return std::make_unique<RayScan>(
-                            make_embree_rays(surface.mesh, {width, EmbreeQuality::fast}), surface.scan);
+                            make_embree_rays(surface.mesh, {width, EmbreeQuality::fast}), surface.scanned);
                       }});
   }
   for (const std::size_t cells : kFloorCells) {
@@ -120,13 +121,13 @@ std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const Fast
   }
   for (const int cells : {4, 1}) {
     makers.push_back({"cube_cells_exact", std::to_string(cells) + "/face", "float", true, [surface, cells] {
-                        return kernel(exact_cells(surface.mesh, surface.layer, cells), surface.scan);
+                        return kernel(exact_cells(surface.mesh, surface.layer, cells), surface.scanned);
                       }});
   }
   if (sizes.certified) {
     makers.push_back({"cube_certified", "n=" + std::to_string(kMainCells), "uint16", true, [surface] {
                         return std::make_unique<CertifiedScan>(
-                            certified_table(surface.mesh, surface.layer, kMainCells), surface.scan);
+                            certified_table(surface.mesh, surface.layer, kMainCells), surface.scanned);
                       }});
   }
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, makers);

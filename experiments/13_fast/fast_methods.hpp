@@ -58,7 +58,7 @@ class GapMethod {
 struct AskedSurface {
   const TriangleMesh& mesh;  // centre frame
   Layer layer;               // of it that counts
-  Scan scan;                 // whose vertices ask
+  Surface scanned;           // whose vertices ask
 };
 
 // How a method comes to be, and what the results call it.

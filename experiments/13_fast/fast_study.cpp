@@ -13,7 +13,7 @@
 #include "13_fast/fast_table.hpp"
 #include "harness/cold_timing.hpp"
 #include "kernels/instruction_set.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -145,10 +145,10 @@ void add_method(const Asking& asking, const GapMethodMaker& maker, const std::ve
   add_case(asking, key(work.instruction_set, kThreads, "warm"), work, errors);
 }
 
-void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, Scan scan) {
-  const bool ball = scan == Scan::ball;
-  const AskedSurface surface{ball ? stage.pair.socket : stage.pair.ball,
-                             ball ? Layer::nearest : Layer::farthest, scan};
+void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, Surface scanned) {
+  const bool ball = scanned == Surface::ball;
+  const Surface met = other(scanned);
+  const AskedSurface surface{mesh_of(stage.pair, met), facing_layer(met), scanned};
   const auto faces = static_cast<double>(surface.mesh.faces.size());
   const auto probes =
       fast_probes(surface, static_cast<std::size_t>(asking.options.ray_tests / faces), asking.options.seed);
@@ -187,8 +187,8 @@ FastTables fast_tables(const FastOptions& options, Progress& progress) {
   std::vector<std::unique_ptr<Stage>> stages;
   for (const FastJoint& joint : options.joints) {
     stages.push_back(std::make_unique<Stage>(joint.triangles));
-    for (const Scan scan : {Scan::ball, Scan::socket})
-      add_scan({options, cases, cold}, joint, *stages.back(), scan);
+    for (const Surface scanned : {Surface::ball, Surface::socket})
+      add_scan({options, cases, cold}, joint, *stages.back(), scanned);
   }
   std::vector<TimedCase> timed;
   timed.reserve(cases.size());

@@ -18,16 +18,16 @@ namespace impinge::lab {
 template <class Table>
 class KernelScan final : public GapMethod {
  public:
-  // table: that of the other surface; scan: whose vertices ask.
-  KernelScan(Table table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+  // table: that of the other surface; scanned: whose vertices ask.
+  KernelScan(Table table, Surface scanned) : table_(std::move(table)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     if constexpr (kFloats) {
       scratch.floats.resize(asked.points.size());
-      scan_gaps(table_, {asked.floats, pose, scan_}, scratch.floats);
+      scan_gaps(table_, {asked.floats, pose, scanned_}, scratch.floats);
     } else {
       scratch.doubles.resize(asked.points.size());
-      scan_gaps(table_, {asked.doubles, pose, scan_}, scratch.doubles);
+      scan_gaps(table_, {asked.doubles, pose, scanned_}, scratch.doubles);
     }
   }
   double gap(const Scratch& scratch, std::size_t i) const override {
@@ -38,17 +38,17 @@ class KernelScan final : public GapMethod {
  private:
   static constexpr bool kFloats = std::same_as<typename Table::Real, float>;
   Table table_;
-  Scan scan_;
+  Surface scanned_;
 };
 
 // On which side of a gap of 0 each vertex is, for sure.
 class CertifiedScan final : public GapMethod {
  public:
-  // Table: of the other surface; scan: whose vertices ask.
-  CertifiedScan(CertifiedTable table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+  // Table: of the other surface; scanned: whose vertices ask.
+  CertifiedScan(CertifiedTable table, Surface scanned) : table_(std::move(table)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    scan_gaps(table_, {asked.floats, pose, scan_}, scratch.certified);
+    scan_gaps(table_, {asked.floats, pose, scanned_}, scratch.certified);
   }
   double gap(const Scratch& scratch, std::size_t i) const override {
     return static_cast<double>(scratch.certified.gap[i]);
@@ -58,36 +58,32 @@ class CertifiedScan final : public GapMethod {
 
  private:
   CertifiedTable table_;
-  Scan scan_;
+  Surface scanned_;
 };
 
 // The library's scan in double, one vertex at a time.
 template <SamplingScheme S>
 class ScalarScan final : public GapMethod {
  public:
-  // table: that of the other surface; scan: whose vertices ask.
-  ScalarScan(RadialTable<S> table, Scan scan) : table_(std::move(table)), scan_(scan) {}
+  // table: that of the other surface; scanned: whose vertices ask.
+  ScalarScan(RadialTable<S> table, Surface scanned) : table_(std::move(table)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.doubles.resize(asked.points.size());
-    if (scan_ == Scan::ball) {
-      scan_ball(table_, asked.points, pose, scratch.doubles);
-    } else {
-      scan_socket(table_, asked.points, pose, scratch.doubles);
-    }
+    scan_gaps(table_, asked.points, pose, scanned_, scratch.doubles);
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
   double bytes() const override { return static_cast<double>(table_bytes(table_)); }
 
  private:
   RadialTable<S> table_;
-  Scan scan_;
+  Surface scanned_;
 };
 
 // A pose, and whose vertices ask in it.
 struct PosedScan {
   const Pose& pose;  // of the ball against the socket
-  Scan scan;         // whose vertices ask
+  Surface scanned;   // whose vertices ask
 };
 
 // Moves the points to the frame of the surface that is asked, and has the method answer for them there.
@@ -98,7 +94,7 @@ inline void answer_moved(RadiusMethod& method, const AskedPoints& asked, const P
   scratch.doubles.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3& v = asked.points[i];
-    scratch.moved[i] = posed.scan == Scan::ball ? to_socket(posed.pose, v) : to_ball(posed.pose, v);
+    scratch.moved[i] = to_other(posed.scanned, posed.pose, v);
   }
   method.answer(scratch.moved, scratch.doubles);
 }
@@ -106,32 +102,31 @@ inline void answer_moved(RadiusMethod& method, const AskedPoints& asked, const P
 // Rays in the frame of the surface; the points are moved there first.
 class RayScan final : public GapMethod {
  public:
-  // rays: that meet the other surface; scan: whose vertices ask.
-  RayScan(std::unique_ptr<RadiusMethod> rays, Scan scan) : rays_(std::move(rays)), scan_(scan) {}
+  // rays: that meet the other surface; scanned: whose vertices ask.
+  RayScan(std::unique_ptr<RadiusMethod> rays, Surface scanned) : rays_(std::move(rays)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    answer_moved(*rays_, asked, {pose, scan_}, scratch);
-    const double sign = scan_ == Scan::ball ? 1.0 : -1.0;
+    answer_moved(*rays_, asked, {pose, scanned_}, scratch);
     for (std::size_t i = 0; i < scratch.doubles.size(); ++i)
-      scratch.doubles[i] = sign * (scratch.doubles[i] - scratch.moved[i].norm());
+      scratch.doubles[i] = signed_gap(scanned_, scratch.doubles[i], scratch.moved[i].norm());
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
   double bytes() const override { return rays_->bytes(); }
 
  private:
   std::unique_ptr<RadiusMethod> rays_;
-  Scan scan_;
+  Surface scanned_;
 };
 
 // Distances of points from the surface: Euclidean, and without a sign.
 class ClosestScan final : public GapMethod {
  public:
-  // distances: from the surface that is asked; scan: whose vertices ask.
-  ClosestScan(std::unique_ptr<RadiusMethod> distances, Scan scan)
-      : distances_(std::move(distances)), scan_(scan) {}
+  // distances: from the surface that is asked; scanned: whose vertices ask.
+  ClosestScan(std::unique_ptr<RadiusMethod> distances, Surface scanned)
+      : distances_(std::move(distances)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    answer_moved(*distances_, asked, {pose, scan_}, scratch);
+    answer_moved(*distances_, asked, {pose, scanned_}, scratch);
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
   double bytes() const override { return distances_->bytes(); }
@@ -139,7 +134,7 @@ class ClosestScan final : public GapMethod {
 
  private:
   std::unique_ptr<RadiusMethod> distances_;
-  Scan scan_;
+  Surface scanned_;
 };
 
 // The least that a look-up does.
@@ -149,7 +144,7 @@ class FloorScan final : public GapMethod {
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.floats.resize(asked.points.size());
-    floor_scan(table_, {asked.floats, pose, Scan::ball}, scratch.floats);
+    floor_scan(table_, {asked.floats, pose, Surface::ball}, scratch.floats);
   }
   double gap(const Scratch& /*scratch*/, std::size_t /*i*/) const override { return kNoSurface; }
   double bytes() const override { return static_cast<double>(sizeof(float) * table_.values.size()); }

@@ -14,7 +14,7 @@
 #include <benchmark/benchmark.h>
 
 #include "13_fill/fill_methods.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {

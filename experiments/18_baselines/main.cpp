@@ -14,6 +14,7 @@
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "harness/timing_report.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace {
 

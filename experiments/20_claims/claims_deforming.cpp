@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "20_claims/claims_study.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/local_refill.hpp"
 

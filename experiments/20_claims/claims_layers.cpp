@@ -86,10 +86,10 @@ void add_times(ClaimsStudy& study, const char* claim, const std::string& name, c
     scan.key = {claim, name, both ? "time of a scan of two tables" : "time of a scan of one table"};
     scan.rounds = rounds;
     scan.run = [layers, both] {
-      scan_socket(layers->bone, layers->vertices, Pose{}, layers->gap);
+      scan_gaps(layers->bone, layers->vertices, Pose{}, Surface::socket, layers->gap);
       benchmark::DoNotOptimize(layers->gap.data());
       if (!both) return;
-      scan_socket(layers->cartilage, layers->vertices, Pose{}, layers->gap);
+      scan_gaps(layers->cartilage, layers->vertices, Pose{}, Surface::socket, layers->gap);
       benchmark::DoNotOptimize(layers->gap.data());
     };
     study.cases.push_back(scan);

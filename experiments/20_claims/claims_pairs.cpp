@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "20_claims/claims_study.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/detection_race.hpp"
 #include "methods/heap_use.hpp"
 #include "sphere/schemes/rsid.hpp"

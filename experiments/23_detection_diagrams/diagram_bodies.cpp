@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "hip/hip.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/star_shape.hpp"
 #include "methods/chart_coverage.hpp"
 

@@ -127,10 +127,10 @@ void add_scans(const TriangleMesh& ball, const TriangleMesh& socket, const Pose&
   const RadialTable<Rsid> ball_table = fill_thesis(ball, scheme, Layer::farthest);
   const RadialTable<Rsid> socket_table = fill_thesis(socket, scheme, Layer::nearest);
   std::vector<double> gap(ball.vertices.size());
-  scan_ball(socket_table, ball.vertices, pose, gap);
+  scan_gaps(socket_table, ball.vertices, pose, Surface::ball, gap);
   add_scan({"ball", ball, socket_table, gap}, scans);
   gap.resize(socket.vertices.size());
-  scan_socket(ball_table, socket.vertices, pose, gap);
+  scan_gaps(ball_table, socket.vertices, pose, Surface::socket, gap);
   add_scan({"socket", socket, ball_table, gap}, scans);
 }
 

@@ -16,7 +16,7 @@
 #include "harness/driver.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/chart_coverage.hpp"
 #include "methods/thesis_raster.hpp"
 

@@ -48,7 +48,8 @@ double edge(const LayerContact& contact) {
 std::vector<double> table_gaps(const TriangleMesh& ball, std::span<const Vec3> vertices, const Pose& pose,
                                double precision_deg) {
   std::vector<double> gap(vertices.size());
-  scan_socket(fill_exact(ball, Rsid::with_precision(precision_deg), Layer::farthest), vertices, pose, gap);
+  scan_gaps(fill_exact(ball, Rsid::with_precision(precision_deg), Layer::farthest), vertices, pose,
+            Surface::socket, gap);
   return gap;
 }
 

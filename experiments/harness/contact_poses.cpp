@@ -71,10 +71,11 @@ std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const Contac
 bool vertices_impinged(const SurfaceOverlay& joint, const Pose& pose) {
   return std::ranges::any_of(joint.ball().vertices,
                              [&](const Vec3& x) {
-                               return on_or_beyond(joint.socket(), joint.socket_index(), to_socket(pose, x));
+                               return exactly_impinged(Surface::ball, joint.socket(), joint.socket_index(),
+                                                       to_socket(pose, x));
                              }) ||
          std::ranges::any_of(joint.socket().vertices, [&](const Vec3& y) {
-           return on_or_within(joint.ball(), joint.ball_index(), to_ball(pose, y));
+           return exactly_impinged(Surface::socket, joint.ball(), joint.ball_index(), to_ball(pose, y));
          });
 }
 

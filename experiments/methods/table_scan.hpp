@@ -45,8 +45,8 @@ class TableScan final : public Contender {
   // Millimetres; NaN where no vertex meets the other surface.
   double smallest_gap(const Pose& pose) {
     const std::span<double> gaps(gap_);
-    scan_ball(tables_->socket, ball_, pose, gaps.first(ball_.size()));
-    scan_socket(tables_->ball, socket_, pose, gaps.subspan(ball_.size()));
+    scan_gaps(tables_->socket, ball_, pose, Surface::ball, gaps.first(ball_.size()));
+    scan_gaps(tables_->ball, socket_, pose, Surface::socket, gaps.subspan(ball_.size()));
     double smallest = std::numeric_limits<double>::infinity();
     for (const double gap : gap_) smallest = gap < smallest ? gap : smallest;  // a NaN is never smaller
     return std::isinf(smallest) ? std::numeric_limits<double>::quiet_NaN() : smallest;

@@ -3,10 +3,10 @@
 
 namespace impinge {
 
-CapMove::CapMove(ScannedSurface surface, const Pose& at)
+CapMove::CapMove(Surface surface, const Pose& at)
     : scanned(surface), pose(at), shift(static_cast<float>(at.translation.norm())) {
   const Vec3 in_ball_frame = at.rotation.transpose() * at.translation;
-  const bool ball = scanned == ScannedSurface::ball;
+  const bool ball = scanned == Surface::ball;
   for (Eigen::Index k = 0; k < 3; ++k) {
     const auto row = static_cast<std::size_t>(k);
     for (Eigen::Index l = 0; l < 3; ++l)

@@ -24,8 +24,8 @@ double least_radius(const CapTree& tree) {
 }
 
 // o, in double.
-Vec3 own_shift(ScannedSurface scanned, const Pose& pose) {
-  if (scanned == ScannedSurface::socket) return -pose.translation;
+Vec3 own_shift(Surface scanned, const Pose& pose) {
+  if (scanned == Surface::socket) return -pose.translation;
   return pose.rotation.transpose() * pose.translation;
 }
 
@@ -51,11 +51,9 @@ CoherentContact::CoherentContact(const CulledJoint& joint) : joint_(joint) {
 
 std::optional<ScannedVertex> CoherentContact::impinged(const Pose& pose) {
   if (impinging_) {
-    const bool ball = impinging_->scanned == ScannedSurface::ball;
-    const TriangleMesh& mesh = ball ? joint_.meshes().ball : joint_.meshes().socket;
-    const Vec3& v = mesh.vertices[impinging_->vertex];
-    if (joint_.exactly_impinged(impinging_->scanned, ball ? to_socket(pose, v) : to_ball(pose, v)))
-      return impinging_;
+    const Surface of = impinging_->scanned;
+    const Vec3& v = mesh_of(joint_.meshes(), of).vertices[impinging_->vertex];
+    if (joint_.exactly_impinged(of, to_other(of, pose, v))) return impinging_;
   }
   impinging_.reset();
   // Without proofs a search that goes straight for a touch comes first: making them goes through all that is
@@ -144,14 +142,14 @@ std::optional<std::uint32_t> CoherentContact::prove_vertices(Scan& scan, const C
     const std::uint32_t item = block.first[proof.lane] + k;
     const Vec3 x = move.place(culled.position(item));
     const CapLimits::Limit limit = culled.limits().within(x, x.isZero(0.0) ? HUGE_VALF : 0.0F);
-    const double gap = gap_beyond(static_cast<double>(limit.radius), x.norm(), culled.scanned());
+    const double gap = signed_gap(culled.scanned(), static_cast<double>(limit.radius), x.norm());
     if (gap > 0.0) {
       proof.due = std::min(proof.due, due_after(scan.clock, gap, limit.reach));
       continue;
     }
     proof.due = scan.clock;
     const auto beside = static_cast<double>(culled.limits().beside(x));
-    if (gap_beyond(beside, x.norm(), culled.scanned()) > 0.0) continue;
+    if (signed_gap(culled.scanned(), beside, x.norm()) > 0.0) continue;
     if (joint_.exactly_impinged(culled.scanned(), x)) return culled.vertex(item);
   }
   return std::nullopt;

@@ -17,7 +17,7 @@ namespace {
 class LeastGapSearch {
  public:
   LeastGapSearch(const CulledJoint& joint, const Pose& pose)
-      : joint_(joint), moves_{CapMove(ScannedSurface::ball, pose), CapMove(ScannedSurface::socket, pose)} {
+      : joint_(joint), moves_{CapMove(Surface::ball, pose), CapMove(Surface::socket, pose)} {
     pending_.reserve(2 * CapTree::kMostPending);
   }
 
@@ -74,7 +74,7 @@ class LeastGapSearch {
   }
 
   static bool before(const ScannedVertex& a, const ScannedVertex& b) {
-    if (a.scanned != b.scanned) return a.scanned == ScannedSurface::ball;
+    if (a.scanned != b.scanned) return a.scanned == Surface::ball;
     return a.vertex < b.vertex;
   }
 
@@ -90,17 +90,16 @@ CulledJoint::CulledJoint(const BallSocketPair& joint)
     : joint_(joint),
       ball_(joint.ball, 0.0),
       socket_(joint.socket, 0.0),
-      scans_{CulledScan(ScannedSurface::ball, joint.ball, joint.socket),
-             CulledScan(ScannedSurface::socket, joint.socket, joint.ball)} {}
+      scans_{CulledScan(Surface::ball, joint.ball, joint.socket),
+             CulledScan(Surface::socket, joint.socket, joint.ball)} {}
 
-bool CulledJoint::exactly_impinged(ScannedSurface scanned, const Vec3& x) const {
-  return scanned == ScannedSurface::ball ? on_or_beyond(socket_, x) : on_or_within(ball_, x);
+bool CulledJoint::exactly_impinged(Surface scanned, const Vec3& x) const {
+  return impinge::exactly_impinged(scanned, faces(other(scanned)), x);
 }
 
 std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
-  const PosedTrees posed{
-      PosedTree{scans_[0].tree(), scans_[0].limits(), CapMove(ScannedSurface::ball, pose)},
-      PosedTree{scans_[1].tree(), scans_[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const PosedTrees posed{PosedTree{scans_[0].tree(), scans_[0].limits(), CapMove(Surface::ball, pose)},
+                         PosedTree{scans_[1].tree(), scans_[1].limits(), CapMove(Surface::socket, pose)}};
   const auto touches = [&](const ScannedItem& at) {
     const CulledScan& scan = scans_[at.scan];
     return exactly_impinged(scan.scanned(), posed[at.scan].move.place(scan.position(at.item)));
@@ -114,10 +113,10 @@ std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {
   return LeastGapSearch(*this, pose).run();
 }
 
-double CulledJoint::gap(ScannedSurface scanned, const Vec3& x) const {
+double CulledJoint::gap(Surface scanned, const Vec3& x) const {
   if (x.isZero(0.0)) return kNoSurface;
-  if (scanned == ScannedSurface::ball) return socket_.radius(x.normalized(), Layer::nearest) - x.norm();
-  return x.norm() - ball_.radius(x.normalized(), Layer::farthest);
+  const Surface met = other(scanned);
+  return signed_gap(scanned, faces(met).radius(x.normalized(), facing_layer(met)), x.norm());
 }
 
 std::size_t CulledJoint::bytes() const {

@@ -7,8 +7,6 @@
 #include <optional>
 
 #include "contact/culled_scan.hpp"
-#include "gap/pose.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
@@ -33,15 +31,17 @@ class CulledJoint {
   std::optional<LeastGap> least_gap(const Pose& pose) const;
 
   // Is that vertex, which a pose has at x, impinged? Exact.
-  bool exactly_impinged(ScannedSurface scanned, const Vec3& x) const;
+  bool exactly_impinged(Surface scanned, const Vec3& x) const;
   // Gap at x to the faces there, mm; NaN where there is none.
-  double gap(ScannedSurface scanned, const Vec3& x) const;
+  double gap(Surface scanned, const Vec3& x) const;
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
   const BallSocketPair& meshes() const { return joint_; }            // as given
   std::size_t bytes() const;  // of everything that was made, without the meshes
 
  private:
+  const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
+
   const BallSocketPair& joint_;
   NearFaces ball_;
   NearFaces socket_;

@@ -85,9 +85,8 @@ bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Fac
 
 bool CulledOverlay::impinged(const Pose& pose) const {
   const std::array<CulledScan, 2>& scans = joint_.scans();
-  const PosedTrees posed{
-      PosedTree{surfaces_[0].tree, scans[0].limits(), CapMove(ScannedSurface::ball, pose)},
-      PosedTree{surfaces_[1].tree, scans[1].limits(), CapMove(ScannedSurface::socket, pose)}};
+  const PosedTrees posed{PosedTree{surfaces_[0].tree, scans[0].limits(), CapMove(Surface::ball, pose)},
+                         PosedTree{surfaces_[1].tree, scans[1].limits(), CapMove(Surface::socket, pose)}};
   const auto touches = [&](const ScannedItem& at) {
     return reaches_any(at.scan, posed[at.scan].move, surfaces_[at.scan].faces[at.item]);
   };

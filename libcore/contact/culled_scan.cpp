@@ -24,17 +24,13 @@ CapTree tree_of(const TriangleMesh& mesh) {
   return CapTree(items);
 }
 
-Layer layer_asked(ScannedSurface scanned) {
-  return scanned == ScannedSurface::ball ? Layer::nearest : Layer::farthest;
-}
-
 }  // namespace
 
-CulledScan::CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
+CulledScan::CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
                        double margin)
     : scanned_(scanned),
       tree_(tree_of(checked(vertices_of))),
-      limits_(checked(asked), layer_asked(scanned), margin) {
+      limits_(checked(asked), facing_layer(other(scanned)), margin) {
   const std::vector<std::uint32_t> used = surface_vertices(vertices_of);
   for (const std::uint32_t item : tree_.order()) {
     vertex_.push_back(used[item]);

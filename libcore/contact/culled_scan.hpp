@@ -9,15 +9,15 @@
 
 #include "contact/cap_limits.hpp"
 #include "contact/cap_tree.hpp"
-#include "gap/algorithm_2.hpp"
+#include "gap/surface.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
 
 // A vertex of one of the surfaces.
 struct ScannedVertex {
-  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
-  std::size_t vertex = 0;                         // place among the vertices of its mesh
+  Surface scanned = Surface::ball;  // whose vertex it is
+  std::size_t vertex = 0;           // place among the vertices of its mesh
   bool operator==(const ScannedVertex&) const = default;
 };
 
@@ -25,10 +25,10 @@ class CulledScan {
  public:
   // Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
   // lengths of either beyond those of floats in mesh/lengths.hpp.
-  CulledScan(ScannedSurface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
+  CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
              double margin = 0.0);
 
-  ScannedSurface scanned() const { return scanned_; }  // whose vertices are scanned
+  Surface scanned() const { return scanned_; }         // whose vertices are scanned
   const CapTree& tree() const { return tree_; }        // of these vertices
   const CapLimits& limits() const { return limits_; }  // of the other surface
   // Item of the tree's order: a vertex of the mesh.
@@ -38,7 +38,7 @@ class CulledScan {
   std::size_t bytes() const;  // of tree, limits and positions
 
  private:
-  ScannedSurface scanned_;
+  Surface scanned_;
   CapTree tree_;
   CapLimits limits_;
   std::vector<std::uint32_t> vertex_;

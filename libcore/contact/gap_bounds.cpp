@@ -14,13 +14,12 @@ using namespace lanes;
 
 // What the caps have to spare. A limit that all directions have, if it is good enough, lasts whatever they
 // turn by.
-template <ScannedSurface kScanned>
+template <Surface kScanned>
 inline void make_last(const MovedCaps& caps, const WholeLanes& level, const CapLadder& ladder, float enough,
                       GapBounds& __restrict bounds) {
   const CapLanes reach = reaches_of(level, ladder);
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
-    const float overall =
-        kScanned == ScannedSurface::ball ? ladder.overall - caps.length[k] : caps.length[k] - ladder.overall;
+    const float overall = signed_gap(kScanned, ladder.overall, caps.length[k]);
     const bool surely = overall > enough;
     bounds.gap[k] = surely ? overall : bounds.gap[k];
     bounds.spare[k] = surely ? HUGE_VALF : reach[k] - caps.angle[k];
@@ -28,7 +27,7 @@ inline void make_last(const MovedCaps& caps, const WholeLanes& level, const CapL
 }
 
 // The work on a block, once for each scan and kind of answer: what the other one needs is left out.
-template <ScannedSurface kScanned, bool kLasting>
+template <Surface kScanned, bool kLasting>
 inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLadder& ladder, float enough,
                         GapBounds& __restrict bounds) {
   const MovedCaps caps = moved_lanes<kScanned>(block, move);
@@ -38,13 +37,13 @@ inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLad
   const WholeLanes entry = entries_of(caps, steps);
   CapLanes limit;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) limit[k] = ladder.limits[entry[k]];
-  constexpr bool kBall = kScanned == ScannedSurface::ball;
+  constexpr bool kBall = kScanned == Surface::ball;
   WholeLanes open;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
-    const float gap = kBall ? limit[k] - caps.length[k] : caps.length[k] - limit[k];
+    const float gap = signed_gap(kScanned, limit[k], caps.length[k]);
     const float middle = dot(move.own, block, k) + (kBall ? block.low[k] : block.high[k]);
     bounds.gap[k] = gap;
-    bounds.likely[k] = kBall ? limit[k] - middle : middle - limit[k];
+    bounds.likely[k] = signed_gap(kScanned, limit[k], middle);
     open[k] = gap > enough ? 0 : 1 << k;
   }
   if constexpr (kLasting) make_last<kScanned>(caps, level, ladder, enough, bounds);
@@ -56,38 +55,38 @@ inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLad
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball(const CapBlock& block, const CapMove& move,
                                                        const CapLadder& ladder, float enough,
                                                        GapBounds& bounds) {
-  bound_lanes<ScannedSurface::ball, false>(block, move, ladder, enough, bounds);
+  bound_lanes<Surface::ball, false>(block, move, ladder, enough, bounds);
 }
 
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket(const CapBlock& block, const CapMove& move,
                                                          const CapLadder& ladder, float enough,
                                                          GapBounds& bounds) {
-  bound_lanes<ScannedSurface::socket, false>(block, move, ladder, enough, bounds);
+  bound_lanes<Surface::socket, false>(block, move, ladder, enough, bounds);
 }
 
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball_lastingly(const CapBlock& block, const CapMove& move,
                                                                  const CapLadder& ladder, float enough,
                                                                  GapBounds& bounds) {
-  bound_lanes<ScannedSurface::ball, true>(block, move, ladder, enough, bounds);
+  bound_lanes<Surface::ball, true>(block, move, ladder, enough, bounds);
 }
 
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket_lastingly(const CapBlock& block, const CapMove& move,
                                                                    const CapLadder& ladder, float enough,
                                                                    GapBounds& bounds) {
-  bound_lanes<ScannedSurface::socket, true>(block, move, ladder, enough, bounds);
+  bound_lanes<Surface::socket, true>(block, move, ladder, enough, bounds);
 }
 
 }  // namespace
 
 MovedCaps moved(const CapBlock& block, const CapMove& move) {
-  return move.scanned == ScannedSurface::ball ? moved_lanes<ScannedSurface::ball>(block, move)
-                                              : moved_lanes<ScannedSurface::socket>(block, move);
+  return move.scanned == Surface::ball ? moved_lanes<Surface::ball>(block, move)
+                                       : moved_lanes<Surface::socket>(block, move);
 }
 
 GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
                      const GapsWanted& wanted) {
   GapBounds bounds;
-  const bool ball = move.scanned == ScannedSurface::ball;
+  const bool ball = move.scanned == Surface::ball;
   const CapLadder ladder = limits.ladder();
   if (wanted.lasting) {
     (ball ? bound_ball_lastingly : bound_socket_lastingly)(block, move, ladder, wanted.enough, bounds);

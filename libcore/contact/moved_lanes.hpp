@@ -38,14 +38,14 @@ inline float most_along(float along, float angle, float shift) {
 }
 
 // Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
-template <ScannedSurface kScanned>
+template <Surface kScanned>
 inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float shift = move.shift;
   const float square = shift * shift;
   const float along = dot(move.own, block, k);
   const float low = block.low[k];
   const float high = block.high[k];
-  if constexpr (kScanned == ScannedSurface::ball) {
+  if constexpr (kScanned == Surface::ball) {
     const float twice = 2.0F * most_along(along, block.angle[k], shift);
     const float most = larger(low * (low + twice), high * (high + twice)) + square;
     return std::sqrt(larger(most + kSquareSlack * (high * high + square), 0.0F));
@@ -64,7 +64,7 @@ inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k)
 }
 
 // Where the pose takes the caps of a block.
-template <ScannedSurface kScanned>
+template <Surface kScanned>
 inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
   MovedCaps caps;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {

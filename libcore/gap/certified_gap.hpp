@@ -19,7 +19,6 @@
 #include <span>
 
 #include "gap/exact_side.hpp"
-#include "gap/pose.hpp"
 #include "table/cell_range.hpp"
 
 namespace impinge {
@@ -47,39 +46,27 @@ inline CertifiedGap certified(double low, double high, Cover cover) {
   return {low, high, cover, verdict_of(low, high, cover)};
 }
 
-// Gap of a ball vertex, in the socket frame. The centre itself, which has no direction, is undecided.
+// Of a vertex of that surface, at x in the frame of the other one. The centre itself, which has no direction,
+// is undecided.
 template <SamplingScheme S>
-CertifiedGap ball_vertex_gap(const RangeTable<S>& socket, const Vec3& x) {
+CertifiedGap certified_gap(Surface of, const RangeTable<S>& met, const Vec3& x) {
   const double length = x.norm();
-  if (length == 0.0) return {0.0, std::numeric_limits<double>::infinity(), Cover::part, Verdict::undecided};
-  const auto [range, cover] = socket.at(x);
-  return certified(range.low - length, range.high - length, cover);
+  if (length == 0.0) {
+    const RadiusRange any = signed_gap(of, {0.0, std::numeric_limits<double>::infinity()}, 0.0);
+    return {any.low, any.high, Cover::part, Verdict::undecided};
+  }
+  const auto [range, cover] = met.at(x);
+  const RadiusRange gap = signed_gap(of, range, length);
+  return certified(gap.low, gap.high, cover);
 }
 
-// Gap of a socket vertex, in the ball frame.
+// Vertices of that surface (in its own frame, mm) against the ranges of the other one.
 template <SamplingScheme S>
-CertifiedGap socket_vertex_gap(const RangeTable<S>& ball, const Vec3& x) {
-  const double length = x.norm();
-  if (length == 0.0) return {-std::numeric_limits<double>::infinity(), 0.0, Cover::part, Verdict::undecided};
-  const auto [range, cover] = ball.at(x);
-  return certified(length - range.high, length - range.low, cover);
-}
-
-// First scan: ball vertices (ball frame, mm) against the ranges of the socket.
-template <SamplingScheme S>
-void certify_ball(const RangeTable<S>& socket, std::span<const Vec3> vertices, const Pose& pose,
-                  std::span<CertifiedGap> gaps) {
+void certify(Surface of, const RangeTable<S>& met, std::span<const Vec3> vertices, const Pose& pose,
+             std::span<CertifiedGap> gaps) {
   assert(gaps.size() == vertices.size());
   for (std::size_t i = 0; i < gaps.size(); ++i)
-    gaps[i] = ball_vertex_gap(socket, to_socket(pose, vertices[i]));
-}
-
-// Second scan: socket vertices (socket frame, mm) against the ranges of the ball.
-template <SamplingScheme S>
-void certify_socket(const RangeTable<S>& ball, std::span<const Vec3> vertices, const Pose& pose,
-                    std::span<CertifiedGap> gaps) {
-  assert(gaps.size() == vertices.size());
-  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = socket_vertex_gap(ball, to_ball(pose, vertices[i]));
+    gaps[i] = certified_gap(of, met, to_other(of, pose, vertices[i]));
 }
 
 // How many vertices have each verdict.
@@ -105,13 +92,9 @@ struct VerdictCount {
 
 VerdictCount count_verdicts(std::span<const CertifiedGap> gaps);  // of the vertices of one scan
 
-// Gives every undecided vertex of the first scan (ball vertices, against the socket's mesh) its exact
-// verdict; intervals stay. Returns how many there were.
-std::size_t resolve_ball(const TriangleMesh& socket, const FaceIndex& index, std::span<const Vec3> vertices,
-                         const Pose& pose, std::span<CertifiedGap> gaps);
-
-// The same for the second scan (socket vertices, against the ball's mesh).
-std::size_t resolve_socket(const TriangleMesh& ball, const FaceIndex& index, std::span<const Vec3> vertices,
-                           const Pose& pose, std::span<CertifiedGap> gaps);
+// Gives every undecided vertex of that surface its exact verdict against the other's mesh; intervals stay.
+// Returns how many there were.
+std::size_t resolve(Surface of, const TriangleMesh& met, const FaceIndex& index,
+                    std::span<const Vec3> vertices, const Pose& pose, std::span<CertifiedGap> gaps);
 
 }  // namespace impinge

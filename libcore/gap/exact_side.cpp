@@ -22,31 +22,20 @@ bool meets(const Corners& corners, int side, const Vec3& x, int order) {
   return order * side * plane_side(corners[0], corners[1], corners[2], x) >= 0;
 }
 
-bool meets(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x, int order) {
+}  // namespace
+
+bool exactly_impinged(Surface of, const TriangleMesh& met, const FaceIndex& index, const Vec3& x) {
+  if (x.isZero(0.0)) return of == Surface::socket && !index.empty();
   return std::ranges::any_of(index.near(x).faces, [&](std::uint32_t f) {
-    return meets(corners_of(surface, f), index.face(f).side, x, order);
+    return meets(corners_of(met, f), index.face(f).side, x, gap_sign<int>(of));
   });
 }
 
-bool meets(const NearFaces& surface, const Vec3& x, int order) {
-  return surface.any_met(
-      x, [&](std::uint32_t f, int side) { return meets(corners_of(surface.mesh(), f), side, x, order); });
-}
-
-}  // namespace
-
-bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x) {
-  return !x.isZero(0.0) && meets(surface, index, x, 1);
-}
-
-bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x) {
-  return x.isZero(0.0) ? !index.empty() : meets(surface, index, x, -1);
-}
-
-bool on_or_beyond(const NearFaces& surface, const Vec3& x) { return !x.isZero(0.0) && meets(surface, x, 1); }
-
-bool on_or_within(const NearFaces& surface, const Vec3& x) {
-  return x.isZero(0.0) ? !surface.empty() : meets(surface, x, -1);
+bool exactly_impinged(Surface of, const NearFaces& met, const Vec3& x) {
+  if (x.isZero(0.0)) return of == Surface::socket && !met.empty();
+  return met.any_met(x, [&](std::uint32_t f, int side) {
+    return meets(corners_of(met.mesh(), f), side, x, gap_sign<int>(of));
+  });
 }
 
 }  // namespace impinge

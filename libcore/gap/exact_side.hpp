@@ -8,22 +8,18 @@
 // a point at the centre means, is said in gap/overlay.hpp.
 #pragma once
 
-#include "mesh/triangle_mesh.hpp"
+#include "gap/surface.hpp"
 #include "table/face_index.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
 
-// Is x on some face of the surface or beyond it? For a vertex of the ball, in the socket frame, this is a gap
-// of zero or less. Never at the centre.
-bool on_or_beyond(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
-
-// Is x on some face of the surface or on the near side of it? For a vertex of the socket, in the ball frame,
-// this is a gap of zero or less. Always at the centre, if a face counts.
-bool on_or_within(const TriangleMesh& surface, const FaceIndex& index, const Vec3& x);
+// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged: a gap of zero
+// or less? For one of the ball: is it on a face of the socket or beyond; never at the centre. For one of the
+// socket: is it on a face of the ball or before it; always at the centre, if a face counts.
+bool exactly_impinged(Surface of, const TriangleMesh& met, const FaceIndex& index, const Vec3& x);
 
 // The same with an index that is made sooner and looks at fewer faces.
-bool on_or_beyond(const NearFaces& surface, const Vec3& x);
-bool on_or_within(const NearFaces& surface, const Vec3& x);  // Likewise.
+bool exactly_impinged(Surface of, const NearFaces& met, const Vec3& x);
 
 }  // namespace impinge

@@ -41,30 +41,16 @@ RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
   return found;
 }
 
-CertifiedGap measured(const BoundedScan& scan, std::size_t i) {
-  const Vec3& x = scan.places[i];
-  return scan.scanned == ScannedSurface::ball ? measured_ball_gap(scan.asked, x)
-                                              : measured_socket_gap(scan.asked, x);
-}
-
 }  // namespace
 
-CertifiedGap measured_ball_gap(const NearFaces& socket, const Vec3& x) {
+CertifiedGap measured_gap(Surface of, const NearFaces& met, const Vec3& x) {
   if (x.isZero(0.0)) return {};
-  const RadiusRange range = layer_range(socket, x, Layer::nearest);
+  const RadiusRange range = layer_range(met, x, facing_layer(other(of)));
   if (range.empty()) return {};
   const double length = x.norm();
   const double error = kLengthSteps * length;
-  return certified(range.low - length - error, range.high - length + error, Cover::whole);
-}
-
-CertifiedGap measured_socket_gap(const NearFaces& ball, const Vec3& x) {
-  if (x.isZero(0.0)) return {};
-  const RadiusRange range = layer_range(ball, x, Layer::farthest);
-  if (range.empty()) return {};
-  const double length = x.norm();
-  const double error = kLengthSteps * length;
-  return certified(length - range.high - error, length - range.low + error, Cover::whole);
+  const RadiusRange gap = signed_gap(of, range, length);
+  return certified(gap.low - error, gap.high + error, Cover::whole);
 }
 
 SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& socket) {
@@ -79,7 +65,7 @@ SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& soc
     for (std::size_t i = 0; i < scan->gap.size(); ++i) {
       const double low = scan->gap[i] - scan->bound[i];
       if (std::isnan(scan->gap[i]) || low > by_bounds) continue;
-      const CertifiedGap exact = measured(*scan, i);
+      const CertifiedGap exact = measured_gap(scan->scanned, scan->asked, scan->places[i]);
       ++found.measured;
       if (exact.cover == Cover::none) continue;
       found.low = std::min(found.low, exact.low);

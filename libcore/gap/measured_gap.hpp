@@ -13,25 +13,21 @@
 #include <limits>
 #include <span>
 
-#include "gap/algorithm_2.hpp"
 #include "gap/certified_gap.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
 
-// Of a vertex of the ball, x in the socket's frame, mm; the nearest layer of the socket counts.
-CertifiedGap measured_ball_gap(const NearFaces& socket, const Vec3& x);
-
-// Of a vertex of the socket, x in the ball's frame, mm; the farthest layer of the ball counts.
-CertifiedGap measured_socket_gap(const NearFaces& ball, const Vec3& x);
+// Of a vertex of that surface, at x in the frame of the other one, mm, whose facing layer counts.
+CertifiedGap measured_gap(Surface of, const NearFaces& met, const Vec3& x);
 
 // Gaps of one scan by a table and what is proven about them, by vertex, mm.
 struct BoundedScan {
-  ScannedSurface scanned = ScannedSurface::ball;  // whose vertices
-  const NearFaces& asked;                         // the other surface
-  std::span<const Vec3> places;                   // of the vertices, in the frame of that
-  std::span<const double> gap;                    // NaN where there is none
-  std::span<const double> bound;                  // infinite where nothing is proven
+  Surface scanned = Surface::ball;  // whose vertices
+  const NearFaces& asked;           // the other surface
+  std::span<const Vec3> places;     // of the vertices, in the frame of that
+  std::span<const double> gap;      // NaN where there is none
+  std::span<const double> bound;    // infinite where nothing is proven
 };
 
 // Where the smallest gap of all vertices that have one is proven to be.

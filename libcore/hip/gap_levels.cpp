@@ -6,8 +6,6 @@
 
 namespace impinge {
 
-std::string_view name(Surface surface) { return surface == Surface::ball ? "ball" : "socket"; }
-
 std::vector<GapLevel> gap_levels(Surface surface, double cartilage_mm) {
   constexpr double beyond = std::numeric_limits<double>::infinity();
   std::vector<GapLevel> levels{{0.0, "bones touch or overlap", {59, 15, 112}}};

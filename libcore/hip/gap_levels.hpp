@@ -11,14 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "gap/surface.hpp"
 #include "mesh/ply_writer.hpp"
 
 namespace impinge {
-
-// Whose vertices are coloured.
-enum class Surface { ball, socket };
-
-std::string_view name(Surface surface);  // "ball" or "socket"
 
 // Gaps above the level before and up to this one, mm.
 struct GapLevel {

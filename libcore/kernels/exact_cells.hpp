@@ -86,7 +86,7 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
 
 // Gap at x in the frame of the mesh, the faces of a cell that is not smooth met without rounding and the
 // rest in double; NaN where none is met.
-double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Scan scan);
+double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surface scanned);
 
 // As those of gap_kernels.hpp.
 void scan_gaps(const ExactCells& cells, const LaneScan<float>& scan, std::span<float> gap);

@@ -5,7 +5,7 @@
 
 namespace impinge {
 
-double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Scan scan) {
+double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surface scanned) {
   if (!x.allFinite()) return kNoSurface;
   const Vec3 u = x.stableNormalized();
   const ExactCell& asked = cells.cells[cell];
@@ -18,7 +18,7 @@ double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Scan 
       if (place_in_cone(cone.corners(), cone.side(), x) >= 0) keep(radius, cone.radius(u), cells.layer);
     }
   }
-  return scan == Scan::ball ? radius - x.norm() : x.norm() - radius;
+  return signed_gap(scanned, radius, x.norm());
 }
 
 }  // namespace impinge

@@ -40,7 +40,7 @@ template <class Real>
 struct LaneScan {
   const VertexLanes<Real>& vertices;  // in their own centre frame
   Pose pose;                          // of the ball in the socket
-  Scan scan;                          // whose vertices they are
+  Surface scanned;                    // whose vertices they are
 };
 
 // gap has the size of the vertices; the table is that of the other surface.

@@ -35,8 +35,8 @@ template <class Table>
 void scan_joint(const JointLanes<Table>& joint, const Pose& pose,
                 std::span<typename JointLanes<Table>::Real> ball_gap,
                 std::span<typename JointLanes<Table>::Real> socket_gap) {
-  scan_gaps(joint.socket_table, {joint.ball, pose, Scan::ball}, ball_gap);
-  scan_gaps(joint.ball_table, {joint.socket, pose, Scan::socket}, socket_gap);
+  scan_gaps(joint.socket_table, {joint.ball, pose, Surface::ball}, ball_gap);
+  scan_gaps(joint.ball_table, {joint.socket, pose, Surface::socket}, socket_gap);
 }
 
 }  // namespace impinge

@@ -18,7 +18,7 @@ struct RawScan {
   const Real* z;                  // likewise
   std::size_t count;              // of vertices
   LaneTransform<Real> transform;  // to the frame of the table
-  Real sign;                      // gap = sign (radius - length)
+  Real sign;                      // gap_sign()
   Real* gap;                      // mm, `count` of them
 };
 
@@ -30,8 +30,8 @@ RawScan<Real> raw_scan(const LaneScan<Real>& scan, std::span<Real> gap) {
           scan.vertices.y.data(),
           scan.vertices.z.data(),
           scan.vertices.size(),
-          lane_transform<Real>(scan.pose, scan.scan),
-          scan.scan == Scan::ball ? Real{1} : Real{-1},
+          lane_transform<Real>(scan.pose, scan.scanned),
+          gap_sign<Real>(scan.scanned),
           gap.data()};
 }
 

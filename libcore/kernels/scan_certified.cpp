@@ -71,7 +71,7 @@ void scan_gaps(const CertifiedTable& table, const LaneScan<float>& scan, Certifi
     asked.z.push_back(all.z[i]);
   }
   found.answered.resize(asked.size());
-  scan_gaps(table.exact, {asked, scan.pose, scan.scan}, found.answered);
+  scan_gaps(table.exact, {asked, scan.pose, scan.scanned}, found.answered);
   for (std::size_t k = 0; k < found.answered.size(); ++k) found.gap[found.undecided[k]] = found.answered[k];
 }
 

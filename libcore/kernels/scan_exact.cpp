@@ -96,8 +96,8 @@ class ExactScan {
 
   float in_doubt(std::size_t i, const Chunk& chunk) const {
     const Vec3 x(chunk.x[i], chunk.y[i], chunk.z[i]);
-    const Scan scan = scan_.sign > 0.0F ? Scan::ball : Scan::socket;
-    return static_cast<float>(exact_gap(cells_, static_cast<std::size_t>(chunk.cell[i]), x, scan));
+    const Surface scanned = scan_.sign > 0.0F ? Surface::ball : Surface::socket;
+    return static_cast<float>(exact_gap(cells_, static_cast<std::size_t>(chunk.cell[i]), x, scanned));
   }
 
   const ExactCells& cells_;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "gap/pose.hpp"
+#include "gap/surface.hpp"
 
 namespace impinge {
 
@@ -34,10 +34,6 @@ VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
   return lanes;
 }
 
-// Which vertices are looked up: those of the ball in the socket's table, or those of the socket in the
-// ball's.
-enum class Scan { ball, socket };
-
 // x = rotation v + translation takes the vertices of a scan to the frame of the table, mm.
 template <class Real>
 struct LaneTransform {
@@ -47,10 +43,10 @@ struct LaneTransform {
 
 // Worked out in double and rounded once.
 template <class Real>
-LaneTransform<Real> lane_transform(const Pose& pose, Scan scan) {
+LaneTransform<Real> lane_transform(const Pose& pose, Surface scanned) {
   Eigen::Matrix3d rotation = pose.rotation;
   Vec3 translation = pose.translation;
-  if (scan == Scan::socket) {
+  if (scanned == Surface::socket) {
     translation = to_ball(pose, Vec3::Zero());
     rotation.transposeInPlace();
   }

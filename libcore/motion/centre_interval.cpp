@@ -89,11 +89,11 @@ std::vector<VertexIndex> asked_of(const TriangleMesh& mesh, const std::vector<Ed
 CentreIntervals::CentreIntervals(const CulledJoint& joint, const CentreQuestion& question)
     : joint_(joint),
       question_(question),
-      ball_(surface(joint.meshes().ball, joint.meshes().socket, false)),
-      socket_(surface(joint.meshes().socket, joint.meshes().ball, true)) {}
+      ball_(side(joint.meshes().ball, joint.meshes().socket, false)),
+      socket_(side(joint.meshes().socket, joint.meshes().ball, true)) {}
 
-CentreIntervals::Surface CentreIntervals::surface(const TriangleMesh& mesh, const TriangleMesh& other,
-                                                  bool is_socket) const {
+CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const TriangleMesh& other,
+                                            bool is_socket) const {
   const double r = question_.within_mm;
   const bool all = question_.gap_mm > 0.0;
   const std::vector<Edge> edges = possible_jumps(mesh, r);
@@ -103,9 +103,9 @@ CentreIntervals::Surface CentreIntervals::surface(const TriangleMesh& mesh, cons
     walls.nearest = std::min(walls.nearest, other.vertices[v].norm());
     walls.farthest = std::max(walls.farthest, other.vertices[v].norm());
   }
-  Surface made{SweptParts(faces_of(mesh)),
-               SweptParts(met.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
-               SweptParts(points_of(mesh, asked_of(mesh, edges, all))), jump_edges(mesh), HUGE_VAL};
+  Side made{SweptParts(faces_of(mesh)),
+            SweptParts(met.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
+            SweptParts(points_of(mesh, asked_of(mesh, edges, all))), jump_edges(mesh), HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
     made.nearest = std::min(made.nearest, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
@@ -139,11 +139,10 @@ double CentreIntervals::shift(const Pose& pose) const {
 
 // See the header. x is the vertex in the frame of the other surface.
 bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, double shift) const {
-  const bool of_ball = at.scanned == ScannedSurface::ball;
-  const Surface& met = of_ball ? socket_ : ball_;
+  const bool of_ball = at.scanned == Surface::ball;
+  const Side& met = of_ball ? socket_ : ball_;
   const BallSocketPair& meshes = joint_.meshes();
-  const Vec3 x = of_ball ? to_socket(pose, meshes.ball.vertices[at.vertex])
-                         : to_ball(pose, meshes.socket.vertices[at.vertex]);
+  const Vec3 x = to_other(at.scanned, pose, mesh_of(meshes, at.scanned).vertices[at.vertex]);
   const double r = question_.within_mm;
   const double length = x.norm() + (of_ball ? question_.gap_mm : -question_.gap_mm);
   if (!(x.norm() > 4.0 * r) || !(length > 4.0 * r)) return false;
@@ -152,8 +151,8 @@ bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, doub
   const double sine = of_ball ? std::max(r, moved) / met.nearest : (r + moved) / length;
   if (!(sine < 0.5)) return false;
   const Vec3 p = length / x.norm() * x;
-  return met.faces.farther_than(moved, p) && clear_of_jumps(of_ball ? meshes.socket : meshes.ball, met.jumps,
-                                                            p, std::asin(sine) + kCertainMargin);
+  return met.faces.farther_than(moved, p) &&
+         clear_of_jumps(mesh_of(meshes, other(at.scanned)), met.jumps, p, std::asin(sine) + kCertainMargin);
 }
 
 bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {
@@ -165,11 +164,9 @@ bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {
   if (is_certain(pose, least->at, moved)) return true;
   std::vector<std::pair<double, ScannedVertex>> deep;
   for (const CulledScan& scan : joint_.scans()) {
-    const bool of_ball = scan.scanned() == ScannedSurface::ball;
-    const TriangleMesh& mesh = of_ball ? joint_.meshes().ball : joint_.meshes().socket;
+    const TriangleMesh& mesh = mesh_of(joint_.meshes(), scan.scanned());
     for (const VertexIndex v : surface_vertices(mesh)) {
-      const Vec3 x = of_ball ? to_socket(pose, mesh.vertices[v]) : to_ball(pose, mesh.vertices[v]);
-      const double gap = joint_.gap(scan.scanned(), x);
+      const double gap = joint_.gap(scan.scanned(), to_other(scan.scanned(), pose, mesh.vertices[v]));
       if (gap < enough) deep.emplace_back(gap, ScannedVertex{scan.scanned(), v});
     }
   }

@@ -76,14 +76,14 @@ class CentreIntervals {
 
  private:
   // A surface as the other one meets it.
-  struct Surface {
+  struct Side {
     SweptParts faces;
     SweptParts walls;
     SweptParts points;            // ends of possible jump edges, or all vertices
     std::vector<JumpEdge> jumps;  // of the origin
     double nearest = 0.0;         // mm, of the faces
   };
-  Surface surface(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
+  Side side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
   // Is the pose at that angle impinged, or the gap reached, whatever the centre is? Yes is proven.
   bool always(const JointTurn& turn, double angle_deg) const;
   bool is_certain(const Pose& pose, const ScannedVertex& at, double shift) const;
@@ -91,8 +91,8 @@ class CentreIntervals {
 
   const CulledJoint& joint_;
   CentreQuestion question_;
-  Surface ball_;
-  Surface socket_;
+  Side ball_;
+  Side socket_;
 };
 
 }  // namespace impinge

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/generated_pair.hpp"
 #include "motion/phantom_meshes.hpp"
 #include "motion/sinusoid.hpp"
 #include "motion/turn_limit.hpp"

@@ -73,14 +73,14 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
   const auto socket_table = fill_exact(spheres.socket, scheme, Layer::nearest);
   const auto ball_table = fill_exact(spheres.ball, scheme, Layer::farthest);
   std::vector<double> gaps(spheres.ball.vertices.size());
-  scan_ball(socket_table, spheres.ball.vertices, {}, gaps);
+  scan_gaps(socket_table, spheres.ball.vertices, {}, Surface::ball, gaps);
   const BoundOptions a_priori{1.05, 0};
   double error = largest_error(spheres, spheres.ball.vertices, gaps);
   rows.push_back({name, "gaps of the ball's vertices by table, largest error, mm", 0.0, error, error,
                   socket_depth + table_bound(spheres.socket, socket_table, Layer::nearest, a_priori).bound_mm,
                   true});
   gaps.resize(spheres.socket.vertices.size());
-  scan_socket(ball_table, spheres.socket.vertices, {}, gaps);
+  scan_gaps(ball_table, spheres.socket.vertices, {}, Surface::socket, gaps);
   error = largest_error(spheres, spheres.socket.vertices, gaps);
   rows.push_back({name, "gaps of the socket's vertices by table, largest error, mm", 0.0, error, error,
                   ball_depth + table_bound(spheres.ball, ball_table, Layer::farthest, a_priori).bound_mm,

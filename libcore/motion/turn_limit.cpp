@@ -70,7 +70,7 @@ std::optional<VertexGap> TurnLimits::smallest_gap(const JointTurn& turn, double 
   if (!least) return std::nullopt;
   const BallSocketPair& meshes = answers_->meshes;
   const std::size_t v = least->at.vertex;
-  const bool ball = least->at.scanned == ScannedSurface::ball;
+  const bool ball = least->at.scanned == Surface::ball;
   return VertexGap{least->gap_mm,
                    ball ? to_socket(pose, meshes.ball.vertices[v]) : meshes.socket.vertices[v]};
 }
@@ -149,7 +149,7 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
   for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * meshes.socket.vertices[v]);
   end.covered = [&](std::size_t point, double angle) {
     const Vec3& y = meshes.socket.vertices[answers_->seen[point]];
-    return !std::isnan(answers_->vertices.gap(ScannedSurface::socket, to_ball(pose_at(turn, angle), y)));
+    return !std::isnan(answers_->vertices.gap(Surface::socket, to_ball(pose_at(turn, angle), y)));
   };
   const auto beyond = first_beyond(end, certain.value_or(largest));
   if (!beyond) return;

@@ -8,24 +8,16 @@ namespace {
 
 constexpr double kMargin = 1e-9;  // radians
 
-// Sign of the gap |x| - r: +1 for a vertex of the socket over the ball, -1 for one of the ball under the
-// socket.
-struct Scan {
-  const NearFaces& surface;
-  Layer layer;
-  double sign;
-};
-
-std::optional<double> gap(const Scan& scan, const Vec3& x, double smallest) {
+// Of a vertex of that surface, at x in the frame of the other one; none if it is not below the smallest.
+std::optional<double> gap(Surface of, const NearFaces& met, const Vec3& x, double smallest) {
   const double length = x.norm();
   if (length == 0.0) return std::nullopt;
-  const NearFaces::Near near = scan.surface.near(x);
+  const NearFaces::Near near = met.near(x);
   if (near.nothing()) return std::nullopt;
-  const double least = scan.sign > 0.0 ? length - near.range.high : near.range.low - length;
-  if (least >= smallest) return std::nullopt;
-  const double radius = scan.surface.radius(x / length, near, scan.layer);
+  if (signed_gap(of, near.range, length).low >= smallest) return std::nullopt;
+  const double radius = met.radius(x / length, near, facing_layer(other(of)));
   if (std::isnan(radius)) return std::nullopt;
-  return scan.sign * (length - radius);
+  return signed_gap(of, radius, length);
 }
 
 }  // namespace
@@ -36,17 +28,16 @@ VertexGaps::VertexGaps(const TriangleMesh& ball, const TriangleMesh& socket)
 std::optional<VertexGap> VertexGaps::smallest(const Pose& pose) const {
   std::optional<VertexGap> found;
   double smallest = HUGE_VAL;
-  const auto consider = [&](const Scan& scan, const Vec3& x, const Vec3& place) {
-    const auto here = gap(scan, x, smallest);
-    if (!here || *here >= smallest) return;
-    smallest = *here;
-    found = VertexGap{*here, place};
-  };
-  for (const Vec3& v : ball_.mesh().vertices) {
-    const Vec3 x = to_socket(pose, v);
-    consider({socket_, Layer::nearest, -1.0}, x, x);
+  for (const Surface of : kSurfaces) {
+    const bool ball = of == Surface::ball;
+    for (const Vec3& v : (ball ? ball_ : socket_).mesh().vertices) {
+      const Vec3 x = to_other(of, pose, v);
+      const auto here = gap(of, ball ? socket_ : ball_, x, smallest);
+      if (!here || *here >= smallest) continue;
+      smallest = *here;
+      found = VertexGap{*here, ball ? x : v};
+    }
   }
-  for (const Vec3& v : socket_.mesh().vertices) consider({ball_, Layer::farthest, 1.0}, to_ball(pose, v), v);
   return found;
 }
 

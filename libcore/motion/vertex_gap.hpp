@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "gap/pose.hpp"
+#include "gap/surface.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {

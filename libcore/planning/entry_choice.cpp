@@ -82,11 +82,10 @@ void keep_entries(PlanDraft& draft, ScanPlan& scan) {
   if (draft.omissions.has(Omission::entries)) {
     const double full = static_cast<double>(draft.given.size()) * sizeof(double);
     const double kept = static_cast<double>(entries.count()) * sizeof(double);
-    draft.plan.left_out.push_back(
-        {Omission::entries,
-         formatted("%zu of the %s's %zu entries are read", entries.count(),
-                   scan.scanned == ScannedSurface::ball ? "socket" : "ball", draft.given.size()),
-         full - kept - static_cast<double>(entries.bytes() + scan.faces->bytes())});
+    draft.plan.left_out.push_back({Omission::entries,
+                                   formatted("%zu of the %s's %zu entries are read", entries.count(),
+                                             name(other(scan.scanned)).data(), draft.given.size()),
+                                   full - kept - static_cast<double>(entries.bytes() + scan.faces->bytes())});
   }
   scan.entries = std::move(entries);
 }

@@ -25,13 +25,13 @@ void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
 // is in the frame of the surface that is asked.
 template <class Visit>
 void for_each_look_up(const PlanDraft& draft, const ScanPlan& scan, Visit&& visit) {
-  const TriangleMesh& mesh = scanned_mesh(draft.joint, scan.scanned);
+  const TriangleMesh& mesh = mesh_of(draft.joint, scan.scanned);
   for (std::size_t p = 0; p < draft.plan.poses.size(); ++p) {
     const Pose& pose = draft.needs.poses[draft.plan.poses[p]];
     if (scan.vertices) {
-      for (const std::uint32_t v : (*scan.vertices)[p]) visit(placed(scan.scanned, pose, mesh.vertices[v]));
+      for (const std::uint32_t v : (*scan.vertices)[p]) visit(to_other(scan.scanned, pose, mesh.vertices[v]));
     } else {
-      for (const Vec3& v : mesh.vertices) visit(placed(scan.scanned, pose, v));
+      for (const Vec3& v : mesh.vertices) visit(to_other(scan.scanned, pose, v));
     }
   }
 }

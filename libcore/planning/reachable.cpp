@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t kWholePoses = 8;  // of a path: all of their vertices set the first limit
 
-// What is known about the gap of a vertex whose surroundings in the other surface are known.
-RadiusRange gap_range(ScannedSurface scanned, const RadiusRange& radius, double length) {
-  return scanned == ScannedSurface::ball ? RadiusRange{radius.low - length, radius.high - length}
-                                         : RadiusRange{length - radius.high, length - radius.low};
-}
-
 class ReachSearch {
  public:
   ReachSearch(const ReachTask& task, double stencil_radius) : task_(task) {
@@ -27,13 +21,13 @@ class ReachSearch {
     reach_.limit_mm = touch() ? 0.0 : kInfinity;
     for (std::size_t k = 0; k < 2; ++k) {
       if (!task.scans[k].wanted) continue;
-      const ScannedSurface scanned = task.scans[k].scanned;
+      const Surface scanned = task.scans[k].scanned;
       if (task.culled) {
-        culled_[k].emplace(scanned, scanned_mesh(task.joint, scanned), asked_mesh(task.joint, scanned),
+        culled_[k].emplace(scanned, mesh_of(task.joint, scanned), mesh_of(task.joint, other(scanned)),
                            stencil_radius);
         reach_.bytes += culled_[k]->bytes();
       }
-      vertices_[k] = surface_vertices(scanned_mesh(task.joint, scanned));
+      vertices_[k] = surface_vertices(mesh_of(task.joint, scanned));
       reach_.found[k].resize(task.poses.size());
     }
   }
@@ -57,11 +51,11 @@ class ReachSearch {
   // Of the vertex of scan k in pose p; empty where it meets nothing. A gap of first contact sets the limit.
   RadiusRange weigh(std::size_t k, std::size_t p, std::uint32_t v, bool& rim) {
     const ScanPlan& scan = task_.scans[k];
-    const Vec3 x = placed(scan.scanned, pose(p), scanned_mesh(task_.joint, scan.scanned).vertices[v]);
+    const Vec3 x = to_other(scan.scanned, pose(p), mesh_of(task_.joint, scan.scanned).vertices[v]);
     const NearFaces::Near near = scan.faces->near(x);
     rim = near.rim;
     if (near.nothing()) return {};
-    const RadiusRange gap = gap_range(scan.scanned, near.range, x.norm());
+    const RadiusRange gap = signed_gap(scan.scanned, near.range, x.norm());
     if (first_contact() && !rim) reach_.limit_mm = std::min(reach_.limit_mm, gap.high);
     return gap;
   }

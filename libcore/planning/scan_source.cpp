@@ -38,8 +38,8 @@ class AccurateSource final : public RadiusSource {
 
 std::unique_ptr<RadiusSource> make_scan_source(const BallSocketPair& joint, const ScenePlan& plan,
                                                const ScanPlan& scan, const FillFull& fill_full) {
-  const Layer layer = asked_layer(scan.scanned);
-  if (!scan.entries) return fill_full(asked_mesh(joint, scan.scanned), layer);
+  const Layer layer = facing_layer(other(scan.scanned));
+  if (!scan.entries) return fill_full(mesh_of(joint, other(scan.scanned)), layer);
   if (!plan.table.accuracy_mm) return fill_partial(*scan.faces, plan.table.scheme, *scan.entries, layer);
   std::unique_ptr<PartialTable> table;
   if (!plan.table.rays_only) {

@@ -31,7 +31,7 @@ class Answering {
       answer_.cost.bytes += source->bytes();
       answer_.cost.entries += source->entries();
     }
-    const std::vector<bool> used = on_surface(scanned_mesh(joint_, scan.scanned));
+    const std::vector<bool> used = on_surface(mesh_of(joint_, scan.scanned));
     for (std::size_t p = 0; p < plan_.poses.size(); ++p) {
       begin_pose(scan.scanned, p, used.size());
       if (needs_.question == Question::touch && touches_[p]) continue;
@@ -48,10 +48,10 @@ class Answering {
   }
 
  private:
-  void begin_pose(ScannedSurface scanned, std::size_t p, std::size_t vertices) {
+  void begin_pose(Surface scanned, std::size_t p, std::size_t vertices) {
     scanned_ = scanned;
     if (needs_.question != Question::all_gaps) return;
-    gaps_ = scanned == ScannedSurface::ball ? &answer_.gaps[p].ball : &answer_.gaps[p].socket;
+    gaps_ = scanned == Surface::ball ? &answer_.gaps[p].ball : &answer_.gaps[p].socket;
     gaps_->assign(vertices, kNoSurface);
   }
 
@@ -59,13 +59,13 @@ class Answering {
   // without look-ups has no source.
   void scan_pose(const ScanPlan& scan, std::size_t p, const std::vector<bool>& used,
                  const RadiusSource* source) {
-    const TriangleMesh& mesh = scanned_mesh(joint_, scan.scanned);
+    const TriangleMesh& mesh = mesh_of(joint_, scan.scanned);
     const Pose& pose = needs_.poses[plan_.poses[p]];
     const auto look_up = [&](std::size_t v) {
       if (!used[v]) return true;
-      const Vec3 x = placed(scan.scanned, pose, mesh.vertices[v]);
+      const Vec3 x = to_other(scan.scanned, pose, mesh.vertices[v]);
       const double radius = source->radius_at(x);
-      return note(p, v, scan.scanned == ScannedSurface::ball ? radius - x.norm() : x.norm() - radius);
+      return note(p, v, signed_gap(scan.scanned, radius, x.norm()));
     };
     if (scan.vertices) {
       answer_.cost.look_ups += (*scan.vertices)[p].size();
@@ -99,7 +99,7 @@ class Answering {
   const ScenePlan& plan_;
   SceneAnswer answer_;
   std::vector<bool> touches_;  // of the poses that are looked at
-  ScannedSurface scanned_ = ScannedSurface::ball;
+  Surface scanned_ = Surface::ball;
   std::vector<double>* gaps_ = nullptr;
 };
 

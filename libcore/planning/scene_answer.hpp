@@ -18,10 +18,10 @@ struct PoseGaps {
 
 // The first of the smallest gaps, in the order of scans, poses and vertices.
 struct SmallestGap {
-  double gap_mm = 0.0;                            // of the vertex
-  ScannedSurface scanned = ScannedSurface::ball;  // whose vertex it is
-  std::size_t pose = 0;                           // of the needs
-  std::size_t vertex = 0;                         // place among the vertices of its mesh
+  double gap_mm = 0.0;              // of the vertex
+  Surface scanned = Surface::ball;  // whose vertex it is
+  std::size_t pose = 0;             // of the needs
+  std::size_t vertex = 0;           // place among the vertices of its mesh
   bool operator==(const SmallestGap&) const = default;
 };
 

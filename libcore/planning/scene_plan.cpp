@@ -44,9 +44,9 @@ void choose_poses(PlanDraft& draft) {
 
 void choose_scans(PlanDraft& draft) {
   auto& [ball, socket] = draft.plan.scans;
-  ball.scanned = ScannedSurface::ball;
+  ball.scanned = Surface::ball;
   ball.wanted = draft.needs.ball;
-  socket.scanned = ScannedSurface::socket;
+  socket.scanned = Surface::socket;
   socket.wanted = draft.needs.socket;
 }
 

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/algorithm_2.hpp"
+#include "gap/surface.hpp"
 #include "planning/needs.hpp"
 #include "planning/path_choice.hpp"
 #include "table/partial_table.hpp"
@@ -39,8 +39,8 @@ struct LeftOut {
 
 // One scan: vertices of `scanned` against the other surface.
 struct ScanPlan {
-  ScannedSurface scanned = ScannedSurface::ball;  // whose vertices
-  bool wanted = true;                             // asked for, and not dropped
+  Surface scanned = Surface::ball;  // whose vertices
+  bool wanted = true;               // asked for, and not dropped
   // Those to look up in each of the plan's poses; none given: all.
   std::optional<std::vector<std::vector<std::uint32_t>>> vertices;
   std::unique_ptr<NearFaces> faces;  // of the other surface, where something is left out because of it
@@ -77,24 +77,6 @@ struct ScenePlan {
 // done with. std::invalid_argument for an accuracy that is not above 0 or a scene without poses or scans.
 ScenePlan plan_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                      Omissions omissions);
-
-// Where the pose has a vertex of the scanned surface, in the frame of the other one.
-inline Vec3 placed(ScannedSurface scanned, const Pose& pose, const Vec3& vertex) {
-  return scanned == ScannedSurface::ball ? to_socket(pose, vertex) : to_ball(pose, vertex);
-}
-
-// The surface whose vertices a scan goes through.
-inline const TriangleMesh& scanned_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
-  return scanned == ScannedSurface::ball ? joint.ball : joint.socket;
-}
-// The other one, whose radii are looked up.
-inline const TriangleMesh& asked_mesh(const BallSocketPair& joint, ScannedSurface scanned) {
-  return scanned == ScannedSurface::ball ? joint.socket : joint.ball;
-}
-// Where that has several layers, the one that counts: the one that faces the scanned surface.
-inline Layer asked_layer(ScannedSurface scanned) {
-  return scanned == ScannedSurface::ball ? Layer::nearest : Layer::farthest;
-}
 
 // Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
 bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near);

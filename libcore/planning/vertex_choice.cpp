@@ -25,8 +25,8 @@ PathChoice chosen_way(const PlanDraft& draft) {
   PathWork work{draft.plan.poses.size(), 0, 0};
   for (const ScanPlan& scan : draft.plan.scans) {
     if (!scan.wanted) continue;
-    work.vertices += scanned_mesh(draft.joint, scan.scanned).vertices.size();
-    work.faces += asked_mesh(draft.joint, scan.scanned).faces.size();
+    work.vertices += mesh_of(draft.joint, scan.scanned).vertices.size();
+    work.faces += mesh_of(draft.joint, other(scan.scanned)).faces.size();
   }
   return choose_path(work);
 }
@@ -60,22 +60,20 @@ void leave_out_second_scan(PlanDraft& draft, ScanPlan& scan) {
 }
 
 void leave_out_vertices(PlanDraft& draft, ScanPlan& scan, Chosen chosen) {
-  const std::size_t all = chosen.size() * scanned_mesh(draft.joint, scan.scanned).vertices.size();
+  const std::size_t all = chosen.size() * mesh_of(draft.joint, scan.scanned).vertices.size();
   const std::size_t kept = count_of(chosen);
   const double limit = draft.plan.limit_mm;
   const std::string beyond = std::isinf(limit) ? "" : formatted(" or none within %.3g mm", limit);
-  draft.plan.left_out.push_back(
-      {Omission::vertices,
-       formatted("%zu of %zu look-ups of the %s's vertices meet no surface%s", all - kept, all,
-                 scan.scanned == ScannedSurface::socket ? "socket" : "ball", beyond.c_str()),
-       0.0});
+  draft.plan.left_out.push_back({Omission::vertices,
+                                 formatted("%zu of %zu look-ups of the %s's vertices meet no surface%s",
+                                           all - kept, all, name(scan.scanned).data(), beyond.c_str()),
+                                 0.0});
   scan.vertices = std::move(chosen);
 }
 
 void select(PlanDraft& draft, const std::vector<std::vector<Reachable>>& found, ScanPlan& scan) {
   Chosen chosen = within(draft.plan.limit_mm, found);
-  const bool droppable = scan.scanned == ScannedSurface::socket &&
-                         draft.needs.question != Question::all_gaps &&
+  const bool droppable = scan.scanned == Surface::socket && draft.needs.question != Question::all_gaps &&
                          draft.omissions.has(Omission::second_scan);
   if (droppable && count_of(chosen) == 0) {
     leave_out_second_scan(draft, scan);

@@ -38,10 +38,12 @@ Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvid
   Stopwatch watch;
   Certificate certificate;
   certificate.ball = decide(joint.ball(), ball, [&](std::size_t i) {
-    return on_or_beyond(joint.socket(), joint.socket_index(), to_socket(pose, joint.ball().vertices[i]));
+    return exactly_impinged(Surface::ball, joint.socket(), joint.socket_index(),
+                            to_socket(pose, joint.ball().vertices[i]));
   });
   certificate.socket = decide(joint.socket(), socket, [&](std::size_t i) {
-    return on_or_within(joint.ball(), joint.ball_index(), to_ball(pose, joint.socket().vertices[i]));
+    return exactly_impinged(Surface::socket, joint.ball(), joint.ball_index(),
+                            to_ball(pose, joint.socket().vertices[i]));
   });
   certificate.deepest = joint.deepest(pose);
   certificate.surfaces_impinged = certificate.deepest.has_value();

@@ -27,13 +27,14 @@ class MeasuredOnFaces {
   void bound(double promised, Measurement& result) const {
     Stopwatch watch;
     for (SurfaceGaps* gaps : {&result.ball, &result.socket}) {
-      const bool ball = gaps == &result.ball;
+      const Surface of = gaps == &result.ball ? Surface::ball : Surface::socket;
+      const bool ball = of == Surface::ball;
       for (std::size_t i = 0; i < gaps->gap.size(); ++i) {
-        const CertifiedGap exact = ball ? measured_ball_gap(socket_, ball_places_[i])
-                                        : measured_socket_gap(ball_, socket_places_[i]);
+        const CertifiedGap exact =
+            measured_gap(of, ball ? socket_ : ball_, (ball ? ball_places_ : socket_places_)[i]);
         const double gap = gaps->gap[i];
         gaps->bound.push_back(std::max(gap - exact.low, exact.high - gap));
-        if (gaps->bound.back() > promised) refuse(promised, ball ? "ball" : "socket", i, gaps->bound.back());
+        if (gaps->bound.back() > promised) refuse(promised, of, i, gaps->bound.back());
       }
     }
     result.bound_ms = watch.lap_ms();
@@ -41,17 +42,16 @@ class MeasuredOnFaces {
 
   // Where the smallest gap is, by the bounds of the measurement.
   SmallestBetween smallest(const Measurement& result) const {
-    return smallest_between(
-        {ScannedSurface::ball, socket_, ball_places_, result.ball.gap, result.ball.bound},
-        {ScannedSurface::socket, ball_, socket_places_, result.socket.gap, result.socket.bound});
+    return smallest_between({Surface::ball, socket_, ball_places_, result.ball.gap, result.ball.bound},
+                            {Surface::socket, ball_, socket_places_, result.socket.gap, result.socket.bound});
   }
 
  private:
-  [[noreturn]] static void refuse(double promised, const char* surface, std::size_t vertex, double bound) {
+  [[noreturn]] static void refuse(double promised, Surface of, std::size_t vertex, double bound) {
     throw std::runtime_error(formatted(
         "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
         "for a larger error",
-        promised, surface, vertex, bound));
+        promised, name(of).data(), vertex, bound));
   }
 
   NearFaces ball_;

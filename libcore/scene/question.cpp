@@ -22,10 +22,10 @@ std::string size_text(double bytes) {
 }
 
 json smallest_json(const SmallestGap& smallest, const Joint& joint, const Pose& pose) {
-  const bool ball = smallest.scanned == ScannedSurface::ball;
+  const bool ball = smallest.scanned == Surface::ball;
   const Vec3& vertex = (ball ? joint.ball : joint.socket).mesh.vertices[smallest.vertex];
   return {{"gap_mm", smallest.gap_mm},
-          {"surface", ball ? "ball" : "socket"},
+          {"surface", name(smallest.scanned)},
           {"vertex", smallest.vertex},
           {"position", point_json((ball ? to_socket(pose, vertex) : vertex) + joint.centre)}};
 }

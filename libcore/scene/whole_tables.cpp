@@ -60,8 +60,8 @@ struct Scans {
     const RadialTable<S> ball_table = fill_exact(ball, scheme, Layer::farthest);
     const RadialTable<S> socket_table = fill_exact(socket, scheme, Layer::nearest);
     result.fill_ms = watch.lap_ms();
-    scan_ball(socket_table, ball.vertices, pose, result.ball.gap);
-    scan_socket(ball_table, socket.vertices, pose, result.socket.gap);
+    scan_gaps(socket_table, ball.vertices, pose, Surface::ball, result.ball.gap);
+    scan_gaps(ball_table, socket.vertices, pose, Surface::socket, result.socket.gap);
     result.scan_ms = watch.lap_ms();
     forget_stray_vertices(ball, result.ball.gap);
     forget_stray_vertices(socket, result.socket.gap);

@@ -18,7 +18,7 @@ namespace {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
-class CancellingShiftsAttack : public testing::TestWithParam<ScannedSurface> {
+class CancellingShiftsAttack : public testing::TestWithParam<Surface> {
  protected:
   double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(random_); }
   // Each power of ten as often as any other.
@@ -28,7 +28,7 @@ class CancellingShiftsAttack : public testing::TestWithParam<ScannedSurface> {
     return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
   }
   Eigen::Matrix3d rotation() { return Eigen::AngleAxisd(uniform(-kPi, kPi), direction()).toRotationMatrix(); }
-  bool ball() const { return GetParam() == ScannedSurface::ball; }
+  bool ball() const { return GetParam() == Surface::ball; }
 
   // That takes vertex v of the surface to x, but for rounding.
   Pose pose_that_takes(const Vec3& v, const Vec3& x) {
@@ -47,9 +47,8 @@ class CancellingShiftsAttack : public testing::TestWithParam<ScannedSurface> {
   std::mt19937_64 random_{7};
 };
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, CancellingShiftsAttack,
-                         testing::Values(ScannedSurface::ball, ScannedSurface::socket),
-                         [](const auto& of) { return of.param == ScannedSurface::ball ? "Ball" : "Socket"; });
+INSTANTIATE_TEST_SUITE_P(Surfaces, CancellingShiftsAttack, testing::Values(Surface::ball, Surface::socket),
+                         [](const auto& of) { return of.param == Surface::ball ? "Ball" : "Socket"; });
 
 // Up to eight vertices about a direction, and one of them taken beside the centre.
 TEST_P(CancellingShiftsAttack, BoundsHoldTheirVertices) {
@@ -102,7 +101,7 @@ TEST_P(CancellingShiftsAttack, BoundsHoldTheEdgeOfACapAgainstTheShift) {
 
 // Gap of a point to a face on its ray, in long double: how far the face is beyond it for the ball's scan and
 // before it for the socket's. NaN where the ray misses the face.
-long double gap_to(const TriangleMesh& face, const Long3& x, ScannedSurface scanned) {
+long double gap_to(const TriangleMesh& face, const Long3& x, Surface scanned) {
   std::array<Long3, 3> c;
   for (std::size_t k = 0; k < 3; ++k) c[k] = face.vertices[k].cast<long double>();
   const Long3 normal = (c[1] - c[0]).cross(c[2] - c[0]);
@@ -111,7 +110,7 @@ long double gap_to(const TriangleMesh& face, const Long3& x, ScannedSurface scan
     if (c[k].cross(c[(k + 1) % 3]).dot(x) * offset < 0.0L) return std::nanl("");
   }
   const long double radius = offset * x.norm() / normal.dot(x);
-  return scanned == ScannedSurface::ball ? radius - x.norm() : x.norm() - radius;
+  return scanned == Surface::ball ? radius - x.norm() : x.norm() - radius;
 }
 
 // A corner of a face is taken to 90 % of its distance beyond a face of the other surface, or as far before
@@ -134,7 +133,7 @@ TEST_P(CancellingShiftsAttack, NoTouchIsMissed) {
     const Pose pose = pose_that_takes(v, x);
     long double least = HUGE_VALL;
     for (const Vec3& w : moved.vertices) least = std::fmin(least, gap_to(other, place(pose, w), GetParam()));
-    const ScannedSurface back = ball() ? ScannedSurface::socket : ScannedSurface::ball;
+    const Surface back = ball() ? Surface::socket : Surface::ball;
     const Eigen::Matrix<long double, 3, 3> r = pose.rotation.cast<long double>();
     const Long3 t = pose.translation.cast<long double>();
     for (const Vec3& w : other.vertices) {

@@ -7,6 +7,7 @@
 
 #include "harness/contact_poses.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {
@@ -23,7 +24,7 @@ std::size_t expect_same_answers(const CulledJoint& joint, const std::vector<Pose
     EXPECT_EQ(found.has_value(), joint.impinged(pose).has_value());
     impinged += found ? 1U : 0U;
     if (!found) continue;
-    const bool ball = found->scanned == ScannedSurface::ball;
+    const bool ball = found->scanned == Surface::ball;
     const Vec3 x = ball ? to_socket(pose, joint.meshes().ball.vertices[found->vertex])
                         : to_ball(pose, joint.meshes().socket.vertices[found->vertex]);
     EXPECT_TRUE(joint.exactly_impinged(found->scanned, x));

@@ -15,6 +15,7 @@
 
 #include "harness/contact_poses.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/every_vertex.hpp"
 #include "support/poses.hpp"
 
@@ -40,7 +41,7 @@ Seen expect_all_alike(const BallSocketPair& joint, const std::vector<Pose>& pose
     const auto found = culled.impinged(pose);
     EXPECT_EQ(found.has_value(), expected);
     if (found) {
-      const bool ball = found->scanned == ScannedSurface::ball;
+      const bool ball = found->scanned == Surface::ball;
       const Vec3 x = ball ? to_socket(pose, joint.ball.vertices[found->vertex])
                           : to_ball(pose, joint.socket.vertices[found->vertex]);
       EXPECT_TRUE(every.impinged(*found, x));
@@ -105,8 +106,8 @@ TEST(CulledJoint, AVertexAtTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {
     const Vec3& v = (ball ? joint.ball : joint.socket).vertices[7];
     const CulledJoint culled(joint);
     const Vec3 at_centre = Vec3::Zero();
-    EXPECT_TRUE(culled.exactly_impinged(ScannedSurface::socket, at_centre));
-    EXPECT_FALSE(culled.exactly_impinged(ScannedSurface::ball, at_centre));
+    EXPECT_TRUE(culled.exactly_impinged(Surface::socket, at_centre));
+    EXPECT_FALSE(culled.exactly_impinged(Surface::ball, at_centre));
     expect_all_alike(joint, {Pose{Eigen::Matrix3d::Identity(), ball ? Vec3(-v) : v}});
   }
   BallSocketPair centre_in_socket = joint;
@@ -145,9 +146,9 @@ TriangleMesh in_units(TriangleMesh mesh, double unit) {
 TEST(CulledScan, LengthsOfEitherSurfaceAreChecked) {
   const TriangleMesh body = octahedron(20.0);
   const TriangleMesh longest = octahedron(0x1p61);
-  EXPECT_NO_THROW(CulledScan(ScannedSurface::ball, body, octahedron(26.0)));
-  EXPECT_THROW(CulledScan(ScannedSurface::ball, body, longest), std::invalid_argument);
-  EXPECT_THROW(CulledScan(ScannedSurface::ball, longest, body), std::invalid_argument);
+  EXPECT_NO_THROW(CulledScan(Surface::ball, body, octahedron(26.0)));
+  EXPECT_THROW(CulledScan(Surface::ball, body, longest), std::invalid_argument);
+  EXPECT_THROW(CulledScan(Surface::ball, longest, body), std::invalid_argument);
 }
 
 // All lengths times a power of two: the same answers, or a refusal of one line.

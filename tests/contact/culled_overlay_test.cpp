@@ -7,6 +7,7 @@
 #include "gap/overlay.hpp"
 #include "harness/contact_poses.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {

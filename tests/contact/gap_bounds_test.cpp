@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/culled_joint.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/infinity.hpp"
 #include "support/cap_nodes.hpp"
 #include "support/poses.hpp"
@@ -24,8 +24,8 @@ TEST(MovedCaps, HoldTheirVertices) {
   const BallSocketPair joint{test::bumpy(400, 8.0), test::bumpy(400, 8.0)};
   for (const double shift : {0.0, 4.0, 24.0, 60.0}) {
     for (const Pose& pose : test::random_poses(3, 3.0, shift, 36)) {
-      for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
-        const bool ball = scanned == ScannedSurface::ball;
+      for (const Surface scanned : {Surface::ball, Surface::socket}) {
+        const bool ball = scanned == Surface::ball;
         const CulledScan scan(scanned, ball ? joint.ball : joint.socket, ball ? joint.socket : joint.ball);
         const CapMove move(scanned, pose);
         test::for_each_node(scan.tree(), [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
@@ -71,8 +71,8 @@ TEST(MovedCaps, LengthsAreThoseOfTheEdge) {
         const double most = length(std::cos(std::max(b - static_cast<double>(angle), 0.0)));
         const double least = length(std::cos(std::min(kPi - b + static_cast<double>(angle), kPi)));
         const CapBlock block = one_cap(angle, b);
-        const double ball = moved(block, CapMove(ScannedSurface::ball, pose)).length[0];
-        const double socket = moved(block, CapMove(ScannedSurface::socket, pose)).length[0];
+        const double ball = moved(block, CapMove(Surface::ball, pose)).length[0];
+        const double socket = moved(block, CapMove(Surface::socket, pose)).length[0];
         const double close = angle <= 0.5F ? 0.04 : kInfinity;
         EXPECT_GE(ball, most - 1e-6);
         EXPECT_LE(ball, most + close);
@@ -112,7 +112,7 @@ TEST(GapBounds, NoVertexHasASmallerGap) {
 TEST(GapBounds, AreTightBetweenSpheres) {
   const BallSocketPair joint{sphere(22.0, 3000), sphere(26.0, 3000)};
   const CulledJoint culled(joint);
-  const CapMove move(ScannedSurface::ball, {});
+  const CapMove move(Surface::ball, {});
   const CulledScan& scan = culled.scans()[0];
   for (const CapBlock& block : scan.tree().blocks()) {
     const GapBounds bounds = gap_bounds(block, move, scan.limits(), {5.0F, true});

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/culled_joint.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
 
 namespace impinge::lab {

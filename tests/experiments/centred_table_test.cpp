@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "13_contact/error_range.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/bits.hpp"
 #include "support/bound_probes.hpp"
 #include "table/exact_raster.hpp"

@@ -8,6 +8,7 @@
 
 #include "files/file_bytes.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge::lab {

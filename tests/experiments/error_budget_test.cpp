@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
 #include "sphere/schemes/rsid.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/inverse_depth_table.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"

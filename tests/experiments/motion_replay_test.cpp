@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge::lab {

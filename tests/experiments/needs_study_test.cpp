@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "reference/shadow.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -32,11 +32,11 @@ std::array<Scan, 2> scan(const BallSocketPair& joint, const RangeTable<S>& ball,
                          const Pose& pose) {
   std::array<Scan, 2> scans;
   scans[0].gaps.resize(joint.ball.vertices.size());
-  certify_ball(socket, joint.ball.vertices, pose, scans[0].gaps);
+  certify(Surface::ball, socket, joint.ball.vertices, pose, scans[0].gaps);
   scans[0].impinged =
       ShadowReference(test::ball_in_socket_frame(joint.ball, pose), joint.socket).ball_vertices_impinged();
   scans[1].gaps.resize(joint.socket.vertices.size());
-  certify_socket(ball, joint.socket.vertices, pose, scans[1].gaps);
+  certify(Surface::socket, ball, joint.socket.vertices, pose, scans[1].gaps);
   scans[1].impinged =
       ShadowReference(joint.ball, test::socket_in_ball_frame(joint.socket, pose)).socket_vertices_impinged();
   return scans;
@@ -78,8 +78,10 @@ TYPED_TEST(CertifiedGapOf, IsNeverWrongAndResolvesTheRest) {
         found.undecided += count.undecided;
       }
       const std::size_t left = count_verdicts(scans[0].gaps).undecided;
-      EXPECT_EQ(resolve_ball(joint().socket, socket_index, joint().ball.vertices, pose, scans[0].gaps), left);
-      resolve_socket(joint().ball, ball_index, joint().socket.vertices, pose, scans[1].gaps);
+      EXPECT_EQ(
+          resolve(Surface::ball, joint().socket, socket_index, joint().ball.vertices, pose, scans[0].gaps),
+          left);
+      resolve(Surface::socket, joint().ball, ball_index, joint().socket.vertices, pose, scans[1].gaps);
       for (const Scan& one : scans) {
         ASSERT_EQ(count_wrong(one), 0U);
         EXPECT_EQ(count_verdicts(one.gaps).undecided, 0U);
@@ -129,7 +131,7 @@ TEST(CertifiedGap, ARangeThatIsTooNarrowIsCaught) {
   for (const Vec3& u : test::random_directions(5000, 9)) {
     const double radius = rays.cast(u, Layer::farthest);
     for (const double share : {1.0 - 1e-6, 1.0 + 1e-6}) {
-      const CertifiedGap gap = socket_vertex_gap(ball, radius * share * u);
+      const CertifiedGap gap = certified_gap(Surface::socket, ball, radius * share * u);
       const Verdict refuted = share < 1.0 ? Verdict::clear : Verdict::impinged;
       const double tenth = 0.1 * (gap.high - gap.low);
       wrong += gap.verdict == refuted ? 1U : 0U;
@@ -143,11 +145,11 @@ TEST(CertifiedGap, ARangeThatIsTooNarrowIsCaught) {
 TEST(CertifiedGap, AVertexAtTheCentreIsLeftToTheExactTest) {
   const TriangleMesh mesh = sphere(20.0, 100);
   const auto ranges = fill_ranges(mesh, Rsid::with_precision(5.0));
-  EXPECT_EQ(ball_vertex_gap(ranges, Vec3::Zero()).verdict, Verdict::undecided);
-  EXPECT_EQ(socket_vertex_gap(ranges, Vec3::Zero()).verdict, Verdict::undecided);
+  EXPECT_EQ(certified_gap(Surface::ball, ranges, Vec3::Zero()).verdict, Verdict::undecided);
+  EXPECT_EQ(certified_gap(Surface::socket, ranges, Vec3::Zero()).verdict, Verdict::undecided);
   const FaceIndex index(mesh);
-  EXPECT_FALSE(on_or_beyond(mesh, index, Vec3::Zero()));
-  EXPECT_TRUE(on_or_within(mesh, index, Vec3::Zero()));
+  EXPECT_FALSE(exactly_impinged(Surface::ball, mesh, index, Vec3::Zero()));
+  EXPECT_TRUE(exactly_impinged(Surface::socket, mesh, index, Vec3::Zero()));
 }
 
 TEST(CertifiedGap, OneImpingedVertexIsEnoughForThePose) {
@@ -163,16 +165,16 @@ TEST(ExactSide, TellsNeighbouringDoublesApart) {
   const FaceIndex index(mesh);
   for (const Vec3& u : test::random_directions(500, 12)) {
     const Vec3 x = u * (octahedron_mesh_radius(u, 16.0));
-    EXPECT_TRUE(on_or_beyond(mesh, index, (1.0 + 0x1p-48) * x));
-    EXPECT_FALSE(on_or_beyond(mesh, index, (1.0 - 0x1p-48) * x));
-    EXPECT_FALSE(on_or_within(mesh, index, (1.0 + 0x1p-48) * x));
-    EXPECT_TRUE(on_or_within(mesh, index, (1.0 - 0x1p-48) * x));
+    EXPECT_TRUE(exactly_impinged(Surface::ball, mesh, index, (1.0 + 0x1p-48) * x));
+    EXPECT_FALSE(exactly_impinged(Surface::ball, mesh, index, (1.0 - 0x1p-48) * x));
+    EXPECT_FALSE(exactly_impinged(Surface::socket, mesh, index, (1.0 + 0x1p-48) * x));
+    EXPECT_TRUE(exactly_impinged(Surface::socket, mesh, index, (1.0 - 0x1p-48) * x));
   }
   for (const Vec3& x : {Vec3(8, 8, 0), Vec3(16, 0, 0), Vec3(4, 4, 8), Vec3(-1, 7, -8)}) {
-    EXPECT_TRUE(on_or_beyond(mesh, index, x));
-    EXPECT_TRUE(on_or_within(mesh, index, x));
+    EXPECT_TRUE(exactly_impinged(Surface::ball, mesh, index, x));
+    EXPECT_TRUE(exactly_impinged(Surface::socket, mesh, index, x));
     const Vec3 less(std::nextafter(x.x(), 0.0), x.y(), x.z());
-    EXPECT_FALSE(on_or_beyond(mesh, index, less));
+    EXPECT_FALSE(exactly_impinged(Surface::ball, mesh, index, less));
   }
 }
 

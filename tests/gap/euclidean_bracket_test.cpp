@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "gap/pose.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "reference/closest_point.hpp"
 #include "support/directions.hpp"
 #include "support/random_cases.hpp"

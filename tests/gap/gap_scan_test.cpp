@@ -28,8 +28,8 @@ struct Scans {
 Scans scan(const TriangleMesh& ball, const TriangleMesh& socket, const Pose& pose) {
   const Rsid scheme = Rsid::with_precision(0.5);
   Scans gaps{std::vector<double>(ball.vertices.size()), std::vector<double>(socket.vertices.size())};
-  scan_ball(fill_exact(socket, scheme, Layer::nearest), ball.vertices, pose, gaps.ball);
-  scan_socket(fill_exact(ball, scheme, Layer::farthest), socket.vertices, pose, gaps.socket);
+  scan_gaps(fill_exact(socket, scheme, Layer::nearest), ball.vertices, pose, Surface::ball, gaps.ball);
+  scan_gaps(fill_exact(ball, scheme, Layer::farthest), socket.vertices, pose, Surface::socket, gaps.socket);
   return gaps;
 }
 

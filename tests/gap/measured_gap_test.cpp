@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "reference/exact_radius.hpp"
 #include "support/directions.hpp"
 #include "support/random_cases.hpp"
@@ -24,27 +24,27 @@ namespace {
 constexpr auto kHalfUnit = static_cast<long double>(kExactRadiusError);
 
 // The gap of x by the oracle, exact but for half a unit in the last place of the radius.
-long double true_gap(const TriangleMesh& mesh, const Vec3& x, ScannedSurface scanned) {
-  const bool ball = scanned == ScannedSurface::ball;
+long double true_gap(const TriangleMesh& mesh, const Vec3& x, Surface scanned) {
+  const bool ball = scanned == Surface::ball;
   const long double radius =
       exact_radii(mesh, {.directions = {&x, 1}, .layer = ball ? Layer::nearest : Layer::farthest})[0];
   const long double length = x.cast<long double>().norm();
   return ball ? radius - length : length - radius;
 }
 
-CertifiedGap measured_gap(const NearFaces& faces, const Vec3& x, ScannedSurface scanned) {
-  return scanned == ScannedSurface::ball ? measured_ball_gap(faces, x) : measured_socket_gap(faces, x);
+CertifiedGap measured_gap(const NearFaces& faces, const Vec3& x, Surface scanned) {
+  return measured_gap(scanned, faces, x);
 }
 
 void expect_holds(const TriangleMesh& mesh, const NearFaces& faces, const Vec3& x, double widest) {
-  for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
     const CertifiedGap found = measured_gap(faces, x, scanned);
     const long double gap = true_gap(mesh, x, scanned);
     ASSERT_EQ(found.cover == Cover::none, std::isnan(gap)) << x.transpose();
     if (found.cover == Cover::none) continue;
     // Of the radius, and of the length in long double.
     const long double slack =
-        kHalfUnit * (x.norm() + (scanned == ScannedSurface::ball ? gap : -gap)) + 0x1p-60L * x.norm();
+        kHalfUnit * (x.norm() + (scanned == Surface::ball ? gap : -gap)) + 0x1p-60L * x.norm();
     ASSERT_LE(found.low, gap + slack) << x.transpose();
     ASSERT_GE(found.high, gap - slack) << x.transpose();
     ASSERT_LE(found.high - found.low, widest) << x.transpose();
@@ -62,9 +62,9 @@ TEST(MeasuredGap, OfAJointIsExactToAMillionthOfAMicrometre) {
 TEST(MeasuredGap, ThereIsNoneAtTheCentreAndWhereNoFaceIsMet) {
   const BallSocketPair pair = make_ball_socket_pair(60);
   const NearFaces socket(pair.socket, 0.0);
-  EXPECT_EQ(measured_ball_gap(socket, Vec3::Zero()).cover, Cover::none);
-  EXPECT_EQ(measured_ball_gap(socket, Vec3(0.0, 0.0, -20.0)).cover, Cover::none);
-  EXPECT_EQ(measured_socket_gap(socket, Vec3::Zero()).cover, Cover::none);
+  EXPECT_EQ(measured_gap(Surface::ball, socket, Vec3::Zero()).cover, Cover::none);
+  EXPECT_EQ(measured_gap(Surface::ball, socket, Vec3(0.0, 0.0, -20.0)).cover, Cover::none);
+  EXPECT_EQ(measured_gap(Surface::socket, socket, Vec3::Zero()).cover, Cover::none);
 }
 
 // A sphere within a sphere: neither end is that of the other layer.
@@ -86,10 +86,10 @@ TEST(MeasuredGap, AnUncertainFaceLeavesTheOtherItsEnd) {
   const Vec3 x(19.0, 0.0, 19e-17);
   for (int order = 0; order < 2; ++order) {
     const NearFaces faces(mesh, 0.0);
-    const CertifiedGap nearest = measured_ball_gap(faces, x);
+    const CertifiedGap nearest = measured_gap(Surface::ball, faces, x);
     EXPECT_NEAR(nearest.low, -19.0, 1e-9);
     EXPECT_NEAR(nearest.high, 1.0, 1e-9);
-    const CertifiedGap farthest = measured_socket_gap(faces, x);
+    const CertifiedGap farthest = measured_gap(Surface::socket, faces, x);
     EXPECT_NEAR(farthest.low, -21.0, 1e-9);
     EXPECT_NEAR(farthest.high, -1.0, 1e-9);
     std::swap(mesh.faces[0], mesh.faces[1]);
@@ -106,7 +106,7 @@ TEST(MeasuredGap, TheEndsAreAsFarOutAsIsDerived) {
     const NearFaces faces(mesh, 0.0);
     const Vec3 x(20.0, 0.0, 1e-9);
     const auto derived = static_cast<long double>(60.0 * 0x1p-53 * 20.0 * std::hypot(1.0, slope));
-    for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+    for (const Surface scanned : {Surface::ball, Surface::socket}) {
       const CertifiedGap found = measured_gap(faces, x, scanned);
       EXPECT_GE(found.high - found.low, 2.0L * derived) << slope;
       EXPECT_LE(found.high - found.low, 3.0L * derived) << slope;
@@ -167,9 +167,9 @@ TEST(SmallestBetween, HoldsTheSmallestGapAndIsAsNarrowAsTheFaces) {
   std::vector<double> ball;
   std::vector<double> socket;
   for (const Vec3& x : pair.ball.vertices)
-    ball.push_back(static_cast<double>(true_gap(pair.socket, x, ScannedSurface::ball)));
+    ball.push_back(static_cast<double>(true_gap(pair.socket, x, Surface::ball)));
   for (const Vec3& x : pair.socket.vertices)
-    socket.push_back(static_cast<double>(true_gap(pair.ball, x, ScannedSurface::socket)));
+    socket.push_back(static_cast<double>(true_gap(pair.ball, x, Surface::socket)));
   double smallest = HUGE_VAL;
   for (const double gap : ball) smallest = std::fmin(smallest, gap);
   for (const double gap : socket) smallest = std::fmin(smallest, gap);
@@ -177,9 +177,9 @@ TEST(SmallestBetween, HoldsTheSmallestGapAndIsAsNarrowAsTheFaces) {
   for (int k = 0; k < 20; ++k) {
     const Scanned first = disturbed(ball, random);
     const Scanned second = disturbed(socket, random);
-    const SmallestBetween found = smallest_between(
-        {ScannedSurface::ball, socket_faces, pair.ball.vertices, first.gap, first.bound},
-        {ScannedSurface::socket, ball_faces, pair.socket.vertices, second.gap, second.bound});
+    const SmallestBetween found =
+        smallest_between({Surface::ball, socket_faces, pair.ball.vertices, first.gap, first.bound},
+                         {Surface::socket, ball_faces, pair.socket.vertices, second.gap, second.bound});
     EXPECT_LE(found.low, smallest + 1e-12);
     EXPECT_GE(found.high, smallest - 1e-12);
     EXPECT_LT(found.high - found.low, 1e-9);
@@ -194,10 +194,10 @@ TEST(SmallestBetween, HoldsAGapThatIsKnownExactly) {
   const NearFaces faces(socket, 0.0);
   const std::vector<Vec3> places{{18.0, 1.0, 2.0}, {3.0, 18.5, 1.0}};
   std::vector<double> gaps;
-  for (const Vec3& x : places) gaps.push_back(static_cast<double>(true_gap(socket, x, ScannedSurface::ball)));
+  for (const Vec3& x : places) gaps.push_back(static_cast<double>(true_gap(socket, x, Surface::ball)));
   const std::vector<double> bounds(gaps.size(), 0.0);
-  const SmallestBetween found = smallest_between({ScannedSurface::ball, faces, places, gaps, bounds},
-                                                 {ScannedSurface::socket, faces, {}, {}, {}});
+  const SmallestBetween found =
+      smallest_between({Surface::ball, faces, places, gaps, bounds}, {Surface::socket, faces, {}, {}, {}});
   EXPECT_NEAR(found.low, std::min(gaps[0], gaps[1]), 1e-12);
   EXPECT_NEAR(found.high, std::min(gaps[0], gaps[1]), 1e-12);
   EXPECT_EQ(found.measured, 1U);
@@ -210,11 +210,11 @@ TEST(SmallestBetween, IsInfiniteWhereNoVertexHasAGap) {
   const std::vector<Vec3> place{{0.0, 0.0, -20.0}};
   const std::vector<double> gap{5.0};
   const std::vector<double> bound{HUGE_VAL};
-  const SmallestBetween missed = smallest_between({ScannedSurface::ball, faces, place, gap, bound},
-                                                  {ScannedSurface::socket, faces, {}, {}, {}});
+  const SmallestBetween missed =
+      smallest_between({Surface::ball, faces, place, gap, bound}, {Surface::socket, faces, {}, {}, {}});
   EXPECT_TRUE(std::isinf(missed.low) && std::isinf(missed.high));
-  const SmallestBetween found = smallest_between({ScannedSurface::ball, faces, {}, {}, {}},
-                                                 {ScannedSurface::socket, faces, {}, {}, {}});
+  const SmallestBetween found =
+      smallest_between({Surface::ball, faces, {}, {}, {}}, {Surface::socket, faces, {}, {}, {}});
   EXPECT_TRUE(std::isinf(found.low) && std::isinf(found.high));
 }
 

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "gap/exact_side.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "reference/shadow.hpp"
 #include "support/poses.hpp"
 
@@ -83,8 +83,10 @@ TEST(Overlay, SeesACrossingOfEdgesThatNoVertexShows) {
   const auto deepest = overlay.deepest({});
   EXPECT_EQ(deepest->kind, OverlayKind::crossing);
   EXPECT_NEAR(deepest->depth, Vec3(0, 1, 21).norm() * (1.0 - 20.0 / 21.0), 1e-12);
-  for (const Vec3& x : ball.vertices) EXPECT_FALSE(on_or_beyond(socket, overlay.socket_index(), x));
-  for (const Vec3& y : socket.vertices) EXPECT_FALSE(on_or_within(ball, overlay.ball_index(), y));
+  for (const Vec3& x : ball.vertices)
+    EXPECT_FALSE(exactly_impinged(Surface::ball, socket, overlay.socket_index(), x));
+  for (const Vec3& y : socket.vertices)
+    EXPECT_FALSE(exactly_impinged(Surface::socket, ball, overlay.ball_index(), y));
   Pose up;
   up.translation.z() = -1.5;
   EXPECT_FALSE(overlay.impinged(up));

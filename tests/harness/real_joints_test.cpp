@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -13,8 +13,8 @@
 #include "hip/hip_presets.hpp"
 #include "hip/hip_surface.hpp"
 #include "hip/sphere_fit.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge {
 namespace {

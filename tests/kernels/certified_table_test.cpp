@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"
 #include "support/random_cases.hpp"
@@ -26,12 +26,12 @@ struct Asked {
   const CertifiedTable& table;
   const VertexLanes<float>& vertices;
   Pose pose;
-  Scan scan;
+  Surface scanned;
 };
 
 // Returns how many vertices went to the exact cells.
 std::size_t expect_sides(const Asked& asked, float threshold) {
-  const LaneScan<float> scan{asked.vertices, asked.pose, asked.scan};
+  const LaneScan<float> scan{asked.vertices, asked.pose, asked.scanned};
   std::vector<float> exact(asked.vertices.size());
   scan_gaps(asked.table.exact, scan, exact);
   CertifiedGaps found;
@@ -58,8 +58,8 @@ std::size_t expect_sides(const Asked& asked, float threshold) {
 TEST(CertifiedTableTest, IsOnTheSideOfTheExactCells) {
   const BallSocketPair pair = make_ball_socket_pair(1000, impinging_cam());
   std::mt19937_64 random(8);
-  for (const Scan scan : {Scan::ball, Scan::socket}) {
-    const bool first = scan == Scan::ball;
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    const bool first = scanned == Surface::ball;
     const CertifiedTable table =
         certified_table(first ? pair.socket : pair.ball, first ? Layer::nearest : Layer::farthest, 40);
     const auto vertices = vertex_lanes<float>(first ? pair.ball.vertices : pair.socket.vertices);
@@ -69,7 +69,7 @@ TEST(CertifiedTableTest, IsOnTheSideOfTheExactCells) {
       pose.rotation = Eigen::AngleAxisd(-2.0 * k * kDegree, Vec3::UnitY()).toRotationMatrix();
       pose.translation = 0.5 * uniform_direction(random);
       const auto threshold = static_cast<float>(k % 2 == 0 ? 0.0 : 4.0 * uniform(random));
-      undecided += expect_sides({table, vertices, pose, scan}, threshold);
+      undecided += expect_sides({table, vertices, pose, scanned}, threshold);
     }
     EXPECT_GT(undecided, 0U);
     EXPECT_LT(undecided, 40 * vertices.size() / 4);
@@ -87,17 +87,17 @@ TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
     const auto points = vertex_lanes<float>(directions);
     CertifiedGaps far;
     far.threshold = -1e6F;
-    scan_gaps(table, {points, {}, Scan::ball}, far);
+    scan_gaps(table, {points, {}, Surface::ball}, far);
     std::vector<float> exact(points.size());
-    scan_gaps(table.exact, {points, {}, Scan::ball}, exact);
+    scan_gaps(table.exact, {points, {}, Surface::ball}, exact);
     std::size_t worst = 0;
     const auto error = [&](std::size_t i) { return std::abs(far.gap[i] - exact[i]); };
     for (std::size_t i = 0; i < exact.size(); ++i)
       if (error(i) > error(worst) || std::isnan(error(worst))) worst = i;
     EXPECT_LE(error(worst), table.bound_mm);
     EXPECT_GT(error(worst), 0.5 * table.bound_mm);
-    expect_sides({table, points, {}, Scan::ball}, std::nextafter(exact[worst], far.gap[worst]));
-    expect_sides({table, points, {}, Scan::ball}, exact[worst]);
+    expect_sides({table, points, {}, Surface::ball}, std::nextafter(exact[worst], far.gap[worst]));
+    expect_sides({table, points, {}, Surface::ball}, exact[worst]);
   }
 }
 
@@ -119,7 +119,7 @@ TEST(CertifiedTableTest, HoldsOnSteepFaces) {
     for (std::size_t i = 0; i < 2000; ++i)
       points.push_back(at(std::pow(uniform(random), 6.0), 5.0 * kStep * uniform(random)));
     const CertifiedTable table = certified_table(mesh, Layer::nearest, kCells);
-    expect_sides({table, vertex_lanes<float>(points), {}, Scan::ball}, -1e6F);
+    expect_sides({table, vertex_lanes<float>(points), {}, Surface::ball}, -1e6F);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
     CertifiedGaps found;
     found.threshold = -1e6F;
     const auto beside = vertex_lanes<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
-    scan_gaps(certified_table(mesh, Layer::nearest, 10), {beside, {}, Scan::ball}, found);
+    scan_gaps(certified_table(mesh, Layer::nearest, 10), {beside, {}, Surface::ball}, found);
     EXPECT_EQ(found.undecided.size(), width < 1e-6 ? 1U : 0U);
   }
 }
@@ -172,7 +172,7 @@ TEST(CertifiedTableTest, LayersAndNumbersOfVertices) {
   for (Vec3& x : points) x *= 20.0;
   for (std::size_t count = 0; count <= points.size(); ++count) {
     const auto some = vertex_lanes<float>(std::span(points).first(count));
-    expect_sides({table, some, {}, Scan::ball}, 1.0F);
+    expect_sides({table, some, {}, Surface::ball}, 1.0F);
   }
 }
 

@@ -13,7 +13,7 @@
 
 #include "kernels/corner_fixture.hpp"
 #include "kernels/lane_fixture.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge {
@@ -73,7 +73,7 @@ TEST(CornerTableTest, HoldsANumberThatIsTheSameEverywhereAndNothing) {
   rows.none.assign(rows.values.size() / 32 + 1, ~0U);
   const CornerTable nothing = corner_table(rows);
   std::vector<float> gap(3);
-  scan_gaps(nothing, {vertex_lanes<float>(test::random_directions(3, 1)), {}, Scan::ball}, gap);
+  scan_gaps(nothing, {vertex_lanes<float>(test::random_directions(3, 1)), {}, Surface::ball}, gap);
   for (const float value : gap) EXPECT_TRUE(std::isnan(value));
 }
 
@@ -91,7 +91,7 @@ TEST(CornerTableTest, AnswersAsTheScalarTable) {
     const Cube scalar(radii);
     const auto points = test::float_points(radii.scheme());
     std::vector<float> gap(points.size());
-    scan_gaps(table, {vertex_lanes<float>(points), {}, Scan::ball}, gap);
+    scan_gaps(table, {vertex_lanes<float>(points), {}, Surface::ball}, gap);
     const double m = static_cast<double>(table.divisions);
     std::size_t none = 0;
     std::size_t otherwise = 0;

@@ -7,9 +7,9 @@
 
 #include "kernels/cube_fill.hpp"
 #include "kernels/instruction_set.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge {
 namespace {

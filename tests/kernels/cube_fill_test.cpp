@@ -11,8 +11,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/soup.hpp"
 #include "table/exact_raster.hpp"
 

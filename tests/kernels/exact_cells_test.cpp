@@ -13,8 +13,8 @@
 
 #include "kernels/lane_fixture.hpp"
 #include "kernels/seen_planes.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
@@ -43,17 +43,17 @@ std::vector<Vec3> probes(const TriangleMesh& mesh, std::size_t features) {
 }
 
 std::vector<float> gaps(const ExactCells& cells, const std::vector<Vec3>& points, const Pose& pose,
-                        Scan scan) {
+                        Surface scanned) {
   std::vector<float> gap(points.size());
-  scan_gaps(cells, {vertex_lanes<float>(points), pose, scan}, gap);
+  scan_gaps(cells, {vertex_lanes<float>(points), pose, scanned}, gap);
   return gap;
 }
 
 void expect_exact(const TriangleMesh& mesh, Layer layer, const std::vector<Vec3>& points) {
   const ExactCells cells = exact_cells(mesh, layer);
   const RayCaster caster(mesh);
-  const auto gap = gaps(cells, points, {}, Scan::ball);
-  const auto other = gaps(cells, points, {}, Scan::socket);
+  const auto gap = gaps(cells, points, {}, Surface::ball);
+  const auto other = gaps(cells, points, {}, Surface::socket);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double radius = caster.cast(points[i].normalized(), layer);
     const double exact = radius - points[i].norm();
@@ -122,8 +122,8 @@ TEST(ExactCellsTest, MostCellsOfASmoothSurfaceNeedNoEdges) {
 TEST(ExactCellsTest, BothScansOfARealPairInAnyPose) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   std::mt19937_64 random(5);
-  for (const Scan scan : {Scan::ball, Scan::socket}) {
-    const bool first = scan == Scan::ball;
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    const bool first = scanned == Surface::ball;
     const TriangleMesh& mesh = first ? pair.socket : pair.ball;
     const Layer layer = first ? Layer::nearest : Layer::farthest;
     const auto& vertices = first ? pair.ball.vertices : pair.socket.vertices;
@@ -133,7 +133,7 @@ TEST(ExactCellsTest, BothScansOfARealPairInAnyPose) {
       Pose pose;
       pose.rotation = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
       pose.translation = 2.0 * (uniform(random) - 0.5) * uniform_direction(random);
-      const auto gap = gaps(cells, vertices, pose, scan);
+      const auto gap = gaps(cells, vertices, pose, scanned);
       for (std::size_t i = 0; i < gap.size(); ++i) {
         const Vec3 x = first ? to_socket(pose, vertices[i]) : to_ball(pose, vertices[i]);
         const double radius = caster.cast(x.normalized(), layer);

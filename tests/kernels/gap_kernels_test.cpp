@@ -15,7 +15,7 @@
 
 #include "gap/gap_scan.hpp"
 #include "kernels/lane_fixture.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "table/exact_raster.hpp"
@@ -70,10 +70,10 @@ using Kinds =
 
 template <class K>
 std::vector<typename K::Real> kernel_gaps(const typename K::Lanes& table, const std::vector<Vec3>& vertices,
-                                          const Pose& pose, Scan scan) {
+                                          const Pose& pose, Surface scanned) {
   const auto lanes = vertex_lanes<typename K::Real>(vertices);
   std::vector<typename K::Real> gap(vertices.size());
-  scan_gaps(table, {lanes, pose, scan}, gap);
+  scan_gaps(table, {lanes, pose, scanned}, gap);
   return gap;
 }
 
@@ -111,7 +111,7 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
     const typename K::Scalar scalar(exact);
     const auto table = lane_table<typename K::Value>(exact);
     const auto points = test::float_points(radii.scheme());
-    const auto gap = kernel_gaps<K>(table, points, {}, Scan::ball);
+    const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     std::size_t none = 0;
     std::size_t otherwise = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -150,7 +150,7 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTableInSteepCells) {
     const typename K::Scalar scalar(exact);
     const auto table = lane_table<typename K::Value>(exact);
     const auto points = test::float_points(radii.scheme());
-    const auto gap = kernel_gaps<K>(table, points, {}, Scan::ball);
+    const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double radius = scalar.radius_at(points[i]);
       ASSERT_NEAR(gap[i], radius - points[i].norm(), K::rounding(radii, points[i], radius, 1800.0))
@@ -165,8 +165,8 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   const auto scheme = K::S::with_precision(3.0);
   std::mt19937_64 random(5);
-  for (const Scan scan : {Scan::ball, Scan::socket}) {
-    const bool first = scan == Scan::ball;
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    const bool first = scanned == Surface::ball;
     const auto radii = first ? fill_exact(pair.socket, scheme, Layer::nearest)
                              : fill_exact(pair.ball, scheme, Layer::farthest);
     const auto exact = K::exact(radii);
@@ -178,7 +178,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
       pose.rotation = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
       pose.translation = 2.0 * (uniform(random) - 0.5) * uniform_direction(random);
       const auto& vertices = first ? pair.ball.vertices : pair.socket.vertices;
-      const auto gap = kernel_gaps<K>(table, vertices, pose, scan);
+      const auto gap = kernel_gaps<K>(table, vertices, pose, scanned);
       std::size_t otherwise = 0;
       for (std::size_t i = 0; i < gap.size(); ++i) {
         const Vec3 x = first ? to_socket(pose, vertices[i]) : to_ball(pose, vertices[i]);

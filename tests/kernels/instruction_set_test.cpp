@@ -15,7 +15,7 @@
 #include "kernels/exact_cells.hpp"
 #include "kernels/gap_kernels.hpp"
 #include "kernels/lane_fixture.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge {
 namespace {
@@ -33,8 +33,8 @@ std::vector<Pattern<typename Table::Real>> patterns(const Table& table, const st
   pose.translation = Vec3(0.3, -0.2, 0.1);
   std::vector<Real> gap(vertices.size());
   std::vector<Pattern<Real>> bits;
-  for (const Scan scan : {Scan::ball, Scan::socket}) {
-    scan_gaps(table, {lanes, pose, scan}, gap);
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    scan_gaps(table, {lanes, pose, scanned}, gap);
     for (const Real value : gap) bits.push_back(std::isnan(value) ? 0U : std::bit_cast<Pattern<Real>>(value));
   }
   return bits;
@@ -75,13 +75,13 @@ TEST(InstructionSets, AnyNumberOfVertices) {
   const auto points = test::random_directions(40, 3);
   const auto lanes = vertex_lanes<float>(points);
   std::vector<float> all(points.size());
-  scan_gaps(table, {lanes, {}, Scan::ball}, all);
+  scan_gaps(table, {lanes, {}, Surface::ball}, all);
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     for (std::size_t count = 0; count <= points.size(); ++count) {
       const auto some = vertex_lanes<float>(std::span(points).first(count));
       std::vector<float> gap(count + 1, 7.0F);
-      scan_gaps(table, {some, {}, Scan::ball}, std::span(gap).first(count));
+      scan_gaps(table, {some, {}, Surface::ball}, std::span(gap).first(count));
       for (std::size_t i = 0; i < count; ++i)
         EXPECT_TRUE(gap[i] == all[i] || (std::isnan(gap[i]) && std::isnan(all[i])));
       EXPECT_EQ(gap.back(), 7.0F) << set << " wrote beyond " << count;
@@ -105,13 +105,13 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
-    scan_gaps(table, {vertex_lanes<float>(odd), {}, Scan::ball}, gap);
+    scan_gaps(table, {vertex_lanes<float>(odd), {}, Surface::ball}, gap);
     std::vector<float> cornered(odd.size());
-    scan_gaps(corners, {vertex_lanes<float>(odd), {}, Scan::ball}, cornered);
+    scan_gaps(corners, {vertex_lanes<float>(odd), {}, Surface::ball}, cornered);
     std::vector<double> wide(odd.size());
-    scan_gaps(grid, {vertex_lanes<double>(odd), {}, Scan::ball}, wide);
+    scan_gaps(grid, {vertex_lanes<double>(odd), {}, Surface::ball}, wide);
     std::vector<double> wound(odd.size());
-    scan_gaps(helix, {vertex_lanes<double>(odd), {}, Scan::ball}, wound);
+    scan_gaps(helix, {vertex_lanes<double>(odd), {}, Surface::ball}, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(cornered[i])) << set << " " << i;

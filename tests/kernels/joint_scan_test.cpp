@@ -12,7 +12,7 @@
 
 #include "gap/gap_scan.hpp"
 #include "kernels/corner_fixture.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "support/poses.hpp"
 #include "table/exact_raster.hpp"
 
@@ -50,8 +50,8 @@ TEST(JointScan, IsBothScansOfAPose) {
   std::vector<double> ball_expected(ball_gap.size());
   std::vector<double> socket_expected(socket_gap.size());
   scan_joint(joint, pose, ball_gap, socket_gap);
-  scan_ball(socket_table, pair.ball.vertices, pose, ball_expected);
-  scan_socket(ball_table, pair.socket.vertices, pose, socket_expected);
+  scan_gaps(socket_table, pair.ball.vertices, pose, Surface::ball, ball_expected);
+  scan_gaps(ball_table, pair.socket.vertices, pose, Surface::socket, socket_expected);
   expect_near(ball_gap, ball_expected);
   expect_near(socket_gap, socket_expected);
 }

@@ -3,8 +3,6 @@
 //   both meshes have exactly the faces asked for, vertices at S or B(u); the ball is closed, n.v0 > 0;
 //   default: the gap S - B(u) is at least 1 mm in every rotation, and 4 mm as given;
 //   impinging_cam(): 4 mm as given, -1 mm when the cam is under the socket.
-#include "mesh/ball_socket_pair.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "mesh/validation.hpp"
 
 namespace impinge {

@@ -14,9 +14,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/unpaired_edges.hpp"
 
 namespace impinge {

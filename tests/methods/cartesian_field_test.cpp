@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/distance_grid.hpp"
 #include "support/directions.hpp"
 

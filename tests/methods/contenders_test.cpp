@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
 #include "methods/detection_race.hpp"
 #include "methods/fcl_obb.hpp"

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
+
 namespace impinge::lab {
 namespace {
 

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
+
 namespace impinge::lab {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
 #include "methods/detection_race.hpp"
 #include "methods/table_check.hpp"

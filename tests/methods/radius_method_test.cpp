@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "mesh/generated_pair.hpp"
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "methods/cgal_distances.hpp"

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "methods/chart.hpp"
 #include "support/random_cases.hpp"
 #include "table/pairwise.hpp"

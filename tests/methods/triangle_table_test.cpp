@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
 #include "methods/maciel_triangles.hpp"
 #include "support/directions.hpp"

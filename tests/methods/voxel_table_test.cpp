@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "methods/cgal_tree.hpp"
 #include "methods/hu_voxels.hpp"

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "gap/overlay.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "motion/vertex_gap.hpp"
 #include "support/directions.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/generated_pair.hpp"
 
 namespace impinge {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "harness/answer_difference.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "planning/reachable.hpp"
 #include "planning/scene_answer.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -77,9 +78,9 @@ TEST_P(CulledPath, HasThemFarFromAnyPathToo) {
 INSTANTIATE_TEST_SUITE_P(Questions, CulledPath, ::testing::Values(Question::touch, Question::first_contact));
 
 // By the table of the other surface, mm; NaN for none.
-double gap_in_table(const RadialTable<Rsid>& table, ScannedSurface scanned, const Vec3& x) {
+double gap_in_table(const RadialTable<Rsid>& table, Surface scanned, const Vec3& x) {
   const double gap = table.radius_at(x) - x.norm();
-  return scanned == ScannedSurface::ball ? gap : -gap;
+  return scanned == Surface::ball ? gap : -gap;
 }
 
 bool lists(const std::vector<Reachable>& found, std::uint32_t vertex) {
@@ -122,9 +123,9 @@ TEST(Reach, BothWaysListWhatMatters) {
     std::vector<std::size_t> poses;
     for (std::size_t p = 0; p < needs.poses.size(); ++p) poses.push_back(p);
     std::array<ScanPlan, 2> scans;
-    scans[1].scanned = ScannedSurface::socket;
+    scans[1].scanned = Surface::socket;
     for (ScanPlan& scan : scans)
-      scan.faces = std::make_unique<NearFaces>(asked_mesh(joint, scan.scanned), scheme.stencil_radius());
+      scan.faces = std::make_unique<NearFaces>(mesh_of(joint, other(scan.scanned)), scheme.stencil_radius());
     const Reach whole = find_reach({joint, needs, poses, scans, false}, scheme.stencil_radius());
     const Reach culled = find_reach({joint, needs, poses, scans, true}, scheme.stencil_radius());
     EXPECT_EQ(whole.limit_mm, culled.limit_mm);
@@ -134,12 +135,12 @@ TEST(Reach, BothWaysListWhatMatters) {
     EXPECT_GT(culled.bytes, 0U);
     std::size_t matter = 0;
     for (std::size_t k = 0; k < 2; ++k) {
-      const ScannedSurface scanned = scans[k].scanned;
+      const Surface scanned = scans[k].scanned;
       for (const std::size_t p : poses) {
         if (whole.touches[p]) continue;
         std::vector<double> gaps;
-        for (const Vec3& v : scanned_mesh(joint, scanned).vertices)
-          gaps.push_back(gap_in_table(tables[k], scanned, placed(scanned, needs.poses[p], v)));
+        for (const Vec3& v : mesh_of(joint, scanned).vertices)
+          gaps.push_back(gap_in_table(tables[k], scanned, to_other(scanned, needs.poses[p], v)));
         matter += expect_listed({whole.found[k][p], culled.found[k][p], culled.limit_mm}, gaps);
       }
     }
@@ -203,7 +204,7 @@ TEST(Promises, AreKeptPoseByPose) {
   needs.question = Question::first_contact;
   plan.limit_mm = 0.5;
   EXPECT_FALSE(keeps_promises(needs, plan, answer));
-  answer.smallest = SmallestGap{0.5, ScannedSurface::ball, 0, 0};
+  answer.smallest = SmallestGap{0.5, Surface::ball, 0, 0};
   EXPECT_TRUE(keeps_promises(needs, plan, answer));
   answer.smallest->gap_mm = 0.6;
   EXPECT_FALSE(keeps_promises(needs, plan, answer));

@@ -14,6 +14,7 @@
 #include "gap/gap_scan.hpp"
 #include "harness/answer_difference.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "planning/table_choice.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/poses.hpp"
@@ -78,8 +79,8 @@ TEST(SceneAnswer, NothingLeftOutIsTheTwoScans) {
   for (std::size_t p = 0; p < needs.poses.size(); ++p) {
     PoseGaps gaps{std::vector<double>(joint.ball.vertices.size()),
                   std::vector<double>(joint.socket.vertices.size())};
-    scan_ball(socket, joint.ball.vertices, needs.poses[p], gaps.ball);
-    scan_socket(ball, joint.socket.vertices, needs.poses[p], gaps.socket);
+    scan_gaps(socket, joint.ball.vertices, needs.poses[p], Surface::ball, gaps.ball);
+    scan_gaps(ball, joint.socket.vertices, needs.poses[p], Surface::socket, gaps.socket);
     for (const double g : gaps.ball) smallest = std::fmin(smallest, g);
     for (const double g : gaps.socket) smallest = std::fmin(smallest, g);
     expected.gaps.push_back(gaps);
@@ -231,8 +232,8 @@ TEST_F(SceneMutant, VerticesOfTheOtherHalfAreMissed) {
 
 TEST_F(SceneMutant, AScanIsDroppedThatMatters) {
   ScenePlan mutant = plan(Omissions::all().without(Omission::vertices));
-  mutant.scans[answer(joint_, needs_, Omissions::none()).smallest->scanned == ScannedSurface::ball ? 0 : 1]
-      .wanted = false;
+  mutant.scans[answer(joint_, needs_, Omissions::none()).smallest->scanned == Surface::ball ? 0 : 1].wanted =
+      false;
   EXPECT_TRUE(caught(mutant));
 }
 

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "reference/exact_ratio.hpp"
 #include "support/bits.hpp"
 #include "support/directions.hpp"

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "gap/gap_scan.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 
@@ -37,7 +37,7 @@ TEST(Certificate, IsTheSameWithGoodGapsAndWithNone) {
   for (const double degrees : {0.0, -50.0}) {
     const Pose pose{Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()};
     Evidence ball = nothing(pair.ball);
-    scan_ball(table, pair.ball.vertices, pose, ball.gap);
+    scan_gaps(table, pair.ball.vertices, pose, Surface::ball, ball.gap);
     ball.bound.assign(ball.gap.size(), 0.2);
     const Certificate known = certify(overlay, pose, ball, nothing(pair.socket));
     const Certificate unknown = certify(overlay, pose, nothing(pair.ball), nothing(pair.socket));

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "motion/told_limit.hpp"
 
 namespace impinge {

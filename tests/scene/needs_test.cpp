@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "scene/planned_answer.hpp"
 #include "scene/question.hpp"
 #include "table/pairwise.hpp"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "reference/closest_point.hpp"
 #include "scene/report.hpp"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/gap_scan.hpp"
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "scene/report.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
@@ -55,7 +55,7 @@ TEST(Threads, OneTableIsScannedByAll) {
   std::array<std::vector<double>, kThreads + 1> gap;
   const auto run = [&](std::size_t k) {
     gap[k].resize(pair.ball.vertices.size());
-    scan_ball(table, pair.ball.vertices, {}, gap[k]);
+    scan_gaps(table, pair.ball.vertices, {}, Surface::ball, gap[k]);
   };
   run(kThreads);
   at_once(run);

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {

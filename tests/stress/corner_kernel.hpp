@@ -24,8 +24,9 @@ class CornerKernel : public TableKernel {
 
   std::string name() const override { return "cube by its corners"; }
   double unit() const override { return 0x1p-24; }
-  std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose, Scan scan) const override {
-    return gaps_of(table_, vertices, pose, scan);
+  std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose,
+                           Surface scanned) const override {
+    return gaps_of(table_, vertices, pose, scanned);
   }
   double radius_at(const Vec3& x) const override { return scalar_.radius_at(x); }
 

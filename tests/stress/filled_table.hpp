@@ -28,10 +28,10 @@ auto numbers_of(const RadialTable<S>& radii) {
 // Of the kernel of that table, mm.
 template <class Table>
 std::vector<double> gaps_of(const Table& table, const std::vector<Vec3>& vertices, const Pose& pose,
-                            Scan scan) {
+                            Surface scanned) {
   using Real = typename Table::Real;
   std::vector<Real> gap(vertices.size());
-  scan_gaps(table, {vertex_lanes<Real>(vertices), pose, scan}, gap);
+  scan_gaps(table, {vertex_lanes<Real>(vertices), pose, scanned}, gap);
   return {gap.begin(), gap.end()};
 }
 

@@ -89,7 +89,7 @@ TYPED_TEST(Metamorphic, ScaleByAPowerOfTwoScalesTheGaps) {
   pose.rotation = Eigen::AngleAxisd(0.4, Vec3(0.48, -0.6, 0.64)).toRotationMatrix();
   pose.translation = Vec3(0.5, -0.25, 1.0);
   std::vector<double> gaps(vertices.size());
-  scan_ball(filled<TypeParam>(mesh), vertices, pose, gaps);
+  scan_gaps(filled<TypeParam>(mesh), vertices, pose, Surface::ball, gaps);
   for (const double scale : {0x1p-90, 0x1p90}) {
     TriangleMesh scaled_mesh = mesh;
     for (Vec3& v : scaled_mesh.vertices) v *= scale;
@@ -97,7 +97,7 @@ TYPED_TEST(Metamorphic, ScaleByAPowerOfTwoScalesTheGaps) {
     for (Vec3& x : scaled) x *= scale;
     const Pose scaled_pose{pose.rotation, scale * pose.translation};
     std::vector<double> found(vertices.size());
-    scan_ball(filled<TypeParam>(scaled_mesh), scaled, scaled_pose, found);
+    scan_gaps(filled<TypeParam>(scaled_mesh), scaled, scaled_pose, Surface::ball, found);
     for (std::size_t i = 0; i < gaps.size(); ++i)
       ASSERT_TRUE(same_bits(gaps[i] * scale, found[i]) || (std::isnan(gaps[i]) && std::isnan(found[i]))) << i;
   }

@@ -37,7 +37,7 @@ using Answers = std::vector<double>;
 inline Answers exact_answers(const Questions& asked) {
   std::vector<float> gap(asked.points.size());
   scan_gaps(exact_cells(asked.mesh, asked.layer),
-            {vertex_lanes<float>(asked.points), asked.pose, Scan::socket}, gap);
+            {vertex_lanes<float>(asked.points), asked.pose, Surface::socket}, gap);
   return {gap.begin(), gap.end()};
 }
 
@@ -46,7 +46,7 @@ inline Answers certified_answers(const Questions& asked) {
   const CertifiedTable table = certified_table(asked.mesh, asked.layer, 5);
   CertifiedGaps found;
   found.threshold = static_cast<float>(1.5 * asked.unit);
-  scan_gaps(table, {vertex_lanes<float>(asked.points), asked.pose, Scan::ball}, found);
+  scan_gaps(table, {vertex_lanes<float>(asked.points), asked.pose, Surface::ball}, found);
   return {found.gap.begin(), found.gap.end()};
 }
 
@@ -54,7 +54,7 @@ inline Answers certified_answers(const Questions& asked) {
 inline Answers table_answers(const Questions& asked) {
   Answers all;
   for (const auto& kernel : table_kernels(asked.mesh, asked.layer, 15.0)) {
-    const Answers gaps = kernel->gaps(asked.points, asked.pose, Scan::ball);
+    const Answers gaps = kernel->gaps(asked.points, asked.pose, Surface::ball);
     all.insert(all.end(), gaps.begin(), gaps.end());
   }
   return all;
@@ -65,7 +65,7 @@ inline Answers filled_answers(const Questions& asked) {
   LaneTable<CubeGnomonic, std::uint16_t> table;
   fill_cube(asked.mesh, {CubeGnomonic::with_precision(9.0), asked.layer, 2, {}}, table);
   std::vector<float> gap(asked.points.size());
-  scan_gaps(table, {vertex_lanes<float>(asked.points), asked.pose, Scan::ball}, gap);
+  scan_gaps(table, {vertex_lanes<float>(asked.points), asked.pose, Surface::ball}, gap);
   return {gap.begin(), gap.end()};
 }
 

@@ -9,6 +9,7 @@
 
 #include "contact/coherent_contact.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/infinity.hpp"
 #include "stress/slide.hpp"
 #include "stress/stiff_surfaces.hpp"

@@ -26,9 +26,9 @@ constexpr double kStiffUnit = 0x1p-24;
 // Of what is allowed 0.19 was seen at most: no more than twice as much may be.
 constexpr double kExactShare = 0.38;
 
-std::vector<float> gaps_in(const ExactCells& cells, const std::vector<Vec3>& points, Scan scan) {
+std::vector<float> gaps_in(const ExactCells& cells, const std::vector<Vec3>& points, Surface scanned) {
   std::vector<float> gap(points.size());
-  scan_gaps(cells, {vertex_lanes<float>(points), {}, scan}, gap);
+  scan_gaps(cells, {vertex_lanes<float>(points), {}, scanned}, gap);
   return gap;
 }
 
@@ -41,8 +41,8 @@ TEST_P(StiffExactCells, AnswerAsTheMesh) {
   const auto truth = exact_radii(surface.mesh, {points, surface.layer, {}});
   for (const double cells_a_face : {4.0, 0.2}) {
     const ExactCells cells = exact_cells(surface.mesh, surface.layer, cells_a_face);
-    const auto ball = gaps_in(cells, points, Scan::ball);
-    const auto socket = gaps_in(cells, points, Scan::socket);
+    const auto ball = gaps_in(cells, points, Surface::ball);
+    const auto socket = gaps_in(cells, points, Surface::socket);
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ(std::isnan(ball[i]), std::isnan(truth[i])) << points[i].transpose();
       EXPECT_EQ(std::isnan(socket[i]), std::isnan(truth[i])) << points[i].transpose();
@@ -90,12 +90,12 @@ TEST_P(StiffCertified, IsOnTheSideOfTheExactCells) {
   const auto points = test::stiff_points(surface);
   const auto lanes = vertex_lanes<float>(points);
   const CertifiedTable table = certified_table(surface.mesh, surface.layer, 9);
-  for (const Scan scan : {Scan::ball, Scan::socket}) {
-    const auto exact = gaps_in(table.exact, points, scan);
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    const auto exact = gaps_in(table.exact, points, scanned);
     CertifiedGaps found;
     for (const float threshold : thresholds_for(exact)) {
       found.threshold = threshold;
-      scan_gaps(table, {lanes, {}, scan}, found);
+      scan_gaps(table, {lanes, {}, scanned}, found);
       std::size_t otherwise = 0;
       for (std::size_t i = 0; i < points.size(); ++i)
         otherwise += side_of(found.gap[i], threshold) != side_of(exact[i], threshold) ? 1U : 0U;

@@ -113,11 +113,11 @@ TEST(StiffMetamorphic, ThreadsThatShareATableGetTheSameBits) {
       for (std::size_t t = 0; t < 3; ++t)
         threads.emplace_back([&, t] {
           for (std::size_t k = 0; k < kernels.size(); ++k)
-            each[t * kernels.size() + k] = kernels[k]->gaps(asked.points, asked.pose, Scan::ball);
+            each[t * kernels.size() + k] = kernels[k]->gaps(asked.points, asked.pose, Surface::ball);
         });
     }
     for (std::size_t k = 0; k < each.size(); ++k)
-      expect_same(each[k], kernels[k % kernels.size()]->gaps(asked.points, asked.pose, Scan::ball));
+      expect_same(each[k], kernels[k % kernels.size()]->gaps(asked.points, asked.pose, Surface::ball));
   }
 }
 

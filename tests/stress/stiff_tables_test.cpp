@@ -48,11 +48,11 @@ struct Held {
 };
 
 // Of what the headers allow 0.57 was seen, by the corners of a cube.
-void expect_held(const Held& held, Scan scan, Met& met) {
+void expect_held(const Held& held, Surface scanned, Met& met) {
   const TableKernel& kernel = held.kernel;
   const double bound = kernel.bound();
-  const double sign = scan == Scan::ball ? 1.0 : -1.0;
-  const auto gap = kernel.gaps(held.points, {}, scan);
+  const double sign = scanned == Surface::ball ? 1.0 : -1.0;
+  const auto gap = kernel.gaps(held.points, {}, scanned);
   for (std::size_t i = 0; i < gap.size(); ++i) {
     const Vec3& x = held.points[i];
     const double radius = kernel.radius_at(x);
@@ -82,11 +82,11 @@ TEST_P(StiffTables, AnswerAsTheScalarLookUpAndWithinTheProvenBound) {
   const auto points = test::stiff_points(surface);
   const auto truth = exact_radii(surface.mesh, {points, surface.layer, {}});
   Met met;
-  Scan scan = Scan::ball;
+  Surface scanned = Surface::ball;
   for (const auto& kernel : test::table_kernels(surface.mesh, surface.layer, test::kStiffPrecision, true)) {
     SCOPED_TRACE(kernel->name());
-    expect_held({surface, *kernel, points, truth}, scan, met);
-    scan = scan == Scan::ball ? Scan::socket : Scan::ball;
+    expect_held({surface, *kernel, points, truth}, scanned, met);
+    scanned = other(scanned);
   }
   EXPECT_GT(met.answered, 0U);
   EXPECT_LT(met.otherwise, (met.answered + met.none) / 20);

@@ -32,8 +32,9 @@ class RowsKernel : public TableKernel {
 
   std::string name() const override { return name_; }
   double unit() const override { return sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53; }
-  std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose, Scan scan) const override {
-    return gaps_of(table_, vertices, pose, scan);
+  std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose,
+                           Surface scanned) const override {
+    return gaps_of(table_, vertices, pose, scanned);
   }
   double radius_at(const Vec3& x) const override { return scalar_.radius_at(x); }
 

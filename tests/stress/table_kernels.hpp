@@ -20,7 +20,8 @@ class TableKernel {
   virtual std::string name() const = 0;  // scheme and storage
   virtual double unit() const = 0;       // u of the kernel's arithmetic
   // Of the kernel, mm.
-  virtual std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose, Scan scan) const = 0;
+  virtual std::vector<double> gaps(const std::vector<Vec3>& vertices, const Pose& pose,
+                                   Surface scanned) const = 0;
   // Of the scalar look-up, mm; NaN where it has no answer.
   virtual double radius_at(const Vec3& x) const = 0;
   // What a gap at x may be off from that of the scalar look-up, whose radius it is, mm.

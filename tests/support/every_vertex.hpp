@@ -30,8 +30,8 @@ class EveryVertex {
   }
 
   bool impinged(const ScannedVertex& at, const Vec3& x) const {
-    return at.scanned == ScannedSurface::ball ? on_or_beyond(joint_.socket, index_[1], x)
-                                              : on_or_within(joint_.ball, index_[0], x);
+    return exactly_impinged(at.scanned, mesh_of(joint_, other(at.scanned)),
+                            index_[at.scanned == Surface::ball ? 1 : 0], x);
   }
   bool impinged(const Pose& pose) const {
     bool found = false;
@@ -41,7 +41,7 @@ class EveryVertex {
   std::optional<LeastGap> least_gap(const Pose& pose) const {
     std::optional<LeastGap> least;
     for_each(pose, [&](const ScannedVertex& at, const Vec3& x) {
-      const bool ball = at.scanned == ScannedSurface::ball;
+      const bool ball = at.scanned == Surface::ball;
       if (x.isZero(0.0)) return;
       const double radius = ball ? near_[1].radius(x.normalized(), Layer::nearest)
                                  : near_[0].radius(x.normalized(), Layer::farthest);
@@ -57,12 +57,10 @@ class EveryVertex {
   template <class Visit>
   void for_each(const Pose& pose, const Visit& visit) const {
     for (std::size_t v = 0; v < used_[0].size(); ++v) {
-      if (used_[0][v])
-        visit(ScannedVertex{ScannedSurface::ball, v}, to_socket(pose, joint_.ball.vertices[v]));
+      if (used_[0][v]) visit(ScannedVertex{Surface::ball, v}, to_socket(pose, joint_.ball.vertices[v]));
     }
     for (std::size_t v = 0; v < used_[1].size(); ++v) {
-      if (used_[1][v])
-        visit(ScannedVertex{ScannedSurface::socket, v}, to_ball(pose, joint_.socket.vertices[v]));
+      if (used_[1][v]) visit(ScannedVertex{Surface::socket, v}, to_ball(pose, joint_.socket.vertices[v]));
     }
   }
 

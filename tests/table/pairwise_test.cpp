@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/directions.hpp"
 

@@ -11,8 +11,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/inverse_depth_table.hpp"
 #include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"

@@ -8,9 +8,9 @@
 namespace impinge {
 namespace {
 
-std::vector<double> gaps_of(SurfaceTable& table, const SessionPart& part, const Pose& pose, Scan which) {
+std::vector<double> gaps_of(SurfaceTable& table, const SessionPart& part, const Pose& pose, Surface scanned) {
   std::vector<double> gap(part.vertices.points.size());
-  table.scan(part.vertices, pose, which, gap);
+  table.scan(part.vertices, pose, scanned, gap);
   for (const std::size_t i : part.stray) gap[i] = kNoSurface;
   return gap;
 }
@@ -72,8 +72,8 @@ PoseAnswer answer_pose(Session& session, const PoseRequest& request) {
   found.pose = pose_of(joint, request);
   const Pose turn{found.pose.rotation, Vec3::Zero()};
   const auto start = Clock::now();
-  std::vector<double> ball = gaps_of(*session.tables.socket, joint.ball, turn, Scan::ball);
-  std::vector<double> socket = gaps_of(*session.tables.ball, joint.socket, turn, Scan::socket);
+  std::vector<double> ball = gaps_of(*session.tables.socket, joint.ball, turn, Surface::ball);
+  std::vector<double> socket = gaps_of(*session.tables.ball, joint.socket, turn, Surface::socket);
   found.scan_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   found.ball = surface_answer(joint.ball, std::move(ball), request.cartilage_mm);
   found.socket = surface_answer(joint.socket, std::move(socket), request.cartilage_mm);

@@ -45,7 +45,7 @@ std::unique_ptr<const ScannedVertices> probes_of(const TriangleMesh& mesh, Layer
 // The gap of a point of the surface from the table of the same surface is the error of the table.
 double measured_error(const ScannedVertices& probes, SurfaceTable& table) {
   std::vector<double> error(probes.points.size());
-  table.scan(probes, Pose{}, Scan::ball, error);
+  table.scan(probes, Pose{}, Surface::ball, error);
   double largest = 0.0;
   for (const double e : error) largest = std::isnan(e) ? largest : std::max(largest, std::abs(e));
   return largest;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "gap/gap_scan.hpp"
 #include "kernels/gap_kernels.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
@@ -15,27 +16,16 @@
 namespace impinge {
 namespace {
 
-// Vertex by vertex, as scan_ball() and scan_socket() of gap/gap_scan.hpp.
-class ScalarTable : public SurfaceTable {
- public:
-  void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) final {
-    const bool ball = which == Scan::ball;
-    for (std::size_t i = 0; i < gap.size(); ++i) {
-      const Vec3 x = ball ? to_socket(pose, vertices.points[i]) : to_ball(pose, vertices.points[i]);
-      const double radius = radius_at(x);
-      gap[i] = ball ? radius - x.norm() : x.norm() - radius;
-    }
-  }
-
- private:
-  virtual double radius_at(const Vec3& x) const = 0;
-};
-
-// Kept is RadialTable, InverseDepthTable or one of sphere/quantised_table.hpp.
+// Vertex by vertex. Kept is RadialTable, InverseDepthTable or one of sphere/quantised_table.hpp.
 template <class Kept>
-class KeptTable final : public ScalarTable {
+class KeptTable final : public SurfaceTable {
  public:
   explicit KeptTable(Kept kept) : kept_(std::move(kept)) {}
+
+  void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
+            std::span<double> gap) override {
+    scan_gaps(kept_, vertices.points, pose, scanned, gap);
+  }
 
   std::size_t bytes() const override {
     if constexpr (requires { kept_.bytes(); }) {
@@ -46,8 +36,6 @@ class KeptTable final : public ScalarTable {
   }
 
  private:
-  double radius_at(const Vec3& x) const override { return kept_.radius_at(x); }
-
   Kept kept_;
 };
 
@@ -56,9 +44,10 @@ class KernelTable final : public SurfaceTable {
  public:
   explicit KernelTable(LaneTable<S, Value> table) : table_(std::move(table)) {}
 
-  void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) override {
+  void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
+            std::span<double> gap) override {
     found_.resize(gap.size());
-    scan_gaps(table_, LaneScan<float>{vertices.lanes, pose, which}, found_);
+    scan_gaps(table_, LaneScan<float>{vertices.lanes, pose, scanned}, found_);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
   }
   std::size_t bytes() const override { return table_.bytes(); }

@@ -39,7 +39,8 @@ class SurfaceTable {
   virtual ~SurfaceTable() = default;
 
   // Gaps of the vertices of the other surface, mm, NaN where this one is not met; `gap` has their size.
-  virtual void scan(const ScannedVertices& vertices, const Pose& pose, Scan which, std::span<double> gap) = 0;
+  virtual void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
+                    std::span<double> gap) = 0;
   virtual std::size_t bytes() const = 0;
 
   std::size_t entries = 0;

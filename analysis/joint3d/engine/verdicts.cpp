@@ -74,8 +74,8 @@ PoseVerdicts answer_verdicts(Session& session, const PoseRequest& request) {
   for (const double bound : bounds) found.largest_mm = std::max(found.largest_mm, bound);
   found.median_mm = median(bounds);
   found.smallest =
-      smallest_between({ScannedSurface::ball, *joint.seen_faces, ball.places, ball.gap, ball.bound},
-                       {ScannedSurface::socket, *joint.ball_faces, socket.places, socket.gap, socket.bound});
+      smallest_between({Surface::ball, *joint.seen_faces, ball.places, ball.gap, ball.bound},
+                       {Surface::socket, *joint.ball_faces, socket.places, socket.gap, socket.bound});
   return found;
 }
 

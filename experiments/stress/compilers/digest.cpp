@@ -74,9 +74,9 @@ template <SamplingScheme S>
 void print_tables(const TriangleMesh& mesh, std::span<const Vec3> points) {
   const RadialTable<S> table = fill_exact(mesh, S::with_precision(4.0), Layer::nearest);
   std::vector<double> gaps(points.size());
-  scan_ball(table, points, turned(), gaps);
+  scan_gaps(table, points, turned(), Surface::ball, gaps);
   print(S::name, table.radii(), gaps);
-  scan_socket(table, points, turned(), gaps);
+  scan_gaps(table, points, turned(), Surface::socket, gaps);
   print(std::string(S::name) + "_of_a_ball", table.radii(), gaps);
   if constexpr (PlaneExactScheme<S>) {
     const InverseDepthTable<S> depths(table);

@@ -15,7 +15,7 @@ int main(int, char** files) {
   const auto table = lane_table<float>(InverseDepthTable(socket));
   const auto vertices = vertex_lanes<float>(ball.vertices);
   std::vector<float> gap(vertices.size());
-  scan_gaps(table, {vertices, Pose{}, Scan::ball}, gap);
+  scan_gaps(table, {vertices, Pose{}, Surface::ball}, gap);
   std::erase_if(gap, [](float g) { return g != g; });  // where the socket is not met
   std::printf("%.3f\n", static_cast<double>(std::ranges::min(gap)));
 }

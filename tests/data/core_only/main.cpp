@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "hip/sphere_fit.hpp"
+#include "mesh/generated_pair.hpp"
 #include "planning/scene_answer.hpp"
 
 int main() {

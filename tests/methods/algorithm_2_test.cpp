@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "methods/algorithm_2.hpp"
+
 // Concentric spheres of radii B and S. A ball vertex has d_i = B and reads d = S, a socket vertex has d_i = S
 // and reads d = B: the comparison d <= d_i says S <= B of the first and B <= S of the second.
-#include "gap/algorithm_2.hpp"
-
 #include <limits>
 #include <vector>
 
@@ -13,7 +13,7 @@
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 struct Both {
@@ -26,11 +26,11 @@ Both compare(double ball_radius, double socket_radius) {
   const TriangleMesh ball = sphere(ball_radius, 500);
   const TriangleMesh socket = sphere(socket_radius, 500);
   std::vector<double> gap(ball.vertices.size());
-  scan_ball(fill_exact(socket, scheme, Layer::nearest), ball.vertices, {}, gap);
-  const ScanVerdicts of_ball = compare_as_written(gap, ScannedSurface::ball);
+  scan_gaps(fill_exact(socket, scheme, Layer::nearest), ball.vertices, {}, Surface::ball, gap);
+  const ScanVerdicts of_ball = compare_as_written(gap, Surface::ball);
   gap.resize(socket.vertices.size());
-  scan_socket(fill_exact(ball, scheme, Layer::farthest), socket.vertices, {}, gap);
-  return {of_ball, compare_as_written(gap, ScannedSurface::socket)};
+  scan_gaps(fill_exact(ball, scheme, Layer::farthest), socket.vertices, {}, Surface::socket, gap);
+  return {of_ball, compare_as_written(gap, Surface::socket)};
 }
 
 TEST(Algorithm2, CallsEverySocketVertexOfAClearPoseImpinged) {
@@ -54,7 +54,7 @@ TEST(Algorithm2, CallsNoSocketVertexOfAPenetratingPoseImpinged) {
 TEST(Algorithm2, CountsContactInBothAndNoSurfaceInNone) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> gap{0.0, none, 1.0, -1.0, none};
-  for (const ScannedSurface scanned : {ScannedSurface::ball, ScannedSurface::socket}) {
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
     const ScanVerdicts verdicts = compare_as_written(gap, scanned);
     EXPECT_EQ(verdicts.met, 3U);
     EXPECT_EQ(verdicts.by_gap, 2U);
@@ -63,4 +63,4 @@ TEST(Algorithm2, CountsContactInBothAndNoSurfaceInNone) {
 }
 
 }  // namespace
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/ball_socket_pair.hpp"
+#include "mesh/generated_pair.hpp"
 
 #include <cmath>
 #include <stdexcept>

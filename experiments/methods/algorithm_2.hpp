@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <span>
 
-namespace impinge {
+#include "gap/surface.hpp"
 
-// Which surface the vertices of a scan are of; the table is the other one's.
-enum class ScannedSurface { ball, socket };
+namespace impinge::lab {
 
 // How many vertices of a scan either comparison calls impinged.
 struct ScanVerdicts {
@@ -17,8 +16,8 @@ struct ScanVerdicts {
   std::size_t as_written = 0;  // of these, with d <= d_i: d from the table, d_i of the vertex
 };
 
-// gap in mm, NaN where no surface is met, as scan_ball() or scan_socket() gives it: d - d_i for vertices of
+// gap in mm, NaN where no surface is met, as scan_gaps() gives it: d - d_i for vertices of
 // the ball and d_i - d for those of the socket, to which the thesis applies the same comparison.
-ScanVerdicts compare_as_written(std::span<const double> gap, ScannedSurface scanned);
+ScanVerdicts compare_as_written(std::span<const double> gap, Surface scanned);
 
-}  // namespace impinge
+}  // namespace impinge::lab
