@@ -50,10 +50,9 @@ def members(outputs: Iterable[str], results: Path, places: dict[str, str]) -> di
 def sources(jobs: str) -> dict[str, bytes | Path]:
     """What stands beside the results, by its name in the archive."""
     files: dict[str, bytes | Path] = {}
-    for folder, kinds in (("analysis", ("py", "css", "js", "csv")), ("paper", ("tex", "bib"))):
-        for kind in kinds:
-            for file in sorted((SOURCE / folder).glob(f"*.{kind}")):
-                files[f"{folder}/{file.name}"] = file
+    for pattern in ("analysis/*/*.py", "analysis/report/*.css", "analysis/report/*.js", "analysis/common/*.csv", "paper/*"):
+        for file in SOURCE.glob(pattern):
+            files[str(file.relative_to(SOURCE))] = file
     plotly = "analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js"
     files[plotly] = SOURCE / plotly
     reference = SOURCE / "results" / "reference"

@@ -175,7 +175,7 @@ endfunction()
 
 set(IMPINGE_PATIENTS "")
 if(TARGET scene AND TARGET make_pair)
-  file(STRINGS "${PROJECT_SOURCE_DIR}/analysis/thesis_values.csv" recorded REGEX "^table-11,")
+  file(STRINGS "${PROJECT_SOURCE_DIR}/analysis/common/thesis_values.csv" recorded REGEX "^table-11,")
   foreach(patient IN ITEMS patient_a:right patient_b:left)
     string(REGEX MATCH "(.*):(.*)" none ${patient})
     set(patient ${CMAKE_MATCH_1})

@@ -84,7 +84,7 @@ def check_verdicts(verdicts: Path) -> None:
         with path.open(newline="", encoding="utf-8") as file:
             return {tuple(row.get(key) or "" for key in KEYS) for row in csv.DictReader(file)}
 
-    lacking = sorted(rows(SOURCE / "analysis" / "thesis_values.csv") - rows(verdicts))
+    lacking = sorted(rows(SOURCE / "analysis" / "common" / "thesis_values.csv") - rows(verdicts))
     if lacking:
         raise Refused(
             f"{verdicts} has no verdict on {', '.join(lacking[0])}: it was made by another version, run again"

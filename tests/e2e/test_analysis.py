@@ -17,17 +17,11 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-import data_table  # noqa: E402
-import finding  # noqa: E402
-import log_plot  # noqa: E402
-import markup  # noqa: E402
-import measured  # noqa: E402
-import reference  # noqa: E402
-import timing  # noqa: E402
-import verdict  # noqa: E402
-import verdicts_conchoid  # noqa: E402
-import verdicts_memory  # noqa: E402
-import verdicts_timing  # noqa: E402
+from common import log_plot, measured, timing  # noqa: E402
+from findings import finding  # noqa: E402
+from report import data_table, markup, reference  # noqa: E402
+from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
+from verdicts import timing as verdicts_timing, verdict  # noqa: E402
 
 
 class Loading(unittest.TestCase):

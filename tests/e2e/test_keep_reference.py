@@ -49,7 +49,7 @@ class KeepReference(unittest.TestCase):
         self.data("b", started_utc="2026-01-01T00:00:00Z")
         (self.results / "tables" / "a.csv").write_text("x\n1\n")
         (self.results / "tables" / "a.tex").write_text("1")
-        with (ROOT / "analysis" / "thesis_values.csv").open(newline="") as file:
+        with (ROOT / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
             rows = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
         self.verdicts([["artefact", "row", "column"], *rows])
 

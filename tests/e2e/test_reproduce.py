@@ -37,7 +37,7 @@ ANALYSIS = ROOT / "analysis"
 THESIS_FIGURES = [
     f"figure-{n}"
     for n in sorted(
-        {int(script.name.split("_")[1]) for script in ANALYSIS.glob("fig_[0-9]*.py")}
+        {int(script.name.split("_")[0]) for script in ANALYSIS.glob("figures/[0-9]*.py")}
         | {int(n) for n in re.findall(r"\bfigure-(\d+)\b", (ANALYSIS / "CMakeLists.txt").read_text())}
     )
 ]
@@ -329,7 +329,7 @@ class Reproduce(unittest.TestCase):
             (row["artefact"], row["row"], row["column"]): row for row in rows(RESULTS / "verdicts.csv")
         }
         judged = set()
-        for row in rows(ROOT / "analysis" / "thesis_values.csv"):
+        for row in rows(ROOT / "analysis" / "common" / "thesis_values.csv"):
             if row["artefact"] in JUDGED:
                 judged.add(row["artefact"])
                 verdict = verdicts[row["artefact"], row["row"], row["column"]]

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires. From
+data/head_maps.csv with its meshes, and scenes/NAME.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.patches import Patch
+
+import common
+from common import hip, panels, render, sphere_deviation
+
+FITTED, LEFT_OUT, WIRES = (0.55, 0.33, 0.65), hip.BALL, (0.05, 0.05, 0.05)
+
+
+def main() -> None:
+    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
+    options = common.arguments(__doc__, "--joint", "--name")
+    joint = hip.load(options.results, options.joint)
+    head = sphere_deviation.load(options.results, joint)
+    fit = head.fit
+    shades = render.Shades(np.array([LEFT_OUT, FITTED]), (0.0, 1.0))
+    region = render.scalar_surface(head.ball, head.fitted.astype(float), shades)
+    bone = render.plain_surface(head.ball, hip.BALL)
+    wires = render.rings(hip.sphere_rings(fit.radius_mm), WIRES, 1.4)
+    front, above = (hip.view(name, joint, [head.ball]) for name in ("anterior", "superior"))
+    with render.screen():
+        row = [
+            panels.take("a) region fitted, anterior view", [region], front),
+            panels.take("b) fitted sphere, anterior view", [bone, wires], front),
+            panels.take("c) fitted sphere, superior view", [bone, wires], above),
+        ]
+    heading = (
+        f"{hip.title(joint.name)}: sphere fitted to the ball ({joint.side} side)\n"
+        f"radius {fit.radius_mm:.2f} mm, residual {common.digits(fit.rms_mm, 2)} mm rms over {int(fit.fitted):,} of "
+        f"{int(fit.vertices):,} vertices"
+    )
+    figure, _ = panels.sheet([row], heading)
+    handles = [
+        Patch(color=FITTED, label="fitted: found without a hand"),
+        Patch(color=LEFT_OUT, label="left out"),
+        Patch(color=WIRES, label="sphere"),
+    ]
+    figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=common.SMALL)
+    panels.save(figure, options.out, options.name)
+
+
+common.run(main)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours. From
+data/head_maps.csv with its meshes, and scenes/NAME.
+"""
+
+from __future__ import annotations
+
+import common
+from common import hip, panels, render, sphere_deviation
+
+WIRES = (1.0, 1.0, 1.0)
+
+
+def main() -> None:
+    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
+    options = common.arguments(__doc__, "--joint", "--name")
+    joint = hip.load(options.results, options.joint)
+    head = sphere_deviation.load(options.results, joint)
+    radius = head.fit.radius_mm
+    ball = sphere_deviation.coloured(head)
+    wires = render.rings(hip.sphere_rings(radius), WIRES, 1.6)
+    front, above = (hip.view(name, joint, [head.ball]) for name in ("anterior", "superior"))
+    with render.screen():
+        row = [
+            panels.take("a) with the sphere as wires, anterior view", [ball, wires], front),
+            panels.take("b) superior view", [ball], above),
+        ]
+    heading = (
+        f"{hip.title(joint.name)}\nball beyond the sphere of {radius:.2f} mm fitted to it ({joint.side} side)"
+    )
+    figure, _ = panels.sheet([row], heading, legend=0.85)
+    sphere_deviation.colour_bar(figure)
+    panels.save(figure, options.out, options.name)
+
+
+common.run(main)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figure 44, three ways to draw a joint from three sides: filled, as lines, and blended. From scenes/NAME."""
+
+from __future__ import annotations
+
+import common
+from common import gap_colours, hip, panels, render
+
+VIEWS = {"anterior": "anterior", "medial": "medial", "oblique": "oblique"}
+
+
+# Not from Joint3D, which draws in perspective and without a scale, with bytes that depend on the machine's graphics.
+def main() -> None:
+    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
+    options = common.arguments(__doc__, "--joint", "--name")
+    joint = hip.load(options.results, options.joint)
+    filled = gap_colours.both(joint)
+    lines = gap_colours.both(joint)
+    for actor in lines:
+        actor.GetProperty().SetRepresentationToWireframe()
+        actor.GetProperty().LightingOff()
+    blended = [gap_colours.of_part(joint, "ball"), gap_colours.of_part(joint, "socket", opacity=0.4)]
+    rows = []
+    with render.screen():
+        for name in VIEWS:
+            camera = hip.view(name, joint, [joint.ball, joint.socket], pixels=420)
+            rows.append(
+                [
+                    panels.take(f"{name} view, {way}", actors, camera)
+                    for way, actors in (("filled", filled), ("lines", lines), ("blended", blended))
+                ]
+            )
+    heading = f"{hip.title(joint.name)}, {joint.side} side: {hip.pose(joint)}"
+    figure, _ = panels.sheet(rows, heading, legend=0.95)
+    gap_colours.add_legend(figure, joint.summary)
+    panels.save(figure, options.out, options.name)
+
+
+common.run(main)
