@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   analysis/common/{thesis_values,counterparts}.csv
 """What the thesis prints, and which method of ours stands for which column of its tables."""
 
 from __future__ import annotations

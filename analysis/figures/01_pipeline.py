@@ -1,4 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-1
+# @question  The steps of planning an operation of the hip, and where impingement detection stands (Figure 1).
+# @data      slices_to_surface_image head_maps
+# @depends   data/head_maps/patient_a.ply scenes/patient_a{,-flexion}/{ball.ply,socket.ply,summary.json}
+# @options   --joint patient_a --motion flexion
+# @outputs   png svg pdf
+# @seconds   4 4
 """Figure 1: the steps of planning a hip operation, each with a picture of what this framework makes of it. From
 data/slices_to_surface_image.csv, data/head_maps.csv with its meshes, and scenes/NAME and scenes/NAME-MOTION.
 """

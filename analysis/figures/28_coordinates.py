@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-28
+# @question  A vertex of a socket in spherical coordinates (Figure 28).
+# @data      diagram_corners
 """Figure 28: the spherical coordinates of a point of a socket. From data/diagram_corners.csv."""
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-29
+# @question  Spherical, near-spherical and star-shaped bodies, and one that is none of them (Figure 29).
+# @data      diagram_sections diagram_rays diagram_bodies
 """Figure 29: spherical, near-spherical and star-shaped bodies, and one that is none of them. From
 data/diagram_sections.csv, diagram_rays.csv and diagram_bodies.csv.
 """

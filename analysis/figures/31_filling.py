@@ -1,4 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-31
+# @question  All triangles of a socket on the chart, and the table that they fill (Figure 31).
+# @data      diagram_chart
+# @depends   data/diagrams/socket_table.pgm
+# @outputs   png svg pdf
+# @seconds   8 8
 """Figure 31: all triangles of a socket on the chart, and the table that they fill at 0.1 degrees. From
 data/diagram_chart.csv and data/diagrams/socket_table.pgm.
 """

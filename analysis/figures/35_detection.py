@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-35
+# @question  One vertex looked up in three poses (Figure 35).
+# @data      diagram_sections diagram_rays diagram_lookups
 """Figure 35: one vertex of the ball looked up in three poses: at rest, turned, and pushed into the socket. From
 data/diagram_sections.csv, diagram_rays.csv and diagram_lookups.csv.
 """

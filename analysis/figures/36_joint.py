@@ -1,4 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-36
+# @for       JOINT in patient_a
+# @question  The joint of a stand-in for patient A, anterior view (Figure 36 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-36-JOINT
+# @for       JOINT in JOINTS
+# @question  The joint of JOINT, anterior view (Figure 36 of the thesis).
+# @outputs   png
 """Figure 36, a hip joint from the front: ball and socket, and the socket as glass. From scenes/NAME."""
 
 from __future__ import annotations

@@ -1,4 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-37
+# @question  From slices to a surface of 12,000 triangles a model (Figure 37 of the thesis).
+# @data      slices_to_surface_image slices_to_surface_mesh
+# @outputs   png svg pdf
+# @seconds   8 8
 """From slices to a surface (Figure 37): a slice, the contours of all of them, the mesh. From
 data/slices_to_surface_image.csv and data/slices_to_surface_mesh.csv.
 """

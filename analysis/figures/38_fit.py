@@ -1,4 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      head_maps
+# @depends   data/head_maps/JOINT.ply
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-38
+# @for       JOINT in patient_a
+# @question  The sphere fitted to the head of a stand-in for patient A (Figure 38 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-38-JOINT
+# @for       JOINT in JOINTS
+# @question  The sphere fitted to the head of JOINT (Figure 38 of the thesis).
+# @outputs   png
 """Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires. From
 data/head_maps.csv with its meshes, and scenes/NAME.
 """

@@ -1,4 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      head_maps
+# @depends   data/head_maps/JOINT.ply
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-39
+# @for       JOINT in patient_a
+# @question  How far the head of a stand-in for patient A is from the sphere fitted to it (Figure 39 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-39-JOINT
+# @for       JOINT in JOINTS
+# @question  How far the head of JOINT is from the sphere fitted to it (Figure 39 of the thesis).
+# @outputs   png
 """Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours. From
 data/head_maps.csv with its meshes, and scenes/NAME.
 """

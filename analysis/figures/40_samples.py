@@ -1,4 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-40
+# @for       JOINT in patient_a
+# @question  The points of the socket of a stand-in for patient A that RSID samples (Figure 40 of the thesis).
+# @data      sample_points_hip
+# @options   --data sample_points_hip
+# @outputs   png svg pdf
+# @name      figure-40-JOINT
+# @for       JOINT in JOINTS
+# @question  The points of the socket of JOINT that RSID samples (Figure 40 of the thesis).
+# @data      sample_points_bones
+# @options   --data sample_points_bones
+# @outputs   png
 """Figure 40, the points of a socket that RSID samples, alone and on it. From scenes/NAME and
 data/sample_points_hip.csv or data/sample_points_bones.csv.
 """

@@ -1,4 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-41
+# @question  The five colours of a gap, on a stand-in for patient A whose ball is moved forward (Figure 41 of the thesis).
+# @data      motion_frames
+# @depends   data/motion_frames/patient_a-{ball,socket}.ply
+# @depends   scenes/patient_a/{ball.ply,socket.ply,summary.json}
+# @options   --joint patient_a --name NAME
+# @outputs   png svg pdf
+# @seconds   3 3
 """Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket. From
 data/motion_frames.csv with its meshes, and scenes/NAME for the colours.
 """

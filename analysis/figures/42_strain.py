@@ -1,4 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-42
+# @for       JOINT in patient_a
+# @question  The gaps of a stand-in for patient A in the colours of the thesis (Figure 42 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-42-JOINT
+# @for       JOINT in JOINTS
+# @question  The gaps of JOINT in the colours of the thesis (Figure 42 of the thesis).
+# @outputs   png
 """Figure 42, the gaps of a joint in colours: both surfaces from the front, the socket from lateral, the ball from
 medial. From scenes/NAME.
 """

@@ -1,4 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-44
+# @for       JOINT in patient_a
+# @question  The gaps of a stand-in for patient A, drawn in three ways from three sides (Figure 44 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-44-JOINT
+# @for       JOINT in JOINTS
+# @question  The gaps of JOINT, drawn in three ways from three sides (Figure 44 of the thesis).
+# @outputs   png
 """Figure 44, three ways to draw a joint from three sides: filled, as lines, and blended. From scenes/NAME."""
 
 from __future__ import annotations

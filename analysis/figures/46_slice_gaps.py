@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-46
+# @question  The angles of the slices and the gaps between them (Figure 46 of the thesis).
+# @data      slices
 """Figure 46: a) the arccosine that gives a slice its angle, b) the gap between the angles of neighbouring
 slices. From data/slices.csv.
 """

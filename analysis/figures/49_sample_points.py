@@ -1,4 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @question  Which points of the socket of JOINT do RSID and USID sample at 1 degree (Figure 49 of the thesis)?
+# @data      lut_memory
+# @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
+# @options   --joint JOINT
+# @outputs   png svg pdf
+# @seconds   8 8
+# @name      figure-49
+# @for       JOINT in generated
+# @data      sample_points
+# @name      figure-49-JOINT
+# @for       JOINT in JOINTS
+# @data      sample_points_bones
 """Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole.
 From data/sample_points.csv or data/sample_points_bones.csv, data/lut_memory.csv and scenes/NAME-SCHEME/socket.ply.
 """

@@ -1,4 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @question  Do RSID and USID give the same gaps on the socket of JOINT (Figure 50 of the thesis)?
+# @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
+# @options   --joint JOINT
+# @outputs   png svg pdf
+# @seconds   8 8
+# @name      figure-50
+# @for       JOINT in generated
+# @data      sample_points
+# @name      figure-50-JOINT
+# @for       JOINT in JOINTS
+# @data      sample_points_bones
 """Figure 50, the gaps on the socket by the two tables of the thesis, with their sample points. From
 scenes/NAME-SCHEME (socket.ply with a gap in mm, summary.json) and data/sample_points.csv or
 data/sample_points_bones.csv.

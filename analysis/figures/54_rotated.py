@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-54
+# @question  The conchoid turned about its axis: surface, curves, slices (Figure 54).
+# @data      conchoid_curve
 """Figure 54: the conchoid turned about its axis: the surface, the turned curves, slices. From
 data/conchoid_curve.csv."""
 

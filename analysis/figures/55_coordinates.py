@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-55
+# @question  Spherical coordinates on the turned conchoid (Figure 55).
+# @data      conchoid_curve
 """Figure 55: spherical coordinates on the turned conchoid. From data/conchoid_curve.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-57
+# @question  Four rays on the conchoid, original and adjusted (Figure 57).
+# @data      conchoid_curve conchoid_angles
 """Figure 57: four rays at equal angles and adjusted, Eq. 16 of the thesis. From data/conchoid_curve.csv and
 data/conchoid_angles.csv."""
 

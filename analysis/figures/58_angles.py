@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-58
+# @question  Adjusted angle of each of 901 rays: thesis, unrounded, exact (Figure 58).
+# @data      conchoid_angles
 """Figure 58: adjusted against original angle of each of 901 rays. From data/conchoid_angles.csv."""
 
 import matplotlib.pyplot as plt

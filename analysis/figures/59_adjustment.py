@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-59
+# @question  By how much each of 901 rays is turned (Figure 59).
+# @data      conchoid_angles
 """Figure 59: by how much each of 901 rays is turned. From data/conchoid_angles.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      head_maps
+# @depends   data/head_maps/JOINT.ply
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-60
+# @for       JOINT in patient_a
+# @question  Where the head of a stand-in for patient A rises above its sphere (Figure 60 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-61
+# @for       JOINT in patient_b
+# @question  Where the head of a stand-in for patient B rises above its sphere (Figure 61 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-60-JOINT
+# @for       JOINT in JOINTS
+# @question  Where the head of JOINT rises above its sphere (Figure 60 of the thesis).
+# @outputs   png
 """Figures 60 and 61, where the femoral head of a patient rises above the sphere fitted to it. The
 third picture of each, a similar case of another publication, is not made again. From data/head_maps.csv with its
 meshes, and scenes/NAME.

@@ -1,4 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @seconds   3 3
+# @name      figure-62
+# @for       JOINT in patient_a
+# @question  Camera, joint and clock of a stand-in for patient A (Figure 62 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-63
+# @for       JOINT in patient_b
+# @question  Camera, joint and clock of a stand-in for patient B (Figure 63 of the thesis).
+# @outputs   png svg pdf
+# @name      figure-62-JOINT
+# @for       JOINT in JOINTS
+# @question  Camera, joint and clock of JOINT (Figure 62 of the thesis).
+# @outputs   png
 """Figures 62 and 63, the scene of Tables 12 and 13: where the camera stands, the joint from the front, and the socket
 with its clock as the camera sees it. From scenes/NAME.
 """

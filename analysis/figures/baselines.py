@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      baseline-cost
+# @question  What the methods of Section 3.6 lose and get wrong, against memory.
+# @data      baselines
 """What the methods of Section 3.6 lose, and how often they are wrong, against memory. From data/baselines.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      conchoid-surface
+# @question  How much of the turned conchoid does each sample point stand for?
+# @data      conchoid_surface
 """Area of the turned conchoid that each sample point stands for, by its polar angle. From
 data/conchoid_surface.csv."""
 

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      contact-time
+# @question  How long does it take to tell whether a joint touches, beside FCL?
+# @data      contact
 """Time to tell whether a joint touches, and its smallest gap, against its triangles. From data/contact.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      covering-cost
+# @question  What does a better covering cost in time?
+# @data      schemes scheme_covering lookup_time
 """Covering constant of every scheme against the time of one look-up. From data/scheme_covering.csv,
 data/lookup_time.csv and data/schemes.csv.
 """

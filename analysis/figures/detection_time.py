@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      detection-time
+# @question  How the time to test one pose grows with the triangles
+# @data      detection_time
 """Time to test one pose against the number of triangles, ours and Tables 4 and 9 of the thesis. From
 data/detection_time.csv.
 """

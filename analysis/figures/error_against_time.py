@@ -1,4 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      error_against_time error_against_time_spread
+# @options   --name NAME
+# @name      error-against-time
+# @question  The error of every method against the time of a query, of filling, and memory.
+# @name      error-against-time-scenes
+# @question  The error of every method against the time of a query, on every scene.
 """Error against cost of every method, on one scene or on the query of every scene: lower left is better. From
 data/error_against_time.csv and error_against_time_spread.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      euclidean-distances
+# @question  How far are radial gaps above Euclidean distances, and what do they prove of them?
+# @data      euclidean
 """Radial gaps beside Euclidean distances by where a ray ends, and the proven ends of the distance. From
 data/euclidean.csv.
 """

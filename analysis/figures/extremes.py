@@ -1,4 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @options   --joint JOINT --name NAME
+# @depends   scenes/JOINT-{MOTIONS}/{ball.ply,socket.ply,summary.json}
+# @outputs   png svg pdf
+# @seconds   5 5
+# @name      table-12-pictures
+# @for       JOINT in patient_a
+# @question  The socket of a stand-in for patient a at the ends of the recorded motions (Table 12).
+# @name      table-13-pictures
+# @for       JOINT in patient_b
+# @question  The socket of a stand-in for patient b at the ends of the recorded motions (Table 13).
 """The pictures of Tables 12 and 13: the socket at the end of each recorded motion, from medial with its clock, and
 below unrolled. From scenes/NAME-MOTION.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fast-speed-up
+# @question  How many times as fast as Embree's rays is every way to find gaps, and every peer?
+# @data      fast
 """How many times as fast as Embree's rays every way to find gaps is, and every peer. From data/fast.csv."""
 
 import matplotlib.pyplot as plt

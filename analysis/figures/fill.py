@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fill-time
+# @question  How long does a table take to fill, against triangles and entries, beside Embree?
+# @data      fill
 """Time to fill the tables of a joint against its triangles and against its entries, beside Embree. From data/fill.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      helix-placement
+# @question  By how many entries a look-up by Eq. 10 is off where entries stand at equal arc length.
+# @data      helix_mismatch helix_placement
 """By how many entries the index of Eq. 10 is off on a helix whose entries stand at equal true arc length. From
 data/helix_mismatch.csv and data/helix_placement.csv."""
 

@@ -1,4 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      joint-SCENE
+# @for       SCENE in SCENES
+# @question  The joint SCENE coloured by the gap between ball and socket, in the thesis' five colours.
+# @depends   scenes/SCENE/{ball.ply,socket.ply,summary.json}
+# @options   --scene SCENE
+# @outputs   png
+# @seconds   5 5
 """A joint coloured by its gap, from four sides. From scenes/NAME (ball.ply, socket.ply with a gap in mm,
 summary.json).
 """

@@ -1,4 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      motion_frames
+# @depends   data/motion_frames/JOINT-{ball,socket}.ply
+# @depends   scenes/JOINT-{MOTIONS}/{ball.ply,socket.ply,summary.json}
+# @options   --joint JOINT --name NAME
+# @outputs   gif
+# @seconds   10 10
+# @name      motion-patient_a
+# @for       JOINT in patient_a
+# @question  The recorded motions of a stand-in for patient a, animated.
+# @name      motion-patient_b
+# @for       JOINT in patient_b
+# @question  The recorded motions of a stand-in for patient b, animated.
 """The recorded motions of a hip as an animation: the joint from the front with its socket as glass, and the socket
 unrolled. From data/motion_frames.csv with its meshes, and scenes/NAME-MOTION for the colours.
 """

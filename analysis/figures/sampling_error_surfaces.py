@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      sampling-error-surfaces
+# @question  How the error of an interpolated radius falls with the precision on four surfaces.
+# @data      sampling_error_surfaces schemes
 """Largest error of an interpolated radius on four surfaces, a line a scheme. From
 data/sampling_error_surfaces.csv and schemes.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      sampling-time
+# @question  How the time to fill the tables grows with precision
+# @data      sampling_time
 """Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis. From
 data/sampling_time.csv.
 """

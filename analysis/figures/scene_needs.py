@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scene-needs
+# @question  What does a scene save by leaving out what it does not need?
+# @data      scene_needs_totals
 """What a scene saves by leaving out what it does not need: memory and time of everything beside those of the plan.
 From data/scene_needs_totals.csv.
 """

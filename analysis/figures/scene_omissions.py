@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scene-omissions
+# @question  What does each omission of a scene save by itself?
+# @data      scene_needs scene_needs_totals
 """What each omission of a scene's plan saves by itself, in memory and time. From data/scene_needs.csv and
 scene_needs_totals.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scheme-area
+# @question  How evenly does each scheme share the sphere among its entries?
+# @data      schemes scheme_points
 """The area that each entry of every scheme stands for, on a map of the whole sphere that keeps areas. From
 data/scheme_points.csv and data/schemes.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scheme-error
+# @question  How much memory does each scheme take to interpolate as well as the others?
+# @data      schemes scheme_errors
 """Entries that every scheme needs for an interpolation error, next to the thesis' grid. From
 data/scheme_errors.csv and data/schemes.csv.
 """

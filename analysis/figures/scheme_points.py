@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scheme-points
+# @question  Where does each scheme sample?
+# @data      schemes scheme_points
 """The entries of every scheme on the sphere, side by side. From data/scheme_points.csv and schemes.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      slices-error
+# @question  What each stage from slices to tables adds to the error of a gap.
+# @data      slices_to_surface
 """What each stage from slices to tables adds to the error of a gap. From data/slices_to_surface.csv."""
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      power-spectrum
+# @question  Power of the radius of the generated head by degree of spherical harmonics.
+# @data      spectrum band_limit slice_band_limit
+# @options   --spectrum spectrum --limits band_limit --name NAME
+# @name      power-spectrum-real-joints
+# @question  Power of the radius of real heads by degree of spherical harmonics.
+# @data      spectrum_bones band_limit_bones slice_band_limit
+# @options   --spectrum spectrum_bones --limits band_limit_bones --name NAME
+# @when      JOINTS
 """Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out. From
 data/SPECTRUM.csv, BAND_LIMIT.csv and slice_band_limit.csv.
 """

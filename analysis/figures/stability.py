@@ -1,4 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      stability stability_detail stability_families
+# @options   --name NAME
+# @name      stability-overview
+# @question  How far is every method off in stiff and extreme cases, over what their rounding may cost?
+# @name      stability-FAMILY
+# @for       FAMILY in FAMILIES
+# @question  Stiff and extreme cases: FAMILY.
 """Stiff and extreme cases: the error of every method over condition times unit roundoff. From
 data/stability.csv, stability_detail.csv and stability_families.csv.
 

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      findings
+# @question  Which statements of the thesis hold, which do not, and what shows it?
+# @outputs   tables/findings.csv tables/findings.tex
 """Statements of the thesis, and of the note that suspected it, that a computation confirms or refutes.
 
 Each module of MODULES has rows(results); every number in them comes from data/NAME.csv.

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      baselines fast
 """Statements about the methods that Chapter 2 and Section 3.6 compare with."""
 
 from __future__ import annotations

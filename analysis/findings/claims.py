@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      claims
 """Statements of the last chapter that the thesis did not show."""
 
 from __future__ import annotations

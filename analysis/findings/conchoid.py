@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      conchoid_angles conchoid_origins conchoid_shape conchoid_surface
 """Statements on the conchoid (Section 5.1)."""
 
 from __future__ import annotations

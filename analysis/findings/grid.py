@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_surfaces slice_band_limit detection_time
 """Statements on the joint and on RSID, the first system (Chapters 2 and 3)."""
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      helix_placement helix_lookup_error schemes scheme_errors scheme_savings lut_memory stencil_time sampling_time
+# @depends   tables/figure-50-difference.csv
 """Statements on USID, the second system (Chapter 4)."""
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      conchoid_angles conchoid_shape finding_interpolation helix_placement sampling_error_bounds scheme_savings schemes
+# @depends   verdicts.csv
 """Statements of the working note with which this reproduction began: its list of suspected errors of the thesis
 is held to the same standard. And the misprints that verdicts.csv names.
 """

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      baselines slices_to_surface claims
 """Numbers of the paper about the comparison of Section 3.6, slices of a scan, and claims that were never shown.
 
 baseline:METHOD:SIZE:COLUMN for the generated pair (shares in per cent, rms in micrometres); slices:SLICE:STAGE:rms

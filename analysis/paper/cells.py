@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      schemes scheme_covering scheme_errors scheme_savings lookup_time stencil_time helix_placement helix_lookup_error
+# @data      conchoid_shape conchoid_origins conchoid_surface sampling_error sampling_error_surfaces slice_band_limit band_limit
 """Numbers of whole CSVs as facts for the paper: PREFIX:KEY...:COLUMN for each number of each row.
 
 A key is the text of a column that tells the rows apart; 0.5 and 229 are printed as such.

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      counts fast
 """Numbers of the paper about experiment 13_counts, cube in 16 bits with the best instruction set that was counted:
 counts:set, counts:cube, counts:floor and, of a table of corners, counts:corners instructions of a vertex of the
 socket, counts:over and counts:time the ratio of instructions and of times, counts:cube_misses and counts:floor_misses

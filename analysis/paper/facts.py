@@ -1,4 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      paper-facts
+# @question  Every number that the paper's text names.
+# @data      sampling_time detection_time strain_layer strain_incidence strain_hip
+# @depends   verdicts.csv tables/figure-50-difference.csv tables/findings.csv
+# @outputs   paper/facts.tex
 """Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
 the timed data.
 

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      fast
+# @depends   tables/fast-targets.csv
 """Numbers of the paper about experiment 13: fast:KEY of each target's ratio, fast:KEY:met, fast:met and fast:missed
 how many were, fast:set the instruction set, fast:METHOD:SETTING:STORAGE:ns, :um and :kib of the vertices of the
 socket against the ball, fast:threads how much two threads gain,

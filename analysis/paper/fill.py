@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      fill
+# @depends   tables/fill-growth.csv
 """Numbers of the paper about experiment 13_fill: fill:start_us, :triangle_ns, :entry_ns and :largest_residual
 (percent) of the growth of one thread that stores 16 bits in memory that is used again, fill:double how many times
 longer the rasteriser of all schemes takes, and fill:fresh what fresh memory costs, both at the finest of the tables;

@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      error_against_time error_against_time_spread sampling_error_proven error_budget certified euclidean
+# @depends   tables/matched-accuracy.csv
 """Numbers of the paper about error against run time, proven bounds, certified gaps and Euclidean distances.
 
 race:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);

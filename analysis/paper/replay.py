@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      motion_frames
 """Numbers of the paper about the recorded motions: replay:poses, :overlapping of them, and replay:JOINT:least (mm) and
 :least-at of each joint.
 """

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      stability stability_detail stability_families scene_needs_totals
 """Numbers of the paper about stiff and extreme cases, and about what a scene can leave out.
 
 stability:families, :cases, :failures (of ours), :broken (bounds) and :refused; stability:share, the largest

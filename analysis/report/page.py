@@ -1,4 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      report
+# @question  Everything on one page: verdicts, tables, figures, and where each number comes from.
+# @outputs   report.html
+# @seconds   10 10
+# @depends   ${shown} joint3d.html ${plotly} ${committed} ${IMPINGE_GRAPH_DIR}/jobs.tsv
+# @depends   analysis/report/{report.css,report.js,explore.js,turn.js}
+# @options   --jobs ${IMPINGE_GRAPH_DIR}/jobs.tsv --plotly ${plotly} --reference ${reference}
 """The report: one HTML file that needs nothing else. From verdicts.csv, and every table, figure and sidecar
 of the graph.
 

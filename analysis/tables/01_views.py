@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-1
+# @question  The names of the views, and where the cameras of our pictures look (Table 1 of the thesis).
 """Table 1, the views by their anatomical names and as computer graphics calls them, and where the cameras of our pictures
 look for them.
 """

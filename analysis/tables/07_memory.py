@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-7
+# @question  Entries and memory of the USID table at four precisions, beside RSID's (Table 7 of the thesis).
+# @data      lut_memory
 """Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside
 ours. From data/lut_memory.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-10
+# @question  Four rays adjusted to the conchoid (Table 10 of the thesis).
+# @data      conchoid_angles
 """Table 10, four rays on the conchoid, original and adjusted: thesis beside ours. From data/conchoid_angles.csv."""
 
 import pandas as pd

@@ -1,4 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      slice-band-limit
+# @question  Band limits that the samples of a CT scan determine, and the entries they need.
+# @data      slice_band_limit
+# @options   --data slice_band_limit --name NAME
+# @name      band-limit
+# @question  Band limits that carry the shape of the generated head, and the entries that sampling theorems ask for.
+# @data      band_limit
+# @options   --data band_limit --name NAME
+# @name      band-limit-real-joints
+# @question  Band limits that carry the shape of real heads, and the entries that sampling theorems ask for.
+# @data      band_limit_bones
+# @options   --data band_limit_bones --name NAME
+# @when      JOINTS
 """Band limits and the entries that the sampling theorems ask for, one row a case. From data/NAME.csv."""
 
 import pandas as pd

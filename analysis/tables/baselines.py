@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      baseline-comparison
+# @question  The methods that the thesis compares itself with, measured (Section 3.6 of the thesis).
+# @data      baselines
 """The methods that the thesis compares itself with in Section 3.6, measured. From data/baselines.csv."""
 
 import pandas as pd

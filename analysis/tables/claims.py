@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      claims-measured
+# @question  Claims that the thesis makes without showing them, measured (Chapter 6, Section 6.2).
+# @data      claims
 """Claims that the thesis makes and never shows, measured. From data/claims.csv."""
 
 import pandas as pd

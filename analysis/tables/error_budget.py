@@ -1,4 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      error-budget
+# @question  What each stage adds to the error of a gap of the generated pair.
+# @data      error_budget
+# @options   --data error_budget
+# @name      error-budget-bones
+# @question  What each stage adds to the error of a gap of each real joint.
+# @data      error_budget_bones
+# @options   --data error_budget_bones
+# @when      JOINTS
 """The error budget of a gap, stage by stage, for the thesis' RSID table stored in 16 bits: root mean square and
 largest error of each stage, their sum, and the error of the gap that is read. From data/error_budget.csv, and
 error_budget_bones.csv with real joints.

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      error-order
+# @question  Order of the error of every table in its precision, fitted beside proven.
+# @data      error_against_time error_against_time_spread
 """How fast the error of each table falls with its precision: the fitted exponent of the largest and the mean
 square error, beside the proven one. From data/error_against_time.csv and error_against_time_spread.csv.
 

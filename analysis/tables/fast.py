@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fast-times
+# @question  Time, error and bytes of every way to find all gaps of a pose.
+# @data      fast
 """Time, error and bytes of every way to find all gaps of a pose. From data/fast.csv."""
 
 import pandas as pd

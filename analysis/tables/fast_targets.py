@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fast-targets
+# @question  What was aimed at in speed, and what was measured.
+# @data      fast fill contact
 """What was aimed at in speed, and what was measured. From data/fast.csv,
 data/fill.csv and data/contact.csv."""
 

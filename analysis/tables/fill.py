@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fill-times
+# @question  Time to fill the tables of a joint, beside Embree's tree and coherent rays.
+# @data      fill
 """Time to fill the tables of a joint, and how many times faster than Embree that is. From data/fill.csv."""
 
 import pandas as pd

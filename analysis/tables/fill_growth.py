@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fill-growth
+# @question  How the time to fill a table grows with triangles and entries.
+# @data      fill
 """How the time to fill the tables of a joint grows with its triangles and their entries. From data/fill.csv."""
 
 import common

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      matched-accuracy
+# @question  Time and memory of every method at 10, 1, 0.1 and 0.01 micrometres.
+# @data      error_against_time error_against_time_spread
 """What each line of settings takes to keep an error: time of a query and bytes at 10, 1, 0.1 and 0.01 um, on each
 scene, beside Embree and the thesis' own method. From data/error_against_time.csv and
 error_against_time_spread.csv.

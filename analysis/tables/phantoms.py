@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      phantom-validation
+# @question  Joints with closed forms: limits and gaps measured beside the formulas.
+# @data      phantoms
 """Limits and gaps of joints with closed forms: what the formula says, what was measured, and what the difference
 keeps: a limit a target that was chosen, a gap a bound that is proven. From data/phantoms.csv.
 """

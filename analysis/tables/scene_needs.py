@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      scene-needs-totals
+# @question  Memory and time of every scene with everything done, and with what it needs.
+# @data      scene_needs_totals
 """Memory and time of every scene with everything done, and with what it needs. From data/scene_needs_totals.csv."""
 
 import common

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      slices-error-table
+# @question  The error of a gap after each stage from slices to tables.
+# @data      slices_to_surface
 """The error of a gap after each stage from slices to tables. From data/slices_to_surface.csv."""
 
 import pandas as pd

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      strain-by-gap-table
+# @question  Strain by gap over that of an elastic layer, by Poisson ratio and thickness.
+# @data      strain_layer
 """Strain by gap, and what follows from it, beside the elastic solution of a layer. From data/strain_layer.csv."""
 
 import pandas as pd

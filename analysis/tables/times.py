@@ -1,4 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-4-precision
+# @question  Time of a scan to test one pose, by precision of its tables, ms.
+# @data      detection_time_precision
+# @options   --data detection_time_precision --name NAME
+# @name      table-4-real-joints
+# @question  Time to test one pose of each real joint, ms.
+# @data      detection_time_bones
+# @options   --data detection_time_bones --name NAME
+# @when      JOINTS
 """Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms. From
 data/NAME.csv.
 """

@@ -1,4 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @options   --name NAME
+# @name      table-3
+# @question  Time to fill the tables of a joint of 3,000 triangles a model (Table 3 of the thesis).
+# @data      sampling_time
+# @name      table-4
+# @question  Time to test one pose at four numbers of triangles (Table 4 of the thesis).
+# @data      detection_time
+# @name      table-8
+# @question  Time to fill the tables of a joint by RSID and USID (Table 8 of the thesis).
+# @data      sampling_time
+# @name      table-9
+# @question  Time to test one pose by RSID and USID (Table 9 of the thesis).
+# @data      detection_time
 """A timing table of the thesis, Table 3, 4, 8 or 9: thesis beside ours, times and ratios. From
 data/sampling_time.csv or data/detection_time.csv.
 """

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @name      verdicts
+# @question  Which numbers of the thesis came out again?
+# @outputs   verdicts.csv
 """A verdict on every number of the thesis: its value beside ours, by a stated rule.
 
 Each module of MODULES has rows(results) for some of the thesis' tables. Formula values are reproduced when ours rounds

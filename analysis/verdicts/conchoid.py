@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      conchoid_angles conchoid_shape conchoid_origins
 """Verdicts on the conchoid (Table 10, Section 5.1): lengths, adjusted rays, and what Figure 53 claims."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      motion_frames motion_zones
 """Verdicts on the hips of two patients (Tables 11 to 13, Figure 42).
 
 The recorded angles are input. The zones that the thesis reports cannot be held against ours: the patients' scans are

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      lut_memory
 """Verdicts on entries, turns and memory (Tables 2, 6 and 7): what our tables really take."""
 
 from __future__ import annotations

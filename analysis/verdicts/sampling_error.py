@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      sampling_error slices slice_band_limit
 """Verdicts on the sampling error (Table 5) and on the slices of a scan (Section 3.5.2)."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      lut_memory scheme_savings
 """Verdict on the memory that the thesis' helix saves (Section 4.4), and what else "saves" could mean."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# @data      sampling_time detection_time
 """Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be compared is
 which method is faster, by how much, and how its time grows, and those have rows of their own.
 

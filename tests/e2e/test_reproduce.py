@@ -33,14 +33,9 @@ DATA = [
 THESIS_TABLES = [f"table-{n}" for n in range(1, 14)]
 BORROWED = {*range(2, 13), *range(14, 25), 43, 51}  # "reproduced from" others, by their captions in the thesis
 ANALYSIS = ROOT / "analysis"
-# Those that have a script of their own or a job.
-THESIS_FIGURES = [
-    f"figure-{n}"
-    for n in sorted(
-        {int(script.name.split("_")[0]) for script in ANALYSIS.glob("figures/[0-9]*.py")}
-        | {int(n) for n in re.findall(r"\bfigure-(\d+)\b", (ANALYSIS / "CMakeLists.txt").read_text())}
-    )
-]
+# What the scripts say that they make.
+HEADS = "".join(script.read_text() for script in ANALYSIS.glob("figures/*.py"))
+THESIS_FIGURES = [f"figure-{n}" for n in sorted(map(int, re.findall(r"^# @name +figure-(\d+)$", HEADS, re.MULTILINE)))]
 TABLES = [
     *THESIS_TABLES,
     "table-9-queries",
