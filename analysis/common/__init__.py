@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, look, save_figure, scheme_looks, style
-from common.loading import Refused, load, sidecar
+from common.loading import load
+from common.sidecars import Refused, sidecar
 from common.thesis_values import counterparts, methods_of, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
 from common.writing import tabular, write, write_table

@@ -3,33 +3,11 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from pathlib import Path
 
 import pandas as pd
 
-
-class Refused(Exception):
-    """A result that cannot be trusted, or is not there; the message says which file and what to do."""
-
-
-def sidecar(csv: Path) -> dict:
-    """The record beside a CSV; refused unless it carries the SHA-256 of these bytes."""
-    path = csv.with_suffix(".json")
-    remedy = f"remove {csv.name} and run experiments/reproduce again"
-    if not csv.is_file():
-        raise Refused(f"{csv} is not there: run experiments/reproduce")
-    if not path.is_file():
-        raise Refused(f"{csv} has no sidecar {path.name}: {remedy}")
-    try:
-        record = json.loads(path.read_text())
-        expected = record["csv_sha256"]
-    except (ValueError, KeyError, TypeError):
-        raise Refused(f"{path} is no sidecar with a csv_sha256: {remedy}") from None
-    if hashlib.sha256(csv.read_bytes()).hexdigest() != expected:
-        raise Refused(f"{csv} does not have the bytes that {path.name} vouches for: {remedy}")
-    return record
+from common.sidecars import sidecar
 
 
 def load(results: Path, name: str) -> pd.DataFrame:

@@ -4,35 +4,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
-
-@dataclass(frozen=True)
-class Job:
-    """What the graph says of one table or figure."""
-
-    name: str
-    kind: str
-    outputs: list[str]
-    data: list[str]  # names of the CSVs that it is made from
-    script: str
-    question: str
+from common import jobs
+from common.jobs import Job
 
 
 def load_jobs(path: Path) -> list[Job]:
-    """Tables and figures: those of the thesis by their numbers, then the others in the order of the graph."""
-    jobs = []
-    for line in path.read_text().splitlines():
-        name, kind, _, _, _, _, outputs, depends, command, question = line.split("\t")
-        data = [
-            Path(file).stem
-            for file in depends.split(";")
-            if file.startswith("data/") and file.endswith(".csv")
-        ]
-        script = next((word for word in command.split() if word.endswith(".py")), "")
-        jobs.append(Job(name, kind, outputs.split(";"), data, script, question))
-    return sorted(jobs, key=place)
+    """All jobs: tables and figures of the thesis by their numbers, then the others in the order of the graph."""
+    return sorted(jobs.load(path), key=place)
 
 
 def place(job: Job) -> tuple:

@@ -3,13 +3,13 @@
 # @question  Everything on one page: verdicts, tables, figures, and where each number comes from.
 # @outputs   report.html
 # @seconds   10 10
-# @depends   ${shown} joint3d.html ${plotly} ${committed} ${IMPINGE_GRAPH_DIR}/jobs.tsv
+# @depends   ${shown} joint3d.html ${plotly} ${committed} ${IMPINGE_GRAPH_DIR}/jobs.json
 # @depends   analysis/report/{report.css,report.js,explore.js,turn.js}
-# @options   --jobs ${IMPINGE_GRAPH_DIR}/jobs.tsv --plotly ${plotly} --reference ${reference}
+# @options   --jobs ${IMPINGE_GRAPH_DIR}/jobs.json --plotly ${plotly} --reference ${reference}
 """The report: one HTML file that needs nothing else. From verdicts.csv, and every table, figure and sidecar
 of the graph.
 
-What is shown is what the graph declares (jobs.tsv): a new table or figure appears here by itself.
+What is shown is what the graph declares (jobs.json): a new table or figure appears here by itself.
 """
 
 from __future__ import annotations
@@ -20,8 +20,9 @@ from pathlib import Path
 import pandas as pd
 
 import common
+from common.jobs import Job
 from report import explore, judged, picture, reference, section, turn
-from report.artefacts import Job, load_jobs, place, title_of
+from report.artefacts import load_jobs, place, title_of
 from report.markup import element
 
 HERE = Path(__file__).resolve().parent

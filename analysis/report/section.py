@@ -10,8 +10,9 @@ import json
 from pathlib import Path
 
 import common
+from common.jobs import Job
 from report import data_table, picture
-from report.artefacts import Job, title_of
+from report.artefacts import title_of
 from report.markup import element
 
 PROVENANCE = {

@@ -264,7 +264,7 @@ class Reproduce(unittest.TestCase):
             with tarfile.open(RESULTS / "impinge-results.tar.gz") as tar:
                 tar.extractall(folder)
             unpacked = Path(folder) / "impinge-results"
-            for text in ("graph/jobs.tsv", "README"):
+            for text in ("graph/jobs.json", "README"):
                 self.assertNotIn(str(RESULTS), (unpacked / text).read_text())
             for file in (unpacked / "results").rglob("*.json"):
                 self.assertNotIn(str(RESULTS), file.read_text(), file)
