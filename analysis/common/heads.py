@@ -88,6 +88,8 @@ def variants(job: dict[str, str], lists: dict[str, str]) -> Iterator[dict[str, s
 def declared(path: Path, job: dict[str, str]) -> str:
     """A job for CMake. What a file that is imported needs, the script needs too."""
     job = {"seconds": "1 1", **ROOMS[path.parent.name], **job}
+    if not {"question", "outputs"} <= job.keys():
+        sys.exit(f"{path}: {job['name']} needs @question and @outputs, see analysis/README.md")
     files = reached(path)
     heads = [job, *(head(file)[0] for file in files[1:])]
     data, depends = ([word for lines in heads for word in lines.get(key, "").split()] for key in ("data", "depends"))

@@ -18,7 +18,7 @@ def load_jobs(path: Path) -> list[Job]:
 def place(job: Job) -> tuple:
     """The thesis' tables, then its figures, by number; then all others."""
     thesis = re.fullmatch(r"(table|figure)-(\d+).*", job.name)
-    return (0, thesis[1] == "figure", int(thesis[2])) if thesis else (1,)
+    return (0, thesis[1] == "figure", int(thesis[2]), job.name) if thesis else (1,)
 
 
 def title_of(name: str) -> str:
