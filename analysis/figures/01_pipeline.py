@@ -6,9 +6,7 @@
 # @options   --joint patient_a --motion flexion
 # @outputs   png svg pdf
 # @seconds   4 4
-"""Figure 1: the steps of planning a hip operation, each with a picture of what this framework makes of it. From
-data/slices_to_surface_image.csv, data/head_maps.csv with its meshes, and scenes/NAME and scenes/NAME-MOTION.
-"""
+"""Figure 1: the steps of planning a hip operation, each with a picture of what this framework makes of it."""
 
 from __future__ import annotations
 

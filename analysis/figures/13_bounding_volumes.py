@@ -3,7 +3,6 @@
 # @question  Bounding volumes of a head and neck, and how much room each leaves empty (Figure 13).
 # @data      diagram_sections
 """Figure 13: volumes that hold a bone, in a section of a generated head and neck, and how much room each leaves empty.
-From data/diagram_sections.csv.
 """
 
 from __future__ import annotations

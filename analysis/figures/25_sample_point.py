@@ -2,9 +2,7 @@
 # @name      figure-25
 # @question  A triangle, a sample point on it, and all of its sample points (Figure 25).
 # @data      diagram_corners diagram_coverage
-"""Figure 25: a real triangle of a socket, a sample point on it, all of its sample points, and what they make of it.
-From data/diagram_corners.csv and data/diagram_coverage.csv.
-"""
+"""Figure 25: a real triangle of a socket, a sample point on it, all of its sample points, and what they make of it."""
 
 from __future__ import annotations
 

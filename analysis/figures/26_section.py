@@ -3,7 +3,7 @@
 # @question  Sampling and simulation in a section of a hip, and the entries that a look-up reads (Figure 26).
 # @data      diagram_sections diagram_rays diagram_lookups diagram_excerpt
 """Figure 26: a section of a hip, the samples of its socket, a vertex of the ball looked up, and the entries that this
-reads. From data/diagram_sections.csv, diagram_rays.csv, diagram_lookups.csv and diagram_excerpt.csv.
+reads.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 # @name      figure-27
 # @question  The flow of both algorithms, with the numbers of one pose (Figure 27).
 # @data      diagram_scans
-"""Figure 27: the flow of both algorithms, with the numbers of one pose of a hip. From data/diagram_scans.csv."""
+"""Figure 27: the flow of both algorithms, with the numbers of one pose of a hip."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 # @name      figure-28
 # @question  A vertex of a socket in spherical coordinates (Figure 28).
 # @data      diagram_corners
-"""Figure 28: the spherical coordinates of a point of a socket. From data/diagram_corners.csv."""
+"""Figure 28: the spherical coordinates of a point of a socket."""
 
 from __future__ import annotations
 

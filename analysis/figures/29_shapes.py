@@ -2,9 +2,7 @@
 # @name      figure-29
 # @question  Spherical, near-spherical and star-shaped bodies, and one that is none of them (Figure 29).
 # @data      diagram_sections diagram_rays diagram_bodies
-"""Figure 29: spherical, near-spherical and star-shaped bodies, and one that is none of them. From
-data/diagram_sections.csv, diagram_rays.csv and diagram_bodies.csv.
-"""
+"""Figure 29: spherical, near-spherical and star-shaped bodies, and one that is none of them."""
 
 from __future__ import annotations
 

@@ -2,9 +2,7 @@
 # @name      figure-30
 # @question  The triangles of a mesh in space and on the chart of angles (Figure 30).
 # @data      diagram_corners diagram_chart
-"""Figure 30: the triangles of a closed mesh, in space and on the chart of angles. From data/diagram_corners.csv and
-data/diagram_chart.csv.
-"""
+"""Figure 30: the triangles of a closed mesh, in space and on the chart of angles."""
 
 from __future__ import annotations
 

@@ -5,9 +5,7 @@
 # @depends   data/diagrams/socket_table.pgm
 # @outputs   png svg pdf
 # @seconds   8 8
-"""Figure 31: all triangles of a socket on the chart, and the table that they fill at 0.1 degrees. From
-data/diagram_chart.csv and data/diagrams/socket_table.pgm.
-"""
+"""Figure 31: all triangles of a socket on the chart, and the table that they fill at 0.1 degrees."""
 
 from __future__ import annotations
 

@@ -2,9 +2,7 @@
 # @name      figure-32
 # @question  One triangle drawn into tables of three precisions (Figure 32).
 # @data      diagram_chart diagram_coverage
-"""Figure 32: one triangle of a socket drawn into tables of three precisions. From data/diagram_chart.csv and
-data/diagram_coverage.csv.
-"""
+"""Figure 32: one triangle of a socket drawn into tables of three precisions."""
 
 from __future__ import annotations
 

@@ -2,8 +2,8 @@
 # @name      figure-33
 # @question  A triangle that holds the pole, and what mapping its corners directly misses (Figure 33).
 # @data      diagram_corners diagram_coverage
-"""Figure 33: a triangle that holds the pole, in space and between its three corners as mapped directly, which misses
-the pole. From data/diagram_corners.csv and data/diagram_coverage.csv.
+"""Figure 33: a triangle that holds the pole, in space and between its three corners as mapped directly, which misses the
+pole.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 # @question  What is drawn for triangles at the pole and across the seam (Figure 34).
 # @data      diagram_corners diagram_chart diagram_coverage
 """Figure 34: what the thesis draws for a triangle that holds the pole inside, on an edge or as a corner, and for one
-across the seam. From data/diagram_corners.csv, diagram_chart.csv and diagram_coverage.csv.
+across the seam.
 """
 
 from __future__ import annotations

@@ -2,9 +2,7 @@
 # @name      figure-35
 # @question  One vertex looked up in three poses (Figure 35).
 # @data      diagram_sections diagram_rays diagram_lookups
-"""Figure 35: one vertex of the ball looked up in three poses: at rest, turned, and pushed into the socket. From
-data/diagram_sections.csv, diagram_rays.csv and diagram_lookups.csv.
-"""
+"""Figure 35: one vertex of the ball looked up in three poses: at rest, turned, and pushed into the socket."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@
 # @for       JOINT in JOINTS
 # @question  The joint of JOINT, anterior view (Figure 36 of the thesis).
 # @outputs   png
-"""Figure 36, a hip joint from the front: ball and socket, and the socket as glass. From scenes/NAME."""
+"""Figure 36, a hip joint from the front: ball and socket, and the socket as glass."""
 
 from __future__ import annotations
 

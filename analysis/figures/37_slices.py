@@ -4,9 +4,7 @@
 # @data      slices_to_surface_image slices_to_surface_mesh
 # @outputs   png svg pdf
 # @seconds   8 8
-"""From slices to a surface (Figure 37): a slice, the contours of all of them, the mesh. From
-data/slices_to_surface_image.csv and data/slices_to_surface_mesh.csv.
-"""
+"""From slices to a surface (Figure 37): a slice, the contours of all of them, the mesh."""
 
 import matplotlib.pyplot as plt
 import numpy as np

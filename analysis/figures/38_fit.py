@@ -12,9 +12,7 @@
 # @for       JOINT in JOINTS
 # @question  The sphere fitted to the head of JOINT (Figure 38 of the thesis).
 # @outputs   png
-"""Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires. From
-data/head_maps.csv with its meshes, and scenes/NAME.
-"""
+"""Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires."""
 
 from __future__ import annotations
 

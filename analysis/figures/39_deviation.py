@@ -12,9 +12,7 @@
 # @for       JOINT in JOINTS
 # @question  How far the head of JOINT is from the sphere fitted to it (Figure 39 of the thesis).
 # @outputs   png
-"""Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours. From
-data/head_maps.csv with its meshes, and scenes/NAME.
-"""
+"""Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours."""
 
 from __future__ import annotations
 

@@ -14,9 +14,7 @@
 # @data      sample_points_bones
 # @options   --data sample_points_bones
 # @outputs   png
-"""Figure 40, the points of a socket that RSID samples, alone and on it. From scenes/NAME and
-data/sample_points_hip.csv or data/sample_points_bones.csv.
-"""
+"""Figure 40, the points of a socket that RSID samples, alone and on it."""
 
 from __future__ import annotations
 

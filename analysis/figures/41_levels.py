@@ -7,9 +7,7 @@
 # @options   --joint patient_a --name NAME
 # @outputs   png svg pdf
 # @seconds   3 3
-"""Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket. From
-data/motion_frames.csv with its meshes, and scenes/NAME for the colours.
-"""
+"""Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket."""
 
 from __future__ import annotations
 

@@ -10,8 +10,7 @@
 # @for       JOINT in JOINTS
 # @question  The gaps of JOINT in the colours of the thesis (Figure 42 of the thesis).
 # @outputs   png
-"""Figure 42, the gaps of a joint in colours: both surfaces from the front, the socket from lateral, the ball from
-medial. From scenes/NAME.
+"""Figure 42, the gaps of a joint in colours: both surfaces from the front, the socket from lateral, the ball from medial.
 """
 
 from __future__ import annotations

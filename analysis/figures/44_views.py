@@ -10,7 +10,7 @@
 # @for       JOINT in JOINTS
 # @question  The gaps of JOINT, drawn in three ways from three sides (Figure 44 of the thesis).
 # @outputs   png
-"""Figure 44, three ways to draw a joint from three sides: filled, as lines, and blended. From scenes/NAME."""
+"""Figure 44, three ways to draw a joint from three sides: filled, as lines, and blended."""
 
 from __future__ import annotations
 

@@ -2,9 +2,7 @@
 # @name      figure-45
 # @question  A head cut by the slices of a CT scan (Figure 45 of the thesis).
 # @data      slices
-"""Figure 45: a head cut by the slices of a CT scan, a) in space, b) from the side with the angle of a slice.
-From data/slices.csv.
-"""
+"""Figure 45: a head cut by the slices of a CT scan, a) in space, b) from the side with the angle of a slice."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,9 +2,7 @@
 # @name      figure-46
 # @question  The angles of the slices and the gaps between them (Figure 46 of the thesis).
 # @data      slices
-"""Figure 46: a) the arccosine that gives a slice its angle, b) the gap between the angles of neighbouring
-slices. From data/slices.csv.
-"""
+"""Figure 46: a) the arccosine that gives a slice its angle, b) the gap between the angles of neighbouring slices."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,7 +2,7 @@
 # @name      figure-47
 # @question  The helix of the thesis with 10, 20 and 40 turns (Figure 47).
 # @data      helix_curve
-"""Figure 47: the helix of the thesis with more and more turns. From data/helix_curve.csv."""
+"""Figure 47: the helix of the thesis with more and more turns."""
 
 import matplotlib.pyplot as plt
 

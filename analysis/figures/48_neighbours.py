@@ -2,8 +2,7 @@
 # @name      figure-48
 # @question  The entries that a look-up on the helix reads (Figure 48).
 # @data      helix_curve helix_neighbours
-"""Figure 48: the four entries that a look-up on the helix reads, and travelled distance. From
-data/helix_neighbours.csv and data/helix_curve.csv."""
+"""Figure 48: the four entries that a look-up on the helix reads, and travelled distance."""
 
 import matplotlib.pyplot as plt
 import numpy as np

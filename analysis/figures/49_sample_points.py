@@ -11,9 +11,7 @@
 # @name      figure-49-JOINT
 # @for       JOINT in JOINTS
 # @data      sample_points_bones
-"""Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole.
-From data/sample_points.csv or data/sample_points_bones.csv, data/lut_memory.csv and scenes/NAME-SCHEME/socket.ply.
-"""
+"""Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole."""
 
 from __future__ import annotations
 

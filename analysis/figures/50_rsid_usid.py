@@ -10,10 +10,7 @@
 # @name      figure-50-JOINT
 # @for       JOINT in JOINTS
 # @data      sample_points_bones
-"""Figure 50, the gaps on the socket by the two tables of the thesis, with their sample points. From
-scenes/NAME-SCHEME (socket.ply with a gap in mm, summary.json) and data/sample_points.csv or
-data/sample_points_bones.csv.
-"""
+"""Figure 50, the gaps on the socket by the two tables of the thesis, with their sample points."""
 
 from __future__ import annotations
 

@@ -2,8 +2,7 @@
 # @name      figure-52
 # @question  The conchoid of the hip, and beside the sphere that fits it best (Figure 52).
 # @data      conchoid_curve conchoid_shape
-"""Figure 52: the conchoid of the hip, and beside the sphere that fits it best. From data/conchoid_curve.csv and
-data/conchoid_shape.csv."""
+"""Figure 52: the conchoid of the hip, and beside the sphere that fits it best."""
 
 import matplotlib.pyplot as plt
 import numpy as np

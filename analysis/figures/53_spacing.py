@@ -2,9 +2,9 @@
 # @name      figure-53
 # @question  How unevenly rays at equal angles cut the conchoid, by their origin (Figure 53).
 # @data      conchoid_curve conchoid_spacing conchoid_origins
-"""Figure 53: rays at equal angles cut the conchoid unevenly, from the centre of the object and from the
-conchoid's origin; how unevenly, from these and other centres. From data/conchoid_spacing.csv, conchoid_origins.csv
-and conchoid_curve.csv."""
+"""Figure 53: rays at equal angles cut the conchoid unevenly, from the centre of the object and from the conchoid's origin;
+how unevenly, from these and other centres.
+"""
 
 import matplotlib.pyplot as plt
 import numpy as np

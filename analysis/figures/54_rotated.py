@@ -2,8 +2,7 @@
 # @name      figure-54
 # @question  The conchoid turned about its axis: surface, curves, slices (Figure 54).
 # @data      conchoid_curve
-"""Figure 54: the conchoid turned about its axis: the surface, the turned curves, slices. From
-data/conchoid_curve.csv."""
+"""Figure 54: the conchoid turned about its axis: the surface, the turned curves, slices."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,7 +2,7 @@
 # @name      figure-55
 # @question  Spherical coordinates on the turned conchoid (Figure 55).
 # @data      conchoid_curve
-"""Figure 55: spherical coordinates on the turned conchoid. From data/conchoid_curve.csv."""
+"""Figure 55: spherical coordinates on the turned conchoid."""
 
 import matplotlib.pyplot as plt
 import numpy as np

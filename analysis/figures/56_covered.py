@@ -2,8 +2,7 @@
 # @name      figure-56
 # @question  Four rays cut the conchoid into three equal lengths (Figure 56).
 # @data      conchoid_curve conchoid_angles
-"""Figure 56: four rays cut the conchoid into three equal lengths. From data/conchoid_curve.csv and
-data/conchoid_angles.csv."""
+"""Figure 56: four rays cut the conchoid into three equal lengths."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,8 +2,7 @@
 # @name      figure-57
 # @question  Four rays on the conchoid, original and adjusted (Figure 57).
 # @data      conchoid_curve conchoid_angles
-"""Figure 57: four rays at equal angles and adjusted, Eq. 16 of the thesis. From data/conchoid_curve.csv and
-data/conchoid_angles.csv."""
+"""Figure 57: four rays at equal angles and adjusted, Eq. 16 of the thesis."""
 
 import matplotlib.pyplot as plt
 

@@ -2,7 +2,7 @@
 # @name      figure-58
 # @question  Adjusted angle of each of 901 rays: thesis, unrounded, exact (Figure 58).
 # @data      conchoid_angles
-"""Figure 58: adjusted against original angle of each of 901 rays. From data/conchoid_angles.csv."""
+"""Figure 58: adjusted against original angle of each of 901 rays."""
 
 import matplotlib.pyplot as plt
 

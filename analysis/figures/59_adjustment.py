@@ -2,7 +2,7 @@
 # @name      figure-59
 # @question  By how much each of 901 rays is turned (Figure 59).
 # @data      conchoid_angles
-"""Figure 59: by how much each of 901 rays is turned. From data/conchoid_angles.csv."""
+"""Figure 59: by how much each of 901 rays is turned."""
 
 import matplotlib.pyplot as plt
 

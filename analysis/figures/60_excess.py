@@ -16,9 +16,8 @@
 # @for       JOINT in JOINTS
 # @question  Where the head of JOINT rises above its sphere (Figure 60 of the thesis).
 # @outputs   png
-"""Figures 60 and 61, where the femoral head of a patient rises above the sphere fitted to it. The
-third picture of each, a similar case of another publication, is not made again. From data/head_maps.csv with its
-meshes, and scenes/NAME.
+"""Figures 60 and 61, where the femoral head of a patient rises above the sphere fitted to it. The third picture of each, a
+similar case of another publication, is not made again.
 """
 
 from __future__ import annotations

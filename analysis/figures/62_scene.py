@@ -14,8 +14,8 @@
 # @for       JOINT in JOINTS
 # @question  Camera, joint and clock of JOINT (Figure 62 of the thesis).
 # @outputs   png
-"""Figures 62 and 63, the scene of Tables 12 and 13: where the camera stands, the joint from the front, and the socket
-with its clock as the camera sees it. From scenes/NAME.
+"""Figures 62 and 63, the scene of Tables 12 and 13: where the camera stands, the joint from the front, and the socket with
+its clock as the camera sees it.
 """
 
 from __future__ import annotations

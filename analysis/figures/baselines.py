@@ -2,7 +2,7 @@
 # @name      baseline-cost
 # @question  What the methods of Section 3.6 lose and get wrong, against memory.
 # @data      baselines
-"""What the methods of Section 3.6 lose, and how often they are wrong, against memory. From data/baselines.csv."""
+"""What the methods of Section 3.6 lose, and how often they are wrong, against memory."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

@@ -2,8 +2,8 @@
 # @name      certified-verdicts
 # @question  How many vertices do certified ranges decide, and what do scans of vertices miss?
 # @data      certified certified_poses schemes
-"""What certified ranges decide, by precision, and how much later scans of vertices see a contact than the
-surfaces make it. From data/certified.csv, certified_poses.csv and schemes.csv.
+"""What certified ranges decide, by precision, and how much later scans of vertices see a contact than the surfaces make
+it.
 """
 
 import matplotlib.pyplot as plt

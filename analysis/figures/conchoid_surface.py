@@ -2,8 +2,7 @@
 # @name      conchoid-surface
 # @question  How much of the turned conchoid does each sample point stand for?
 # @data      conchoid_surface
-"""Area of the turned conchoid that each sample point stands for, by its polar angle. From
-data/conchoid_surface.csv."""
+"""Area of the turned conchoid that each sample point stands for, by its polar angle."""
 
 import matplotlib.pyplot as plt
 

@@ -2,7 +2,7 @@
 # @name      contact-time
 # @question  How long does it take to tell whether a joint touches, beside FCL?
 # @data      contact
-"""Time to tell whether a joint touches, and its smallest gap, against its triangles. From data/contact.csv."""
+"""Time to tell whether a joint touches, and its smallest gap, against its triangles."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

@@ -2,9 +2,7 @@
 # @name      covering-cost
 # @question  What does a better covering cost in time?
 # @data      schemes scheme_covering lookup_time
-"""Covering constant of every scheme against the time of one look-up. From data/scheme_covering.csv,
-data/lookup_time.csv and data/schemes.csv.
-"""
+"""Covering constant of every scheme against the time of one look-up."""
 
 import textwrap
 

@@ -2,9 +2,7 @@
 # @name      detection-time
 # @question  How the time to test one pose grows with the triangles
 # @data      detection_time
-"""Time to test one pose against the number of triangles, ours and Tables 4 and 9 of the thesis. From
-data/detection_time.csv.
-"""
+"""Time to test one pose against the number of triangles, ours and Tables 4 and 9 of the thesis."""
 
 import common
 from common import log_plot, timing

@@ -5,9 +5,7 @@
 # @question  The error of every method against the time of a query, of filling, and memory.
 # @name      error-against-time-scenes
 # @question  The error of every method against the time of a query, on every scene.
-"""Error against cost of every method, on one scene or on the query of every scene: lower left is better. From
-data/error_against_time.csv and error_against_time_spread.csv.
-"""
+"""Error against cost of every method, on one scene or on the query of every scene: lower left is better."""
 
 from __future__ import annotations
 

@@ -2,9 +2,7 @@
 # @name      euclidean-distances
 # @question  How far are radial gaps above Euclidean distances, and what do they prove of them?
 # @data      euclidean
-"""Radial gaps beside Euclidean distances by where a ray ends, and the proven ends of the distance. From
-data/euclidean.csv.
-"""
+"""Radial gaps beside Euclidean distances by where a ray ends, and the proven ends of the distance."""
 
 import matplotlib.pyplot as plt
 import numpy as np

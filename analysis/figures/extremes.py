@@ -9,8 +9,8 @@
 # @name      table-13-pictures
 # @for       JOINT in patient_b
 # @question  The socket of a stand-in for patient b at the ends of the recorded motions (Table 13).
-"""The pictures of Tables 12 and 13: the socket at the end of each recorded motion, from medial with its clock, and
-below unrolled. From scenes/NAME-MOTION.
+"""The pictures of Tables 12 and 13: the socket at the end of each recorded motion, from medial with its clock, and below
+unrolled.
 """
 
 from __future__ import annotations

@@ -2,8 +2,7 @@
 # @name      fast-scaling
 # @question  How does the time of a gap grow with the triangles, and what does a second thread gain?
 # @data      fast
-"""How the time of a vertex grows with the triangles, beside every peer, and what a second thread gains. From
-data/fast.csv."""
+"""How the time of a vertex grows with the triangles, beside every peer, and what a second thread gains."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

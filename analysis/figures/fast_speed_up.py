@@ -2,7 +2,7 @@
 # @name      fast-speed-up
 # @question  How many times as fast as Embree's rays is every way to find gaps, and every peer?
 # @data      fast
-"""How many times as fast as Embree's rays every way to find gaps is, and every peer. From data/fast.csv."""
+"""How many times as fast as Embree's rays every way to find gaps is, and every peer."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,7 +2,7 @@
 # @name      fill-time
 # @question  How long does a table take to fill, against triangles and entries, beside Embree?
 # @data      fill
-"""Time to fill the tables of a joint against its triangles and against its entries, beside Embree. From data/fill.csv."""
+"""Time to fill the tables of a joint against its triangles and against its entries, beside Embree."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

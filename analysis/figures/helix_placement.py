@@ -2,8 +2,7 @@
 # @name      helix-placement
 # @question  By how many entries a look-up by Eq. 10 is off where entries stand at equal arc length.
 # @data      helix_mismatch helix_placement
-"""By how many entries the index of Eq. 10 is off on a helix whose entries stand at equal true arc length. From
-data/helix_mismatch.csv and data/helix_placement.csv."""
+"""By how many entries the index of Eq. 10 is off on a helix whose entries stand at equal true arc length."""
 
 import matplotlib.pyplot as plt
 

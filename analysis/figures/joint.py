@@ -6,9 +6,7 @@
 # @options   --scene SCENE
 # @outputs   png
 # @seconds   5 5
-"""A joint coloured by its gap, from four sides. From scenes/NAME (ball.ply, socket.ply with a gap in mm,
-summary.json).
-"""
+"""A joint coloured by its gap, from four sides."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@
 # @for       JOINT in patient_b
 # @question  The recorded motions of a stand-in for patient b, animated.
 """The recorded motions of a hip as an animation: the joint from the front with its socket as glass, and the socket
-unrolled. From data/motion_frames.csv with its meshes, and scenes/NAME-MOTION for the colours.
+unrolled.
 """
 
 from __future__ import annotations

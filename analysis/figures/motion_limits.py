@@ -2,9 +2,7 @@
 # @name      motion-limits
 # @question  How far does each joint turn before its bones touch?
 # @data      motion_limit_details
-"""The limit of every motion of every joint beside the range that a clinician finds in a normal hip. From
-data/motion_limit_details.csv.
-"""
+"""The limit of every motion of every joint beside the range that a clinician finds in a normal hip."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

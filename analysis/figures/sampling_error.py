@@ -2,9 +2,7 @@
 # @name      sampling-error
 # @question  The thesis' sampling error beside the errors of a table of the head, for every scheme.
 # @data      sampling_error sampling_error_surfaces schemes
-"""The thesis' sampling error (Eq. 7) beside the errors that a table of the head really makes, a panel a
-scheme. From data/sampling_error.csv, sampling_error_surfaces.csv and schemes.csv.
-"""
+"""The thesis' sampling error (Eq. 7) beside the errors that a table of the head really makes, a panel a scheme."""
 
 import math
 

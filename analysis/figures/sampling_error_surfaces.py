@@ -2,9 +2,7 @@
 # @name      sampling-error-surfaces
 # @question  How the error of an interpolated radius falls with the precision on four surfaces.
 # @data      sampling_error_surfaces schemes
-"""Largest error of an interpolated radius on four surfaces, a line a scheme. From
-data/sampling_error_surfaces.csv and schemes.csv.
-"""
+"""Largest error of an interpolated radius on four surfaces, a line a scheme."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

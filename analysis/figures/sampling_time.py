@@ -2,9 +2,7 @@
 # @name      sampling-time
 # @question  How the time to fill the tables grows with precision
 # @data      sampling_time
-"""Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis. From
-data/sampling_time.csv.
-"""
+"""Time to fill a table against its precision, ours and Tables 3 and 8 of the thesis."""
 
 import common
 from common import log_plot, timing

@@ -2,9 +2,7 @@
 # @name      scene-needs
 # @question  What does a scene save by leaving out what it does not need?
 # @data      scene_needs_totals
-"""What a scene saves by leaving out what it does not need: memory and time of everything beside those of the plan.
-From data/scene_needs_totals.csv.
-"""
+"""What a scene saves by leaving out what it does not need: memory and time of everything beside those of the plan."""
 
 import matplotlib.pyplot as plt
 import numpy as np

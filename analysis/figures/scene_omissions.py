@@ -2,9 +2,7 @@
 # @name      scene-omissions
 # @question  What does each omission of a scene save by itself?
 # @data      scene_needs scene_needs_totals
-"""What each omission of a scene's plan saves by itself, in memory and time. From data/scene_needs.csv and
-scene_needs_totals.csv.
-"""
+"""What each omission of a scene's plan saves by itself, in memory and time."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,9 +2,7 @@
 # @name      scheme-area
 # @question  How evenly does each scheme share the sphere among its entries?
 # @data      schemes scheme_points
-"""The area that each entry of every scheme stands for, on a map of the whole sphere that keeps areas. From
-data/scheme_points.csv and data/schemes.csv.
-"""
+"""The area that each entry of every scheme stands for, on a map of the whole sphere that keeps areas."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,9 +2,7 @@
 # @name      scheme-covering
 # @question  How much memory does each scheme take to leave no wider gap than the others?
 # @data      schemes scheme_covering
-"""Covering constant of every scheme, with that away from the poles and the least possible. From
-data/schemes.csv and data/scheme_covering.csv.
-"""
+"""Covering constant of every scheme, with that away from the poles and the least possible."""
 
 import matplotlib.pyplot as plt
 

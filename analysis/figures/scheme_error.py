@@ -2,9 +2,7 @@
 # @name      scheme-error
 # @question  How much memory does each scheme take to interpolate as well as the others?
 # @data      schemes scheme_errors
-"""Entries that every scheme needs for an interpolation error, next to the thesis' grid. From
-data/scheme_errors.csv and data/schemes.csv.
-"""
+"""Entries that every scheme needs for an interpolation error, next to the thesis' grid."""
 
 import matplotlib.pyplot as plt
 

@@ -2,7 +2,7 @@
 # @name      scheme-points
 # @question  Where does each scheme sample?
 # @data      schemes scheme_points
-"""The entries of every scheme on the sphere, side by side. From data/scheme_points.csv and schemes.csv."""
+"""The entries of every scheme on the sphere, side by side."""
 
 import matplotlib.pyplot as plt
 import numpy as np

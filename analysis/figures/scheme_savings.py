@@ -2,9 +2,7 @@
 # @name      scheme-savings
 # @question  How much does each scheme save against RSID, in four meanings? (Section 4.4)
 # @data      schemes scheme_savings
-"""Entries saved against the thesis' grid at 1 degree, in four meanings of "as good". From
-data/scheme_savings.csv and data/schemes.csv.
-"""
+"""Entries saved against the thesis' grid at 1 degree, in four meanings of "as good"."""
 
 import matplotlib.pyplot as plt
 

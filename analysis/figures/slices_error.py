@@ -2,7 +2,7 @@
 # @name      slices-error
 # @question  What each stage from slices to tables adds to the error of a gap.
 # @data      slices_to_surface
-"""What each stage from slices to tables adds to the error of a gap. From data/slices_to_surface.csv."""
+"""What each stage from slices to tables adds to the error of a gap."""
 
 import matplotlib.pyplot as plt
 

@@ -8,9 +8,7 @@
 # @data      spectrum_bones band_limit_bones slice_band_limit
 # @options   --spectrum spectrum_bones --limits band_limit_bones --name NAME
 # @when      JOINTS
-"""Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out. From
-data/SPECTRUM.csv, BAND_LIMIT.csv and slice_band_limit.csv.
-"""
+"""Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out."""
 
 import matplotlib.pyplot as plt
 import numpy as np

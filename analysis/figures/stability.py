@@ -6,8 +6,7 @@
 # @name      stability-FAMILY
 # @for       FAMILY in FAMILIES
 # @question  Stiff and extreme cases: FAMILY.
-"""Stiff and extreme cases: the error of every method over condition times unit roundoff. From
-data/stability.csv, stability_detail.csv and stability_families.csv.
+"""Stiff and extreme cases: the error of every method over condition times unit roundoff.
 
 Name `stability-overview` gives every family a panel; `stability-FAMILY` draws one in detail.
 """

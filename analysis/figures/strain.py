@@ -2,9 +2,7 @@
 # @name      strain-by-gap
 # @question  What does a gap say about the strain of the cartilage, and where is it wrong?
 # @data      strain_layer strain_incidence strain_hip
-"""Strain by gap beside elastic layers, at oblique rays, and in a hip. From data/strain_layer.csv,
-strain_incidence.csv and strain_hip.csv.
-"""
+"""Strain by gap beside elastic layers, at oblique rays, and in a hip."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -2,7 +2,7 @@
 # @name      table-6
 # @question  Turns of the helix that matches each precision, and its points at the equator (Table 6 of the thesis).
 # @data      lut_memory
-"""Table 6, turns of the helix and its points at the equator: thesis beside ours. From data/lut_memory.csv."""
+"""Table 6, turns of the helix and its points at the equator: thesis beside ours."""
 
 import pandas as pd
 

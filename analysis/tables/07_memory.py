@@ -2,9 +2,7 @@
 # @name      table-7
 # @question  Entries and memory of the USID table at four precisions, beside RSID's (Table 7 of the thesis).
 # @data      lut_memory
-"""Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside
-ours. From data/lut_memory.csv.
-"""
+"""Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside ours."""
 
 import common
 from common import memory

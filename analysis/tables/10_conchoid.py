@@ -2,7 +2,7 @@
 # @name      table-10
 # @question  Four rays adjusted to the conchoid (Table 10 of the thesis).
 # @data      conchoid_angles
-"""Table 10, four rays on the conchoid, original and adjusted: thesis beside ours. From data/conchoid_angles.csv."""
+"""Table 10, four rays on the conchoid, original and adjusted: thesis beside ours."""
 
 import pandas as pd
 

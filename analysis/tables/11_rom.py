@@ -3,7 +3,6 @@
 # @question  The recorded range of motion of two patients, and how close the bones of their stand-ins come (Table 11).
 # @data      motion_frames motion_limit_details
 """Table 11, the recorded range of motion, and how close the bones of our stand-ins are at its ends and where they touch.
-From data/motion_frames.csv and data/motion_limit_details.csv.
 """
 
 from __future__ import annotations

@@ -7,8 +7,8 @@
 # @name      table-13
 # @for       JOINT in patient_b
 # @question  Where a stand-in for patient b is impinged at the ends of the recorded motions (Table 13).
-"""Tables 12 and 13 in numbers: where and how strongly the stand-in for a patient is impinged at the end of each
-recorded motion. From data/motion_frames.csv and data/motion_zones.csv.
+"""Tables 12 and 13 in numbers: where and how strongly the stand-in for a patient is impinged at the end of each recorded
+motion.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@
 # @data      band_limit_bones
 # @options   --data band_limit_bones --name NAME
 # @when      JOINTS
-"""Band limits and the entries that the sampling theorems ask for, one row a case. From data/NAME.csv."""
+"""Band limits and the entries that the sampling theorems ask for, one row a case."""
 
 import pandas as pd
 

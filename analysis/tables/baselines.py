@@ -2,7 +2,7 @@
 # @name      baseline-comparison
 # @question  The methods that the thesis compares itself with, measured (Section 3.6 of the thesis).
 # @data      baselines
-"""The methods that the thesis compares itself with in Section 3.6, measured. From data/baselines.csv."""
+"""The methods that the thesis compares itself with in Section 3.6, measured."""
 
 import pandas as pd
 

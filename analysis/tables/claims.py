@@ -2,7 +2,7 @@
 # @name      claims-measured
 # @question  Claims that the thesis makes without showing them, measured (Chapter 6, Section 6.2).
 # @data      claims
-"""Claims that the thesis makes and never shows, measured. From data/claims.csv."""
+"""Claims that the thesis makes and never shows, measured."""
 
 import pandas as pd
 

@@ -2,8 +2,7 @@
 # @name      fast-counts
 # @question  Instructions and cache misses of a gap, beside its time over that of the floor.
 # @data      counts fast
-"""Instructions and cache misses of a vertex or a pose, beside the time over that of the floor. From data/counts.csv and
-data/fast.csv."""
+"""Instructions and cache misses of a vertex or a pose, beside the time over that of the floor."""
 
 import pandas as pd
 

@@ -2,8 +2,8 @@
 # @name      sampling-error-bounds
 # @question  Largest error of a look-up as a share of its bound: above 1 the bound does not hold.
 # @data      sampling_error_bounds schemes
-"""Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision:
-above 1 the promise is broken. From data/sampling_error_bounds.csv and schemes.csv.
+"""Largest error of a look-up as a share of what theory promises, for every scheme at the finest precision: above 1 the
+promise is broken.
 """
 
 import pandas as pd

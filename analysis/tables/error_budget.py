@@ -8,9 +8,8 @@
 # @data      error_budget_bones
 # @options   --data error_budget_bones
 # @when      JOINTS
-"""The error budget of a gap, stage by stage, for the thesis' RSID table stored in 16 bits: root mean square and
-largest error of each stage, their sum, and the error of the gap that is read. From data/error_budget.csv, and
-error_budget_bones.csv with real joints.
+"""The error budget of a gap, stage by stage, for the thesis' RSID table stored in 16 bits: root mean square and largest
+error of each stage, their sum, and the error of the gap that is read.
 """
 
 import math

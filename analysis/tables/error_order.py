@@ -2,12 +2,12 @@
 # @name      error-order
 # @question  Order of the error of every table in its precision, fitted beside proven.
 # @data      error_against_time error_against_time_spread
-"""How fast the error of each table falls with its precision: the fitted exponent of the largest and the mean
-square error, beside the proven one. From data/error_against_time.csv and error_against_time_spread.csv.
+"""How fast the error of each table falls with its precision: the fitted exponent of the largest and the mean square error,
+beside the proven one.
 
-Within a face the error is of second order in the spacing, across an edge of first (where the interpolant is
-exact on planes there is none within a face, and no order of it): a mesh with edges gives 1 once the spacing is
-below that of the edges, a mesh finer than the table looks smooth and gives 2.
+Within a face the error is of second order in the spacing, across an edge of first (where the interpolant is exact on
+planes there is none within a face, and no order of it): a mesh with edges gives 1 once the spacing is below that of the
+edges, a mesh finer than the table looks smooth and gives 2.
 """
 
 import numpy as np

@@ -2,7 +2,7 @@
 # @name      fast-times
 # @question  Time, error and bytes of every way to find all gaps of a pose.
 # @data      fast
-"""Time, error and bytes of every way to find all gaps of a pose. From data/fast.csv."""
+"""Time, error and bytes of every way to find all gaps of a pose."""
 
 import pandas as pd
 

@@ -2,8 +2,7 @@
 # @name      fast-targets
 # @question  What was aimed at in speed, and what was measured.
 # @data      fast fill contact
-"""What was aimed at in speed, and what was measured. From data/fast.csv,
-data/fill.csv and data/contact.csv."""
+"""What was aimed at in speed, and what was measured."""
 
 from __future__ import annotations
 

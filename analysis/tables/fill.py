@@ -2,7 +2,7 @@
 # @name      fill-times
 # @question  Time to fill the tables of a joint, beside Embree's tree and coherent rays.
 # @data      fill
-"""Time to fill the tables of a joint, and how many times faster than Embree that is. From data/fill.csv."""
+"""Time to fill the tables of a joint, and how many times faster than Embree that is."""
 
 import pandas as pd
 

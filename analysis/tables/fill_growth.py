@@ -2,7 +2,7 @@
 # @name      fill-growth
 # @question  How the time to fill a table grows with triangles and entries.
 # @data      fill
-"""How the time to fill the tables of a joint grows with its triangles and their entries. From data/fill.csv."""
+"""How the time to fill the tables of a joint grows with its triangles and their entries."""
 
 import common
 from common import fill

@@ -3,8 +3,8 @@
 # @question  How far are the gaps by RSID and by USID apart, at 1 degree (beside Figure 50)?
 # @depends   scenes/{SCENES}-{rsid,usid}/{gaps.csv,summary.json}
 # @options   --joints SCENES
-"""How far the gaps by the two tables of the thesis are apart, and how many vertices change sides of a threshold
-(Figure 50: USID "produces the same result"). From scenes/NAME-SCHEME (gaps.csv, summary.json).
+"""How far the gaps by the two tables of the thesis are apart, and how many vertices change sides of a threshold (Figure
+50: USID "produces the same result").
 """
 
 from __future__ import annotations

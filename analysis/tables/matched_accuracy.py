@@ -2,12 +2,11 @@
 # @name      matched-accuracy
 # @question  Time and memory of every method at 10, 1, 0.1 and 0.01 micrometres.
 # @data      error_against_time error_against_time_spread
-"""What each line of settings takes to keep an error: time of a query and bytes at 10, 1, 0.1 and 0.01 um, on each
-scene, beside Embree and the thesis' own method. From data/error_against_time.csv and
-error_against_time_spread.csv.
+"""What each line of settings takes to keep an error: time of a query and bytes at 10, 1, 0.1 and 0.01 um, on each scene,
+beside Embree and the thesis' own method.
 
-Between two settings the logarithm of time and bytes is linear in that of the error. Nothing is extrapolated: a
-line whose finest setting errs more has no value; one whose coarsest setting errs less takes what that one takes.
+Between two settings the logarithm of time and bytes is linear in that of the error. Nothing is extrapolated: a line
+whose finest setting errs more has no value; one whose coarsest setting errs less takes what that one takes.
 """
 
 from __future__ import annotations

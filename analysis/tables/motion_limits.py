@@ -2,9 +2,9 @@
 # @name      motion-limits-by-joint
 # @question  The limit of every motion of every joint, and where the bones touch.
 # @data      motion_limit_details
-"""How far each joint turns until its surfaces touch, about the centre of the head and about that of the socket, with
-the clock position of the contact, the interval that holds for every centre within half a millimetre, and where the gap
-first falls to that. From data/motion_limit_details.csv.
+"""How far each joint turns until its surfaces touch, about the centre of the head and about that of the socket, with the
+clock position of the contact, the interval that holds for every centre within half a millimetre, and where the gap
+first falls to that.
 """
 
 import pandas as pd

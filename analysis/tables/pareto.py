@@ -2,8 +2,8 @@
 # @name      pareto
 # @question  The settings that no other beats in error and cost.
 # @data      error_against_time error_against_time_spread
-"""The points of the plots of error against cost, and which of them are on a Pareto front: the file that a test
-computes again. From data/error_against_time.csv and error_against_time_spread.csv.
+"""The points of the plots of error against cost, and which of them are on a Pareto front: the file that a test computes
+again.
 """
 
 import common

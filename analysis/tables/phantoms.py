@@ -2,8 +2,8 @@
 # @name      phantom-validation
 # @question  Joints with closed forms: limits and gaps measured beside the formulas.
 # @data      phantoms
-"""Limits and gaps of joints with closed forms: what the formula says, what was measured, and what the difference
-keeps: a limit a target that was chosen, a gap a bound that is proven. From data/phantoms.csv.
+"""Limits and gaps of joints with closed forms: what the formula says, what was measured, and what the difference keeps: a
+limit a target that was chosen, a gap a bound that is proven.
 """
 
 import pandas as pd

@@ -3,10 +3,9 @@
 # @question  Time of one query, ns: that of Table 9 by the vertices of both models.
 # @data      detection_time
 """Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models.
-From data/detection_time.csv.
 
-The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's
-formula fixes them: half as many as triangles for a closed surface.
+The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's formula fixes
+them: half as many as triangles for a closed surface.
 """
 
 import pandas as pd

@@ -2,7 +2,7 @@
 # @name      scene-needs-totals
 # @question  Memory and time of every scene with everything done, and with what it needs.
 # @data      scene_needs_totals
-"""Memory and time of every scene with everything done, and with what it needs. From data/scene_needs_totals.csv."""
+"""Memory and time of every scene with everything done, and with what it needs."""
 
 import common
 

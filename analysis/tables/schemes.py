@@ -2,9 +2,7 @@
 # @name      scheme-comparison
 # @question  Every sampling scheme: covering, evenness, time of a look-up, memory saved.
 # @data      schemes scheme_covering scheme_errors scheme_savings lookup_time
-"""Every sampling scheme in one table: covering, evenness, time of a look-up, memory saved. From
-data/schemes.csv, scheme_covering.csv, scheme_errors.csv, scheme_savings.csv and lookup_time.csv.
-"""
+"""Every sampling scheme in one table: covering, evenness, time of a look-up, memory saved."""
 
 import re
 

@@ -2,7 +2,7 @@
 # @name      slices-error-table
 # @question  The error of a gap after each stage from slices to tables.
 # @data      slices_to_surface
-"""The error of a gap after each stage from slices to tables. From data/slices_to_surface.csv."""
+"""The error of a gap after each stage from slices to tables."""
 
 import pandas as pd
 

@@ -2,9 +2,7 @@
 # @name      stability-summary
 # @question  Which stiff and extreme cases break a method?
 # @data      stability stability_detail stability_families
-"""Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail. From
-data/stability.csv, stability_detail.csv and stability_families.csv.
-"""
+"""Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
 
 import pandas as pd
 

@@ -2,7 +2,7 @@
 # @name      strain-by-gap-table
 # @question  Strain by gap over that of an elastic layer, by Poisson ratio and thickness.
 # @data      strain_layer
-"""Strain by gap, and what follows from it, beside the elastic solution of a layer. From data/strain_layer.csv."""
+"""Strain by gap, and what follows from it, beside the elastic solution of a layer."""
 
 import pandas as pd
 

@@ -8,9 +8,7 @@
 # @data      detection_time_bones
 # @options   --data detection_time_bones --name NAME
 # @when      JOINTS
-"""Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms. From
-data/NAME.csv.
-"""
+"""Times of a CSV that has no table in the thesis: a row a case, a column a method, median in ms."""
 
 import pandas as pd
 
