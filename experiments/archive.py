@@ -51,9 +51,10 @@ def members(outputs: Iterable[str], results: Path, places: dict[str, str]) -> di
 def sources(jobs: str) -> dict[str, bytes | Path]:
     """What stands beside the results, by its name in the archive."""
     files: dict[str, bytes | Path] = {}
-    for pattern in ("analysis/*/*.py", "analysis/report/*.css", "analysis/report/*.js", "analysis/common/*.csv", "paper/*.tex", "paper/*.bib"):
-        for file in SOURCE.glob(pattern):
-            files[str(file.relative_to(SOURCE))] = file
+    for folder, kinds in (("analysis/*", ("py", "css", "js", "csv")), ("paper", ("tex", "bib"))):
+        for kind in kinds:
+            for file in SOURCE.glob(f"{folder}/*.{kind}"):
+                files[str(file.relative_to(SOURCE))] = file
     plotly = "analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js"
     files[plotly] = SOURCE / plotly
     reference = SOURCE / "results" / "reference"

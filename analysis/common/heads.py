@@ -96,6 +96,7 @@ def declared(path: Path, job: dict[str, str]) -> str:
     needs = [f"data/{name}.{kind}" for name in data for kind in ("csv", "json")]
     needs += [re.sub("^analysis/", f"{ANALYSIS}/", file) for word in depends for file in expanded(word)]
     outputs = [file if "." in file else f"{path.parent.name}/{job['name']}.{file}" for file in job["outputs"].split()]
+    question = job["question"].replace('"', '\\"')
     command = [path, "--results", "${IMPINGE_RESULTS_DIR}", *job.get("options", "").split()]
 
     def words(texts) -> str:
@@ -103,7 +104,7 @@ def declared(path: Path, job: dict[str, str]) -> str:
 
     return (
         f"impinge_job(NAME {job['name']} KIND {job['kind']} ARTEFACTS {job['name']} SECONDS {job['seconds']}\n"
-        f'  QUESTION "{job["question"]}"\n  OUTPUTS {words(outputs)}\n'
+        f'  QUESTION {words([question])}\n  OUTPUTS {words(outputs)}\n'
         f"  DEPENDS {words(dict.fromkeys([*needs, *files]))}\n  COMMAND ${{python}} {words(command)})\n"
     )
 
