@@ -7,12 +7,13 @@ tables and figures again without compiling anything.
 from __future__ import annotations
 
 import gzip
-import hashlib
 import io
 import shutil
 import tarfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
+
+from sidecars import digest
 
 SOURCE = Path(__file__).resolve().parent.parent
 README = """\
@@ -21,7 +22,7 @@ Results of impinge, research software for the impingement of ball-and-socket joi
 results/     data (CSV, each with a sidecar that tells where it comes from), tables, figures, report.html, paper.pdf
 analysis/    the scripts that make tables, figures, verdicts and report from the data
 paper/       the text of the paper
-graph/       jobs.tsv: what was made from what, by which command
+graph/       jobs.json: what was made from what, by which command
 SHA256SUMS   of every file here
 recheck      ./recheck holds every file against SHA256SUMS and every CSV against its sidecar, then makes tables,
              figures, report and paper again and compares them; --only NAME makes that one, --sums none of them
@@ -50,10 +51,10 @@ def members(outputs: Iterable[str], results: Path, places: dict[str, str]) -> di
 def sources(jobs: str) -> dict[str, bytes | Path]:
     """What stands beside the results, by its name in the archive."""
     files: dict[str, bytes | Path] = {}
-    for folder, kinds in (("analysis", ("py", "css", "js", "csv")), ("paper", ("tex", "bib"))):
+    for folder, kinds in (("analysis/*", ("py", "css", "js", "csv")), ("paper", ("tex", "bib"))):
         for kind in kinds:
-            for file in sorted((SOURCE / folder).glob(f"*.{kind}")):
-                files[f"{folder}/{file.name}"] = file
+            for file in SOURCE.glob(f"{folder}/*.{kind}"):
+                files[str(file.relative_to(SOURCE))] = file
     plotly = "analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js"
     files[plotly] = SOURCE / plotly
     reference = SOURCE / "results" / "reference"
@@ -62,17 +63,9 @@ def sources(jobs: str) -> dict[str, bytes | Path]:
             files[f"results/{file.relative_to(reference.parent)}"] = file
     files["LICENSE"] = SOURCE / "LICENSE"
     files["recheck"] = SOURCE / "experiments" / "recheck.py"
-    files["graph/jobs.tsv"] = jobs.encode()
+    files["graph/jobs.json"] = jobs.encode()
     files["README"] = README.encode()
     return files
-
-
-def digest(content: bytes | Path) -> str:
-    """SHA-256 of a file or of bytes."""
-    if isinstance(content, bytes):
-        return hashlib.sha256(content).hexdigest()
-    with content.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def add(tar: tarfile.TarFile, name: str, content: bytes | Path) -> None:

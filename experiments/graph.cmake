@@ -30,7 +30,6 @@ endif()
 
 set(IMPINGE_GRAPH_DIR "${PROJECT_BINARY_DIR}/graph" CACHE INTERNAL "State of the graph: jobs, locks, times")
 set(IMPINGE_JOB_RUNNER "${CMAKE_CURRENT_LIST_DIR}/job.py" CACHE INTERNAL "Runs one job")
-file(WRITE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "") # one line a job, for --list and for the time left; see impinge_write_graph()
 
 add_custom_target(programs COMMENT "")
 add_custom_target(results COMMENT "")
@@ -102,24 +101,25 @@ function(impinge_job)
   endforeach()
   set_property(GLOBAL APPEND PROPERTY IMPINGE_ARTEFACTS ${job_ARTEFACTS})
 
-  list(GET job_SECONDS 0 quick)
-  list(GET job_SECONDS 1 full)
-  set(timing no)
-  if(job_TIMING)
-    set(timing yes)
-  endif()
-  string(REPLACE ";" " " command "${job_COMMAND}")
-  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" command "${command}")
-  string(JOIN "\t" line ${job_NAME} ${job_KIND} ${quick} ${full} ${timing} "${job_ARTEFACTS}" "${job_OUTPUTS}"
-         "${job_DEPENDS}" "${command}" "${job_QUESTION}")
-  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" line "${line}")
-  file(APPEND "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${line}\n")
+  string(COMPARE EQUAL ${IMPINGE_PROFILE} full column)
+  list(GET job_SECONDS ${column} seconds)
+  string(TOLOWER ${job_TIMING} timing)
+  string(REPLACE "\"" "\\\"" question "${job_QUESTION}")
+  foreach(list IN ITEMS ARTEFACTS OUTPUTS DEPENDS COMMAND)
+    list(JOIN job_${list} [[", "]] ${list})
+  endforeach()
+  string(CONFIGURE [[{"name": "@job_NAME@", "kind": "@job_KIND@", "seconds": @seconds@, "timing": @timing@, "question": "@question@",
+ "artefacts": ["@ARTEFACTS@"], "outputs": ["@OUTPUTS@"], "depends": ["@DEPENDS@"], "command": ["@COMMAND@"]}]] job @ONLY)
+  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" job "${job}")
+  set_property(GLOBAL APPEND PROPERTY IMPINGE_JOBS "${job}")
   set_property(GLOBAL APPEND PROPERTY IMPINGE_OUTPUTS ${job_OUTPUTS})
 endfunction()
 
 # Called once, after the last job of the last folder.
 function(impinge_write_graph)
-  file(COPY_FILE "${IMPINGE_GRAPH_DIR}/jobs.tsv.new" "${IMPINGE_GRAPH_DIR}/jobs.tsv" ONLY_IF_DIFFERENT)
+  get_property(jobs GLOBAL PROPERTY IMPINGE_JOBS)
+  list(JOIN jobs ",\n" jobs)
+  file(CONFIGURE OUTPUT "${IMPINGE_GRAPH_DIR}/jobs.json" CONTENT "[${jobs}]\n" @ONLY) # analysis/common/jobs.py reads it
   # The same graph for asking only: with build.ninja itself, a dry run stops at "would configure again".
   file(WRITE "${IMPINGE_GRAPH_DIR}/ask.ninja" "include build.ninja\n")
   file(WRITE "${IMPINGE_GRAPH_DIR}/settings"

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import hashlib
 import json
 import os
 import shutil
@@ -20,40 +19,33 @@ import tempfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(SOURCE / "analysis" / "common"))
+
+import jobs  # noqa: E402
+from sidecars import Refused, sidecar  # noqa: E402
+
 MACHINE = ("profile", "commit", "cpu", "cores", "memory_mib", "system", "compiler", "flags")
 KEYS = ("artefact", "row", "column")
-
-
-class Refused(Exception):
-    """Why a run is no reference; the message says what to do."""
 
 
 def outputs_of(build: Path, results: Path) -> list[str]:
     """Every file that the full run makes, by the graph of its build folder."""
     try:
         folder, profile, _ = (build / "graph" / "settings").read_text().split("\n")[:3]
-        lines = (build / "graph" / "jobs.tsv").read_text().splitlines()
+        made = jobs.load(build / "graph" / "jobs.json")
     except (OSError, ValueError):
         raise Refused(f"{build} has made no results: --build names the build folder of the run") from None
     if Path(folder).resolve() != results:
         raise Refused(f"{build} makes {folder}, not {results}: give --results and --build of one run")
     if profile != "full":
         raise Refused(f"{results} is of the {profile} profile: run experiments/reproduce without --{profile}")
-    return [output for line in lines for output in line.split("\t")[6].split(";")]
+    return [output for job in made for output in job.outputs]
 
 
 def record_of(table: Path) -> dict:
-    """The sidecar of a CSV, which must vouch for its bytes."""
-    try:
-        record = json.loads(table.with_suffix(".json").read_text())
-        vouched = record["csv_sha256"] == hashlib.sha256(table.read_bytes()).hexdigest()
-        missing = [key for key in (*MACHINE, "dirty", "started_utc") if key not in record]
-    except (OSError, ValueError, KeyError, TypeError):
-        raise Refused(f"{table} has no sidecar that can be read: remove it and run again") from None
-    if not vouched:
-        raise Refused(
-            f"{table} does not have the bytes that its sidecar vouches for: remove it and run again"
-        )
+    """The sidecar of a CSV, which must say on what it was measured."""
+    record = sidecar(table)
+    missing = [key for key in (*MACHINE, "dirty", "started_utc") if key not in record]
     if missing:
         raise Refused(f"{table.with_suffix('.json')} lacks {missing[0]}: remove {table.name} and run again")
     return record
@@ -84,7 +76,7 @@ def check_verdicts(verdicts: Path) -> None:
         with path.open(newline="", encoding="utf-8") as file:
             return {tuple(row.get(key) or "" for key in KEYS) for row in csv.DictReader(file)}
 
-    lacking = sorted(rows(SOURCE / "analysis" / "thesis_values.csv") - rows(verdicts))
+    lacking = sorted(rows(SOURCE / "analysis" / "common" / "thesis_values.csv") - rows(verdicts))
     if lacking:
         raise Refused(
             f"{verdicts} has no verdict on {', '.join(lacking[0])}: it was made by another version, run again"

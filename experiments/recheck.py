@@ -7,21 +7,17 @@ verdicts, report and paper again from the data and compares. Nothing in the arch
 from __future__ import annotations
 
 import argparse
-import hashlib
-import json
-import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "analysis" / "common"))
+sys.dont_write_bytecode = True
 
-
-def digest(path: Path) -> str:
-    """SHA-256 of a file."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+import jobs  # noqa: E402
+from sidecars import Refused, digest, sidecar  # noqa: E402
 
 
 def damaged() -> list[str]:
@@ -34,8 +30,9 @@ def damaged() -> list[str]:
         elif digest(ROOT / name) != expected:
             found.append(f"{name} is not the file that was packed")
     for table in sorted((ROOT / "results" / "data").glob("*.csv")):
-        sidecar = table.with_suffix(".json")
-        if not sidecar.is_file() or json.loads(sidecar.read_text())["csv_sha256"] != digest(table):
+        try:
+            sidecar(table)
+        except Refused:
             found.append(f"results/data/{table.name} is not the table that its sidecar describes")
     return found
 
@@ -47,14 +44,15 @@ def here(word: str) -> str:
     return name + equals + ":".join(pieces)
 
 
-def make(name: str, command: str, outputs: list[str]) -> str:
+def make(job: jobs.Job) -> str:
     """Runs a job in a fresh folder: 'same', 'otherwise', or why it cannot be run."""
+    command = ["env", *job.command[3:]] if job.command[1:3] == ["-E", "env"] else job.command  # CMake may not be there
     with tempfile.TemporaryDirectory(prefix="impinge-recheck-") as folder:
-        for output in outputs:
+        for output in job.outputs:
             (Path(folder) / output).parent.mkdir(parents=True, exist_ok=True)
         try:
             done = subprocess.run(
-                [here(word) for word in command.split()],
+                [here(word) for word in command],
                 cwd=folder,
                 capture_output=True,
                 text=True,
@@ -65,7 +63,7 @@ def make(name: str, command: str, outputs: list[str]) -> str:
         if done.returncode != 0:
             reason = (done.stderr or done.stdout).strip().splitlines()
             return f"cannot be made here: {reason[-1] if reason else 'no reason given'}"
-        made = all(digest(Path(folder) / output) == digest(ROOT / "results" / output) for output in outputs)
+        made = all(digest(Path(folder) / output) == digest(ROOT / "results" / output) for output in job.outputs)
         return "same" if made else "otherwise"
 
 
@@ -80,18 +78,16 @@ def main() -> int:
     if faults or options.sums:
         return 1 if faults else 0
     counts = {"same": 0, "otherwise": 0, "not made": 0}
-    jobs = [line.split("\t") for line in (ROOT / "graph" / "jobs.tsv").read_text().splitlines()]
-    made = [job for job in jobs if job[1] not in ("data", "page") and job[4] == "no"]  # they need a compiler
-    chosen = [job for job in made if options.only in (None, job[0])]
+    every = jobs.load(ROOT / "graph" / "jobs.json")
+    made = [job for job in every if job.kind not in ("data", "page") and not job.timing]  # they need a compiler
+    chosen = [job for job in made if options.only in (None, job.name)]
     if not chosen:
         print(f"recheck: there is no '{options.only}' that is made from data", file=sys.stderr)
         return 2
     for job in chosen:
-        found = make(
-            job[0], job[8].replace("/usr/bin/cmake -E env", shutil.which("env") or "env"), job[6].split(";")
-        )
+        found = make(job)
         counts[found if found in counts else "not made"] += 1
-        print(f"{job[0]}: {found}", flush=True)
+        print(f"{job.name}: {found}", flush=True)
     print(", ".join(f"{count} {what}" for what, count in counts.items()))
     print(
         "Bytes also differ with another version of matplotlib, VTK or LaTeX." if counts["otherwise"] else "",

@@ -2,7 +2,7 @@
 """Asks Ninja for the graph of results and says, in a reader's words, what happens: progress, time left, why,
 list.
 
-Called by experiments/reproduce. Ninja alone decides what runs; this reads build/.../graph/jobs.tsv (what can
+Called by experiments/reproduce. Ninja alone decides what runs; this reads build/.../graph/jobs.json (what can
 be made, with the expected seconds), the seconds of earlier runs, and Ninja's own output. Standard library
 only.
 """
@@ -12,59 +12,37 @@ from __future__ import annotations
 import argparse
 import collections
 import csv
+import dataclasses
+import json
 import os
 import re
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
-import archive
+SOURCE = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(SOURCE / "analysis" / "common"))
+
+import archive  # noqa: E402
+from jobs import Job, load  # noqa: E402
 
 STATUS = "@@ "  # starts every status line of Ninja, see NINJA_STATUS
 
 
-@dataclass(frozen=True)
-class Job:
-    """One node of the graph: a line of jobs.tsv."""
-
-    name: str
-    kind: str
-    seconds: float
-    timing: bool
-    artefacts: list[str]
-    outputs: list[str]
-    depends: list[str]
-    command: str
-    question: str
-
-    def names(self) -> set[str]:
-        """Everything that a reader may call it."""
-        stems = {Path(output).stem for output in self.outputs}
-        return {self.name, *self.artefacts, *self.outputs, *stems}
+def names(job: Job) -> set[str]:
+    """Everything that a reader may call it."""
+    return {job.name, *job.artefacts, *job.outputs, *(Path(output).stem for output in job.outputs)}
 
 
 def load_jobs(build: Path, profile: str) -> dict[str, Job]:
     """All jobs by name, with the time that each took before, or else the declared one."""
-    jobs = {}
-    for line in (build / "graph" / "jobs.tsv").read_text().splitlines():
-        name, kind, quick, full, timing, artefacts, outputs, depends, command, question = line.split("\t")
-        measured = build / "graph" / profile / name
-        declared = quick if profile == "quick" else full
-        seconds = float(measured.read_text() if measured.is_file() else declared)
-        jobs[name] = Job(
-            name,
-            kind,
-            seconds,
-            timing == "yes",
-            artefacts.split(";"),
-            outputs.split(";"),
-            depends.split(";"),
-            command,
-            question,
-        )
-    return jobs
+    found = {}
+    for job in load(build / "graph" / "jobs.json"):
+        measured = build / "graph" / profile / job.name
+        seconds = float(measured.read_text()) if measured.is_file() else job.seconds
+        found[job.name] = dataclasses.replace(job, seconds=seconds)
+    return found
 
 
 def find(jobs: dict[str, Job], name: str) -> Job:
@@ -73,7 +51,7 @@ def find(jobs: dict[str, Job], name: str) -> Job:
         if name == job.name:
             return job
     for job in jobs.values():
-        if name in job.names():
+        if name in names(job):
             return job
     known = " ".join(
         sorted({job.name for job in jobs.values()} | {a for job in jobs.values() for a in job.artefacts})
@@ -121,16 +99,6 @@ def programs_behind(job: Job, jobs: dict[str, Job], build: Path, results: Path) 
     return sorted(f"program-{file.stem}" for file in files if file.suffix == ".kept")
 
 
-def script_of(job: Job) -> str:
-    """The file that one edits to change what the job makes."""
-    for word in job.command.split():
-        if word.startswith(("analysis/", "paper/")):
-            return word
-    name = Path(job.command.split()[0]).stem
-    has_parts = (Path(__file__).resolve().parent / name).is_dir()
-    return f"experiments/{name}/main.cpp" if has_parts else f"experiments/{name}.cpp"
-
-
 def show_list(jobs: dict[str, Job]) -> None:
     """Each artefact once."""
     for job in jobs.values():
@@ -139,9 +107,9 @@ def show_list(jobs: dict[str, Job]) -> None:
             print(f"{artefact}\n    {job.question}")
             print(
                 f"    experiment {', '.join(behind) if len(behind) < 6 else f'all {len(behind)}'}"
-                f" · script {script_of(job)} · about {words(job.seconds)}{' alone' if job.timing else ''}"
+                f" · script {job.script} · about {words(job.seconds)}{' alone' if job.timing else ''}"
             )
-            print(f"    command    {job.command}")
+            print(f"    command    {' '.join(job.command)}")
 
 
 def ninja(build: Path, *arguments: str) -> list[str]:
@@ -165,8 +133,7 @@ def start(build: Path, arguments: list[str], output, **environment: str) -> subp
 
 def shorten(text: str, build: Path, results: Path) -> str:
     """Paths as a reader knows them."""
-    source = Path(__file__).resolve().parent.parent
-    for folder, short in ((results, "results"), (build, "build"), (source, "")):
+    for folder, short in ((results, "results"), (build, "build"), (SOURCE, "")):
         text = text.replace(f"{folder}/", f"{short}/" if short else "")
     return text
 
@@ -369,22 +336,20 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
 
 def pack(build: Path, results: Path, jobs: dict[str, Job]) -> None:
     """The results as one archive, which names no folder of this machine."""
-    source = Path(__file__).resolve().parent.parent
     bones = re.search(r"^IMPINGE_BONES:PATH=(.+)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
     places = {
         **({bones[1]: "BONES"} if bones else {}),
         str(results): "results",
-        f"{build.relative_to(source) if build.is_relative_to(source) else build}/": "",
+        f"{build.relative_to(SOURCE) if build.is_relative_to(SOURCE) else build}/": "",
     }
-    lines = []
-    for line in (build / "graph" / "jobs.tsv").read_text().splitlines():
-        fields = line.split("\t")
-        if fields[1] == "data":  # of another machine: its program and its meshes are not packed
-            fields[7] = ""
-            fields[8] = Path(fields[8].split()[0]).stem
-        lines.append(archive.relative("\t".join(fields), places))
+    kept = [
+        # Data are of another machine: its program and its meshes are not packed.
+        dataclasses.replace(job, depends=[], command=[Path(job.command[0]).stem]) if job.kind == "data" else job
+        for job in load(build / "graph" / "jobs.json")
+    ]
+    graph = json.dumps([dataclasses.asdict(job) for job in kept], indent=1)
     outputs = [output for job in jobs.values() for output in job.outputs]
-    files = archive.members(outputs, results, places) | archive.sources("\n".join(lines) + "\n")
+    files = archive.members(outputs, results, places) | archive.sources(archive.relative(graph, places))
     path = archive.write(results, files, lambda text: print(text, flush=True))
     print(f"archive  {path}")
 

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
@@ -17,17 +18,11 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-import data_table  # noqa: E402
-import finding  # noqa: E402
-import log_plot  # noqa: E402
-import markup  # noqa: E402
-import measured  # noqa: E402
-import reference  # noqa: E402
-import timing  # noqa: E402
-import verdict  # noqa: E402
-import verdicts_conchoid  # noqa: E402
-import verdicts_memory  # noqa: E402
-import verdicts_timing  # noqa: E402
+from common import heads, log_plot, measured, timing  # noqa: E402
+from findings import finding  # noqa: E402
+from report import data_table, markup, reference  # noqa: E402
+from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
+from verdicts import timing as verdicts_timing, verdict  # noqa: E402
 
 
 class Loading(unittest.TestCase):
@@ -68,6 +63,49 @@ class Loading(unittest.TestCase):
         self.csv.unlink()
         with self.assertRaisesRegex(common.Refused, "not there"):
             common.load(self.results, "x")
+
+
+class Heads(unittest.TestCase):
+    """The jobs that follow from the heads and imports of scripts."""
+
+    def written(self, head: str, *lists: str, **files: str) -> str:
+        """The jobs of a table with this head, whose script imports common/part.py; files: further ones of common/."""
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(heads, "ANALYSIS", Path(folder)):
+            files = {"__init__": "", "part": "# @depends analysis/common/part.csv\n", **files}
+            for name in ("tables", "common"):
+                (Path(folder) / name).mkdir()
+            for name, text in files.items():
+                (Path(folder) / "common" / f"{name}.py").write_text(text)
+            (Path(folder) / "tables" / "one.py").write_text(f"{head}\nfrom common import part\n")
+            heads.main(Path(folder), *lists)
+            return (Path(folder) / "tables.cmake").read_text().replace(f"{folder}/", "")
+
+    def test_jobs(self):
+        """What stands before the first name holds for all; what an import needs, the script needs."""
+        head = """# @data a\n# @name t\n# @question One?\n# @depends s/{x,y}.ply
+# @name t-JOINT\n# @for JOINT in JOINTS\n# @question Of JOINT?\n# @options --name NAME --all JOINTS\n# @outputs csv
+# @name t-all\n# @question All?\n# @when JOINTS"""
+        found = self.written(head, "JOINTS=p,q")
+        needs = '"common/part.csv" "tables/one.py" "common/__init__.py" "common/part.py"'
+        for text in (
+            f'NAME t KIND table ARTEFACTS t SECONDS 1 1\n  QUESTION "One?"\n  OUTPUTS "tables/t.csv" "tables/t.tex"\n'
+            f'  DEPENDS "data/a.csv" "data/a.json" "s/x.ply" "s/y.ply" {needs}\n',
+            'QUESTION "Of q?"\n  OUTPUTS "tables/t-q.csv"\n',
+            '"tables/one.py" "--results" "${IMPINGE_RESULTS_DIR}" "--name" "t-q" "--all" "p,q")',
+        ):
+            self.assertIn(text, found)
+        self.assertEqual(found.count("NAME t"), 4)
+        self.assertEqual(self.written(head, "JOINTS=").count("NAME t"), 1)
+
+    def test_refused(self):
+        """A key that is none, a name without a question, and a file that no script imports."""
+        for head, files, words in (
+            ("# @naem t", {}, "there is no @naem"),
+            ("# @name t", {}, "t needs @question"),
+            ("# @name t\n# @question One?", {"stray": ""}, "stray.py has no @name"),
+        ):
+            with self.assertRaisesRegex(SystemExit, words):
+                self.written(head, **files)
 
 
 class Measured(unittest.TestCase):

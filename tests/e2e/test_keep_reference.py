@@ -36,20 +36,16 @@ class KeepReference(unittest.TestCase):
         self.results, self.build, self.reference = root / "results", root / "build", root / "reference"
         for folder in (self.results / "data", self.results / "tables", self.build / "graph", self.reference):
             folder.mkdir(parents=True)
-        outputs = [
-            "data/a.csv;data/a.json",
-            "data/b.csv;data/b.json",
-            "tables/a.csv;tables/a.tex",
-            "verdicts.csv",
-        ]
-        lines = ["\t".join([*"nkqft", "a", files, *"dcq"]) for files in outputs]
-        (self.build / "graph" / "jobs.tsv").write_text("\n".join(lines) + "\n")
+        made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.tex", "verdicts.csv"]
+        job = dict.fromkeys("name kind seconds timing artefacts depends command question".split())
+        graph = json.dumps([{**job, "outputs": files.split()} for files in made])
+        (self.build / "graph" / "jobs.json").write_text(graph)
         self.settings("full")
         self.data("a")
         self.data("b", started_utc="2026-01-01T00:00:00Z")
         (self.results / "tables" / "a.csv").write_text("x\n1\n")
         (self.results / "tables" / "a.tex").write_text("1")
-        with (ROOT / "analysis" / "thesis_values.csv").open(newline="") as file:
+        with (ROOT / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
             rows = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
         self.verdicts([["artefact", "row", "column"], *rows])
 

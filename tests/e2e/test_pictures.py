@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import struct
 import subprocess
 import sys
@@ -19,17 +20,10 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-import diagram_chart  # noqa: E402
-import diagram_section  # noqa: E402
-from drawing import plt  # noqa: E402
-import hip  # noqa: E402
-import motion_limits  # noqa: E402
-import paper_limits  # noqa: E402
-import ply  # noqa: E402
-import render  # noqa: E402
-import replay  # noqa: E402
-import socket_map  # noqa: E402
-import verdicts_hip  # noqa: E402
+from common import diagram_chart, diagram_section, hip, motion_limits, ply, render, replay, socket_map  # noqa: E402
+from common.drawing import plt  # noqa: E402
+from paper import limits as paper_limits  # noqa: E402
+from verdicts import hip as verdicts_hip  # noqa: E402
 
 
 class View(unittest.TestCase):
@@ -139,8 +133,9 @@ class GapDifference(unittest.TestCase):
                 (scene / "gaps.csv").write_text("\n".join(["surface,vertex,x,y,z,gap_mm", *rows]) + "\n")
                 (scene / "summary.json").write_text(json.dumps({"colours": {"ball": levels}}))
             words = ["--results", folder, "--out", folder, "--joints", "hip"]
-            script = ROOT / "analysis" / "tab_gap_difference.py"
-            subprocess.run([sys.executable, "-B", str(script), *words], check=True)
+            script = ROOT / "analysis" / "tables" / "gap_difference.py"
+            environment = {**os.environ, "PYTHONPATH": str(ROOT / "analysis")}
+            subprocess.run([sys.executable, "-B", str(script), *words], check=True, env=environment)
             table = pd.read_csv(Path(folder) / "tables" / "figure-50-difference.csv")
         self.assertEqual(table.threshold_mm.tolist(), [0, 2])
         self.assertEqual(table[["vertices", "met_by_both", "met_by_one"]].iloc[0].tolist(), [4, 3, 1])

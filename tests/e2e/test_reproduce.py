@@ -33,14 +33,9 @@ DATA = [
 THESIS_TABLES = [f"table-{n}" for n in range(1, 14)]
 BORROWED = {*range(2, 13), *range(14, 25), 43, 51}  # "reproduced from" others, by their captions in the thesis
 ANALYSIS = ROOT / "analysis"
-# Those that have a script of their own or a job.
-THESIS_FIGURES = [
-    f"figure-{n}"
-    for n in sorted(
-        {int(script.name.split("_")[1]) for script in ANALYSIS.glob("fig_[0-9]*.py")}
-        | {int(n) for n in re.findall(r"\bfigure-(\d+)\b", (ANALYSIS / "CMakeLists.txt").read_text())}
-    )
-]
+# What the scripts say that they make.
+HEADS = "".join(script.read_text() for script in ANALYSIS.glob("figures/*.py"))
+THESIS_FIGURES = [f"figure-{n}" for n in sorted(map(int, re.findall(r"^# @name +figure-(\d+)$", HEADS, re.MULTILINE)))]
 TABLES = [
     *THESIS_TABLES,
     "table-9-queries",
@@ -269,7 +264,7 @@ class Reproduce(unittest.TestCase):
             with tarfile.open(RESULTS / "impinge-results.tar.gz") as tar:
                 tar.extractall(folder)
             unpacked = Path(folder) / "impinge-results"
-            for text in ("graph/jobs.tsv", "README"):
+            for text in ("graph/jobs.json", "README"):
                 self.assertNotIn(str(RESULTS), (unpacked / text).read_text())
             for file in (unpacked / "results").rglob("*.json"):
                 self.assertNotIn(str(RESULTS), file.read_text(), file)
@@ -329,7 +324,7 @@ class Reproduce(unittest.TestCase):
             (row["artefact"], row["row"], row["column"]): row for row in rows(RESULTS / "verdicts.csv")
         }
         judged = set()
-        for row in rows(ROOT / "analysis" / "thesis_values.csv"):
+        for row in rows(ROOT / "analysis" / "common" / "thesis_values.csv"):
             if row["artefact"] in JUDGED:
                 judged.add(row["artefact"])
                 verdict = verdicts[row["artefact"], row["row"], row["column"]]

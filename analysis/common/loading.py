@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reading results: a CSV with its sidecar, or a refusal."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+
+from common.sidecars import sidecar
+
+
+def load(results: Path, name: str) -> pd.DataFrame:
+    """data/NAME.csv with its sidecar in attrs; yes and no become booleans."""
+    csv = results / "data" / f"{name}.csv"
+    record = sidecar(csv)
+    table = pd.read_csv(csv, float_precision="round_trip")
+    for column in table.columns:
+        if table[column].isin(["yes", "no"]).all() and len(table):
+            table[column] = table[column] == "yes"
+    table.attrs.update(record)
+    return table

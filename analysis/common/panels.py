@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sheets of pictures of a joint: title, letters of the body's directions and a scale bar in each, one legend below."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patheffects import withStroke
+
+import common
+from common import hip, render
+
+INK = "#202020"
+LETTERS = {
+    "left": (0.015, 0.5, "left", "center"),
+    "right": (0.985, 0.5, "right", "center"),
+    "top": (0.5, 0.985, "center", "top"),
+    "bottom": (0.5, 0.015, "center", "bottom"),
+}
+
+
+@dataclass(frozen=True)
+class Panel:
+    """An image and the camera that took it; by default with scale bar and letters."""
+
+    title: str
+    image: np.ndarray
+    view: render.View
+    letters: bool = True
+
+
+def take(title: str, actors: list, view: render.View) -> Panel:
+    """A picture of the actors."""
+    return Panel(title, render.picture(actors, view), view)
+
+
+def draw(axes: plt.Axes, panel: Panel) -> None:
+    """One panel; points of the view's frame are at view.place() of its axes."""
+    axes.imshow(panel.image, interpolation="none")
+    axes.set_title(panel.title, loc="center", fontsize=common.SMALL)
+    axes.axis("off")
+    axes.autoscale(False)  # what is drawn later may leave the picture
+    if not panel.letters:
+        return
+    for where, letter in hip.letters(panel.view).items():
+        x, y, across, along = LETTERS[where]
+        axes.text(
+            x,
+            y,
+            letter,
+            transform=axes.transAxes,
+            ha=across,
+            va=along,
+            fontsize=common.SMALL,
+            color=INK,
+            weight="bold",
+            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+        )
+    scale_bar(axes, panel.view)
+
+
+def scale_bar(axes: plt.Axes, view: render.View) -> None:
+    """In the lower left corner: a length of 5, 10, 20 or 50 mm, about a fifth of the picture."""
+    length = min((5, 10, 20, 50), key=lambda mm: abs(mm - 0.4 * view.size))
+    pixels = length / view.size * view.pixels / 2
+    x, y = 0.03 * view.pixels, 0.965 * view.pixels
+    halo = [withStroke(linewidth=2.5, foreground="white")]
+    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=halo)
+    axes.annotate(
+        f"{length} mm",
+        (x + pixels / 2, y),
+        (0, 3),
+        textcoords="offset points",
+        ha="center",
+        fontsize=common.SMALL,
+        color=INK,
+        path_effects=halo,
+    )
+
+
+def sheet(
+    rows: list[list[Panel]], heading: str, legend: float = 0.55, titles: int = 1, width: float | None = None
+) -> tuple[plt.Figure, np.ndarray]:
+    """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
+    The axes have the shape of the rows. The width, inches, is by default that which the paper has room for.
+    """
+    common.style()
+    columns = max(len(row) for row in rows)
+    width = width or {1: 3.6, 2: 4.6}.get(columns, 7.0)
+    side = width / columns
+    head = 0.30 + 0.17 * heading.count("\n")
+    above = 0.12 + 0.15 * titles
+    height = (side + above) * len(rows) + head + legend
+    figure, grid = plt.subplots(len(rows), columns, figsize=(width, height), squeeze=False)
+    for line, row in zip(grid, rows):
+        for axes, panel in zip(line, row):
+            draw(axes, panel)
+        for axes in line[len(row) :]:
+            axes.axis("off")
+    figure.suptitle(heading, fontsize=9.5, y=1 - 0.08 / height, va="top")
+    top = 1 - (head + above - 0.05) / height
+    figure.subplots_adjust(
+        left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=above / side
+    )
+    return figure, grid
+
+
+def wrapped(figure: plt.Figure, text: str) -> str:
+    """Small text that ends in hip.WAYS, in three lines where the figure is too narrow for one."""
+    if len(text) < 16 * figure.get_figwidth():
+        return text
+    return text.replace("      ", "\n").replace(", R and", ",\nR and")
+
+
+def save(figure: plt.Figure, out: Path, name: str) -> None:
+    """figures/NAME.png, .svg and .pdf; of a real joint, whose figures are many, the PNG alone."""
+    if not re.fullmatch(r"figure-\d+-.+", name):
+        common.save_figure(figure, out, name)
+        return
+    path = out / "figures" / f"{name}.png"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Software": None}, bbox_inches="tight")
+    plt.close(figure)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error against cost: which settings no other beats in both.
+
+Everything is read from data/error_against_time.csv and error_against_time_spread.csv; no method, scheme or
+scene is named here.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import common
+from common import measured
+
+KEYS = ["scene", "method", "setting"]
+# What a reader is shown first; all scenes are in the tables.
+MAIN_SCENE = "generated_12000"
+# The three costs: column, title, unit.
+COSTS = {
+    "query_ns": "one query, ns",
+    "build_ms": "filling or building, ms",
+    "bytes": "memory, bytes",
+}
+
+
+def load(results: Path) -> pd.DataFrame:
+    """Both CSVs as one table, with the largest measured error, error_um, of either sign."""
+    table = measured.joined(results, "error_against_time", "error_against_time_spread", KEYS)
+    table["setting"] = table.setting.fillna("").astype(str)
+    table["error_um"] = table[["max_over_um", "max_under_um"]].abs().max(axis=1)
+    table["line"] = [line_of(row) for row in table.itertuples()]
+    return table
+
+
+def main_scene(scenes) -> str:
+    """The scene to show where there is room for one: the first where the main one is missing."""
+    return MAIN_SCENE if MAIN_SCENE in set(scenes) else next(iter(scenes))
+
+
+def line_of(row) -> str:
+    """What the settings of one line of a plot share: the method, and how its table is stored or its library is
+    set.
+    """
+    if row.storage not in ("none", "double"):
+        return f"{row.method}, {row.storage}"
+    return f"{row.method}, {row.setting}" if row.kind == "library" and row.setting else row.method
+
+
+def label(line: str) -> str:
+    """What a reader calls a line."""
+    method, *storage = line.split(", ")
+    return ", ".join([common.label(method), *storage])
+
+
+def step_of(row) -> str:
+    """What tells one setting of a line from the next."""
+    return f"{row.precision_deg:g}°" if np.isfinite(row.precision_deg) else row.setting
+
+
+def competes(table: pd.DataFrame) -> pd.Series:
+    """Whether a row may stand on a front: it answers the question of all, the radius along a direction."""
+    return (table.measure == "radial") & np.isfinite(table.error_um)
+
+
+def front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """Which points no other point is at least as good as in both, and better in one: one pass over the points
+    in the order of their cost. Points that are the same in both stand or fall together.
+    """
+    order = np.lexsort((error, cost))
+    on = np.zeros(len(error), dtype=bool)
+    best = np.inf
+    k = 0
+    while k < len(order):
+        same = k
+        while same < len(order) and cost[order[same]] == cost[order[k]]:
+            same += 1
+        least = error[order[k]]
+        if least < best:
+            on[order[k:same]] = error[order[k:same]] == least
+            best = least
+        k = same
+    return on
+
+
+def fronts(table: pd.DataFrame) -> pd.DataFrame:
+    """One row a scene, cost and row of the table that competes: what the plots show, and nothing else."""
+    lines = []
+    for scene, group in table[competes(table)].groupby("scene", sort=False):
+        for cost in COSTS:
+            own = group[np.isfinite(group[cost]) & (group[cost] > 0)]
+            on = front(own.error_um.to_numpy(), own[cost].to_numpy())
+            lines.append(
+                pd.DataFrame(
+                    {
+                        "scene": scene,
+                        "cost": cost,
+                        "method": own.method,
+                        "setting": own.setting,
+                        "error_um": own.error_um,
+                        "value": own[cost],
+                        "on_front": on,
+                    }
+                )
+            )
+    return pd.concat(lines, ignore_index=True)

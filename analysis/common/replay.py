@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The recorded motions of a hip: data/motion_frames.csv, data/motion_zones.csv, and the meshes with the gaps of every
+kept pose, data/motion_frames/NAME-ball.ply and NAME-socket.ply.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import common
+from common import hip, ply
+
+RED = 2.0  # mm: up to here the thesis shows red in Tables 12 and 13
+QUARTERS = 48  # of an hour on the dial: zones are that fine
+MOTIONS = {
+    "abduction": "Abduction",
+    "internal_rotation": "Internal rotation",
+    "extension": "Extension",
+    "adduction": "Adduction",
+    "external_rotation": "External rotation",
+    "flexion": "Flexion",
+}  # in the order of Tables 12 and 13
+
+
+@dataclass(frozen=True)
+class Replay:
+    """Frames with a picture, in their order; meshes as modelled, with a property gap_K for picture K."""
+
+    frames: pd.DataFrame
+    ball: ply.Mesh
+    socket: ply.Mesh
+
+
+def load(results: Path, joint: str) -> Replay:
+    """Of one hip."""
+    frames = common.load(results, "motion_frames")
+    frames = frames[(frames.joint == joint) & frames.picture.notna()].reset_index(drop=True)
+    folder = results / "data" / "motion_frames"
+    return Replay(frames, ply.read(folder / f"{joint}-ball.ply"), ply.read(folder / f"{joint}-socket.ply"))
+
+
+def posed(motions: Replay, frame, like: hip.Hip) -> hip.Hip:
+    """The hip in the pose of a row of the frames, with its gaps; side and colours are those of `like`."""
+    turn = np.array([[getattr(frame, f"rotation_{i}{j}") for j in "xyz"] for i in "xyz"])
+    gap = f"gap_{int(frame.picture)}"
+
+    def seen(mesh: ply.Mesh, vertices: np.ndarray) -> ply.Mesh:
+        return replace(mesh, vertices=vertices, properties={"gap": mesh.properties[gap]})
+
+    moved = motions.ball.vertices @ turn.T + np.array([0, frame.forward_mm, 0])
+    return replace(like, ball=seen(motions.ball, moved), socket=seen(motions.socket, motions.socket.vertices))
+
+
+def clock(hours: float) -> str:
+    """1:30 for 1.5; 0 is 12:00."""
+    minutes = round(hours * 60) % 720
+    return f"{minutes // 60 or 12}:{minutes % 60:02d}"
+
+
+def zones(table: pd.DataFrame) -> str:
+    """Rows of motion_zones.csv in words, the largest first."""
+    return ", ".join(f"{clock(row.from_hours)}-{clock(row.to_hours)}" for row in table.itertuples()) or "none"
+
+
+def union(table: pd.DataFrame) -> str:
+    """Where any of the zones is, clockwise from 12; they begin and end at quarters of an hour."""
+    filled = np.zeros(QUARTERS, dtype=bool)
+    for row in table.itertuples():
+        count = round((row.to_hours - row.from_hours) % 12 * 4) or QUARTERS
+        filled[(round(row.from_hours * 4) + np.arange(count)) % QUARTERS] = True
+    if filled.all() or not filled.any():
+        return "12:00-12:00" if filled.all() else "none"
+    starts = np.flatnonzero(filled & ~np.roll(filled, 1))
+    lengths = [
+        next(n for n in range(1, QUARTERS + 1) if not filled[(start + n) % QUARTERS]) for start in starts
+    ]
+    return ", ".join(f"{clock(start / 4)}-{clock((start + n) / 4)}" for start, n in zip(starts, lengths))
+
+
+def ends(results: Path) -> pd.DataFrame:
+    """The pose at the end of each motion, by joint and motion."""
+    frames = common.load(results, "motion_frames")
+    return frames[frames.at_end].set_index(["joint", "motion"])
+
+
+def end_zones(results: Path, joint: str) -> pd.DataFrame:
+    """Zones of the socket at the ends of the motions, the largest first."""
+    table = common.load(results, "motion_zones")
+    return table[(table.joint == joint) & table.at_end & (table.surface == "socket")]
+
+
+def neutral_zones(results: Path, joint: str) -> pd.DataFrame:
+    """Zones of the socket in the pose as modelled."""
+    table = common.load(results, "motion_zones")
+    return table[(table.joint == joint) & (table.motion == "neutral") & (table.surface == "socket")]

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-41
+# @question  The five colours of a gap, on a stand-in for patient A whose ball is moved forward (Figure 41 of the thesis).
+# @data      motion_frames
+# @depends   data/motion_frames/patient_a-{ball,socket}.ply
+# @depends   scenes/patient_a/{ball.ply,socket.ply,summary.json}
+# @options   --joint patient_a --name NAME
+# @outputs   png svg pdf
+# @seconds   3 3
+"""Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket."""
+
+from __future__ import annotations
+
+import common
+from common import gap_colours, hip, panels, render, replay
+
+
+def main() -> None:
+    """Writes figures/figure-41.png, .svg and .pdf."""
+    options = common.arguments(__doc__, "--joint", "--name")
+    motions = replay.load(options.results, options.joint)
+    frame = next(row for row in motions.frames.itertuples() if row.motion == "forward")
+    joint = replay.posed(motions, frame, hip.load(options.results, options.joint))
+    ball, socket = gap_colours.both(joint)
+    glass = gap_colours.of_part(joint, "socket", opacity=0.35)
+    together = hip.view("anterior", joint, [joint.ball, joint.socket])
+    with render.screen():
+        row = [
+            panels.take("a) joint, anterior view, socket as glass", [ball, glass], together),
+            panels.take("b) socket, lateral view", [socket], hip.view("lateral", joint, [joint.socket])),
+            panels.take("c) ball, medial view", [ball], hip.view("medial", joint, [joint.ball])),
+        ]
+    heading = (
+        f"Ball moved forward by {frame.forward_mm:g} mm to show the five colours, smallest gap "
+        f"{frame.smallest_gap_mm:.2f} mm\n{hip.title(options.joint)}"
+    )
+    figure, _ = panels.sheet([row], heading, legend=0.95)
+    gap_colours.add_legend(figure, joint.summary)
+    panels.save(figure, options.out, options.name)
+
+
+common.run(main)

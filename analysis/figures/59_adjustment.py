@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      figure-59
+# @question  By how much each of 901 rays is turned (Figure 59).
+# @data      conchoid_angles
+"""Figure 59: by how much each of 901 rays is turned."""
+
+import matplotlib.pyplot as plt
+
+import common
+from common import conchoid_angles
+
+
+def main() -> None:
+    """Writes figures/figure-59.svg, .png and .pdf."""
+    options = common.arguments(__doc__)
+    rays = conchoid_angles.finest(options.results)
+    common.style()
+    figure, axes = plt.subplots()
+    for column, name in conchoid_angles.ADJUSTED.items():
+        turned = rays[column] - rays.original_deg
+        at = turned.idxmin()
+        look = conchoid_angles.LOOKS[column]
+        label = f"{name}: {turned[at]:.2f}° at φ = {rays.original_deg[at]:.1f}°"
+        axes.plot(rays.original_deg, turned, label=label, **conchoid_angles.line(column))
+        axes.plot(rays.original_deg[at], turned[at], marker=look["marker"], color=look["color"])
+    axes.axhline(0, color="#555555", linewidth=0.8)
+    axes.set(
+        title="Adjustment of the rays; markers: where it is largest",
+        xlabel="original angle φ, degrees",
+        ylabel="adjusted minus original angle, degrees",
+        xlim=(0, 90),
+    )
+    axes.set_xticks(range(0, 91, 15))
+    axes.legend(loc="center", bbox_to_anchor=(0.53, 0.65))
+    common.save_figure(figure, options.out, "figure-59")
+
+
+common.run(main)

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      contact-time
+# @question  How long does it take to tell whether a joint touches, beside FCL?
+# @data      contact
+"""Time to tell whether a joint touches, and its smallest gap, against its triangles."""
+
+import matplotlib.pyplot as plt
+import pandas as pd
+
+import common
+from common import contact
+
+
+def main() -> None:
+    """Writes figures/contact-time.svg, .png and .pdf."""
+    options = common.arguments(__doc__)
+    table = contact.load(options.results)
+    looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
+    common.style()
+    figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
+    for panel, (case, title) in zip(axes, contact.CASES.items()):
+        draw(panel, table[table.gap_case == case], looks)
+        panel.set_title(title)
+    axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.tight_layout(rect=(0, 0.19, 1, 1))
+    common.save_figure(figure, options.out, "contact-time")
+
+
+def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
+    """A line a method, bars of the interquartile range."""
+    for line, look in looks.items():
+        own = rows[rows.line == line].sort_values("triangles")
+        axes.errorbar(own.triangles, own.us_pose, yerr=own.iqr_us / 2, label=line, capsize=2, **look)
+    sizes = sorted(rows.triangles.unique())
+    axes.set(xscale="log", yscale="log", xlabel="triangles of each model")
+    axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])
+    axes.minorticks_off()
+
+
+common.run(main)

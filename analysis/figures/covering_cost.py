@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      covering-cost
+# @question  What does a better covering cost in time?
+# @data      schemes scheme_covering lookup_time
+"""Covering constant of every scheme against the time of one look-up."""
+
+import textwrap
+
+import matplotlib.pyplot as plt
+
+import common
+from common import scheme_plot
+
+
+def main() -> None:
+    """Writes figures/covering-cost.svg, .png and .pdf."""
+    options = common.arguments(__doc__)
+    labels = common.scheme_labels(options.results)
+    table = common.load(options.results, "scheme_covering").merge(
+        common.load(options.results, "lookup_time"), on="scheme"
+    )
+    top = 1.1 * scheme_plot.reach(table.constant)
+    names = [
+        textwrap.fill(labels[row.scheme] + (f" ({row.constant:,.0f} ↑)" if row.constant > top else ""), 22)
+        for row in table.itertuples()
+    ]
+    height = table.constant.clip(upper=top)
+    common.style()
+    figure, axes = plt.subplots(figsize=(4.5, 4.5))
+    axes.set(
+        xscale="log",
+        xlim=(0.7 * table.median_ns.min(), 2.2 * table.median_ns.max()),
+        ylim=(scheme_plot.FLOOR - 0.55, top + 0.3),
+    )
+    axes.vlines(
+        table.median_ns, table.constant_away.clip(upper=top), height, color=common.THESIS_GREY, linewidth=1
+    )
+    axes.plot(
+        table.median_ns,
+        table.constant_away.clip(upper=top),
+        linestyle="none",
+        marker="_",
+        color=common.THESIS_GREY,
+        label="away from the poles",
+    )
+    axes.plot(
+        table.median_ns, height, linestyle="none", marker="o", color=common.COLOURS[0], label="whole sphere"
+    )
+    best = table.sort_values(["median_ns", "constant"])
+    best = best[best.constant <= best.constant.cummin()]
+    axes.step(
+        best.median_ns,
+        best.constant.clip(upper=top),
+        where="post",
+        color=common.COLOURS[1],
+        linestyle="-.",
+        linewidth=0.9,
+        alpha=0.8,
+        label="no other is better in both",
+        zorder=1,
+    )
+    axes.axhline(
+        scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT
+    )
+    scheme_plot.name_points(axes, table.median_ns, height, names)
+    ticks = [
+        tick
+        for tick in (10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
+        if axes.get_xlim()[0] <= tick <= axes.get_xlim()[1]
+    ]
+    axes.set_xticks(ticks, [f"{tick:,}" for tick in ticks])
+    axes.minorticks_off()
+    axes.set(
+        xlabel="time of one look-up at a random direction, ns",
+        ylabel=r"covering constant $N\rho^2$",
+        title="Memory against time: lower left is better",
+    )
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.12, -0.12))
+    common.save_figure(figure, options.out, "covering-cost")
+
+
+common.run(main)

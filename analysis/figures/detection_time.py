@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      detection-time
+# @question  How the time to test one pose grows with the triangles
+# @data      detection_time
+"""Time to test one pose against the number of triangles, ours and Tables 4 and 9 of the thesis."""
+
+import common
+from common import log_plot, timing
+
+
+def main() -> None:
+    """Writes figures/detection-time.svg, .png and .pdf."""
+    options = common.arguments(__doc__)
+    lines = timing.compare(options.results, timing.TABLE_9)
+    ticks = {n: f"{n:,.0f}" for n in lines.triangles.unique()}
+    figure = log_plot.draw(lines, "triangles", ticks, "triangles a model", "Testing one pose for impingement")
+    common.save_figure(figure, options.out, "detection-time")
+
+
+common.run(main)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @data      baselines fast
+"""Statements about the methods that Chapter 2 and Section 3.6 compare with."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pandas as pd
+
+from common import fast, timing
+from findings.finding import ARITHMETIC, finding, load, one, rounded
+
+PATIENT = 12000  # triangles of each model, as the thesis' patient
+TABLE = "cube_gnomonic_mesh_exact"
+EXACT_UM = 1  # micrometres: nearer to the surface than any table of the thesis
+
+
+def rows(results: Path) -> list[dict]:
+    """All of them."""
+    return [
+        grid_memory(),
+        no_distances(results),
+        tree_growth(results),
+        every_triangle(results),
+        lost_triangles(results),
+        field_memory(results),
+    ]
+
+
+def grid_memory() -> dict:
+    """Section 2.2.2."""
+    size = 1024**3 * 8
+    return finding(
+        "2.2.2",
+        "A distance field of 1024 x 1024 x 1024 in double takes 8 GB.",
+        f"{size:,} bytes: {size / 2**30:g} GiB, {size / 1e9:.2f} GB.",
+        ARITHMETIC,
+        holds=size == 8 * 2**30,
+    )
+
+
+def vertex_times(results: Path) -> pd.DataFrame:
+    """Time of a vertex of the ball by every way to find its gap, one thread, the widest instructions."""
+    table = fast.load(results)
+    table = table[(table.direction == "ball->socket") & (table.threads == 1)]
+    return table[table.instruction_set.isin(["none", fast.best_set(table)])]
+
+
+def doubtful(results: Path, *methods: str) -> bool:
+    """Whether a time of one of these at a size that is compared is disqualified."""
+    table = load(results, "fast")
+    return any(timing.disqualified(table, method, "ball->socket") for method in methods)
+
+
+def no_distances(results: Path) -> dict:
+    """Sections 2.2.1, 3.4 and 3.6.1."""
+    times = vertex_times(results)
+    times = times[times.triangles == PATIENT].set_index("method")
+    rays, closest = times.loc["embree_ray8"], times.loc["embree_closest"]
+    doubt = " (inconclusive times)" if doubtful(results, "embree_ray8", "embree_closest") else ""
+    return finding(
+        "2.2.1, 3.4, 3.6.1",
+        "Hierarchies of bounding volumes cannot give the distances between two surfaces.",
+        f"Embree's give them of every vertex at {PATIENT:,} triangles: along the ray to {rounded(1e3 * rays.error_um, 1)} nm in "
+        f"{rounded(rays.ns_vertex, 2)} ns a vertex, of the closest point in {rounded(closest.ns_vertex, 2)} ns{doubt}.",
+        "fast: error_um, ns_vertex",
+        holds=bool(rays.error_um > EXACT_UM),
+    )
+
+
+def tree_growth(results: Path) -> dict:
+    """Section 3.6.1, by the time of one of the n points."""
+    times = vertex_times(results)
+    cube = (times.method == TABLE) & (times.setting == "n=291") & (times.storage == "uint16")
+    small, large = times.triangles[cube].min(), PATIENT
+    tree, table = (
+        one(rows, "ns_vertex", triangles=large) / one(rows, "ns_vertex", triangles=small)
+        for rows in (times[times.method == "embree_ray8"], times[cube])
+    )
+    by_log = math.log(large) / math.log(small)
+    return finding(
+        "3.6.1",
+        "The distances of n points take O(n log n) with a tree, and O(n) with the table.",
+        f"From {small:,} to {large:,} triangles the time of a point grows by the factor {tree:.2f} with Embree's tree, where log n "
+        f"grows by {by_log:.2f}, and by {table:.2f} with a table of one size, which has to be filled first.",
+        "fast: ns_vertex",
+        holds=bool(tree < 1.5 * by_log and table < by_log),
+        otherwise="imprecise",
+        inconclusive=doubtful(results, "embree_ray8", TABLE),
+    )
+
+
+def generated(results: Path, method: str):
+    """The rows of one method on the generated pair."""
+    table = load(results, "baselines", method=method)
+    return table[table.joint == table.joint.iloc[0]]
+
+
+def every_triangle(results: Path) -> dict:
+    """Section 3.6.3."""
+    table = load(results, "baselines", method="rsid", size=1.0)
+    missed = table.faces_missed
+    worst = table.loc[(missed / table.faces).idxmax()]
+    joints = len(table)
+    where = f"in the worst of {joints} joints" if joints > 1 else "of the generated pair"
+    return finding(
+        "3.6.3",
+        "RSID samples all the triangles, without missing a single one.",
+        f"At 1 degree {int(worst.faces_missed):,} of {int(worst.faces):,} triangles of the ball hold no entry, {where}; "
+        f"no vertex is left without an answer for that, since a look-up interpolates.",
+        "baselines: faces_missed",
+        holds=bool((missed == 0).all()),
+    )
+
+
+def lost_triangles(results: Path) -> dict:
+    """Section 3.6.3."""
+    table = generated(results, "maciel_triangles").set_index("size")
+    coarse, fine = table.loc[10], table.loc[400]
+    lost = 100 * fine.points_missed / fine.points
+    return finding(
+        "3.6.3",
+        "With one triangle a direction, many triangles are lost even in a table of 400 x 400.",
+        f"10 x 10 rays lose {int(coarse.faces_missed):,} of {int(coarse.faces):,}, 400 x 400 lose {int(fine.faces_missed):,}; but "
+        f"{rounded(lost, 2)} % of the vertices still do not meet the triangle of their ray and get no answer.",
+        "baselines: faces_missed, points_missed",
+        holds=fine.faces_missed > 0,
+        otherwise="imprecise",
+    )
+
+
+def field_memory(results: Path) -> dict:
+    """Section 3.6.2."""
+    field = generated(results, "cartesian_field").sort_values("size").iloc[-1]
+    table = generated(results, "rsid")
+    enough = table[table.rms_error_mm <= field.rms_error_mm].sort_values("bytes").iloc[0]
+    return finding(
+        "3.6.2",
+        "A distance field on a Cartesian grid takes more memory and more time to fill for less resolution.",
+        f"{int(field['size'])} nodes a side take {rounded(field.bytes / 1e3)} kB and {rounded(field.build_ms, 2)} ms for an error of "
+        f"{rounded(1e3 * field.rms_error_mm, 2)} micrometres (root mean square); RSID at {enough['size']:g} degrees takes "
+        f"{rounded(enough.bytes / 1e3)} kB and {rounded(enough.build_ms, 2)} ms for {rounded(1e3 * enough.rms_error_mm, 2)}.",
+        "baselines: bytes, build_ms, rms_error_mm",
+        holds=bool(enough.bytes < field.bytes and enough.build_ms < field.build_ms),
+        otherwise="imprecise",
+        inconclusive=any(
+            timing.disqualified(load(results, "baselines"), line.joint, line.method, line.setting, "build")
+            for line in (field, enough)
+        ),
+    )

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_surfaces slice_band_limit detection_time
+"""Statements on the joint and on RSID, the first system (Chapters 2 and 3)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import common
+from common import log_plot, timing
+from findings.finding import finding, load, one, printed, rounded
+
+EXACT = 1e-9  # mm, what rounding leaves
+THESIS_FACES = 3000  # of the models that it fills tables of
+LEVEL = 0.15  # exponent up to which a time hardly grows
+
+
+def rows(results: Path) -> list[dict]:
+    """In the order of the thesis."""
+    return [
+        cam_and_pincer(),
+        comparison(results),
+        saved_distances(results),
+        linear_in_the_angles(results),
+        sample_points(results),
+        linear_time(results),
+        constant_time(results),
+        sampling_error(results),
+        finer_tables(results),
+        required_precision(results),
+        ten_by_ten(results),
+        finest_grid(results),
+    ]
+
+
+def cam_and_pincer() -> dict:
+    """A matter of definitions: it rests on the paper that is cited, and nothing is computed."""
+    return finding(
+        "2.1.3",
+        "Cam impingement is over-coverage by the socket, pincer impingement a reduced offset of the head.",
+        "The other way round, by the definition in the paper that the thesis cites for it; nothing is computed: a cam is an "
+        "aspherical head with reduced offset, a pincer an acetabulum that covers too much.",
+        "no data: a definition, cited",
+        holds=False,
+        source="ganz2003",
+    )
+
+
+def comparison(results: Path) -> dict:
+    """Algorithms 2 and 3, for the scan of the socket."""
+    socket = load(results, "finding_comparison", surface="socket").iloc[0]
+    return finding(
+        "Algorithms 2, 3",
+        "The comparison d <= d_i finds impingement in both scans.",
+        f"In a clear pose it calls {socket.impinged_as_written:,} of {socket.vertices_met:,} vertices of the socket "
+        f"impinged; the signed gap calls {socket.impinged_by_gap:,}.",
+        "finding_comparison: impinged_as_written, impinged_by_gap",
+        holds=socket.impinged_as_written == socket.impinged_by_gap,
+    )
+
+
+def saved_distances(results: Path) -> dict:
+    """The colours need distances where there is no impingement."""
+    ball = load(results, "finding_comparison", surface="ball").iloc[0]
+    return finding(
+        "Algorithms 2, 3",
+        "The distance between the surfaces is saved, for colours up to 4 mm.",
+        f"As written it is saved of impinged vertices only: of {ball.impinged_as_written:,} of {ball.vertices_met:,} "
+        "vertices of the ball that face the socket in a clear pose.",
+        "finding_comparison: vertices_met, impinged_as_written",
+        holds=ball.impinged_as_written == ball.vertices_met,
+        otherwise="imprecise",
+    )
+
+
+def linear_in_the_angles(results: Path) -> dict:
+    """Section 3.2."""
+    table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
+    centred = table[table.shifted == "none"]
+    shifted = table[table.shifted != "none"].groupby("faces").largest_mm.max()
+    listed = " and ".join(
+        f"{rounded(row.largest_mm, 2)} mm ({row.faces:,} faces)" for row in centred.itertuples()
+    )
+    moved = " and ".join(f"{rounded(value, 2)} mm" for value in shifted)
+    to_sphere = load(
+        results, "finding_interpolation", radius_of="thesis_raster", against="sphere", shifted="none"
+    )
+    return finding(
+        "3.2",
+        "A triangle is sampled exactly by distances that are linear in the two angles.",
+        f"Off the triangles of a sphere of 22 mm by up to {listed}; by {moved} where its centre is off by 0.3 radii. "
+        f"The sphere itself is met to {to_sphere.largest_mm.max():.0e} mm.",
+        "finding_interpolation: largest_mm",
+        holds=table.largest_mm.max() < EXACT,
+        otherwise="imprecise",
+    )
+
+
+def sample_points(results: Path) -> dict:
+    """Section 3.4."""
+    entries = one(load(results, "lut_memory", scheme="rsid"), "entries", precision_deg=0.05)
+    return finding(
+        "3.4",
+        "At 0.05 degrees there are more than 26 million sample points.",
+        f"One table has {entries:,} entries, as its own Table 2 says.",
+        "lut_memory: entries",
+        holds=entries > 26e6,
+        otherwise="imprecise",
+    )
+
+
+def linear_time(results: Path) -> dict:
+    """Tables 4 and 9 by query, from the thesis' own times."""
+    lines = timing.compare(results, timing.TABLE_9)
+    lines = lines[lines.method == common.counterparts("table-9")["rsid"]]
+    queries = common.load(results, timing.TABLE_9.data).attrs["parameters"]["queries"]
+    thesis = {
+        int(key): 1e6 * one(lines, "thesis_ms", triangles=int(key)) / value for key, value in queries.items()
+    }
+    ours = {
+        int(key): 1e6 * one(lines, "measured_ms", triangles=int(key)) / value
+        for key, value in queries.items()
+    }
+    large, small = max(thesis), sorted(thesis)[-2]
+    doubtful = bool(lines.inconclusive[lines.triangles.isin([small, large])].any())
+    return finding(
+        "Tables 4, 9",
+        "The time to test a pose is in proportion to the number of vertices.",
+        f"By the thesis' own times a query takes {rounded(thesis[small])} ns at {small:,} triangles and "
+        f"{rounded(thesis[large])} ns at {large:,}; here {rounded(ours[small])} and {rounded(ours[large])} ns"
+        f"{', which is inconclusive' if doubtful else ''}.",
+        "detection_time: median_ms, by the queries of Table 9",
+        holds=max(thesis[large] / thesis[small], ours[large] / ours[small]) < 1.5,
+        otherwise="imprecise",
+        inconclusive=doubtful and thesis[large] < 1.5 * thesis[small],
+    )
+
+
+def constant_time(results: Path) -> dict:
+    """Section 3.6.1."""
+    lines = timing.compare(results, timing.TABLE_4)
+    method = common.counterparts("table-4")["rapid"]
+    mine = lines[lines.method == method]
+    mine = mine[mine.joint == mine.joint.iloc[0]]  # a patient's joint has other gaps
+    exponent = log_plot.slope(mine.triangles, mine.measured_ms)
+    return finding(
+        "3.6.1",
+        "The time of an OBB tree does not depend on the number of triangles.",
+        f"It grows with the power {exponent:.2f} from {mine.triangles.min():,} to {mine.triangles.max():,} triangles, in "
+        "the poses of this test.",
+        "detection_time: median_ms",
+        holds=abs(exponent) < LEVEL,
+        inconclusive=bool(mine.inconclusive.any()),
+    )
+
+
+def sampling_error(results: Path) -> dict:
+    """Table 5."""
+    formula = load(results, "sampling_error", scheme="rsid", precision_deg=1.0).iloc[0]
+    surfaces = load(results, "sampling_error_surfaces", scheme="rsid", precision_deg=1.0, surface="sphere")
+    sphere = surfaces[surfaces.interpolant == "smooth"].iloc[0]
+    return finding(
+        "Eq. 7, Table 5",
+        f"The largest sampling error at 1 degree is {formula.formula_max_mm:.3f} mm.",
+        f"That is a distance along the surface ({rounded(sphere.tangential_max_mm)} mm measured). The error of the radius "
+        f"is {sphere.radial_max_mm:.0e} mm on the sphere and {rounded(formula.measured_max_mm)} mm on a meshed head.",
+        "sampling_error: measured_max_mm; sampling_error_surfaces: tangential_max_mm",
+        holds=abs(formula.measured_max_mm / formula.formula_max_mm - 1) < 0.1,
+        otherwise="imprecise",
+    )
+
+
+def finer_tables(results: Path) -> dict:
+    """Table 5 against the floor under it."""
+    flat = load(results, "finding_interpolation", radius_of="mesh", against="sphere", shifted="none")
+    flat = 1e3 * flat.sort_values("faces").set_index("faces")[["largest_mm", "rms_mm"]]
+    listed = ", ".join(f"{rounded(um)} ({faces:,} faces)" for faces, um in flat.largest_mm.items())
+    finest = common.number(printed("table-5", "max_error", "0.05deg"))
+    return finding(
+        "Table 5",
+        f"A finer table lowers the error, to {finest:g} mm at 0.05 degrees.",
+        f"Of the table, but not of the joint: flat faces lie inside the sphere behind them by up to {listed} micrometres, those "
+        f"of {THESIS_FACES:,} by {rounded(flat.rms_mm[THESIS_FACES])} root mean square, and no table of them is nearer to it.",
+        "finding_interpolation: largest_mm, rms_mm",
+        holds=flat.largest_mm[THESIS_FACES] < 1e3 * finest,
+        otherwise="imprecise",
+    )
+
+
+def required_precision(results: Path) -> dict:
+    """Section 3.5.2. Samples a gap apart determine band limits up to half a turn by the gap, and entries need be no
+    closer to keep those: no rounding of the limit to a whole number takes part.
+    """
+    limit = load(results, "slice_band_limit", distance="slices, middle").iloc[0]
+    asked = limit.gap_deg
+    claimed = common.number(printed("section-3.5.2", "required_precision", "slices"))
+    return finding(
+        "3.5.2",
+        f"Slices 3 degrees apart ask, by Shannon's theorem, for samples {claimed:g} degrees apart.",
+        f"Slices {limit.gap_deg:.2f} degrees apart determine band limits up to 180 / {limit.gap_deg:.2f} = "
+        f"{180 / limit.gap_deg:.1f}, which entries as far apart keep: {claimed:g} degrees are {asked / claimed:.1f} times closer "
+        "than the theorem asks, on the safe side. Half the distance helps the interpolation.",
+        "slice_band_limit: gap_deg",
+        holds=abs(claimed / asked - 1) < 0.1,
+    )
+
+
+def ten_by_ten(results: Path) -> dict:
+    """Section 3.6.3."""
+    coarse, fine = (one(common.load(results, "finding_grids"), "polar_step_deg", side=n) for n in (10, 400))
+    azimuth = one(common.load(results, "finding_grids"), "azimuth_step_deg", side=400)
+    return finding(
+        "3.6.3",
+        "A table of 10 x 10 has a precision of 1.8 degrees, one of 400 x 400 of 0.45.",
+        f"{coarse:g} degrees; and {fine:g} in the polar angle, {azimuth:g} in the azimuth.",
+        "finding_grids: polar_step_deg, azimuth_step_deg",
+        holds=abs(coarse - 1.8) < 0.05,
+        otherwise="misprint",
+    )
+
+
+def finest_grid(results: Path) -> dict:
+    """Section 3.6.3."""
+    finest = load(results, "lut_memory", precision_deg=0.05).set_index("scheme")
+    columns = finest.equator_points.rsid
+    return finding(
+        "3.6.3",
+        "At 0.05 degrees the RSID table is one of 7201 x 3601.",
+        f"{columns:,} x {finest.entries.rsid // columns:,}; {finest.equator_points.usid:,} is the helix's number of points on "
+        "the equator.",
+        "lut_memory: equator_points, entries",
+        holds=columns == 7201,
+        otherwise="misprint",
+    )

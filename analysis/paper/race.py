@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @data      error_against_time error_against_time_spread sampling_error_proven error_budget certified euclidean
+# @depends   tables/matched-accuracy.csv
+"""Numbers of the paper about error against run time, proven bounds, certified gaps and Euclidean distances.
+
+race:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);
+tightness:least, :median and :most of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
+the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
+budget:STAGE:COLUMN of the generated pair at 1 degree;
+certified:poses, :wrong, :crossings, :missed_um, :undecided:least and :most (per cent); euclidean:ZONE:gap_p90 and
+:gap_max, the largest over all joints and poses.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import common
+from common import pareto
+
+
+def facts(results: Path) -> dict[str, str]:
+    """All of them."""
+    return race(results) | matched(results) | proven(results) | certified(results) | euclidean(results)
+
+
+def race(results: Path) -> dict[str, str]:
+    """How many took part, and how tight the proven bounds are."""
+    table = pareto.load(results)
+    tightness = table.tightness[np.isfinite(table.attained_um)]  # of the bounds that were searched for
+    return {
+        "race:methods": str(table.method.nunique()),
+        "race:scenes": str(table.scene.nunique()),
+        "race:settings": f"{len(table):,}",
+        "race:bounded": f"{np.isfinite(table.bound_um).sum():,}",
+        "race:searched": f"{len(tightness):,}",
+        "tightness:least": common.digits(tightness.min(), 2),
+        "tightness:median": common.digits(tightness.median(), 2),
+        "tightness:most": common.digits(tightness.max(), 2),
+    }
+
+
+def matched(results: Path) -> dict[str, str]:
+    """The fastest line at each error."""
+    lines = pd.read_csv(results / "tables" / "matched-accuracy.csv")
+    scene = pareto.main_scene(lines.scene)
+    found = {"matched:scene": scene.replace("_", " ")}
+    own = lines[(lines.scene == scene) & np.isfinite(lines.query_ns)]
+    for target, group in own.groupby("target_um"):
+        best = group.loc[group.query_ns.idxmin()]
+        name = f"matched:{target:g}"
+        found |= {
+            f"{name}:line": pareto.label(best.line),
+            f"{name}:query_ns": common.digits(best.query_ns),
+            f"{name}:kib": common.digits(best.bytes / 1024),
+            f"{name}:embree": common.digits(best.times_faster_than_embree, 2) or "---",
+            f"{name}:thesis": common.digits(best.times_faster_than_thesis, 2) or "---",
+        }
+    return found
+
+
+def proven(results: Path) -> dict[str, str]:
+    """Bound, measured error and tightness of the head's tables, and the stages of the budget."""
+    found = {}
+    for row in common.load(results, "sampling_error_proven").itertuples():
+        name = f"proven:{row.scheme}:{row.precision_deg:g}"
+        found[f"{name}:bound_um"] = common.digits_up(1000 * row.bound_mm)
+        found[f"{name}:measured_um"] = common.digits(1000 * row.measured_max_mm)
+        found[f"{name}:a_priori_um"] = common.digits_up(1000 * row.a_priori_mm)
+    budget = common.load(results, "error_budget")
+    chosen = (budget.scheme == "rsid") & (budget.storage == "uint16") & (budget.precision_deg == 1)
+    for row in budget[chosen].itertuples():
+        found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2)
+        found[f"budget:{row.stage}:rms_um"] = common.digits(row.rms_um, 2)
+    return found
+
+
+def certified(results: Path) -> dict[str, str]:
+    """Verdicts counted once a joint where schemes share the poses."""
+    table = common.load(results, "certified")
+    share = 100 * table.undecided / table.vertices
+    once = table.groupby("joint").first()
+    return {
+        "certified:verdicts": f"{table.vertices.sum():,}",
+        "certified:poses": f"{once.poses.sum():,}",
+        "certified:joints": str(len(once)),
+        "certified:wrong": str(table.wrong.sum()),
+        "certified:crossings": f"{once.crossings_matter.sum():,}",
+        "certified:missed_um": common.digits(table.largest_missed_um.max()),
+        "certified:undecided:least": common.digits(share.min(), 2),
+        "certified:undecided:most": common.digits(share.max(), 2),
+    }
+
+
+def euclidean(results: Path) -> dict[str, str]:
+    """How much radial gaps overstate, by zone."""
+    table = common.load(results, "euclidean")
+    found = {}
+    for zone, group in table.groupby("zone"):
+        found[f"euclidean:{zone}:gap_median"] = common.digits(group.gap_median.max(), 4)
+        found[f"euclidean:{zone}:gap_p90"] = common.digits(group.gap_p90.max(), 4)
+        found[f"euclidean:{zone}:gap_max"] = common.digits(group.gap_max.max(), 4)
+    return found

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The part of the report with the verdicts: how many of each, and every one with its rule; report.js filters them."""
+
+from __future__ import annotations
+
+import html
+
+import pandas as pd
+
+from report.artefacts import title_of
+from report.markup import cell, element
+from verdicts import verdict
+
+MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
+MEANINGS = {
+    "reproduced": "came out again",
+    "differs": "came out otherwise",
+    "inconclusive": "its timing was disqualified",
+    "thesis-misprint": "wrong in the thesis",
+    "not-comparable": "of another machine or patient",
+    "input": "given, not computed",
+}
+HEADS = {"measured": "this run", "reference": "reference run", "row": "row or case", "artefact": "where"}
+
+
+def section(verdicts: pd.DataFrame, places: set[str]) -> str:
+    """All of it; places: what the page has a section of."""
+    return "\n".join(
+        [
+            element("h2", "Verdicts", id="verdicts-title"),
+            totals(verdicts),
+            filters(verdicts),
+            verdict_table(verdicts, places),
+        ]
+    )
+
+
+def totals(verdicts: pd.DataFrame) -> str:
+    """How often each verdict was given, each number of the thesis once."""
+    counted = verdict.counted(verdicts)
+    counts = counted.verdict.value_counts()
+    left_out = f"{len(verdicts) - len(counted)} more rows are not counted: their rule says where their number is, or that there is none."
+    return element("p", left_out, class_="soft") + element(
+        "ul",
+        "".join(
+            element(
+                "li",
+                f"<b>{counts[name]}</b> "
+                + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name])
+                + f'<br><span class="soft">{MEANINGS[name]}</span>',
+            )
+            for name in MARKS
+            if name in counts
+        ),
+        class_="totals",
+    )
+
+
+def filters(verdicts: pd.DataFrame) -> str:
+    """Choices that report.js reads."""
+
+    def choice(name: str, title: str, values: dict[str, str]) -> str:
+        options = "".join(
+            element("option", text, value=value) for value, text in {"": "all", **values}.items()
+        )
+        return element("label", title + element("select", options, id=f"filter-{name}"))
+
+    found = set(verdicts.verdict)
+    return element(
+        "div",
+        choice("artefact", "Where", {name: title_of(name) for name in verdicts.artefact.unique()})
+        + choice("verdict", "Verdict", {name: name for name in MARKS if name in found})
+        + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
+        class_="filters",
+    )
+
+
+def explanation(row: dict[str, str]) -> str:
+    """The rule of a verdict with its tolerance, and what is to be said of this one."""
+    tolerance = f" ({row['tolerance']})" if row["tolerance"] not in ("", "none") else ""
+    note = element("strong", html.escape(row["note"]) + ". ") if row["note"] else ""
+    return element("td", note + html.escape(f"Rule: {row['rule']}{tolerance}."), class_="why")
+
+
+def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
+    """Every row, with what the filters need."""
+    names = [
+        name
+        for name in ("artefact", "row", "column", "thesis", "measured", "reference", "unit")
+        if name in verdicts
+    ]
+    titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
+    head = element("thead", element("tr", "".join(element("th", title) for title in titles)))
+    rows = "".join(verdict_row(row, names, places) for row in verdicts.to_dict("records"))
+    return element("div", element("table", head + element("tbody", rows), id="verdicts"), class_="scroll")
+
+
+def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
+    """Its values, its verdict (and the reference run's where that is another), and why."""
+    where = html.escape(title_of(row["artefact"]))
+    if row["artefact"] in places:
+        where = element("a", where, href=f"#{row['artefact']}")
+    cells = [element("td", where, data_title="where")]
+    for name in names[1:]:
+        rounded = name in ("measured", "reference")
+        cells.append(cell(row[name], title=HEADS.get(name, name), name=name == "row", shorten=rounded))
+    found = row["verdict"]
+    other = row.get("verdict_reference", "")
+    remark = element("span", f"reference: {other}", class_="kept") if other else ""
+    inner = html.escape(found) + ("<br>" + remark if remark else "")
+    mark = MARKS.get(found, "")
+    cells.append(element("td", inner, class_=f"verdict {found}", data_mark=mark, data_title="verdict"))
+    return element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found)

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-2
+# @question  Entries and memory of the RSID table at four precisions (Table 2 of the thesis).
+# @data      lut_memory
+"""Table 2, entries and memory of the RSID table: thesis beside ours."""
+
+import common
+from common import memory
+
+
+def main() -> None:
+    """Writes tables/table-2.csv and .tex."""
+    options = common.arguments(__doc__)
+    lines = memory.compare(options.results, "table-2")
+    rows = [[f"{line.precision_deg:g}\\textdegree", *memory.cells(line)] for line in lines.itertuples()]
+    latex = memory.latex([("entries", 2), ("memory, MiB", 2), ("with rim", 1)], rows)
+    common.write_table(options.out, "table-2", lines, latex)
+
+
+common.run(main)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      slice-band-limit
+# @question  Band limits that the samples of a CT scan determine, and the entries they need.
+# @data      slice_band_limit
+# @options   --data slice_band_limit --name NAME
+# @name      band-limit
+# @question  Band limits that carry the shape of the generated head, and the entries that sampling theorems ask for.
+# @data      band_limit
+# @options   --data band_limit --name NAME
+# @name      band-limit-real-joints
+# @question  Band limits that carry the shape of real heads, and the entries that sampling theorems ask for.
+# @data      band_limit_bones
+# @options   --data band_limit_bones --name NAME
+# @when      JOINTS
+"""Band limits and the entries that the sampling theorems ask for, one row a case."""
+
+import pandas as pd
+
+import common
+
+THEOREMS = ["band_limit", "optimal", "mcewen_wiaux", "driscoll_healy", "oversampling"]
+HEADS = {
+    "surface": "surface",
+    "distance": "samples",
+    "gap_deg": "gap, \\textdegree",
+    "filling": "filling",
+    "covered_share": "covered",
+    "carried": "carried",
+    "band_limit": "$L$",
+    "optimal": "$L^2$",
+    "mcewen_wiaux": "McEwen--Wiaux",
+    "driscoll_healy": "Driscoll--Healy",
+    "oversampling": "RSID 1\\textdegree{} /",
+}
+
+
+def main() -> None:
+    """Writes tables/NAME.csv and .tex."""
+    options = common.arguments(__doc__, "--data", "--name")
+    table = common.load(options.results, options.data)
+    if "asked" in table:
+        table.insert(3, "carried", [carried(line) for line in table.itertuples()])
+        table = table.drop(columns=["asked", "value"])
+    common.write_table(options.out, options.name, table, latex(table))
+
+
+def carried(line) -> str:
+    """What the band limit is to reach."""
+    return f"{100 * line.value:g} %" if line.asked == "power_share" else f"all but {line.value:g} mm"
+
+
+def latex(table: pd.DataFrame) -> str:
+    """Names, then the entries; a surface is named once."""
+    columns = [name for name in HEADS if name in table]
+    rows = []
+    last = None
+    for line in table[columns].to_dict("records"):
+        start = (line.get("surface"), line.get("filling"))
+        if start == last and start[0] is not None:
+            line |= dict.fromkeys(["surface", "filling", "covered_share"], "")
+        last = start
+        rows.append(" & ".join(cell(name, line[name]) for name in columns) + " \\\\")
+    kinds = "".join("l" if name in ("surface", "distance", "filling", "carried") else "r" for name in columns)
+    return common.tabular(
+        f"@{{}}{kinds}@{{}}",
+        [
+            " & ".join(HEADS[name] for name in columns) + " \\\\",
+        ],
+        rows,
+    )
+
+
+def cell(column: str, value: object) -> str:
+    """One value for LaTeX."""
+    if isinstance(value, str):
+        return common.tex(value)
+    if column == "covered_share":
+        return f"{100 * value:.0f}\\,\\%"
+    if column in ("gap_deg", "oversampling"):
+        return common.digits(value)
+    return f"{value:,.0f}"
+
+
+common.run(main)

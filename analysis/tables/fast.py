@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fast-times
+# @question  Time, error and bytes of every way to find all gaps of a pose.
+# @data      fast
+"""Time, error and bytes of every way to find all gaps of a pose."""
+
+import pandas as pd
+
+import common
+from common import fast
+
+
+def main() -> None:
+    """Writes tables/fast-times.csv and .tex."""
+    options = common.arguments(__doc__)
+    warm = fast.load(options.results)
+    table = pd.concat([warm, fast.load(options.results, "cold")])
+    rows = pd.DataFrame({name: table[name] for name in ("method", "setting", "storage", "triangles")})
+    rows["direction"] = table.direction
+    rows["instruction_set"] = table.instruction_set
+    rows["threads"] = table.threads
+    rows["state"] = table.state
+    rows["KiB"] = (table.bytes / 1024).map(common.digits)
+    rows["error_um"] = table.error_um.map(lambda value: common.digits(value, 2))
+    rows["ns_vertex"] = table.ns_vertex.map(common.digits)
+    rows["iqr_ns"] = table.iqr_ns.map(lambda value: common.digits(value, 2))
+    rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
+    common.write_table(options.out, "fast-times", rows, latex(fast.plain_rows(warm)))
+
+
+def latex(table: pd.DataFrame) -> str:
+    """One line a method and setting, both directions beside each other."""
+    lines = [
+        r"\begin{tabular}{@{}llrrrrrrr@{}}",
+        r"\toprule",
+        r" & & & \multicolumn{3}{c}{socket to ball} & \multicolumn{3}{c}{ball to socket} \\",
+        r"\cmidrule(lr){4-6}\cmidrule(l){7-9}",
+        r"method & setting & KiB & µm & ns & $\times$ & µm & ns & $\times$ \\",
+        r"\midrule",
+    ]
+    for (line, setting), rows in table.groupby(["line", "setting"], sort=False):
+        cells = [common.tex(line), common.tex(setting.replace("deg", "°")).replace("°", r"\degrees{}")]
+        cells.append(common.digits(rows.bytes.iloc[0] / 1024))
+        for direction in fast.DIRECTIONS:
+            row = rows[rows.direction == direction].iloc[0]
+            cells.append("$<$0.001" if row.error_um < 0.001 else common.digits(row.error_um, 2) or "---")
+            cells += [common.digits(value, 2) for value in (row.ns_vertex, row.times_embree)]
+        lines.append(" & ".join(cells) + r" \\")
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+
+
+common.run(main)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fast-targets
+# @question  What was aimed at in speed, and what was measured.
+# @data      fast fill contact
+"""What was aimed at in speed, and what was measured."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import pandas as pd
+
+import common
+from common import contact, fast, fill
+
+KERNELS = ["rsid", "cube_gnomonic_mesh_exact"]
+MIB = 2**20
+# Triangles of a model, and what is aimed at there.
+EXACT = {3000: 12, 12000: 12, 100000: 5, 400000: 5}
+# All gaps: one thread, and as accurate as what 13_fast is judged by, decides whether the target is met. Beside it stand
+# two threads with the same tables, finer tables whose errors are not centred, and those in 16 bits.
+DISTANCE = {
+    "all_corners": "all gaps, 7 µm, one thread, against FCL's distance, 12k",
+    "all_corners_2_threads": "the same, two threads",
+    "all_corners_sampled": "the same, errors not centred, one thread",
+    "all_vertices": "the same, in 16 bits, one thread",
+    "culled_least_gap": "smallest gap, culled, against FCL's distance, 12k",
+}
+JUDGED = ["all_corners", "culled_least_gap"]
+
+
+@dataclass(frozen=True)
+class Target:
+    """A ratio, of times unless it says bytes: at least `target`, or at most where `most` is set; without a target it
+    stands beside the others and is not judged."""
+
+    key: str
+    what: str
+    target: float
+    measured: float
+    most: bool = False
+    open: bool = False  # not measured in this profile
+
+    def verdict(self) -> str:
+        """yes, no (also where nothing is as accurate and as small as asked), not measured, or nothing to meet."""
+        if math.isnan(self.target):
+            return "---"
+        if self.open:
+            return "not measured"
+        met = self.measured <= self.target if self.most else self.measured >= self.target
+        return "yes" if met else "no"
+
+    def aim(self) -> str:
+        """The target in words."""
+        if math.isnan(self.target):
+            return "---"
+        return f"{'at most' if self.most else 'at least'} {self.target:g}"
+
+
+def main() -> None:
+    """Writes tables/fast-targets.csv and .tex."""
+    options = common.arguments(__doc__)
+    targets = measured(fast.load(options.results))
+    cold = fast.load(options.results, "cold")
+    cold = cold[cold.direction == "socket->ball"]
+    targets.append(
+        Target("cold", "a cold pose, socket to ball, 7 µm, against Embree", 12, fastest(cold, 7, math.inf))
+    )
+    ratio = fill.target(fill.load(options.results))
+    targets.append(
+        Target("fill", "fill against Embree's tree and rays, 3k to 100k, from 256 cells", 5, ratio)
+    )
+    targets += of_contact(contact.load(options.results))
+    rows = pd.DataFrame(
+        {
+            "key": [one.key for one in targets],
+            "what": [one.what for one in targets],
+            "target": [one.aim() for one in targets],
+            "measured": [common.digits(one.measured, 2) for one in targets],
+            "met": [one.verdict() for one in targets],
+        }
+    )
+    common.write_table(options.out, "fast-targets", rows, latex(rows))
+
+
+def measured(table: pd.DataFrame) -> list[Target]:
+    """Those that experiment 13 times."""
+    shown = fast.plain_rows(table)
+    every = table[(table.triangles == fast.TRIANGLES) & (table.threads == 1)]
+    ball, socket = (shown[shown.direction == name] for name in fast.DIRECTIONS)
+    every_ball = every[every.direction == "socket->ball"]
+    return [
+        Target("ball", "socket to ball, 7 µm, 1 MiB, against Embree", 50, fastest(ball, 7, MIB)),
+        Target("socket", "ball to socket, the same, rim masked", 30, fastest(socket, 7, MIB)),
+        Target("avx2", "socket to ball with AVX2", 40, of_set(every_ball, ["AVX2"])),
+        Target("scalar", "socket to ball without vectors", 12, of_set(every_ball, ["SCALAR", "EMU128"])),
+        Target("fine", "socket to ball, 2 µm, against Embree", 35, fastest(ball, 2, math.inf)),
+        Target("floor", "time over that of a floor of its size, 7 µm", 1.5, over_floor(ball), most=True),
+        Target("thesis", "against scalar RSID in double, half the memory", 15, over_thesis(ball)),
+        Target("usid", "USID with polynomials against USID with libm", 7, over_libm(ball)),
+        bytes_target(table),
+        *(exact(table, triangles) for triangles in EXACT),
+    ]
+
+
+def over_libm(rows: pd.DataFrame) -> float:
+    """The fastest kernel of USID whose error is that of the scalar look-up, up to 1 %."""
+    helix = rows[(rows.method == "usid_scalar") & (rows.setting == "0.5deg")].iloc[0]
+    kept = (rows.method == "usid") & (rows.setting == "0.5deg") & (rows.error_um <= 1.01 * helix.error_um)
+    return helix.ns_vertex / rows[kept].ns_vertex.min()
+
+
+def bytes_target(table: pd.DataFrame) -> Target:
+    """RSID at 0.1 degrees in double over the least that is as accurate, both surfaces together; in a full run."""
+    rows = fast.plain_rows(table)
+    grid = rows[(rows.method == "rsid_scalar") & (rows.setting == "0.1deg")].set_index("direction")
+    what = "bytes of RSID at 0.1 degrees in double over the least as accurate"
+    if grid.empty:
+        return Target("bytes", what, 16, math.nan, open=True)
+    kept = rows.method.isin([*KERNELS, "usid", "cube_cells_exact"])
+    kept &= rows.error_um <= rows.direction.map(grid.error_um)
+    least = rows[kept].groupby("direction").bytes.min()
+    return Target("bytes", what, 16, grid.bytes.sum() / least.sum())
+
+
+def exact(table: pd.DataFrame, triangles: int) -> Target:
+    """Gaps of the mesh itself, the least accurate of them still 0.05 µm; few sizes are in a quick run."""
+    rows = table[(table.triangles == triangles) & (table.threads == 1) & (table.direction == "socket->ball")]
+    kept = (rows.method == "cube_cells_exact") & (rows.error_um <= 0.05)
+    what = f"socket to ball, exact (0.05 µm), {triangles // 1000}k triangles"
+    return Target(f"exact{triangles}", what, EXACT[triangles], rows[kept].times_embree.max(), open=rows.empty)
+
+
+def of_contact(table: pd.DataFrame) -> list[Target]:
+    """Those of experiment 13_contact: of touch the least ratio of the three gaps, at every size that was measured; of
+    distances the median, see contact.over_distance()."""
+    targets = []
+    for triangles, least in contact.TOUCH.items():
+        if triangles not in set(table.triangles):
+            continue
+        for method, how in {"culled": "any pose", "coherent": "along a motion"}.items():
+            ratio = contact.ratios(table, method, triangles, "fcl_collide").min()
+            what = f"touch against FCL, {triangles // 1000}k, {how}"
+            targets.append(Target(f"{method}{triangles}", what, least, ratio))
+    for method, what in DISTANCE.items():
+        aim = contact.DISTANCE if method in JUDGED else math.nan
+        targets.append(Target(method, what, aim, contact.over_distance(table, method)))
+    return targets
+
+
+def fastest(rows: pd.DataFrame, error_um: float, most_bytes: float) -> float:
+    """How many times faster than Embree the fastest kernel is, of those that are as accurate and as small."""
+    kept = rows.method.isin(KERNELS) & (rows.error_um <= error_um) & (rows.bytes <= most_bytes)
+    return rows[kept].times_embree.max()
+
+
+def of_set(rows: pd.DataFrame, sets: list[str]) -> float:
+    """The same with one instruction set."""
+    return fastest(rows[rows.instruction_set.isin(sets)], 7, MIB)
+
+
+def over_floor(rows: pd.DataFrame) -> float:
+    """The fastest cube that is as accurate as the others over a floor whose table is as large, up to 3 %."""
+    cubes = rows[(rows.method == KERNELS[1]) & (rows.error_um <= 7)]
+    pairs = cubes.merge(rows[rows.method == "floor"], how="cross")
+    alike = (pairs.bytes_x / pairs.bytes_y - 1).abs() <= 0.03
+    return (pairs.ns_vertex_x / pairs.ns_vertex_y)[alike].min()
+
+
+def over_thesis(rows: pd.DataFrame) -> float:
+    """The fastest kernel that is no worse in half the memory than the scalar grid at half a degree."""
+    grid = rows[(rows.method == "rsid_scalar") & (rows.setting == "0.5deg")].iloc[0]
+    kept = rows.method.isin(KERNELS) & (rows.error_um <= grid.error_um) & (rows.bytes <= grid.bytes / 2)
+    return grid.ns_vertex / rows[kept].ns_vertex.min()
+
+
+def latex(rows: pd.DataFrame) -> str:
+    """What, target, measured, met."""
+    lines = []
+    for row in rows.itertuples():
+        cells = (row.what, row.target, row.measured or "---", row.met)
+        lines.append(" & ".join(common.tex(cell) for cell in cells) + r" \\")
+    return common.tabular("@{}lrrl@{}", [r"ratio & target & measured & met \\"], lines)
+
+
+common.run(main)

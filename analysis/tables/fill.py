@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      fill-times
+# @question  Time to fill the tables of a joint, beside Embree's tree and coherent rays.
+# @data      fill
+"""Time to fill the tables of a joint, and how many times faster than Embree that is."""
+
+import pandas as pd
+
+import common
+from common import fill
+
+
+def main() -> None:
+    """Writes tables/fill-times.csv and .tex."""
+    options = common.arguments(__doc__)
+    table = fill.load(options.results)
+    rows = table[["method", "storage", "memory", "threads", "triangles", "cells", "entries"]].copy()
+    rows["ms"] = table.median_ms.map(common.digits)
+    rows["iqr_ms"] = table.iqr_ms.map(lambda value: common.digits(value, 2))
+    rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
+    common.write_table(options.out, "fill-times", rows, latex(table))
+
+
+def latex(table: pd.DataFrame) -> str:
+    """One line a way and number of triangles, in memory that is used again; time and ratio at every precision."""
+    shown = table[table.memory == "used again"]
+    cells = sorted(shown.cells.unique())
+    precisions = " & ".join(rf"\multicolumn{{2}}{{c}}{{{90 / n:.2g}\degrees{{}}}}" for n in cells)
+    rules = "".join(rf"\cmidrule(l){{{3 + 2 * k}-{4 + 2 * k}}}" for k in range(len(cells)))
+    head = [
+        rf" & & {precisions} \\",
+        rules,
+        "filling & triangles" + r" & ms & $\times$" * len(cells) + r" \\",
+    ]
+    lines = []
+    for line, own in shown.groupby("line", sort=False):
+        lines.append(r"\midrule")
+        for triangles, rows in own.groupby("triangles"):
+            values = rows.sort_values("cells")[["median_ms", "times_embree"]].to_numpy().ravel()
+            numbers = [common.digits(value, 2) for value in values]
+            lines.append(" & ".join([common.tex(line), f"{triangles:,}", *numbers]) + r" \\")
+            line = ""
+    return common.tabular("@{}lr" + "rr" * len(cells) + "@{}", head, lines)
+
+
+common.run(main)

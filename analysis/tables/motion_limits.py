@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      motion-limits-by-joint
+# @question  The limit of every motion of every joint, and where the bones touch.
+# @data      motion_limit_details
+"""How far each joint turns until its surfaces touch, about the centre of the head and about that of the socket, with the
+clock position of the contact, the interval that holds for every centre within half a millimetre, and where the gap
+first falls to that.
+"""
+
+import pandas as pd
+
+import common
+from common import motion_limits
+
+
+def main() -> None:
+    """Writes tables/motion-limits-by-joint.csv and .tex."""
+    options = common.arguments(__doc__)
+    head = motion_limits.contacts(options.results)
+    socket = motion_limits.contacts(options.results, "socket").set_index(["joint", "motion"])
+    rows = []
+    for row in head.itertuples():
+        key = (row.joint, row.motion)
+        other = socket.loc[key] if key in socket.index else None
+        rows.append(
+            {
+                "joint": motion_limits.label(row.joint),
+                "motion": motion_limits.MOTIONS[row.motion],
+                "limit_deg": motion_limits.text(row),
+                "clock": "" if pd.isna(row.clock) else row.clock,
+                "any_centre_deg": motion_limits.interval(row),
+                "half_mm_gap_deg": half_mm_gap(row),
+                "hangs_on_less": row.hangs_on_less,
+                "about_socket_centre_deg": "" if other is None else motion_limits.text(other),
+            }
+        )
+    table = pd.DataFrame(rows)
+    common.write_table(options.out, "motion-limits-by-joint", table, latex(table))
+
+
+def half_mm_gap(row) -> str:
+    """No vertex is as near before."""
+    return "" if pd.isna(row.half_mm_gap_deg) else common.rounded_down(row.half_mm_gap_deg, 1)
+
+
+def latex(table: pd.DataFrame) -> str:
+    """A line a motion, a column a generated hip: limit and clock."""
+    joints = [motion_limits.label(name) for name in motion_limits.GENERATED]
+    names = [name.removeprefix("stand-in for ") for name in joints]
+    lines = []
+    for motion in motion_limits.MOTIONS.values():
+        cells = []
+        for joint in joints:
+            found = table[(table.joint == joint) & (table.motion == motion)]
+            cells.append(" ".join(found.iloc[0][["limit_deg", "clock"]]).strip() if len(found) else "")
+        lines.append(motion.replace("°", r"\textdegree{}") + " & " + " & ".join(cells) + r" \\")
+    return common.tabular("l" + "r" * len(joints), ["motion & " + " & ".join(names) + r" \\"], lines)
+
+
+common.run(main)

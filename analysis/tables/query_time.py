@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      table-9-queries
+# @question  Time of one query, ns: that of Table 9 by the vertices of both models.
+# @data      detection_time
+"""Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models.
+
+The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's formula fixes
+them: half as many as triangles for a closed surface.
+"""
+
+import pandas as pd
+
+import common
+from common import timing
+
+
+def main() -> None:
+    """Writes tables/table-9-queries.csv and .tex."""
+    options = common.arguments(__doc__)
+    data = common.load(options.results, timing.TABLE_9.data)
+    scans = set(data[data.gives_distance].method)
+    lines = timing.compare(options.results, timing.TABLE_9)
+    lines = lines[lines.method.isin(scans)].copy()
+    queries = {int(key): value for key, value in data.attrs["parameters"]["queries"].items()}
+    lines["queries"] = lines.triangles.map(queries)
+    lines["thesis_ns"] = 1e6 * lines.thesis_ms / lines.queries
+    lines["measured_ns"] = 1e6 * lines.measured_ms / lines.queries
+    lines = lines[
+        ["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]
+    ]
+    common.write_table(options.out, "table-9-queries", lines, latex(lines))
+
+
+def latex(lines: pd.DataFrame) -> str:
+    """A row for each number of triangles, thesis and here for each method."""
+    methods = list(lines.method.unique())
+    spans = [f"\\multicolumn{{2}}{{c}}{{{common.label(method)}}}" for method in methods]
+    rules = [f"\\cmidrule(lr){{{3 + 2 * i}-{4 + 2 * i}}}" for i in range(len(methods))]
+    rows = []
+    for (triangles, queries), group in lines.groupby(["triangles", "queries"]):
+        times = group.set_index("method").loc[methods, ["thesis_ns", "measured_ns"]].to_numpy().ravel()
+        cells = [common.digits(value) or "---" for value in times]
+        rows.append(" & ".join([f"{triangles:,.0f}", f"{queries:,.0f}", *cells]) + " \\\\")
+    return common.tabular(
+        f"@{{}}ll{'rr' * len(methods)}@{{}}",
+        [
+            " & ".join(["", "", *spans]) + " \\\\",
+            "".join(rules),
+            " & ".join(["Triangles a model", "queries", *["thesis & here"] * len(methods)]) + " \\\\",
+        ],
+        rows,
+    )
+
+
+common.run(main)

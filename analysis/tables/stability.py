@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      stability-summary
+# @question  Which stiff and extreme cases break a method?
+# @data      stability stability_detail stability_families
+"""Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
+
+import pandas as pd
+
+import common
+from common import stability
+
+
+def main() -> None:
+    """Writes tables/stability-summary.csv and .tex."""
+    options = common.arguments(__doc__)
+    cases = stability.load(options.results)
+    families = stability.families(options.results)
+    lines = pd.DataFrame([line(cases[cases.family == name], name, row) for name, row in families.iterrows()])
+    common.write_table(options.out, "stability-summary", lines, latex(lines))
+
+
+def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
+    """Worst and counts of one family."""
+    ours = cases[cases.kind == "ours"]
+    others = cases[cases.kind != "ours"]
+    in_double = ours[ours.scalar == "double"]
+    return {
+        "family": name,
+        "knob": family.knob,
+        "unit": family.unit,
+        "magnitudes": len(stability.magnitudes(cases)),
+        "stiffness": cases.stiffness.max(),
+        "worst_condition": cases.condition.max(),
+        "worst_of_ours": in_double.error_over_condition_u.max(),
+        "worst_of_ours_in_float": ours[ours.scalar == "float"].error_over_condition_u.max(),
+        "threshold": family.threshold,
+        "failures_of_ours": int(ours.failures.sum()),
+        "bounds_broken": int(ours.bound_holds.isin([False, "no"]).sum()),
+        "refused": int(ours.refused.sum()),
+        "worst_of_others": others.error_over_condition_u.max(),
+        "failures_of_others": int(others.failures.sum()),
+    }
+
+
+def power(value: float) -> str:
+    """A cell of a wide range."""
+    if not value == value:
+        return "---"
+    if value < 1e4:
+        return common.digits(value)
+    mantissa, exponent = f"{value:.0e}".split("e")
+    return f"${mantissa}\\cdot10^{{{int(exponent)}}}$"
+
+
+def latex(lines: pd.DataFrame) -> str:
+    """A row a family."""
+    rows = []
+    for row in lines.itertuples():
+        cells = [
+            row.family.replace("_", " "),
+            str(row.magnitudes),
+            power(row.worst_condition),
+            power(row.worst_of_ours),
+            power(row.threshold),
+            str(row.failures_of_ours),
+            str(row.refused),
+            power(row.worst_of_others),
+            f"{row.failures_of_others:,}",
+        ]
+        rows.append(" & ".join(cells) + " \\\\")
+    return common.tabular(
+        "@{}lrrrrrrrr@{}",
+        [
+            " & & & \\multicolumn{4}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
+            "\\cmidrule(lr){4-7}\\cmidrule(l){8-9}",
+            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Worst & Fail \\\\",
+        ],
+        rows,
+    )
+
+
+common.run(main)

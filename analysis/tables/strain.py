@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      strain-by-gap-table
+# @question  Strain by gap over that of an elastic layer, by Poisson ratio and thickness.
+# @data      strain_layer
+"""Strain by gap, and what follows from it, beside the elastic solution of a layer."""
+
+import pandas as pd
+
+import common
+from common import strain
+
+
+def main() -> None:
+    """Writes tables/strain-by-gap-table.csv and .tex."""
+    options = common.arguments(__doc__)
+    rows = strain.layers(options.results).drop(columns="approach")
+    for name in rows.columns[2:]:
+        rows[name] = rows[name].map(lambda value: common.plain(value, 3))
+    common.write_table(options.out, "strain-by-gap-table", rows, latex(strain.layers(options.results)))
+
+
+def latex(layers: pd.DataFrame) -> str:
+    """Three thicknesses of each Poisson ratio."""
+    head = [
+        r" & & \multicolumn{3}{c}{by gap over elastic} & \multicolumn{4}{c}{elastic strain over that by gap} \\",
+        r"\cmidrule(lr){3-5}\cmidrule(l){6-9}",
+        r"$\nu$ & $h/a$ & area & pressure & force & at the bone & at the surface & shear & beside \\",
+    ]
+    lines = []
+    for poisson, group in layers[layers.thickness.isin(strain.SHOWN)].groupby("poisson"):
+        lines.append(r"\midrule")
+        for k, row in enumerate(group.itertuples()):
+            cells = [f"{poisson:g}" if k == 0 else "", f"{row.thickness:g}", f"{row.area:.2f}"]
+            cells += [f"{value:.2f}" if pd.notna(value) else r"$\infty$" for value in (row.pressure, row.force)]
+            values = (row.bone_strain, row.surface_strain, row.bone_shear, row.edge_strain)
+            lines.append(" & ".join(cells + [f"${value:.2f}$" for value in values]) + r" \\")
+    return common.tabular("@{}rrrrrrrrr@{}", head, lines)
+
+
+common.run(main)
