@@ -14,11 +14,6 @@ if(NOT IMPINGE_PROFILE MATCHES "^(quick|full)$")
   message(FATAL_ERROR "IMPINGE_PROFILE is '${IMPINGE_PROFILE}': it must be quick or full")
 endif()
 
-# Debian's interpreter, not whichever comes first in PATH: it is the one that has the packages.
-if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter with numpy, pandas, matplotlib and VTK")
-endif()
-find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 execute_process(
   COMMAND "${Python3_EXECUTABLE}" -c "import importlib.util as u, sys; sys.exit(' '.join(m for m in ('numpy', \
 'pandas', 'matplotlib', 'vtkmodules') if u.find_spec(m) is None) or 0)"
@@ -48,6 +43,14 @@ function(impinge_program target variable)
   add_custom_target(program-${target} DEPENDS "${copy}")
   add_dependencies(programs program-${target})
   set(${variable} "${copy}" PARENT_SCOPE)
+endfunction()
+
+# impinge_script(FILE): a script from npm's registry. Without it everything is built but what needs it, which says so.
+function(impinge_script file)
+  if(NOT EXISTS "${file}")
+    set(why "${file} is missing: run 'npm ci --prefix analysis' in ${PROJECT_SOURCE_DIR}, or experiments/reproduce, which does")
+    add_custom_command(OUTPUT "${file}" COMMAND "${CMAKE_COMMAND}" -E echo "${why}" COMMAND "${CMAKE_COMMAND}" -E false VERBATIM)
+  endif()
 endfunction()
 
 # impinge_job(NAME name KIND data|table|figure|text|verdicts|page|report|paper [TIMING] [TALKS]

@@ -49,7 +49,7 @@ struct EdgeShape {
 struct EdgeSurface {
   RadialSurface surface;  // the nearer of the two planes
   Vec3 inverse_1;         // n / p of the plane to one side, 1/mm
-  Vec3 inverse_2;         // likewise to the other side, 1/mm
+  Vec3 inverse_2;         // to the other side
 };
 // The edge of that shape. std::invalid_argument where it is not convex or not across its axis, or a plane is
 // seen at 90 degrees or more.

@@ -18,9 +18,9 @@ namespace impinge::lab {
 struct GapCase {
   std::string_view name;  // in the results
   double from_mm;         // smallest gap in the first pose of a motion, drawn evenly
-  double to_mm;           // likewise
-  double least_mm;        // in every pose
-  double most_mm;         // likewise
+  double to_mm;
+  double least_mm;  // in every pose
+  double most_mm;
 };
 // From free to touching.
 inline constexpr std::array kGapCases{GapCase{"over 2 mm", 2.1, 2.5, 2.0, 3.0},

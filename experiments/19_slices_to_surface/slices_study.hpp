@@ -54,8 +54,8 @@ struct StageError {
 struct SlicesResult {
   std::vector<StageError> stages;  // in their order
   TriangleMesh ball;               // after decimation, in the frame of the hip
-  TriangleMesh socket;             // likewise
-  Vec3 centre = Vec3::Zero();      // fitted
+  TriangleMesh socket;
+  Vec3 centre = Vec3::Zero();  // fitted
 };
 
 // The hip has closed surfaces (a socket with a wall). Both bones are scanned one by one, which stands for a

@@ -28,7 +28,7 @@ struct HipScanner {
   ClockFace dial;                             // of the socket
   JointLanes<LaneTable<Rsid, double>> lanes;  // tables and vertices of both surfaces
   std::vector<double> ball_area;              // vertex_areas(), mm^2
-  std::vector<double> socket_area;            // likewise
+  std::vector<double> socket_area;
 };
 HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg);  // fills the tables, exactly
 

@@ -20,8 +20,8 @@ struct RayDirections {
   std::size_t size() const { return x.size(); }  // number of directions
 
   std::vector<float> x;  // of each direction
-  std::vector<float> y;  // likewise
-  std::vector<float> z;  // likewise
+  std::vector<float> y;
+  std::vector<float> z;
 };
 
 // Casts the rays with these numbers, first to end - 1: radius along each, mm, NaN where there is none.

@@ -33,10 +33,10 @@ class KeptTables {
     read_raster(socket_grid_, socket_helix_);
   }
 
-  const RadialTable<Rsid>& ball_grid() const { return ball_grid_; }        // as filled last, mm
-  const RadialTable<Rsid>& socket_grid() const { return socket_grid_; }    // likewise
-  const RadialTable<Usid>& ball_helix() const { return ball_helix_; }      // likewise
-  const RadialTable<Usid>& socket_helix() const { return socket_helix_; }  // likewise
+  const RadialTable<Rsid>& ball_grid() const { return ball_grid_; }  // as filled last, mm
+  const RadialTable<Rsid>& socket_grid() const { return socket_grid_; }
+  const RadialTable<Usid>& ball_helix() const { return ball_helix_; }
+  const RadialTable<Usid>& socket_helix() const { return socket_helix_; }
 
  private:
   const BallSocketPair* pair_;

@@ -27,10 +27,10 @@
 
 namespace impinge {
 
-// The grids of all levels, as kernels read them.
+/// The grids of all levels, as kernels read them.
 struct CapLadder {
   const std::int32_t* steps;  // of each level: cells along an edge in kLineBits, above the place of its
-                              // limits; all 32 bits count
+                              /// limits; all 32 bits count
   const float* limits;        // of each level by face, row and column, mm
   std::int32_t finest;        // level of caps; the next one is that of single vertices
   float overall;              // limit of all directions
@@ -39,37 +39,37 @@ struct CapLadder {
 class CapLimits {
  public:
   static constexpr int kQuarterOctave = 21;  // bits of a float below a quarter of its octave
-  // Of the widest reach.
+  /// Of the widest reach.
   static constexpr std::int32_t kWidest = std::bit_cast<std::uint32_t>(2.0F) >> kQuarterOctave;
   static constexpr float kAloneReach = 1e-4F;  // radians, of single vertices
   static constexpr int kLineBits = 9;          // of a step that hold the cells along an edge
   static constexpr std::int32_t kMostLines = (1 << kLineBits) - 1;  // most cells along an edge
 
-  // mesh in the centre frame; margin in radians. O(faces). Faces whose plane holds the centre cover no
-  // direction and are left out.
+  /// mesh in the centre frame; margin in radians. O(faces). Faces whose plane holds the centre cover no
+  /// direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
 
-  // The limit of a cap.
+  /// The limit of a cap.
   struct Limit {
     float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
     float reach;   // radians: it holds for caps as wide as that
   };
-  // The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
-  // infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
+  /// The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
+  /// infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
   Limit within(const Vec3& x, float angle) const {
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
     return look_up(std::clamp(level, 0, finest_), x);
   }
   float overall() const { return ladder().overall; }  // of all directions
-  // In the direction of x.
+  /// In the direction of x.
   float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
-  // Of all levels.
+  /// Of all levels.
   CapLadder ladder() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
 
   std::size_t bytes() const;  // of memory
 
  private:
-  // At the entry nearest to x; see cube_place.hpp.
+  /// At the entry nearest to x; see cube_place.hpp.
   Limit look_up(int level, const Vec3& x) const;
   float reach(int level) const;
 

@@ -8,12 +8,12 @@
 
 namespace impinge {
 
-// It takes vertices v of one surface to x = R v + t in the frame of the other; o = R^T t, so that |x| = |v +
-// o|.
+/// It takes vertices v of one surface to x = R v + t in the frame of the other; o = R^T t, so that |x| = |v +
+/// o|.
 struct CapMove {
   CapMove(Surface scanned, const Pose& pose);  // of the vertices of that surface
 
-  // Where the pose has a vertex, in the frame of the other surface, mm.
+  /// Where the pose has a vertex, in the frame of the other surface, mm.
   Vec3 place(const Vec3& vertex) const { return to_other(scanned, pose, vertex); }
 
   Surface scanned;                               // whose vertices are moved

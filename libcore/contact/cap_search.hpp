@@ -12,12 +12,12 @@ namespace impinge {
 
 class CapSearch {
  public:
-  // mesh in the centre frame. Faces whose plane holds the centre are left out.
+  /// mesh in the centre frame. Faces whose plane holds the centre are left out.
   CapSearch(const TriangleMesh& mesh, Layer layer);
 
-  // The least radius of all faces that meet the cap (the largest for Layer::farthest), mm, rounded away from
-  // the radii; of none infinite (-infinite). Nodes of `resolution` radians are taken whole, so that faces a
-  // little beyond the cap may count.
+  /// The least radius of all faces that meet the cap (the largest for Layer::farthest), mm, rounded away from
+  /// the radii; of none infinite (-infinite). Nodes of `resolution` radians are taken whole, so that faces a
+  /// little beyond the cap may count.
   float limit(const DirectionCap& cap, double resolution);
 
  private:

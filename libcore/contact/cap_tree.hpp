@@ -27,7 +27,7 @@
 
 namespace impinge {
 
-// A vertex (a cap of no width) or a face.
+/// A vertex (a cap of no width) or a face.
 struct CapItem {
   DirectionCap cap;   // its directions
   RadiusRange range;  // mm
@@ -35,10 +35,10 @@ struct CapItem {
 
 inline constexpr double kNodeSlack = 1e-5;  // of a radius; radians
 
-// A number of each node of a block.
+/// A number of each node of a block.
 using CapLanes = std::array<float, 8>;
 
-// Up to eight nodes that are siblings.
+/// Up to eight nodes that are siblings.
 struct alignas(64) CapBlock {
   static constexpr std::size_t kLanes = std::tuple_size_v<CapLanes>;  // nodes that a block has room for
 
@@ -56,13 +56,13 @@ struct alignas(64) CapBlock {
   bool leaf(std::size_t lane) const { return items[lane] > 0; }  // Has this node items, and no children?
 };
 
-// Node `lane` of block `block`.
+/// Node `lane` of block `block`.
 struct CapNode {
   std::uint32_t block;  // place among the blocks
   std::uint32_t lane;   // place in the block
 };
 
-// So many items beside each other in the order of a tree.
+/// So many items beside each other in the order of a tree.
 struct ItemRun {
   std::uint32_t first;  // place of the first of them
   std::uint32_t count;  // number of them
@@ -71,17 +71,17 @@ struct ItemRun {
 class CapTree {
  public:
   static constexpr std::size_t kDeepest = 7;  // levels of cells
-  // Nodes that a search has at most which opens one at a time, the last that it found: of the root, and of
-  // a node of each level, cells, runs and parts.
+  /// Nodes that a search has at most which opens one at a time, the last that it found: of the root, and of
+  /// a node of each level, cells, runs and parts.
   static constexpr std::size_t kMostPending = 6 + (CapBlock::kLanes - 1) * (kDeepest + 2);
 
   explicit CapTree(std::span<const CapItem> items);  // sorts the items, which are copied
 
   const std::vector<CapBlock>& blocks() const& { return blocks_; }  // the root first
   const std::vector<CapBlock>& blocks() const&& = delete;           // they would be gone before they are read
-  // Numbers of the items, those of a leaf one after the other.
+  /// Numbers of the items, those of a leaf one after the other.
   const std::vector<std::uint32_t>& order() const { return order_; }
-  // Memory of blocks and order.
+  /// Memory of blocks and order.
   std::size_t bytes() const {
     return blocks_.size() * sizeof(CapBlock) + order_.size() * sizeof(std::uint32_t);
   }

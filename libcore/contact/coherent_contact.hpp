@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does a vertex impinge, in one pose of a motion after another? What a pose has proven holds until the motion
-// has used it up; only then is it looked at again. Answers are those of CulledJoint, in every pose, however
-// far apart.
-//
-// A cap of vertices that is clear by S mm, by a limit that holds for directions A radians beyond those of its
-// vertices, stays clear while each direction has turned by no more than A and each length changed by less
-// than S. From one pose to the next, R by the angle q and o (contact/gap_bounds.hpp) by d mm, the vertices R
-// (v + o) change
-//   their lengths by no more than          d
-//   their directions by no more than       q + d / (r - T)
-// r being the least |v| and T the longest |o| in between, on a straight way. A clock adds up both,
-//   L (q + d / (r - T)) + d
-// so that a proof is due L A or S later, whichever is less. Where T reaches r the motion has no bound and all
-// is looked at anew. The vertex that impinged last is asked first.
+/// \file
+/// Does a vertex impinge, in one pose of a motion after another? What a pose has proven holds until the
+/// motion has used it up; only then is it looked at again. Answers are those of CulledJoint, in every pose,
+/// however far apart.
+///
+/// A cap of vertices that is clear by S mm, by a limit that holds for directions A radians beyond those of
+/// its vertices, stays clear while each direction has turned by no more than A and each length changed by
+/// less than S. From one pose to the next, R by the angle q and o (contact/gap_bounds.hpp) by d mm, the
+/// vertices R (v + o) change
+///   their lengths by no more than          d
+///   their directions by no more than       q + d / (r - T)
+/// r being the least |v| and T the longest |o| in between, on a straight way. A clock adds up both,
+///   L (q + d / (r - T)) + d
+/// so that a proof is due L A or S later, whichever is less. Where T reaches r the motion has no bound and
+/// all is looked at anew. The vertex that impinged last is asked first.
 #pragma once
 
 #include <array>
@@ -26,20 +27,20 @@ namespace impinge {
 
 class CoherentContact {
  public:
-  // The joint must outlive this.
+  /// The joint must outlive this.
   explicit CoherentContact(const CulledJoint& joint);
 
-  // As CulledJoint::impinged(); which vertex is found may differ.
+  /// As CulledJoint::impinged(); which vertex is found may differ.
   std::optional<ScannedVertex> impinged(const Pose& pose);
 
-  // The clock may go on by so many mm before anything has to be looked at again: a certified step. 0 where
-  // the last pose was impinged.
+  /// The clock may go on by so many mm before anything has to be looked at again: a certified step. 0 where
+  /// the last pose was impinged.
   double certified_step() const;
 
   static constexpr double kLever = 8.0;  // L, mm: a radian to spare is worth so much
 
  private:
-  // That the nodes of a block which are not `open` are clear, or else that the vertices of the leaf are.
+  /// That the nodes of a block which are not `open` are clear, or else that the vertices of the leaf are.
   struct Proof {
     double due;
     std::uint32_t block;
@@ -58,7 +59,7 @@ class CoherentContact {
 
   static void advance(Scan& scan, const Pose& pose, double turn);
   static void begin(Scan& scan);
-  // Both return the vertex that impinges, if they come across one.
+  /// Both return the vertex that impinges, if they come across one.
   std::optional<std::uint32_t> look_at_due(Scan& scan, const CapMove& move) const;
   std::optional<std::uint32_t> prove_vertices(Scan& scan, const CapMove& move, Proof& proof) const;
   static void prove_nodes(Scan& scan, const CapMove& move, Proof& proof);

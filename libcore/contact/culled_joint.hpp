@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without asking most
-// vertices. Answers are those of asking all of them, in every pose.
+/// \file
+/// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without asking most
+/// vertices. Answers are those of asking all of them, in every pose.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace impinge {
 
-// The first of the smallest gaps, in the order of scans and vertices.
+/// The first of the smallest gaps, in the order of scans and vertices.
 struct LeastGap {
   double gap_mm = 0.0;  // radial
   ScannedVertex at;     // where it is
@@ -20,19 +21,19 @@ struct LeastGap {
 
 class CulledJoint {
  public:
-  // Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
+  /// Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
   explicit CulledJoint(const BallSocketPair& joint);
 
-  // A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); none
-  // exactly if there is none.
+  /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); none
+  /// exactly if there is none.
   std::optional<ScannedVertex> impinged(const Pose& pose) const;
 
-  // Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
+  /// Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
   std::optional<LeastGap> least_gap(const Pose& pose) const;
 
-  // Is that vertex, which a pose has at x, impinged? Exact.
+  /// Is that vertex, which a pose has at x, impinged? Exact.
   bool exactly_impinged(Surface scanned, const Vec3& x) const;
-  // Gap at x to the faces there, mm; NaN where there is none.
+  /// Gap at x to the faces there, mm; NaN where there is none.
   double gap(Surface scanned, const Vec3& x) const;
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket

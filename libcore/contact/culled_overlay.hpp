@@ -20,16 +20,16 @@ namespace impinge {
 
 class CulledOverlay {
  public:
-  // The joint must outlive this. O(faces).
+  /// The joint must outlive this. O(faces).
   explicit CulledOverlay(const CulledJoint& joint);
 
-  // Is the pose impinged? Exact.
+  /// Is the pose impinged? Exact.
   bool impinged(const Pose& pose) const;
 
   std::size_t bytes() const;  // of trees, faces and orientations
 
  private:
-  // The faces of a surface that are not edge-on, in the order of their tree.
+  /// The faces of a surface that are not edge-on, in the order of their tree.
   struct Faces {
     CapTree tree;
     std::vector<Face> faces;
@@ -37,7 +37,7 @@ class CulledOverlay {
   };
   static Faces faces_of(const TriangleMesh& mesh);
   bool reaches_any(std::size_t scan, const CapMove& move, const Face& face) const;
-  // The surface whose faces a scan moves, and the other one.
+  /// The surface whose faces a scan moves, and the other one.
   const TriangleMesh& moved(std::size_t scan) const;
   const TriangleMesh& at_rest(std::size_t scan) const { return moved(1 - scan); }
 

@@ -14,7 +14,7 @@
 
 namespace impinge {
 
-// A vertex of one of the surfaces.
+/// A vertex of one of the surfaces.
 struct ScannedVertex {
   Surface scanned = Surface::ball;  // whose vertex it is
   std::size_t vertex = 0;           // place among the vertices of its mesh
@@ -23,17 +23,17 @@ struct ScannedVertex {
 
 class CulledScan {
  public:
-  // Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
-  // lengths of either beyond those of floats in mesh/lengths.hpp.
+  /// Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
+  /// lengths of either beyond those of floats in mesh/lengths.hpp.
   CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
              double margin = 0.0);
 
   Surface scanned() const { return scanned_; }         // whose vertices are scanned
   const CapTree& tree() const { return tree_; }        // of these vertices
   const CapLimits& limits() const { return limits_; }  // of the other surface
-  // Item of the tree's order: a vertex of the mesh.
+  /// Item of the tree's order: a vertex of the mesh.
   std::uint32_t vertex(std::size_t item) const { return vertex_[item]; }
-  // Where that vertex is in its mesh, mm.
+  /// Where that vertex is in its mesh, mm.
   const Vec3& position(std::size_t item) const { return position_[item]; }
   std::size_t bytes() const;  // of tree, limits and positions
 

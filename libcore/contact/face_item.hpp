@@ -9,9 +9,9 @@
 
 namespace impinge {
 
-// Its directions and radii as the centre of the mesh sees it, mm: any direction for a face of a quarter turn
-// and more, any radius below its largest for one that is almost edge-on. None for one whose plane holds the
-// centre, which covers no direction.
+/// Its directions and radii as the centre of the mesh sees it, mm: any direction for a face of a quarter turn
+/// and more, any radius below its largest for one that is almost edge-on. None for one whose plane holds the
+/// centre, which covers no direction.
 std::optional<CapItem> face_item(const TriangleMesh& mesh, const Face& face);
 
 }  // namespace impinge

@@ -43,35 +43,35 @@ namespace impinge {
 
 inline constexpr float kSquareSlack = 4e-6F;  // of the squared lengths that are summed
 
-// Of the nodes of a block.
+/// Of the nodes of a block.
 struct MovedCaps {
   CapLanes x, y, z;  // mm; in the direction of the middle of the cap
   CapLanes angle;    // radians; infinite or NaN where any direction is possible
   CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
 };
 
-// No vertex of the node has a smaller gap.
+/// No vertex of the node has a smaller gap.
 struct GapBounds {
   CapLanes gap;  // mm, infinite where no vertex meets the other surface
-  // mm: gap of a vertex in the middle of the cap, of the radius that is farther from contact; where it is
-  // least a touch is likely. It bounds nothing.
+  /// mm: gap of a vertex in the middle of the cap, of the radius that is farther from contact; where it is
+  /// least a touch is likely. It bounds nothing.
   CapLanes likely;
-  // If asked for: radians that the directions may turn by without changing that; infinite or NaN: by any
-  // angle.
+  /// If asked for: radians that the directions may turn by without changing that; infinite or NaN: by any
+  /// angle.
   CapLanes spare;
   std::uint32_t open;  // a bit a node: those whose bound is not above `enough`
 };
 
-// How good a bound has to be.
+/// How good a bound has to be.
 struct GapsWanted {
   float enough = 0.0F;   // mm: no closer than it takes to be above that
   bool lasting = false;  // with something to spare, at the cost of a worse bound of single vertices
 };
 
-// Where the pose takes the caps of a block.
+/// Where the pose takes the caps of a block.
 MovedCaps moved(const CapBlock& block, const CapMove& move);
 
-// Bounds of the nodes of a block, worked out together.
+/// Bounds of the nodes of a block, worked out together.
 GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
                      const GapsWanted& wanted);
 

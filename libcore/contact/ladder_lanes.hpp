@@ -14,10 +14,10 @@
 
 namespace impinge::lanes {
 
-// A whole number of each node of a block.
+/// A whole number of each node of a block.
 using WholeLanes = std::array<std::int32_t, CapBlock::kLanes>;
 
-// Levels of the ladder for caps of these angles.
+/// Levels of the ladder for caps of these angles.
 inline WholeLanes levels_of(const CapLanes& angle, const CapLadder& ladder, float alone) {
   WholeLanes level;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
@@ -29,15 +29,15 @@ inline WholeLanes levels_of(const CapLanes& angle, const CapLadder& ladder, floa
   return level;
 }
 
-// The line nearest to a place on a grid of so many cells. Whatever the numbers are, NaN too, it is one of
-// them.
+/// The line nearest to a place on a grid of so many cells. Whatever the numbers are, NaN too, it is one of
+/// them.
 inline std::int32_t line(float place, float scale, std::int32_t cells) {
   const auto most = static_cast<float>(cells);
   const float at = place * scale + (0.5F * most + 0.5F);
   return static_cast<std::int32_t>(smaller(larger(at, 0.0F), most));
 }
 
-// The entry nearest to the middle of each cap, as CapLimits::look_up() has it.
+/// The entry nearest to the middle of each cap, as CapLimits::look_up() has it.
 inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
   WholeLanes entry;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
@@ -62,7 +62,7 @@ inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
   return entry;
 }
 
-// Reaches of levels, radians.
+/// Reaches of levels, radians.
 inline CapLanes reaches_of(const WholeLanes& level, const CapLadder& ladder) {
   CapLanes reach;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {

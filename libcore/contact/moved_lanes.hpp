@@ -12,20 +12,20 @@
 
 namespace impinge::lanes {
 
-inline float larger(float a, float b) { return a > b ? a : b; }                        // of NaN the second
-inline float smaller(float a, float b) { return a < b ? a : b; }                       // likewise
+inline float larger(float a, float b) { return a > b ? a : b; }  // of NaN the second
+inline float smaller(float a, float b) { return a < b ? a : b; }
 inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }   // of the two
 inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }  // of the two
 
-// Of a vector with the axis of a node.
+/// Of a vector with the axis of a node.
 inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::size_t k) {
   return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
 }
 
-// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger but by the rounding that
-// gap_bounds.hpp counts. Sums of so many terms of a series whose signs change are above or below sine and
-// cosine of any angle. T sin b is rounded upwards: where o is along the axis all digits of it are lost, and
-// where o points against it the sine decides.
+/// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger but by the rounding that
+/// gap_bounds.hpp counts. Sums of so many terms of a series whose signs change are above or below sine and
+/// cosine of any angle. T sin b is rounded upwards: where o is along the axis all digits of it are lost, and
+/// where o points against it the sine decides.
 inline float most_along(float along, float angle, float shift) {
   const float square = angle * angle;
   const float low = 1.0F - 0.5F * square;
@@ -37,7 +37,7 @@ inline float most_along(float along, float angle, float shift) {
   return along >= low * shift ? shift : smaller(edge, shift);
 }
 
-// Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
+/// Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
 template <Surface kScanned>
 inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float shift = move.shift;
@@ -57,13 +57,13 @@ inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k
   }
 }
 
-// Angle that holds the directions of a node's vertices, radians; infinite or NaN where any is possible.
+/// Angle that holds the directions of a node's vertices, radians; infinite or NaN where any is possible.
 inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float rest = larger(block.low[k] * (1.0F - static_cast<float>(kNodeSlack)) - move.shift, 0.0F);
   return (block.angle[k] * block.low[k] + move.shift * block.spread[k]) / rest;
 }
 
-// Where the pose takes the caps of a block.
+/// Where the pose takes the caps of a block.
 template <Surface kScanned>
 inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
   MovedCaps caps;

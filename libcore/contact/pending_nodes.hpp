@@ -14,19 +14,19 @@
 
 namespace impinge {
 
-// A node of one of the two scans.
+/// A node of one of the two scans.
 struct PendingNode {
   std::uint32_t scan;  // 0 of the ball's vertices, 1 of the socket's
   CapNode node;        // of its tree
 };
 
-// Of those found last the one where a touch is likeliest is opened first.
+/// Of those found last the one where a touch is likeliest is opened first.
 class PendingNodes {
  public:
   bool empty() const { return count_ == 0; }      // nothing is left to be opened
   PendingNode pop() { return nodes_[--count_]; }  // the last one, which is taken out
 
-  // Takes in the open nodes of a block, the likeliest of them as the last.
+  /// Takes in the open nodes of a block, the likeliest of them as the last.
   void push_open(std::uint32_t scan, std::uint32_t block, const GapBounds& bounds) {
     const std::size_t first = count_;
     std::size_t likeliest = first;

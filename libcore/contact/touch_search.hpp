@@ -18,32 +18,32 @@
 
 namespace impinge {
 
-// A scan in a pose.
+/// A scan in a pose.
 struct PosedTree {
   const CapTree& tree;      // of the items that are moved
   const CapLimits& limits;  // of the other surface
   CapMove move;             // of the items
 };
-// Both scans: of the ball's items and of the socket's.
+/// Both scans: of the ball's items and of the socket's.
 using PosedTrees = std::array<PosedTree, 2>;
 
-// An item of one of the scans.
+/// An item of one of the scans.
 struct ScannedItem {
   std::size_t scan;    // 0 of the ball, 1 of the socket
   std::uint32_t item;  // place in the order of its tree
 };
 
-// Who is asked about single items: a function object that is borrowed.
+/// Who is asked about single items: a function object that is borrowed.
 class ItemQuestion {
  public:
-  // asked(item) says whether it touches: a gap of 0 or less.
+  /// asked(item) says whether it touches: a gap of 0 or less.
   template <class Asked>
   explicit ItemQuestion(const Asked& asked)
       : asked_(&asked), call_([](const void* self, const ScannedItem& at) {
           return static_cast<bool>((*static_cast<const Asked*>(self))(at));
         }) {}
 
-  // The answer.
+  /// The answer.
   bool operator()(const ScannedItem& at) const { return call_(asked_, at); }
 
  private:
@@ -51,7 +51,7 @@ class ItemQuestion {
   bool (*call_)(const void*, const ScannedItem&);
 };
 
-// Among all items of both scans: one that touches, if one does.
+/// Among all items of both scans: one that touches, if one does.
 std::optional<ScannedItem> touching_item(const PosedTrees& posed, const ItemQuestion& touches);
 
 }  // namespace impinge

@@ -13,47 +13,47 @@
 
 namespace impinge {
 
-// phi where the hip's cap of the conchoid ends: the plane through the origin across the axis.
+/// phi where the hip's cap of the conchoid ends: the plane through the origin across the axis.
 inline constexpr double kConchoidRim = 0.5 * kPi;
 
-// Throws unless a > 0, b >= 0 and a >= b, all finite. A conchoid with a < b has a loop through its origin:
-// r changes sign, and a direction would meet it twice.
+/// Throws unless a > 0, b >= 0 and a >= b, all finite. A conchoid with a < b has a loop through its origin:
+/// r changes sign, and a direction would meet it twice.
 void require_shape(const ConchoidShape& shape);
 
-// The same, and throws unless phi is in [0, pi].
+/// The same, and throws unless phi is in [0, pi].
 void require_on_conchoid(const ConchoidShape& shape, double phi);
 
-// r(phi), Eq. 11.
+/// r(phi), Eq. 11.
 double conchoid_radius(const ConchoidShape& shape, double phi);
 
-// Of the point at phi: its height along the axis, r cos(phi), and its distance from the axis, r sin(phi).
+/// Of the point at phi: its height along the axis, r cos(phi), and its distance from the axis, r sin(phi).
 double conchoid_height(const ConchoidShape& shape, double phi);
 double conchoid_width(const ConchoidShape& shape, double phi);  // r sin(phi)
 
-// ds / dphi = sqrt(r^2 + r'^2) = sqrt(a^2 + b^2 + 2 a b cos phi), mm per radian.
+/// ds / dphi = sqrt(r^2 + r'^2) = sqrt(a^2 + b^2 + 2 a b cos phi), mm per radian.
 double conchoid_speed(const ConchoidShape& shape, double phi);
 
-// Length of the meridian from the apex to phi (Eq. 12), exactly:
-//   2 (a + b) E(phi / 2 | m),  m = 4 a b / (a + b)^2;  4 a sin(phi / 2) at the cusp.
+/// Length of the meridian from the apex to phi (Eq. 12), exactly:
+///   2 (a + b) E(phi / 2 | m),  m = 4 a b / (a + b)^2;  4 a sin(phi / 2) at the cusp.
 double meridian_length(const ConchoidShape& shape, double phi);
 
-// Inverse of meridian_length(). A length past the end by rounding is the end.
+/// Inverse of meridian_length(). A length past the end by rounding is the end.
 double polar_angle_at_meridian_length(const ConchoidShape& shape, double length);
 
-// Area of the surface from the apex to phi. With v = ds / dphi at phi and v0 = a + b,
-//   A = pi / (2 a^2 b) [2/5 (v0^5 - v^5) + 2/3 (a^2 - b^2) (v0^3 - v^3)],
-// from 2 pi r sin(phi) ds with v^2 in place of phi; v0 - v = 4 a b sin^2(phi / 2) / (v0 + v) takes b out of
-// the denominator.
+/// Area of the surface from the apex to phi. With v = ds / dphi at phi and v0 = a + b,
+///   A = pi / (2 a^2 b) [2/5 (v0^5 - v^5) + 2/3 (a^2 - b^2) (v0^3 - v^3)],
+/// from 2 pi r sin(phi) ds with v^2 in place of phi; v0 - v = 4 a b sin^2(phi / 2) / (v0 + v) takes b out of
+/// the denominator.
 double cap_area(const ConchoidShape& shape, double phi);
 
-// Inverse of cap_area(), likewise.
+/// Inverse of cap_area(). An area past the end by rounding is the end.
 double polar_angle_at_cap_area(const ConchoidShape& shape, double area);
 
-// Angle psi between the ray from the conchoid's origin and the normal of the surface, radians:
-// tan psi = |r'| / r. pi / 2 at the cusp, its limit.
+/// Angle psi between the ray from the conchoid's origin and the normal of the surface, radians:
+/// tan psi = |r'| / r. pi / 2 at the cusp, its limit.
 double conchoid_incidence(const ConchoidShape& shape, double phi);
 
-// Area of surface per solid angle seen from the conchoid's origin, r^2 / cos psi, mm^2 per steradian.
+/// Area of surface per solid angle seen from the conchoid's origin, r^2 / cos psi, mm^2 per steradian.
 double area_per_solid_angle(const ConchoidShape& shape, double phi);
 
 }  // namespace impinge

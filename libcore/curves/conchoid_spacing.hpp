@@ -14,17 +14,17 @@
 
 namespace impinge {
 
-// Angle at the origin between the axis and the point of the arc at phi.
+/// Angle at the origin between the axis and the point of the arc at phi.
 double ray_angle(const ConchoidShape& shape, double height, double phi);
 
-// Length of arc per angle at the origin, ds / dalpha, mm per radian: the limit of the segments of many rays.
+/// Length of arc per angle at the origin, ds / dalpha, mm per radian: the limit of the segments of many rays.
 double spacing_rate(const ConchoidShape& shape, double height, double phi);
 
-// phi at which rays at equal angles, the first on the axis and the last through the rim, meet the arc.
-// Two rays or more.
+/// phi at which rays at equal angles, the first on the axis and the last through the rim, meet the arc.
+/// Two rays or more.
 std::vector<double> ray_cuts(const ConchoidShape& shape, double height, std::size_t rays);
 
-// Lengths of the rays - 1 segments, from the apex on, mm.
+/// Lengths of the rays - 1 segments, from the apex on, mm.
 std::vector<double> segment_lengths(const ConchoidShape& shape, double height, std::size_t rays);
 
 }  // namespace impinge

@@ -14,14 +14,14 @@ namespace impinge {
 
 class GslCallback {
  public:
-  // The function must live as long as this object.
+  /// The function must live as long as this object.
   explicit GslCallback(const std::function<double(double)>& function) : function_(function) {}
   GslCallback(const GslCallback&) = delete;  // GSL keeps the address
   GslCallback& operator=(const GslCallback&) = delete;
 
   gsl_function* get() { return &wrapped_; }  // to hand to GSL, as long as this object lives
 
-  // Throws what the function threw, else what GSL's status says.
+  /// Throws what the function threw, else what GSL's status says.
   void require(int status, const char* what) const {
     if (thrown_) std::rethrow_exception(thrown_);
     require_gsl(status, what);

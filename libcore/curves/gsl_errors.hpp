@@ -7,11 +7,11 @@
 
 namespace impinge {
 
-// Switches GSL's handler off, once for the whole program and for good: setting it back would race with other
-// threads. Every use of GSL in this folder calls it first.
+/// Switches GSL's handler off, once for the whole program and for good: setting it back would race with other
+/// threads. Every use of GSL in this folder calls it first.
 void keep_gsl_quiet();
 
-// Throws std::runtime_error "what: GSL's reason" unless status is GSL_SUCCESS.
+/// Throws std::runtime_error "what: GSL's reason" unless status is GSL_SUCCESS.
 void require_gsl(int status, const std::string& what);
 
 }  // namespace impinge

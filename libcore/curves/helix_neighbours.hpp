@@ -20,8 +20,8 @@ struct HelixNeighbours {
   std::array<std::size_t, 4> entry{};  // P_0 and P_1 round P_a, P_2 and P_3 round P_b
 };
 
-// Neighbours of a vertex in direction x (of any length above zero). None above the first turn and below the
-// last one, where a vertex has three.
+/// Neighbours of a vertex in direction x (of any length above zero). None above the first turn and below the
+/// last one, where a vertex has three.
 std::optional<HelixNeighbours> helix_neighbours(const HelixEntries& entries, const Vec3& x);
 
 }  // namespace impinge

@@ -11,14 +11,14 @@
 
 namespace impinge {
 
-// Of interpolated minus true radius, mm.
+/// Of interpolated minus true radius, mm.
 struct LookupError {
   double largest = 0.0;           // in size
   double root_mean_square = 0.0;  // over the directions
 };
 
-// Interpolates the radii of the entries with stencil(u) -> Stencil in each direction u (unit vectors, at
-// least one) and compares with radius(u). All radii in mm.
+/// Interpolates the radii of the entries with stencil(u) -> Stencil in each direction u (unit vectors, at
+/// least one) and compares with radius(u). All radii in mm.
 template <class StencilOf>
 LookupError lookup_error(std::span<const double> radii, StencilOf&& stencil,
                          const std::function<double(const Vec3&)>& radius, std::span<const Vec3> directions) {

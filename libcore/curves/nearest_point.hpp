@@ -12,12 +12,12 @@ namespace impinge {
 
 class NearestPoint {
  public:
-  // The points must live as long as this object. `side` is the edge of a cube, about the distance between
-  // neighbouring points; above zero. std::invalid_argument without a point, or where the cubes would be more
-  // than 2^24.
+  /// The points must live as long as this object. `side` is the edge of a cube, about the distance between
+  /// neighbouring points; above zero. std::invalid_argument without a point, or where the cubes would be more
+  /// than 2^24.
   NearestPoint(std::span<const Vec3> points, double side);
 
-  // Index of the nearest point; of several as near, the first.
+  /// Index of the nearest point; of several as near, the first.
   std::size_t operator()(const Vec3& x) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace impinge {
 
-// The integral from low to high, to 1e-12 of the integral of |function|. std::runtime_error where that is not
-// reached; an exception of the function comes through.
+/// The integral from low to high, to 1e-12 of the integral of |function|. std::runtime_error where that is
+/// not reached; an exception of the function comes through.
 double integrate(const std::function<double(double)>& function, double low, double high);
 
 }  // namespace impinge

@@ -4,7 +4,7 @@
 
 namespace impinge {
 
-// Of the whole: a length, area or angle that passes the end by no more is at the end.
+/// Of the whole: a length, area or angle that passes the end by no more is at the end.
 inline constexpr double kCurveRounding = 1e-12;
 
 }  // namespace impinge

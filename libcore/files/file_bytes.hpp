@@ -8,21 +8,21 @@
 
 namespace impinge {
 
-// All bytes of a regular file that is not empty.
+/// All bytes of a regular file that is not empty.
 std::string read_bytes(const std::filesystem::path& file);
 
-// Writes beside `file` under a temporary name, syncs to the disk and renames: whoever looks finds the old
-// file or the whole new one. The folder must exist. Nothing is left behind when it fails.
+/// Writes beside `file` under a temporary name, syncs to the disk and renames: whoever looks finds the old
+/// file or the whole new one. The folder must exist. Nothing is left behind when it fails.
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 
-// Is it a regular file of these bytes? An empty one never is.
+/// Is it a regular file of these bytes? An empty one never is.
 bool holds(const std::filesystem::path& file, std::string_view bytes);
 
-// The same as write_bytes(), but a file that holds these bytes already keeps its time stamp, so that a build
-// graph with restat stops there. True when the file changed.
+/// The same as write_bytes(), but a file that holds these bytes already keeps its time stamp, so that a build
+/// graph with restat stops there. True when the file changed.
 bool write_if_changed(const std::filesystem::path& file, std::string_view bytes);
 
-// Creates the folder when it is missing and proves that a file can be written in it.
+/// Creates the folder when it is missing and proves that a file can be written in it.
 void require_writable_folder(const std::filesystem::path& folder);
 
 }  // namespace impinge

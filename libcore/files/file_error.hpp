@@ -8,14 +8,14 @@
 
 namespace impinge {
 
-// what() is one line: "FILE: what is wrong; what to do".
+/// what() is one line: "FILE: what is wrong; what to do".
 class FileError : public std::runtime_error {
  public:
-  // Reason: what is wrong; advice: what to do.
+  /// Reason: what is wrong; advice: what to do.
   FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
 };
 
-// What the system says of an errno.
+/// What the system says of an errno.
 std::string system_message(int error);
 
 }  // namespace impinge

@@ -9,12 +9,13 @@
 
 namespace impinge {
 
-// add() writes each file under a temporary name, so a disk that is too small is noticed before any old file
-// is touched; commit() puts them into their places. Where one of them cannot be put there, those before it
-// are taken back: whoever looks later finds all the old files or all the new ones. Not so in one case: a
-// process that is killed within commit(), between two renames, leaves the first files new and the others old.
-//
-// All members throw FileError. Nothing is left behind by a set that was not committed.
+/// add() writes each file under a temporary name, so a disk that is too small is noticed before any old file
+/// is touched; commit() puts them into their places. Where one of them cannot be put there, those before it
+/// are taken back: whoever looks later finds all the old files or all the new ones. Not so in one case: a
+/// process that is killed within commit(), between two renames, leaves the first files new and the others
+/// old.
+///
+/// All members throw FileError. Nothing is left behind by a set that was not committed.
 class FileSet {
  public:
   FileSet();
@@ -22,10 +23,10 @@ class FileSet {
   FileSet& operator=(const FileSet&) = delete;
   ~FileSet();
 
-  // The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
+  /// The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
   void add(const std::filesystem::path& file, std::string_view bytes);
 
-  // In the order of add(). The set is then empty.
+  /// In the order of add(). The set is then empty.
   void commit();
 
  private:

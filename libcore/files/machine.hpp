@@ -18,8 +18,8 @@ struct Machine {
 
 Machine this_machine();  // as it is now
 
-// Bytes that a program may still take before the machine swaps (MemAvailable of Linux); the physical memory
-// where that is not known.
+/// Bytes that a program may still take before the machine swaps (MemAvailable of Linux); the physical memory
+/// where that is not known.
 std::uint64_t available_memory();
 
 }  // namespace impinge

@@ -6,7 +6,7 @@
 
 namespace impinge {
 
-// Control characters become blanks: a name with a line end, or one that moves the cursor, stays where it is.
+/// Control characters become blanks: a name with a line end, or one that moves the cursor, stays where it is.
 std::string one_line(std::string text);
 
 }  // namespace impinge

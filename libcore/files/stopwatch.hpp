@@ -7,10 +7,10 @@
 
 namespace impinge {
 
-// Runs from its making.
+/// Runs from its making.
 class Stopwatch {
  public:
-  // Since its making or the last lap, milliseconds; begins the next lap.
+  /// Since its making or the last lap, milliseconds; begins the next lap.
   double lap_ms() {
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();

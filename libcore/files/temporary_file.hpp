@@ -7,18 +7,18 @@
 
 namespace impinge {
 
-// Removes itself unless it was renamed. All members throw FileError, which names the final place.
+/// Removes itself unless it was renamed. All members throw FileError, which names the final place.
 class TemporaryFile {
  public:
-  // Creates it empty. The folder of the target must exist; a target that is a folder is refused.
+  /// Creates it empty. The folder of the target must exist; a target that is a folder is refused.
   explicit TemporaryFile(std::filesystem::path target);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  // Writes all bytes and syncs them to the disk.
+  /// Writes all bytes and syncs them to the disk.
   void write(std::string_view bytes);
-  // Puts it in the place of the target.
+  /// Puts it in the place of the target.
   void rename();
 
   const std::filesystem::path& target() const { return target_; }  // its final place
@@ -30,7 +30,7 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-// What is thrown where a file cannot be written; `error` is a value of errno.
+/// What is thrown where a file cannot be written; `error` is a value of errno.
 [[noreturn]] void fail_writing(const std::filesystem::path& file, int error);
 
 }  // namespace impinge

@@ -39,7 +39,7 @@
 
 namespace impinge {
 
-// Ends of a Euclidean distance, and what they were made of. Lengths in mm; infinite where there is none.
+/// Ends of a Euclidean distance, and what they were made of. Lengths in mm; infinite where there is none.
 struct DistanceBracket {
   double lower_mm = 0.0;                                     // d is no less
   double upper_mm = 0.0;                                     // d is no more
@@ -48,22 +48,22 @@ struct DistanceBracket {
   double edge_mm = std::numeric_limits<double>::infinity();  // e
 };
 
-// Allowance for rounding at both ends, of |x| + R, R the farthest corner of all faces. With u = 2^-53 and T =
-// tan psi a radius is off by 84 u (1 + T) of itself (table/error_bound.hpp): by 1e-10 for T up to 1e4. The
-// gap of a steeper face is replaced by the distances of its corners. At the lower end it is divided by L >=
-// root(1 + k^2 T^2), k >= min(1, r / |x|), so that 168 u (|x| + R) of it are left at any T. Distances from
-// corners and jump edges are off by 20 u (|x| + R). L itself is made from outside.
+/// Allowance for rounding at both ends, of |x| + R, R the farthest corner of all faces. With u = 2^-53 and T
+/// = tan psi a radius is off by 84 u (1 + T) of itself (table/error_bound.hpp): by 1e-10 for T up to 1e4. The
+/// gap of a steeper face is replaced by the distances of its corners. At the lower end it is divided by L >=
+/// root(1 + k^2 T^2), k >= min(1, r / |x|), so that 168 u (|x| + R) of it are left at any T. Distances from
+/// corners and jump edges are off by 20 u (|x| + R). L itself is made from outside.
 inline constexpr double kDistanceAllowance = 1e-9;
 
-// A mesh made ready for many points: what is near each entry of a grid of about a degree. A point costs what
-// the entries within asin(m / |x|) of it and all jump edges do.
+/// A mesh made ready for many points: what is near each entry of a grid of about a degree. A point costs what
+/// the entries within asin(m / |x|) of it and all jump edges do.
 class EuclideanBracket {
  public:
-  // mesh in its centre frame, mm; copied. Throws std::invalid_argument for one without faces.
+  /// mesh in its centre frame, mm; copied. Throws std::invalid_argument for one without faces.
   explicit EuclideanBracket(TriangleMesh mesh);
 
-  // Bracket of the distance from x (mm, in the frame of the mesh) to the nearest point of any face. A face
-  // whose plane holds the centre has no slope: the lower end is below the distance of a ball round it.
+  /// Bracket of the distance from x (mm, in the frame of the mesh) to the nearest point of any face. A face
+  /// whose plane holds the centre has no slope: the lower end is below the distance of a ball round it.
   DistanceBracket at(const Vec3& x) const;
 
  private:
@@ -75,16 +75,16 @@ class EuclideanBracket {
     Vec3 middle;
     double radius;
   };
-  // Of the faces within the covering radius of an entry. Lengths in mm.
+  /// Of the faces within the covering radius of an entry. Lengths in mm.
   struct Near {
     std::vector<std::uint32_t> faces;
     double slope = 0.0;   // largest tan psi
     double radius = 0.0;  // largest
-    // Of the crossings along the entry itself.
+    /// Of the crossings along the entry itself.
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = 0.0;
   };
-  // What counts once D has this length, mm.
+  /// What counts once D has this length, mm.
   struct Slope {
     double from;
     double slope;

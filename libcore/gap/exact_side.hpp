@@ -14,12 +14,12 @@
 
 namespace impinge {
 
-// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged: a gap of zero
-// or less? For one of the ball: is it on a face of the socket or beyond; never at the centre. For one of the
-// socket: is it on a face of the ball or before it; always at the centre, if a face counts.
+/// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged: a gap of zero
+/// or less? For one of the ball: is it on a face of the socket or beyond; never at the centre. For one of the
+/// socket: is it on a face of the ball or before it; always at the centre, if a face counts.
 bool exactly_impinged(Surface of, const TriangleMesh& met, const FaceIndex& index, const Vec3& x);
 
-// The same with an index that is made sooner and looks at fewer faces.
+/// The same with an index that is made sooner and looks at fewer faces.
 bool exactly_impinged(Surface of, const NearFaces& met, const Vec3& x);
 
 }  // namespace impinge

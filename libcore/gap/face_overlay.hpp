@@ -30,28 +30,28 @@
 
 namespace impinge {
 
-// Corners in a centre frame, mm, and their orientation.
+/// Corners in a centre frame, mm, and their orientation.
 struct OverlayFace {
   std::array<Vec3, 3> corner;  // as the face has them
   int side = 0;                // orientation of the corners; 0 only for one that a pose has moved
 };
 
-// Does a face that is edge-on hold the centre, its boundary included? Exact.
+/// Does a face that is edge-on hold the centre, its boundary included? Exact.
 bool holds_centre(const OverlayFace& face);
 
-// Which of the three directions above it is, or that the face of the socket holds the centre.
+/// Which of the three directions above it is, or that the face of the socket holds the centre.
 enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
 
-// A direction at which the gap over two faces may be smallest.
+/// A direction at which the gap over two faces may be smallest.
 struct OverlayPoint {
   OverlayKind kind = OverlayKind::crossing;  // says what `ball` and `socket` are
   int order = 0;  // +1 if the ball is beyond the socket there, 0 if they touch, -1 if the ball is nearer
   std::size_t ball = 0;    // corner, or side from this corner to the next
-  std::size_t socket = 0;  // likewise of the socket's face
+  std::size_t socket = 0;  // the same of the socket's face
 };
 
-// Calls visit(point) for each of them until it returns true; returns whether it did. The face that is at rest
-// has a side other than 0.
+/// Calls visit(point) for each of them until it returns true; returns whether it did. The face that is at
+/// rest has a side other than 0.
 template <class Visit>
 bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& visit) {
   const auto beyond = [](const OverlayFace& face, const Vec3& x) {
@@ -81,13 +81,13 @@ bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& v
   return false;
 }
 
-// Does the ball's face reach the socket's? Exact.
+/// Does the ball's face reach the socket's? Exact.
 inline bool reaches(const OverlayFace& ball, const OverlayFace& socket) {
   return visit_overlay(ball, socket, [](const OverlayPoint& point) { return point.order >= 0; });
 }
 
-// Ball radius minus socket radius at that point, mm, in floating point: how deep the ball is in the socket.
-// At the centre, where any direction is meant, the farthest corner of the ball's face.
+/// Ball radius minus socket radius at that point, mm, in floating point: how deep the ball is in the socket.
+/// At the centre, where any direction is meant, the farthest corner of the ball's face.
 double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point);
 
 }  // namespace impinge

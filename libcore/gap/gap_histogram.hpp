@@ -7,7 +7,7 @@
 
 namespace impinge {
 
-// Bins of equal width from `first` on, and what lies outside of them. mm, mm^2.
+/// Bins of equal width from `first` on, and what lies outside of them. mm, mm^2.
 struct GapHistogram {
   double first = -5.0;                                      // where bin 0 begins, mm
   double width = 0.5;                                       // of a bin, mm
@@ -17,8 +17,8 @@ struct GapHistogram {
   double without = 0.0;                                     // no gap: the other surface is not met
 };
 
-// Adds each vertex' area to the bin of its gap: [first + k width, first + (k + 1) width) for bin k. gap in
-// mm, NaN where no surface is met; both of one size.
+/// Adds each vertex' area to the bin of its gap: [first + k width, first + (k + 1) width) for bin k. gap in
+/// mm, NaN where no surface is met; both of one size.
 GapHistogram gap_histogram(std::span<const double> gap, std::span<const double> vertex_area);
 
 }  // namespace impinge

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scan of Algorithm 2: all vertices of one surface against the other, with one signed gap for both
-// (gap/surface.hpp).
-//
-// The thesis' test `d <= d_i` is right for ball vertices against the socket's table and wrong the other way
-// round, and it keeps the distance of colliding vertices only. Here every vertex of both scans gets its
-// signed gap. kNoSurface (NaN) where the other surface is not met: no surface there is never a hit.
+/// \file
+/// A scan of Algorithm 2: all vertices of one surface against the other, with one signed gap for both
+/// (gap/surface.hpp).
+///
+/// The thesis' test `d <= d_i` is right for ball vertices against the socket's table and wrong the other way
+/// round, and it keeps the distance of colliding vertices only. Here every vertex of both scans gets its
+/// signed gap. kNoSurface (NaN) where the other surface is not met: no surface there is never a hit.
 #pragma once
 
 #include <cassert>
@@ -15,8 +16,8 @@
 
 namespace impinge {
 
-// gap has the size of the vertices (mm, in the frame of their own surface); the query is of the other
-// surface.
+/// gap has the size of the vertices (mm, in the frame of their own surface); the query is of the other
+/// surface.
 template <class Query>
 void scan_gaps(const Query& query, std::span<const Vec3> vertices, const Pose& pose, Surface of,
                std::span<double> gap) {

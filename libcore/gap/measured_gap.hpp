@@ -18,10 +18,10 @@
 
 namespace impinge {
 
-// Of a vertex of that surface, at x in the frame of the other one, mm, whose facing layer counts.
+/// Of a vertex of that surface, at x in the frame of the other one, mm, whose facing layer counts.
 CertifiedGap measured_gap(Surface of, const NearFaces& met, const Vec3& x);
 
-// Gaps of one scan by a table and what is proven about them, by vertex, mm.
+/// Gaps of one scan by a table and what is proven about them, by vertex, mm.
 struct BoundedScan {
   Surface scanned = Surface::ball;  // whose vertices
   const NearFaces& asked;           // the other surface
@@ -30,14 +30,14 @@ struct BoundedScan {
   std::span<const double> bound;    // infinite where nothing is proven
 };
 
-// Where the smallest gap of all vertices that have one is proven to be.
+/// Where the smallest gap of all vertices that have one is proven to be.
 struct SmallestBetween {
   double low = std::numeric_limits<double>::infinity();   // mm
   double high = std::numeric_limits<double>::infinity();  // mm; infinite if no vertex has a gap
   std::size_t measured = 0;  // vertices whose bound left it open, so that they were measured on the faces
 };
 
-// Of both scans. Bounds are believed.
+/// Of both scans. Bounds are believed.
 SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& socket);
 
 }  // namespace impinge

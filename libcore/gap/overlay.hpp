@@ -41,22 +41,22 @@
 
 namespace impinge {
 
-// The deepest place of an impinged pose.
+/// The deepest place of an impinged pose.
 struct OverlayContact {
   double depth = 0.0;                        // mm, ball radius minus socket radius, in floating point
   OverlayKind kind = OverlayKind::crossing;  // corner, crossing of edges, or the centre
 };
 
-// Two meshes made ready to be compared in many poses.
+/// Two meshes made ready to be compared in many poses.
 class SurfaceOverlay {
  public:
-  // Meshes in their centre frames, mm; they are kept.
+  /// Meshes in their centre frames, mm; they are kept.
   SurfaceOverlay(TriangleMesh ball, TriangleMesh socket);
 
-  // Is the pose impinged? Exact.
+  /// Is the pose impinged? Exact.
   bool impinged(const Pose& pose) const;
 
-  // The deepest of all places of (1) and (2) that are impinged; none exactly if none is.
+  /// The deepest of all places of (1) and (2) that are impinged; none exactly if none is.
   std::optional<OverlayContact> deepest(const Pose& pose) const;
 
   const TriangleMesh& ball() const { return ball_; }               // in its centre frame

@@ -14,41 +14,42 @@
 
 namespace impinge {
 
-// The two surfaces of a joint. A scan looks up the vertices of one in the table of the other.
+/// The two surfaces of a joint. A scan looks up the vertices of one in the table of the other.
 enum class Surface { ball, socket };
 inline constexpr std::array kSurfaces{Surface::ball, Surface::socket};
 
-// The one that it faces.
+/// The one that it faces.
 constexpr Surface other(Surface of) { return of == Surface::ball ? Surface::socket : Surface::ball; }
 
-// "ball" or "socket".
+/// "ball" or "socket".
 constexpr std::string_view name(Surface of) { return of == Surface::ball ? "ball" : "socket"; }
 
+/// Its mesh.
 inline const TriangleMesh& mesh_of(const BallSocketPair& joint, Surface of) {
   return of == Surface::ball ? joint.ball : joint.socket;
 }
 
-// The layer that faces the other surface.
+/// The layer that faces the other surface.
 constexpr Layer facing_layer(Surface of) { return of == Surface::ball ? Layer::farthest : Layer::nearest; }
 
-// A point of the surface, in the frame of the other one, mm.
+/// A point of the surface, in the frame of the other one, mm.
 inline Vec3 to_other(Surface of, const Pose& pose, const Vec3& point) {
   return of == Surface::ball ? to_socket(pose, point) : to_ball(pose, point);
 }
 
-// Radius of the other surface minus length is the gap of a vertex of the ball; of the socket, its negative.
+/// Radius of the other surface minus length is the gap of a vertex of the ball; of the socket, its negative.
 template <class Real>
 constexpr Real gap_sign(Surface of) {
   return of == Surface::ball ? Real{1} : Real{-1};
 }
 
-// Gap of a vertex of the surface at that distance from the centre, where the other one has that radius, mm.
+/// Gap of a vertex of the surface at that distance from the centre, where the other one has that radius, mm.
 template <class Real>
 constexpr Real signed_gap(Surface of, Real radius, Real length) {
   return of == Surface::ball ? radius - length : length - radius;
 }
 
-// The same where the radius is known to lie in a range.
+/// The same where the radius is known to lie in a range.
 inline RadiusRange signed_gap(Surface of, const RadiusRange& radius, double length) {
   if (of == Surface::ball) return {radius.low - length, radius.high - length};
   return {length - radius.high, length - radius.low};

@@ -16,18 +16,18 @@
 
 namespace impinge {
 
-// Gaps above the level before and up to this one, mm.
+/// Gaps above the level before and up to this one, mm.
 struct GapLevel {
   double up_to_mm = 0.0;     // infinite for the last
   std::string_view meaning;  // as a legend says it
   Rgb colour{};              // of vertices with such a gap
 };
 
-// Levels from contact outwards for a cartilage thickness in mm (both layers together). With thickness 0 there
-// are two.
+/// Levels from contact outwards for a cartilage thickness in mm (both layers together). With thickness 0
+/// there are two.
 std::vector<GapLevel> gap_levels(Surface surface, double cartilage_mm);
 
-// Colour of a gap; light grey for NaN, where the other surface is not met.
+/// Colour of a gap; light grey for NaN, where the other surface is not met.
 Rgb gap_colour(double gap_mm, const std::vector<GapLevel>& levels);
 inline constexpr Rgb kNoGapColour{217, 217, 217};  // light grey
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hip made from parameters: femoral head, neck and a stump of the shaft; acetabulum with its rim.
+/// \file
+/// A hip made from parameters: femoral head, neck and a stump of the shaft; acetabulum with its rim.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +12,18 @@ namespace impinge {
 
 struct Hip {
   TriangleMesh ball;    // closed, outward normals; star-shaped about the centre up to the bend of the shaft,
-                        // and all of it with shaft_length = 0
+                        /// and all of it with shaft_length = 0
   TriangleMesh socket;  // normals towards the centre; open and star-shaped, or with a wall a closed shell
 };
 
 inline constexpr std::size_t kHipFaces = 12000;  // a surface, as in the thesis
 
-// Joint frame, mm, the centre of the head as origin. Vertices lie on the smooth surfaces of hip_surface.hpp,
-// closer together where head and neck meet; a ring of them lies on the rim. About `faces` faces a surface
-// (within 3 %; at least kFewestHipFaces, else std::invalid_argument). Impossible parameters as in
-// require_possible(). The left hip is the mirror image of the right one.
+/// Joint frame, mm, the centre of the head as origin. Vertices lie on the smooth surfaces of hip_surface.hpp,
+/// closer together where head and neck meet; a ring of them lies on the rim. About `faces` faces a surface
+/// (within 3 %; at least kFewestHipFaces, else std::invalid_argument). Impossible parameters as in
+/// require_possible(). The left hip is the mirror image of the right one.
 inline constexpr std::size_t kFewestHipFaces = 500;
-// The ball and the socket of these parameters, see above.
+/// The ball and the socket of these parameters, see above.
 Hip make_hip(const HipParameters& parameters, std::size_t faces = kHipFaces);
 
 }  // namespace impinge

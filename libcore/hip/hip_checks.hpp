@@ -7,14 +7,14 @@
 
 namespace impinge {
 
-// A parameter outside of its range, or one half of a conchoid.
+/// A parameter outside of its range, or one half of a conchoid.
 void require_range(const HipParameters& parameters);
 
-// A neck too thin, too thick or too short to be seen between head and shaft; a rim too near to a pole.
+/// A neck too thin, too thick or too short to be seen between head and shaft; a rim too near to a pole.
 void require_shape(const HipSurface& hip);
 
-// A ball that penetrates the socket at rest, as a cam does that is higher than the joint space where it is
-// covered. Sampled at every second degree or so.
+/// A ball that penetrates the socket at rest, as a cam does that is higher than the joint space where it is
+/// covered. Sampled at every second degree or so.
 void require_free_at_rest(const HipSurface& hip);
 
 }  // namespace impinge

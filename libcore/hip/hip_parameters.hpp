@@ -18,39 +18,40 @@ namespace impinge {
 struct HipParameters {
   Side side = Side::right;  // of the body
 
-  // Head: a sphere, or an ellipsoid of revolution about the neck axis, or a conchoid.
+  /// Head: a sphere, or an ellipsoid of revolution about the neck axis, or a conchoid.
   double head_radius = 24.0;     // square to the neck axis. Cartilage of five heads: 23 to 26 (LibHip)
   double head_axis_ratio = 1.0;  // half axis along the neck to head_radius: its sphericity
-  // Where both are positive the head is Menschik's conchoid r = a + b cos(phi) turned about the neck axis
-  // (thesis, Eq. 11; sphere/conchoid_shape.hpp), its best-fitting sphere over phi <= 90 degrees at the
-  // origin; head_radius is then of no effect.
+  /// Where both are positive the head is Menschik's conchoid r = a + b cos(phi) turned about the neck axis
+  /// (thesis, Eq. 11; sphere/conchoid_shape.hpp), its best-fitting sphere over phi <= 90 degrees at the
+  /// origin; head_radius is then of no effect.
   double conchoid_a = 0.0;
   double conchoid_b = 0.0;  // below conchoid_a
 
-  // Cam: a bump of height * cos^2(pi/2 * angle / half width) on top of the head.
+  /// Cam: a bump of height * cos^2(pi/2 * angle / half width) on top of the head.
   double cam_height = 0.0;       // of its top. On average 3.3 at most in cam patients (Harris 2013)
   double cam_half_width = 30.0;  // from the top to the foot, as seen from the centre
   double cam_polar = 50.0;       // of the top, from the neck axis
   double cam_clock = 1.5;        // of the top about the neck axis, hours
 
-  // Neck: a cylinder round the neck axis, which runs from the centre of the head to the shaft.
+  /// Neck: a cylinder round the neck axis, which runs from the centre of the head to the shaft.
   double head_neck_offset = 9.1;    // head radius minus neck radius; 0.19 of the head's diameter (Toogood)
   double neck_fillet = 7.0;         // reach of the rounding between head and neck; 7 gives alpha 46 degrees
   double neck_length = 53.0;        // from the centre to the axis of the shaft
   double neck_shaft_angle = 128.0;  // CCD, at the medial side. Medians: 122, 129, 133 (three collections)
   double femoral_torsion = 12.0;    // anteversion, in the plane square to the shaft, from the transverse
-                                    // axis (a knee that looks forward has its condyles along it). 9.7 to 14.2
-  double shaft_length = 40.0;       // of the stump; 0 ends the neck in a dome, and the ball is star-shaped
-  double shaft_radius = 14.0;       // of the stump
+                                  /// axis (a knee that looks forward has its condyles along it). 9.7 to 14.2
+  double shaft_length = 40.0;  // of the stump; 0 ends the neck in a dome, and the ball is star-shaped
+  double shaft_radius = 14.0;  // of the stump
 
-  // Acetabulum: a sphere with a rim. Its axis points out of the opening.
+  /// Acetabulum: a sphere with a rim. Its axis points out of the opening.
   double joint_space = 4.5;   // socket radius minus head radius, bone to bone. 4.5 (Turley 2013)
   double inclination = 54.0;  // of the axis from straight down, as seen from the front (radiographic)
   double version = 19.0;      // of the axis from lateral to anterior, as seen from above. 18.2 to 19.9
   double half_opening =
       87.0;  // from the pole of the socket to its rim. 87 +- 4, cam 84, pincer 96 (Cobb 2010)
-  // From the vertical to the rim, laterally, in the coronal plane through the centre. 32.7. The rim is raised
-  // or lowered to it over two hours to either side, where half opening and inclination give another angle.
+  /// From the vertical to the rim, laterally, in the coronal plane through the centre. 32.7. The rim is
+  /// raised or lowered to it over two hours to either side, where half opening and inclination give another
+  /// angle.
   double lateral_centre_edge = 32.7;
   double pincer_height = 0.0;      // of the additional rim at its highest, along the sphere
   double pincer_clock = 1.0;       // of its middle about the axis of the socket, hours
@@ -59,30 +60,30 @@ struct HipParameters {
   double fossa_half_width = 25.0;  // as seen from the centre
   double fossa_polar = 25.0;       // of its middle, from the pole of the socket towards 6 o'clock
   double shift_lateral = 0.0;      // of the centre of the socket from that of the head
-  double shift_anterior = 0.0;     // likewise
-  double shift_superior = 0.0;     // likewise
-  double wall_thickness = 0.0;     // 0: only the surface that faces the head, open at its rim, star-shaped;
-                                   // otherwise a closed shell
+  double shift_anterior = 0.0;
+  double shift_superior = 0.0;
+  double wall_thickness = 0.0;  // 0: only the surface that faces the head, open at its rim, star-shaped;
+                                // otherwise a closed shell
 };
 
-// A parameter as the programs read and write it.
+/// A parameter as the programs read and write it.
 struct HipParameter {
   std::string_view name;         // that of the member
   std::string_view unit;         // "mm", "deg", ...
   double HipParameters::*value;  // the member
   double least;                  // smallest and largest accepted value
-  double most;                   // likewise
+  double most;
 };
 
-// All but the side, in the order of the members.
+/// All but the side, in the order of the members.
 inline constexpr std::size_t kHipParameters = 30;
 const std::array<HipParameter, kHipParameters>& hip_parameter_list();  // their names, units and ranges
 
-// Sets one parameter from "name=value"; side=left or side=right too. std::invalid_argument, one line, for
-// what it cannot read or a value outside of the accepted range.
+/// Sets one parameter from "name=value"; side=left or side=right too. std::invalid_argument, one line, for
+/// what it cannot read or a value outside of the accepted range.
 void set_hip_parameter(HipParameters& parameters, std::string_view text);
 
-// std::invalid_argument where a parameter is outside of its range or not a number.
+/// std::invalid_argument where a parameter is outside of its range or not a number.
 void require_in_range(const HipParameters& parameters);
 
 }  // namespace impinge

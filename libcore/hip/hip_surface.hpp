@@ -8,7 +8,7 @@
 
 namespace impinge {
 
-// What follows from the parameters.
+/// What follows from the parameters.
 struct HipSurface {
   HipParameters parameters;      // as given
   Vec3 neck;                     // direction of the neck axis, from the centre of the head to the shaft
@@ -25,36 +25,36 @@ struct HipSurface {
   double lateral_raise = 0.0;    // of the rim there, radians
 };
 
-// std::invalid_argument, one line, for parameters that make no such surfaces (hip_checks.hpp).
+/// std::invalid_argument, one line, for parameters that make no such surfaces (hip_checks.hpp).
 HipSurface hip_surface(const HipParameters& parameters);
 
-// Unit vector at `polar` radians from an axis (the neck, or the pole of the socket) at `hours` of its clock.
+/// Unit vector at `polar` radians from an axis (the neck, or the pole of the socket) at `hours` of its clock.
 Vec3 clock_direction(const Vec3& axis, const ClockFace& clock, double polar, double hours);
 
-// Distance of the head with its cam from the centre, mm; and of head and neck, which is that of the ball up
-// to where the neck bends to the shaft.
+/// Distance of the head with its cam from the centre, mm; and of head and neck, which is that of the ball up
+/// to where the neck bends to the shaft.
 double head_radius(const HipSurface& hip, const Vec3& direction);
 double head_neck_radius(const HipSurface& hip, const Vec3& direction);  // of head and neck, see above
 
-// The same without a cam, at `polar` radians from the neck axis.
+/// The same without a cam, at `polar` radians from the neck axis.
 double plain_head_neck_radius(const HipSurface& hip, double polar);
 
-// Distance from the centre to where the neck begins to bend, along its axis, mm.
+/// Distance from the centre to where the neck begins to bend, along its axis, mm.
 double neck_end(const HipSurface& hip);
 
-// Distance of the socket from the centre, mm, within its rim or beyond.
+/// Distance of the socket from the centre, mm, within its rim or beyond.
 double socket_radius(const HipSurface& hip, const Vec3& direction);
 
-// The same from the centre of the socket.
+/// The same from the centre of the socket.
 double inner_radius(const HipSurface& hip, const Vec3& from_socket_centre);
 
-// Angle of the rim from the pole of the socket, seen from the centre of the socket, radians.
+/// Angle of the rim from the pole of the socket, seen from the centre of the socket, radians.
 double rim_polar(const HipSurface& hip, double hours);
 
-// Alpha angle at a clock position about the neck: the largest angle from the neck axis, in degrees, at which
-// the surface is farther from the centre than the head by more than kAlphaShare of its radius. (Noetzli 2002
-// takes the point where the surface leaves the circle; the share makes that a number which a mesh can give
-// back: half a millimetre.)
+/// Alpha angle at a clock position about the neck: the largest angle from the neck axis, in degrees, at which
+/// the surface is farther from the centre than the head by more than kAlphaShare of its radius. (Noetzli 2002
+/// takes the point where the surface leaves the circle; the share makes that a number which a mesh can give
+/// back: half a millimetre.)
 inline constexpr double kAlphaShare = 0.02;
 double alpha_angle_deg(const HipSurface& hip, double hours);  // the alpha angle, degrees
 

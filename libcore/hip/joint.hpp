@@ -15,7 +15,7 @@
 
 namespace impinge {
 
-// One surface of a joint, and what was found out about it.
+/// One surface of a joint, and what was found out about it.
 struct JointPart {
   TriangleMesh mesh;           // centre frame, mm
   MeshReport validation;       // what is wrong with the mesh
@@ -31,20 +31,20 @@ struct Joint {
   std::vector<std::string> warnings;      // one line each
 };
 
-// A mesh in the input frame, mm, and what messages call it.
+/// A mesh in the input frame, mm, and what messages call it.
 struct NamedMesh {
   std::string name;   // such as that of its file
   TriangleMesh mesh;  // mm, input frame
 };
 
-// How the program that asks says things, so that a message tells what to do there.
+/// How the program that asks says things, so that a message tells what to do there.
 struct JointWording {
   std::string centre = "with --centre X,Y,Z";               // how a centre is given
   std::string meshes = "the files of --ball and --socket";  // how the two meshes are given
   std::string side = "--side and --axes";                   // how side and axes are given
 };
 
-// What a joint is put together from.
+/// What a joint is put together from.
 struct JointInput {
   NamedMesh ball;              // may hold more than the ball
   NamedMesh socket;            // in the same frame
@@ -54,11 +54,11 @@ struct JointInput {
   JointWording wording;        // of messages
 };
 
-// Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to
-// do, where one mesh is given for both, no sphere fits the ball, the centre is outside of the ball, the
-// socket is not round it, the two have changed places (arrangement.hpp), or one of them is in another unit of
-// length (length_unit.hpp). A ball that is a cap, one of a size that no human joint has in mm, and a socket
-// on the lateral side of the ball, as if left and right were mixed up, get a warning.
+/// Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to
+/// do, where one mesh is given for both, no sphere fits the ball, the centre is outside of the ball, the
+/// socket is not round it, the two have changed places (arrangement.hpp), or one of them is in another unit
+/// of length (length_unit.hpp). A ball that is a cap, one of a size that no human joint has in mm, and a
+/// socket on the lateral side of the ball, as if left and right were mixed up, get a warning.
 Joint assemble_joint(JointInput input);
 
 }  // namespace impinge

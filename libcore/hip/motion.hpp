@@ -13,57 +13,58 @@
 
 namespace impinge {
 
-// Angles in degrees, zero in the pose of the scan.
+/// Angles in degrees, zero in the pose of the scan.
 struct Motion {
   double flexion = 0.0;            // of the femur forward; extension is negative
   double abduction = 0.0;          // of the femur away from the midline; adduction is negative
   double internal_rotation = 0.0;  // of the femur's front towards the midline; external rotation is negative
 };
 
-// One of the six motions: an angle of Motion, and which way it counts.
+/// One of the six motions: an angle of Motion, and which way it counts.
 struct MotionName {
   std::string_view name;  // as options and files have it
   double Motion::*angle;  // the member that it changes
   double sign;            // +1 or -1
 };
 
-// flexion, extension, abduction, adduction, internal_rotation, external_rotation.
+/// flexion, extension, abduction, adduction, internal_rotation, external_rotation.
 std::span<const MotionName> motion_names();
 
-// std::invalid_argument, one line with all names, for any other.
+/// std::invalid_argument, one line with all names, for any other.
 const MotionName& motion_name(std::string_view name);
 
-// Reads "flexion=90,internal_rotation=10". Names: flexion, extension, abduction, adduction,
-// internal_rotation, external_rotation; an angle is given once for each of the three axes.
-// std::invalid_argument, one line, otherwise.
+/// Reads "flexion=90,internal_rotation=10". Names: flexion, extension, abduction, adduction,
+/// internal_rotation, external_rotation; an angle is given once for each of the three axes.
+/// std::invalid_argument, one line, otherwise.
 Motion parse_motion(std::string_view text);
 
-// Rotation of the ball in the joint frame. The axes follow the joint coordinate system for the hip (Grood and
-// Suntay 1983, Wu et al. 2002): flexion about the transverse axis of the pelvis, rotation about the long axis
-// of the femur, abduction about the axis between, so R = R_flexion R_abduction R_rotation. Abduction and
-// rotation turn opposite ways on the two sides; without a side they must be 0, else std::invalid_argument.
+/// Rotation of the ball in the joint frame. The axes follow the joint coordinate system for the hip (Grood
+/// and Suntay 1983, Wu et al. 2002): flexion about the transverse axis of the pelvis, rotation about the long
+/// axis of the femur, abduction about the axis between, so R = R_flexion R_abduction R_rotation. Abduction
+/// and rotation turn opposite ways on the two sides; without a side they must be 0, else
+/// std::invalid_argument.
 Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
 
-// The joint's turn while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in radians.
-// R(0) is joint_rotation(start). std::invalid_argument as for joint_rotation().
+/// The joint's turn while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in radians.
+/// R(0) is joint_rotation(start). std::invalid_argument as for joint_rotation().
 struct JointTurn {
-  // Of the angles that are applied after the one that grows.
+  /// Of the angles that are applied after the one that grows.
   Eigen::Matrix3d outer = Eigen::Matrix3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();      // unit vector
   Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();  // of those that are applied before it
 };
-// The turn that begins at `start`.
+/// The turn that begins at `start`.
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
 
-// No joint turns farther than this in any of its angles: degrees from the pose of the scan.
+/// No joint turns farther than this in any of its angles: degrees from the pose of the scan.
 inline constexpr double kLargestAngle = 180.0;
 
-// How far an angle may grow from a start until it is beyond any anatomy, degrees. std::invalid_argument where
-// it is so at the start.
+/// How far an angle may grow from a start until it is beyond any anatomy, degrees. std::invalid_argument
+/// where it is so at the start.
 double largest_growth(const Motion& start, const MotionName& growing);
 
-// From one motion to another, every angle in equal steps, both ends included: the fewest steps of which none
-// changes an angle by more than step_deg, above 0.
+/// From one motion to another, every angle in equal steps, both ends included: the fewest steps of which none
+/// changes an angle by more than step_deg, above 0.
 std::vector<Motion> motion_path(const Motion& from, const Motion& to, double step_deg);
 
 }  // namespace impinge

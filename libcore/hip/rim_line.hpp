@@ -10,15 +10,15 @@
 
 namespace impinge {
 
-// A point of the rim.
+/// A point of the rim.
 struct RimPoint {
   double hours = 0.0;         // on the dial
   Vec3 place = Vec3::Zero();  // frame of the socket, mm
 };
 
-// The dial is cut into `sectors` of equal size; of each the vertex of a face that is farthest from the axis
-// of the socket, as seen from the centre, clockwise from 12 o'clock. A sector without vertices has no point.
-// socket and dial in the joint frame, the centre as origin.
+/// The dial is cut into `sectors` of equal size; of each the vertex of a face that is farthest from the axis
+/// of the socket, as seen from the centre, clockwise from 12 o'clock. A sector without vertices has no point.
+/// socket and dial in the joint frame, the centre as origin.
 std::vector<RimPoint> rim_line(const TriangleMesh& socket, const ClockFace& dial, std::size_t sectors);
 
 }  // namespace impinge

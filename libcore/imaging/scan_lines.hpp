@@ -13,30 +13,30 @@ namespace impinge {
 
 inline constexpr double kLineSpacing = 0.25;  // mm, at most
 
-// Lines along x through the voxels, on a grid of its own in y and z.
+/// Lines along x through the voxels, on a grid of its own in y and z.
 struct ScanLines {
   std::array<std::size_t, 2> per_voxel{};  // lines along its sides in y and in z
   std::array<std::size_t, 2> count{};      // of lines along y and along z
   std::array<double, 2> first{};           // y and z of line (0, 0), mm
   std::array<double, 2> spacing{};         // mm
 
-  // Place of line i along y (axis 0) or z (axis 1), mm.
+  /// Place of line i along y (axis 0) or z (axis 1), mm.
   double at(std::size_t axis, std::size_t i) const {
     return first[axis] + spacing[axis] * static_cast<double>(i);
   }
 };
 
-// Where a line crosses the surface; +1 into the body, -1 out of it.
+/// Where a line crosses the surface; +1 into the body, -1 out of it.
 struct LineCrossing {
   double x;  // mm
   int step;  // +1 or -1
 };
 
-// Two lines or more along each side of a voxel.
+/// Two lines or more along each side of a voxel.
 ScanLines lines_of(const VoxelImage& image);
 
-// Crossings of every line, y fastest, in no order along it. A line that meets an edge or a vertex crosses one
-// of the faces there as one beside it would.
+/// Crossings of every line, y fastest, in no order along it. A line that meets an edge or a vertex crosses
+/// one of the faces there as one beside it would.
 std::vector<std::vector<LineCrossing>> cross_all(const ScanLines& lines, const TriangleMesh& body);
 
 }  // namespace impinge

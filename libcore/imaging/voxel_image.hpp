@@ -16,7 +16,7 @@ struct VoxelImage {
   Vec3 origin = Vec3::Zero();          // mm, middle of voxel (0, 0, 0)
   std::vector<float> values;           // x fastest, then y, then z
 
-  // Place of voxel (i, j, k) among the values.
+  /// Place of voxel (i, j, k) among the values.
   std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
     return (k * count[1] + j) * count[0] + i;
   }

@@ -8,8 +8,8 @@ class vtkPolyData;
 
 namespace impinge {
 
-// Points in double (mm, the frame of the mesh) and triangles, in the order of the mesh; they replace what
-// `surface` held.
+/// Points in double (mm, the frame of the mesh) and triangles, in the order of the mesh; they replace what
+/// `surface` held.
 void to_vtk(const TriangleMesh& mesh, vtkPolyData& surface);
 
 }  // namespace impinge

@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-// A surface and its table, whose cells without four corners are marked already.
+/// A surface and its table, whose cells without four corners are marked already.
 template <LaneValue Value>
 struct RimTask {
   const TriangleMesh& mesh;               // centre frame
@@ -19,8 +19,8 @@ struct RimTask {
   LaneTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
 };
 
-// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. What is stored is taken for as
-// near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
+/// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. What is stored is taken for as
+/// near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
 template <LaneValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges);
 

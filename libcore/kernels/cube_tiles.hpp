@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-// Entries of a face from (first_column, first_row) on; of entries it keeps `columns` x `rows`, of which those
-// of its right and lower neighbours, where there are any, are seen too: the corners of its cells.
+/// Entries of a face from (first_column, first_row) on; of entries it keeps `columns` x `rows`, of which
+/// those of its right and lower neighbours, where there are any, are seen too: the corners of its cells.
 struct CubeTile {
   std::size_t face = 0;          // of the cube
   std::size_t first_column = 0;  // of its entries
@@ -17,26 +17,26 @@ struct CubeTile {
   std::size_t columns = 0;       // that it keeps
   std::size_t rows = 0;          // that it keeps
   std::size_t seen_columns = 0;  // those that it keeps, and one more unless it is the last of the face
-  std::size_t seen_rows = 0;     // likewise
+  std::size_t seen_rows = 0;
 };
 
-// A part of the grid of a face: columns and rows from the first to the last, both included.
+/// A part of the grid of a face: columns and rows from the first to the last, both included.
 struct GridWindow {
   long first_column = 0;  // may be less than 0
   long last_column = -1;  // may be beyond the grid
-  long first_row = 0;     // likewise
-  long last_row = -1;     // likewise
+  long first_row = 0;
+  long last_row = -1;
 
   bool empty() const { return first_column > last_column || first_row > last_row; }  // holds no entry
 };
 
-// No tile is empty: a face has more than kMostSeen - 1 entries for each of its tiles but one.
+/// No tile is empty: a face has more than kMostSeen - 1 entries for each of its tiles but one.
 class CubeTiling {
  public:
-  // Entries that a tile sees along a side: a row of them has one bit each in 64.
+  /// Entries that a tile sees along a side: a row of them has one bit each in 64.
   static constexpr std::size_t kMostSeen = 64;
 
-  // Of a cube map with so many cells along an edge.
+  /// Of a cube map with so many cells along an edge.
   explicit CubeTiling(std::size_t divisions)
       : side_(divisions + 1),
         per_side_((side_ + kMostSeen - 2) / (kMostSeen - 1)),
@@ -45,7 +45,7 @@ class CubeTiling {
 
   std::size_t size() const { return 6 * per_side_ * per_side_; }  // tiles of all six faces
 
-  // Tile number `tile`, below size().
+  /// Tile number `tile`, below size().
   CubeTile operator[](std::size_t tile) const {
     const std::size_t row = tile / per_side_;  // of tiles, over all faces
     CubeTile one;
@@ -59,7 +59,7 @@ class CubeTiling {
     return one;
   }
 
-  // Calls visit(tile) for those that see an entry of the window, which is on the grid.
+  /// Calls visit(tile) for those that see an entry of the window, which is on the grid.
   template <class Visit>
   void for_each_seeing(std::size_t face, const GridWindow& window, Visit&& visit) const {
     if (window.empty()) return;
@@ -72,11 +72,11 @@ class CubeTiling {
 
  private:
   std::size_t kept(std::size_t first) const { return std::min(size_, side_ - first); }
-  // The tile before the one that keeps a line sees its first one.
+  /// The tile before the one that keeps a line sees its first one.
   std::size_t first_seeing(long line) const {
     return keeping(static_cast<std::size_t>(std::max(line - 1, 0L)));
   }
-  // line / size_ of lines below 2^24: the inverse is too large by less than 2^-40.
+  /// line / size_ of lines below 2^24: the inverse is too large by less than 2^-40.
   std::size_t keeping(std::size_t line) const {
     return static_cast<std::size_t>(line * inverse_size_ >> kShift);
   }

@@ -18,7 +18,7 @@
 
 namespace impinge {
 
-// A corner on the grid of a face of the cube.
+/// A corner on the grid of a face of the cube.
 struct SeenCorner {
   double x = 0.0;          // cells
   double y = 0.0;          // cells
@@ -26,51 +26,51 @@ struct SeenCorner {
   std::uint32_t face = 0;  // through which it is seen
 };
 
-// A point through the face of the cube that it is in front of. The centre itself is seen through none.
+/// A point through the face of the cube that it is in front of. The centre itself is seen through none.
 SeenCorner seen_corner(const Vec3& v, std::size_t divisions);
 
-// How a face of the mesh is seen through a face of the cube.
+/// How a face of the mesh is seen through a face of the cube.
 struct SeenFace {
   std::array<SeenCorner, 3> corners;  // through that face
   GridWindow window;                  // all entries that it can hold
   bool projected = false;  // are the corners known? Not if one of them is beside or behind the centre
 };
 
-// All corners, each through the face that it is in front of. Corners at the centre are seen through none.
+/// All corners, each through the face that it is in front of. Corners at the centre are seen through none.
 class CubeView {
  public:
   static constexpr double kLeastReach = 1e-6;  // cells, of a window beyond its face: far above rounding
 
-  // Of a cube map with so many cells along an edge; the mesh, in the centre frame, must outlive this.
+  /// Of a cube map with so many cells along an edge; the mesh, in the centre frame, must outlive this.
   CubeView(const TriangleMesh& mesh, std::size_t divisions);
 
-  // To be called for all corners before the rest; different threads may do different ones.
+  /// To be called for all corners before the rest; different threads may do different ones.
   void see(std::size_t first_vertex, std::size_t end_vertex);
 
   const TriangleMesh& mesh() const { return *mesh_; }   // that is seen
   std::size_t divisions() const { return divisions_; }  // cells along an edge
 
-  // Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through,
-  // and its corners are known.
+  /// Is the whole of the face well inside one face of the cube? Then that is the only one it is seen through,
+  /// and its corners are known.
   bool inside_one(const Face& face) const {
     return margin_face_[face[0]] != kNone && margin_face_[face[0]] == margin_face_[face[1]] &&
            margin_face_[face[1]] == margin_face_[face[2]];
   }
-  // A corner through the face that it is in front of.
+  /// A corner through the face that it is in front of.
   const SeenCorner& corner(VertexIndex v) const { return corners_[v]; }
-  // Is the face of the cube in front of all corners? They are known then.
+  /// Is the face of the cube in front of all corners? They are known then.
   bool in_front(const Face& face, std::size_t through) const {
     return in_front(corners_[face[0]], through) && in_front(corners_[face[1]], through) &&
            in_front(corners_[face[2]], through);
   }
-  // Of a face that is inside_one(), through that one.
+  /// Of a face that is inside_one(), through that one.
   GridWindow window_inside(const Face& face) const;
 
-  // Bit f: the face may be seen through face f of the cube, or up to `reach` cells beyond it.
+  /// Bit f: the face may be seen through face f of the cube, or up to `reach` cells beyond it.
   unsigned may_be_seen(const Face& face, double reach = kLeastReach) const;
 
-  // Through a face of the cube for which that is so; with the entries of the window up to `reach` cells
-  // beyond the face.
+  /// Through a face of the cube for which that is so; with the entries of the window up to `reach` cells
+  /// beyond the face.
   SeenFace seen(const Face& face, std::size_t through, double reach = kLeastReach) const;
 
  private:

@@ -15,18 +15,18 @@
 
 namespace impinge {
 
-// The stretch of an edge in a cell. Places are in the frame of the face: depth, and the two others.
+/// The stretch of an edge in a cell. Places are in the frame of the face: depth, and the two others.
 struct EdgeCell {
   std::size_t column = 0;  // of the cells of the face, below n
-  std::size_t row = 0;     // likewise
-  Vec3 first;              // where the edge enters it, or begins, mm
-  Vec3 last;               // where it leaves it, or ends, mm
+  std::size_t row = 0;
+  Vec3 first;  // where the edge enters it, or begins, mm
+  Vec3 last;   // where it leaves it, or ends, mm
 };
 
-// Columns, or rows, that a line crosses from `from` to `to` cells.
+/// Columns, or rows, that a line crosses from `from` to `to` cells.
 class LineSteps {
  public:
-  // Both within the grid, up to rounding.
+  /// Both within the grid, up to rounding.
   LineSteps(double from, double to, std::size_t divisions)
       : from_(from), per_cell_(1.0 / (to - from)), at_(cell_of(from, divisions)) {
     const std::size_t last = cell_of(to, divisions);
@@ -35,12 +35,12 @@ class LineSteps {
   }
 
   std::size_t at() const { return at_; }  // the column or row where the line is
-  // s of the next step; infinite behind the last one.
+  /// s of the next step; infinite behind the last one.
   double next() const {
     if (left_ == 0) return std::numeric_limits<double>::infinity();
     return (static_cast<double>(forward_ ? at_ + 1 : at_) - from_) * per_cell_;
   }
-  // Takes that step.
+  /// Takes that step.
   void take() {
     at_ = forward_ ? at_ + 1 : at_ - 1;
     --left_;
@@ -58,9 +58,9 @@ class LineSteps {
   bool forward_ = true;
 };
 
-// Calls visit(EdgeCell) once for each cell of the face that the line from `from` to `to` is in, in order;
-// both are seen through that face of a cube with so many divisions. Rounding may leave out or add a cell in
-// which the line is no longer than 2^-48 n cells.
+/// Calls visit(EdgeCell) once for each cell of the face that the line from `from` to `to` is in, in order;
+/// both are seen through that face of a cube with so many divisions. Rounding may leave out or add a cell in
+/// which the line is no longer than 2^-48 n cells.
 template <class Visit>
 void for_each_cell_of_line(const SeenCorner& from, const SeenCorner& to, std::size_t divisions,
                            Visit&& visit) {

@@ -7,7 +7,7 @@
 
 namespace impinge {
 
-// Block after block of the faces in this order.
+/// Block after block of the faces in this order.
 std::vector<FaceBlock> face_blocks(const SeenMesh& seen, std::span<const std::uint32_t> order, Layer layer);
 
 }  // namespace impinge

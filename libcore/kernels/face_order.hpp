@@ -9,8 +9,8 @@
 
 namespace impinge {
 
-// Faces of a mesh in the centre frame along a curve that fills the sphere (Hilbert's, on each face of a
-// cube). Faces whose plane holds the centre are left out. Linear in faces.
+/// Faces of a mesh in the centre frame along a curve that fills the sphere (Hilbert's, on each face of a
+/// cube). Faces whose plane holds the centre are left out. Linear in faces.
 std::vector<std::uint32_t> faces_along_curve(const TriangleMesh& mesh);
 
 }  // namespace impinge

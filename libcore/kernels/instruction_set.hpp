@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which vector instructions the kernels use: the best that the processor has, unless a test or an experiment
-// asks for less. Answers are the same bit for bit with all of them.
+/// \file
+/// Which vector instructions the kernels use: the best that the processor has, unless a test or an experiment
+/// asks for less. Answers are the same bit for bit with all of them.
 #pragma once
 
 #include <string>
@@ -9,11 +10,11 @@
 
 namespace impinge {
 
-// What this processor has and the kernels were compiled for, best first, in Highway's names, such as AVX3,
-// AVX2, SSE4 and, without any, SCALAR or EMU128.
+/// What this processor has and the kernels were compiled for, best first, in Highway's names, such as AVX3,
+/// AVX2, SSE4 and, without any, SCALAR or EMU128.
 std::vector<std::string> instruction_sets();
 
-// From now on, in all threads. std::invalid_argument for a name that instruction_sets() does not have.
+/// From now on, in all threads. std::invalid_argument for a name that instruction_sets() does not have.
 void use_instruction_set(std::string_view name);
 void use_best_instruction_set();  // as if none had been chosen
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both scans of a joint in many poses: the tables and the vertices as the kernels read them, made once.
+/// \file
+/// Both scans of a joint in many poses: the tables and the vertices as the kernels read them, made once.
 #pragma once
 
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace impinge {
 
-// Each surface as the other one asks it, in its own centre frame.
+/// Each surface as the other one asks it, in its own centre frame.
 template <class Table>
 struct JointLanes {
   using Real = typename Table::Real;  // float or double, in which gaps are worked out
@@ -21,7 +22,7 @@ struct JointLanes {
   VertexLanes<Real> socket;  // mm
 };
 
-// Meshes in their centre frames, mm, and the tables that were filled from them.
+/// Meshes in their centre frames, mm, and the tables that were filled from them.
 template <class Table>
 JointLanes<Table> joint_lanes(Table ball_table, Table socket_table, const TriangleMesh& ball,
                               const TriangleMesh& socket) {
@@ -30,7 +31,7 @@ JointLanes<Table> joint_lanes(Table ball_table, Table socket_table, const Triang
           vertex_lanes<Real>(socket.vertices)};
 }
 
-// Gaps of all vertices, mm, each of the size of its surface; as in kernels/gap_kernels.hpp.
+/// Gaps of all vertices, mm, each of the size of its surface; as in kernels/gap_kernels.hpp.
 template <class Table>
 void scan_joint(const JointLanes<Table>& joint, const Pose& pose,
                 std::span<typename JointLanes<Table>::Real> ball_gap,

@@ -30,15 +30,15 @@
 
 namespace impinge {
 
-// What the numbers of a table may be stored in.
+/// What the numbers of a table may be stored in.
 template <class Value>
 concept LaneValue =
     std::same_as<Value, double> || std::same_as<Value, float> || std::same_as<Value, std::uint16_t>;
 
-// Plain data; make it with the functions below. Value is what is stored.
+/// Plain data; make it with the functions below. Value is what is stored.
 template <SamplingScheme S, LaneValue Value>
 struct LaneTable {
-  // Does a kernel work in double?
+  /// Does a kernel work in double?
   static constexpr bool kDouble = std::same_as<Value, double> || std::same_as<S, Usid>;
   using Real = std::conditional_t<kDouble, double, float>;                 // that a kernel works in
   using Word = std::conditional_t<kDouble, std::uint64_t, std::uint32_t>;  // of the mask, as wide as Real
@@ -50,18 +50,18 @@ struct LaneTable {
   double step = 1.0;          // the same
   std::vector<Word> none;     // one bit an entry (a cell of the helix): no answer there; empty where all have
 
-  // Of numbers and mask.
+  /// Of numbers and mask.
   std::size_t bytes() const { return values.size() * sizeof(Value) + none.size() * sizeof(Word); }
 };
 
-// Most entries of a table: their offsets in bytes have to fit into 32 bits.
+/// Most entries of a table: their offsets in bytes have to fit into 32 bits.
 inline constexpr std::size_t kMostLaneEntries = std::size_t{1} << 28;
 
-// std::invalid_argument for more than that.
+/// std::invalid_argument for more than that.
 void require_lane_entries(std::size_t entries);
 
-// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold; for
-// a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in mesh/lengths.hpp.
+/// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold; for
+/// a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in mesh/lengths.hpp.
 template <LaneValue Value>
 LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table);
 template <LaneValue Value>

@@ -10,19 +10,19 @@
 
 namespace impinge {
 
-// Memory of the vertices and the gaps, and how the vertices are moved.
+/// Memory of the vertices and the gaps, and how the vertices are moved.
 template <class Real>
 struct RawScan {
-  const Real* x;                  // of the vertices, `count` each, mm
-  const Real* y;                  // likewise
-  const Real* z;                  // likewise
+  const Real* x;  // of the vertices, `count` each, mm
+  const Real* y;
+  const Real* z;
   std::size_t count;              // of vertices
   LaneTransform<Real> transform;  // to the frame of the table
   Real sign;                      // gap_sign()
   Real* gap;                      // mm, `count` of them
 };
 
-// Borrows from both; gap has the size of the vertices.
+/// Borrows from both; gap has the size of the vertices.
 template <class Real>
 RawScan<Real> raw_scan(const LaneScan<Real>& scan, std::span<Real> gap) {
   assert(gap.size() == scan.vertices.size());

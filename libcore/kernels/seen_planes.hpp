@@ -11,20 +11,20 @@
 
 namespace impinge {
 
-// Of the faces of a mesh in the centre frame that are seen at 1 / cos psi of at most kSteepest anywhere; zero
-// for the others.
+/// Of the faces of a mesh in the centre frame that are seen at 1 / cos psi of at most kSteepest anywhere;
+/// zero for the others.
 inline constexpr double kSteepest = 4.0;
 std::vector<Vec3> seen_planes(const TriangleMesh& mesh);  // m of each face, 1 / mm.
 
-// A mesh with its planes.
+/// A mesh with its planes.
 struct SeenMesh {
   const TriangleMesh& mesh;         // centre frame
   const std::vector<Vec3>& planes;  // of each face, as seen_planes() has them
 };
 
-// +1 if no corner of these faces lies beyond the plane of one of them, -1 if none lies within one, up to
-// 2^-26 of its distance; none if both happen, where a plane is zero, and where |m| times the distance of a
-// corner of another face is above kSteepest.
+/// +1 if no corner of these faces lies beyond the plane of one of them, -1 if none lies within one, up to
+/// 2^-26 of its distance; none if both happen, where a plane is zero, and where |m| times the distance of a
+/// corner of another face is above kSteepest.
 std::optional<int> bend_of(const SeenMesh& seen, std::span<const std::uint32_t> faces);
 
 }  // namespace impinge

@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-// Calls work(0) ... work(threads - 1) at the same time and waits; throws what the first of them threw.
+/// Calls work(0) ... work(threads - 1) at the same time and waits; throws what the first of them threw.
 inline void on_threads(std::size_t threads, const std::function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> failures(threads);
   const auto guarded = [&](std::size_t thread) {
@@ -30,12 +30,12 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
     if (failure) std::rethrow_exception(failure);
 }
 
-// Part `part` of `parts` of 0 ... size - 1, as even as can be.
+/// Part `part` of `parts` of 0 ... size - 1, as even as can be.
 struct Share {
   std::size_t first;  // of the part
   std::size_t end;    // behind its last one
 };
-// That part; parts above 0.
+/// That part; parts above 0.
 inline Share share_of(std::size_t size, std::size_t part, std::size_t parts) {
   return {size * part / parts, size * (part + 1) / parts};
 }

@@ -14,8 +14,8 @@
 
 namespace impinge {
 
-// What all threads share. Tiles are theirs alone but for the words of the mask, which are set atomically, and
-// made once that one of them is needed.
+/// What all threads share. Tiles are theirs alone but for the words of the mask, which are set atomically,
+/// and made once that one of them is needed.
 template <LaneValue Value>
 struct PaintTask {
   const CubeView& view;                   // of the mesh, all of whose corners have been seen
@@ -26,13 +26,13 @@ struct PaintTask {
   std::once_flag& mask_made;              // of the table's mask
 };
 
-// Keeps the memory of a tile while it goes from one to the next.
+/// Keeps the memory of a tile while it goes from one to the next.
 template <LaneValue Value>
 class TilePainter {
  public:
   explicit TilePainter(const PaintTask<Value>& task) : task_(task) {}  // the task must outlive this
 
-  // `faces` of the mesh hold all that may be seen in the tile.
+  /// `faces` of the mesh hold all that may be seen in the tile.
   void paint(std::size_t tile, std::span<const std::uint32_t> faces);
 
  private:

@@ -10,17 +10,17 @@
 
 namespace impinge {
 
-// How numbers are stored: code = (q - smallest) / step to the nearest, from 0 to 65534. Not used for floats.
+/// How numbers are stored: code = (q - smallest) / step to the nearest, from 0 to 65534. Not used for floats.
 struct StoredSteps {
   float smallest = 0.0F;  // 1 / mm, code 0
   float per_step = 0.0F;  // 1 / step
 };
 
-// A row of the canvas, `count` entries of it, as the table stores it.
+/// A row of the canvas, `count` entries of it, as the table stores it.
 void store_row(const float* q, std::size_t count, const StoredSteps& steps, std::uint16_t* row);
 void store_row(const float* q, std::size_t count, const StoredSteps& steps, float* row);
 
-// Bit k: entry k of the first 64 of the row has no surface.
+/// Bit k: entry k of the first 64 of the row has no surface.
 std::uint64_t empty_entries(const float* q, Layer layer);
 
 }  // namespace impinge

@@ -11,17 +11,17 @@
 
 namespace impinge {
 
-// Millimetres, in the frame of the mesh that they are of; all three of one size.
+/// Millimetres, in the frame of the mesh that they are of; all three of one size.
 template <class Real>
 struct VertexLanes {
   std::vector<Real> x;  // of each vertex
-  std::vector<Real> y;  // likewise
-  std::vector<Real> z;  // likewise
+  std::vector<Real> y;
+  std::vector<Real> z;
 
   std::size_t size() const { return x.size(); }  // number of vertices
 };
 
-// Each coordinate rounded once.
+/// Each coordinate rounded once.
 template <class Real>
 VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
   VertexLanes<Real> lanes;
@@ -34,14 +34,14 @@ VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
   return lanes;
 }
 
-// x = rotation v + translation takes the vertices of a scan to the frame of the table, mm.
+/// x = rotation v + translation takes the vertices of a scan to the frame of the table, mm.
 template <class Real>
 struct LaneTransform {
   std::array<std::array<Real, 3>, 3> rotation{};  // rows
   std::array<Real, 3> translation{};              // mm
 };
 
-// Worked out in double and rounded once.
+/// Worked out in double and rounded once.
 template <class Real>
 LaneTransform<Real> lane_transform(const Pose& pose, Surface scanned) {
   Eigen::Matrix3d rotation = pose.rotation;

@@ -11,23 +11,23 @@
 
 namespace impinge {
 
-// Sphere about `centre`. faces: even, 8 or more; met exactly. Vertices on the sphere, see rings.hpp.
+/// Sphere about `centre`. faces: even, 8 or more; met exactly. Vertices on the sphere, see rings.hpp.
 TriangleMesh sphere(double radius, std::size_t faces, const Vec3& centre = Vec3::Zero());
 
-// Distance from the origin to that sphere along a direction, for |centre| < radius:
-//   r(u) = e.u + sqrt(R^2 - |e|^2 + (e.u)^2),  e the centre, R the radius.
+/// Distance from the origin to that sphere along a direction, for |centre| < radius:
+///   r(u) = e.u + sqrt(R^2 - |e|^2 + (e.u)^2),  e the centre, R the radius.
 double eccentric_sphere_radius(const Vec3& direction, double radius, const Vec3& centre);
 
-// Closed body with its vertices at distance radius(u) from the origin along the directions u of a unit
-// sphere.
+/// Closed body with its vertices at distance radius(u) from the origin along the directions u of a unit
+/// sphere.
 TriangleMesh radial_body(std::size_t faces, const std::function<double(const Vec3&)>& radius);
 
-// Octahedron with its corners on the axes at distance `radius`, and its mesh radius r(u) = R / |u|_1.
+/// Octahedron with its corners on the axes at distance `radius`, and its mesh radius r(u) = R / |u|_1.
 TriangleMesh octahedron(double radius);
 double octahedron_mesh_radius(const Vec3& direction, double radius);  // mm, R / |u|_1
 
-// Pyramid over a regular polygon, apex on +z, base plane z = -base_depth; the origin lies inside. 2 * sides
-// faces: vertex 0 is the apex, 1 the middle of the base, base corner k at azimuth 2 pi k / sides.
+/// Pyramid over a regular polygon, apex on +z, base plane z = -base_depth; the origin lies inside. 2 * sides
+/// faces: vertex 0 is the apex, 1 the middle of the base, base corner k at azimuth 2 pi k / sides.
 struct ConeShape {
   double base_radius = 20.0;  // mm, from the axis to a base corner
   double apex_height = 30.0;  // mm above the origin
@@ -36,11 +36,11 @@ struct ConeShape {
 };
 TriangleMesh cone(const ConeShape& shape = {});  // that pyramid, which is a cone for many sides
 
-// Mesh radius of the cone: the nearest of its planes ahead, min of d / (n.u) over n.u > 0.
+/// Mesh radius of the cone: the nearest of its planes ahead, min of d / (n.u) over n.u > 0.
 double cone_mesh_radius(const Vec3& direction, const ConeShape& shape = {});
 
-// Open spherical cap about the origin with its pole on +z, and its rim at half_opening_deg (degrees, in (0,
-// 180)) from the pole. Normals towards the centre, as those of a socket. faces: 3 or more; met exactly.
+/// Open spherical cap about the origin with its pole on +z, and its rim at half_opening_deg (degrees, in (0,
+/// 180)) from the pole. Normals towards the centre, as those of a socket. faces: 3 or more; met exactly.
 TriangleMesh cup(double inner_radius, double half_opening_deg, std::size_t faces);
 
 }  // namespace impinge

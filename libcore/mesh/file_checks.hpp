@@ -23,13 +23,13 @@
 
 namespace impinge {
 
-// Checksums of what a reader must find.
+/// Checksums of what a reader must find.
 struct MeshFileSums {
   double coordinates = 0.0;  // of the magnitudes of all coordinates
   double corners = 0.0;      // of the indices of all corners of polygons, from 0
 };
 
-// What a reader must find in the file.
+/// What a reader must find in the file.
 struct MeshFileContent {
   std::optional<std::size_t> vertices;  // PLY and OFF
   std::size_t polygons = 0;             // faces of three corners or more
@@ -39,19 +39,19 @@ struct MeshFileContent {
 // In text formats other than PLY, `bytes` is replaced by the same vertices and faces in their plainest form:
 // no comments, names, materials, colours, normals; several ascii STL solids become one.
 
-// Binary (both byte orders) and ascii. A cut at any byte is found, except within the last number of an ascii
-// file (a last line without line end is legal).
+/// Binary (both byte orders) and ascii. A cut at any byte is found, except within the last number of an ascii
+/// file (a last line without line end is legal).
 MeshFileContent check_ply(const std::filesystem::path& file, std::string_view bytes);
 
-// Binary: the size must be 84 + 50 n bytes. Ascii: complete facets, and endsolid at the end.
+/// Binary: the size must be 84 + 50 n bytes. Ascii: complete facets, and endsolid at the end.
 MeshFileContent check_stl(const std::filesystem::path& file, std::string& bytes);
 
-// Text with the keyword OFF, COFF, NOFF, CNOFF or STOFF; cuts are found as in ascii PLY.
+/// Text with the keyword OFF, COFF, NOFF, CNOFF or STOFF; cuts are found as in ascii PLY.
 MeshFileContent check_off(const std::filesystem::path& file, std::string& bytes);
 
-// OBJ declares no counts: a file cut between two lines reads as a smaller mesh, which validate() shows as
-// boundary edges. A cut within a line is found when it leaves an incomplete line or vertices that no face
-// uses.
+/// OBJ declares no counts: a file cut between two lines reads as a smaller mesh, which validate() shows as
+/// boundary edges. A cut within a line is found when it leaves an incomplete line or vertices that no face
+/// uses.
 MeshFileContent check_obj(const std::filesystem::path& file, std::string& bytes);
 
 }  // namespace impinge

@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-// The defaults have a joint space of 4 mm and a cam of 3 mm: no rotation about the centre brings the ball
-// nearer to the socket than 1 mm. Lengths in mm, angles in degrees.
+/// The defaults have a joint space of 4 mm and a cam of 3 mm: no rotation about the centre brings the ball
+/// nearer to the socket than 1 mm. Lengths in mm, angles in degrees.
 struct PairShape {
   double head_radius = 22.0;         // of the ball, without its bump
   double socket_radius = 26.0;       // of the inside of the socket; above head_radius
@@ -22,20 +22,20 @@ struct PairShape {
   double cam_azimuth_deg = 0.0;  // of the top of the bump, from +x towards +y
 };
 
-// A cam of 5 mm, higher than the joint space. The pair is free in the given pose (no part of the bump faces
-// the socket) and impinges, by up to 1 mm, once a rotation about +y by -34.1 degrees or beyond (pole-wards
-// for the cam) brings the part of the bump above 4 mm, 8.9 degrees about its top, under the socket.
+/// A cam of 5 mm, higher than the joint space. The pair is free in the given pose (no part of the bump faces
+/// the socket) and impinges, by up to 1 mm, once a rotation about +y by -34.1 degrees or beyond (pole-wards
+/// for the cam) brings the part of the bump above 4 mm, 8.9 degrees about its top, under the socket.
 PairShape impinging_cam();
 
-// Direction of the top of the bump.
+/// Direction of the top of the bump.
 Vec3 cam_direction(const PairShape& shape);
 
-// Radius of the smooth ball along a direction: head + height * cos^2(pi/2 * angle / half width) within the
-// bump, which joins the head with a continuous slope.
+/// Radius of the smooth ball along a direction: head + height * cos^2(pi/2 * angle / half width) within the
+/// bump, which joins the head with a continuous slope.
 double ball_radius(const Vec3& direction, const PairShape& shape = {});
 
-// Both meshes have faces_per_model faces exactly: an even number, 8 or more, else std::invalid_argument.
-// Vertices lie on the smooth surfaces; a ball vertex lies on either pole, a socket vertex on +z.
+/// Both meshes have faces_per_model faces exactly: an even number, 8 or more, else std::invalid_argument.
+/// Vertices lie on the smooth surfaces; a ball vertex lies on either pole, a socket vertex on +z.
 BallSocketPair make_ball_socket_pair(std::size_t faces_per_model, const PairShape& shape = {});
 
 }  // namespace impinge

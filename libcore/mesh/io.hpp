@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading and writing triangle meshes: PLY, STL, OBJ and OFF. Needs assimp (target impinge::mesh_io).
+/// \file
+/// Reading and writing triangle meshes: PLY, STL, OBJ and OFF. Needs assimp (target impinge::mesh_io).
 #pragma once
 
 #include <cstdint>
@@ -11,29 +12,29 @@
 
 namespace impinge {
 
-// Reads a mesh; the extension (.ply, .stl, .obj, .off, any case) names the format. Polygons are triangulated,
-// all parts of the file merged, vertices with equal coordinates welded (STL shares none), faces that collapse
-// thereby dropped; nothing else is repaired, see validation.hpp. Vertices keep the order of the file, except
-// those of STL and OBJ, which come in the order of their first use.
-//
-// assimp holds coordinates as float32: they are within 6e-8 of the file's, relatively (2e-7 for text), that
-// is within 3e-5 mm (1e-4 mm) for a scan 500 mm from its origin.
-//
-// Throws FileError when the file is missing, not a regular file, empty, beyond kMostMeshBytes, not of its
-// format, cut short or damaged (see file_checks.hpp for what that finds), has no faces, has coordinates that
-// are NaN, infinite or beyond the range of a float, or only faces without area.
+/// Reads a mesh; the extension (.ply, .stl, .obj, .off, any case) names the format. Polygons are
+/// triangulated, all parts of the file merged, vertices with equal coordinates welded (STL shares none),
+/// faces that collapse thereby dropped; nothing else is repaired, see validation.hpp. Vertices keep the order
+/// of the file, except those of STL and OBJ, which come in the order of their first use.
+///
+/// assimp holds coordinates as float32: they are within 6e-8 of the file's, relatively (2e-7 for text), that
+/// is within 3e-5 mm (1e-4 mm) for a scan 500 mm from its origin.
+///
+/// Throws FileError when the file is missing, not a regular file, empty, beyond kMostMeshBytes, not of its
+/// format, cut short or damaged (see file_checks.hpp for what that finds), has no faces, has coordinates that
+/// are NaN, infinite or beyond the range of a float, or only faces without area.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
-// The same of bytes in memory. `file` is the name that chooses the format and that messages give.
+/// The same of bytes in memory. `file` is the name that chooses the format and that messages give.
 TriangleMesh parse_mesh(const std::filesystem::path& file, std::string bytes);
 
-// Larger files, of some 80 million triangles, are refused before they are read.
+/// Larger files, of some 80 million triangles, are refused before they are read.
 inline constexpr std::uintmax_t kMostMeshBytes = std::uintmax_t{4} << 30U;
 
-// Writes a mesh in the format that the extension names, under a temporary name, then renamed. PLY (binary)
-// and OFF keep doubles, STL (binary) and OBJ hold float32. OBJ comes without a material library beside it.
-// Throws FileError for an unknown extension, a mesh without faces, with a face that names no vertex or
-// with coordinates that are not finite, and when the file cannot be written.
+/// Writes a mesh in the format that the extension names, under a temporary name, then renamed. PLY (binary)
+/// and OFF keep doubles, STL (binary) and OBJ hold float32. OBJ comes without a material library beside it.
+/// Throws FileError for an unknown extension, a mesh without faces, with a face that names no vertex or
+/// with coordinates that are not finite, and when the file cannot be written.
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 }  // namespace impinge

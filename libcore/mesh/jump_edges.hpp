@@ -9,20 +9,20 @@
 
 namespace impinge {
 
-// An edge of a rim (one face), of a fold (two faces on the same side of the plane through the centre and the
-// edge), or of a non-manifold place. Everywhere else the radius of a surface layer is continuous.
+/// An edge of a rim (one face), of a fold (two faces on the same side of the plane through the centre and the
+/// edge), or of a non-manifold place. Everywhere else the radius of a surface layer is continuous.
 struct JumpEdge {
   VertexIndex from = 0;  // an end
   VertexIndex to = 0;    // the other end
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. Sorted by the
-// smaller of the two ends, then by the larger one.
+/// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. Sorted by the
+/// smaller of the two ends, then by the larger one.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
 
-// The same with the sides of faces that are known, +1 or -1 as orientation() has them, one a face; 0 for
-// those that are to be found out.
+/// The same with the sides of faces that are known, +1 or -1 as orientation() has them, one a face; 0 for
+/// those that are to be found out.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh, std::vector<std::int8_t> sides);
 
 }  // namespace impinge

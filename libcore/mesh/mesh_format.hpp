@@ -6,10 +6,10 @@
 
 namespace impinge {
 
-// What a mesh file is written in: Stanford PLY, STL, Wavefront OBJ or Object File Format.
+/// What a mesh file is written in: Stanford PLY, STL, Wavefront OBJ or Object File Format.
 enum class MeshFormat { ply, stl, obj, off };
 
-// Of the extension, in any case. Throws FileError for another one.
+/// Of the extension, in any case. Throws FileError for another one.
 MeshFormat mesh_format(const std::filesystem::path& file);
 
 }  // namespace impinge

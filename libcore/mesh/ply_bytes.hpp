@@ -11,20 +11,20 @@
 
 namespace impinge {
 
-// The bytes of an unsigned number, the lowest first.
+/// The bytes of an unsigned number, the lowest first.
 template <std::unsigned_integral Bits>
 void append_bits(std::string& bytes, Bits bits) {
   for (std::size_t k = 0; k < sizeof bits; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 0xffU));
 }
 
-// As "double".
+/// As "double".
 inline void append_value(std::string& bytes, double x) {
   append_bits(bytes, std::bit_cast<std::uint64_t>(x));
 }
-// As "float".
+/// As "float".
 inline void append_value(std::string& bytes, float x) { append_bits(bytes, std::bit_cast<std::uint32_t>(x)); }
 
-// "property list uchar int vertex_indices"
+/// "property list uchar int vertex_indices"
 inline void append_faces(std::string& bytes, const TriangleMesh& mesh) {
   for (const Face& face : mesh.faces) {
     bytes.push_back(3);

@@ -11,28 +11,28 @@
 
 namespace impinge {
 
-// A scalar type, by either of its names (such as float and float32).
+/// A scalar type, by either of its names (such as float and float32).
 struct PlyType {
   std::size_t size = 0;    // bytes
   bool floating = false;   // a float or double
   bool is_signed = false;  // of integers
 };
 
-// One value or list of every item of an element.
+/// One value or list of every item of an element.
 struct PlyProperty {
   std::string name;              // as in the file
   PlyType type;                  // of the value, or of the values of a list
   std::optional<PlyType> count;  // of the length in front of a list
 };
 
-// A kind of items, such as vertex or face.
+/// A kind of items, such as vertex or face.
 struct PlyElement {
   std::string name;                     // as in the file
   std::int64_t count = 0;               // as declared: not to be trusted
   std::vector<PlyProperty> properties;  // of each item, in the order of their values
 };
 
-// How the values behind the header are written.
+/// How the values behind the header are written.
 enum class PlyFormat { ascii, little_endian, big_endian };
 
 struct PlyHeader {
@@ -41,12 +41,11 @@ struct PlyHeader {
   std::string_view body;                // what follows end_header
 };
 
-// The first element or property of that name, or null.
+/// The first element or property of that name, or null.
 const PlyElement* find_element(const PlyHeader& header, std::string_view name);
-// Likewise among the properties of an element.
 const PlyProperty* find_property(const PlyElement& element, std::string_view name);
 
-// Throws FileError, naming the line that is wrong. `bytes` must outlive the result.
+/// Throws FileError, naming the line that is wrong. `bytes` must outlive the result.
 PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace impinge

@@ -12,12 +12,13 @@
 
 namespace impinge {
 
-// Closed unit sphere about the origin, outward normals, vertex 0 at +z and the last one at -z. The vertices
-// lie on the sphere, the faces within it. Throws std::invalid_argument unless `faces` is even and at least 8.
+/// Closed unit sphere about the origin, outward normals, vertex 0 at +z and the last one at -z. The vertices
+/// lie on the sphere, the faces within it. Throws std::invalid_argument unless `faces` is even and at
+/// least 8.
 TriangleMesh unit_sphere(std::size_t faces);
 
-// The part of the unit sphere within half_opening (radians, in (0, pi)) of +z: vertex 0 at +z, the last ring
-// is the rim. Outward normals. Throws std::invalid_argument for fewer than 3 faces or another half_opening.
+/// The part of the unit sphere within half_opening (radians, in (0, pi)) of +z: vertex 0 at +z, the last ring
+/// is the rim. Outward normals. Throws std::invalid_argument for fewer than 3 faces or another half_opening.
 TriangleMesh unit_cap(std::size_t faces, double half_opening);
 
 }  // namespace impinge

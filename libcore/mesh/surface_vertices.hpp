@@ -11,16 +11,16 @@
 
 namespace impinge {
 
-// Does the plane of the face hold the centre, or has it no area? Exact; mesh in the centre frame.
+/// Does the plane of the face hold the centre, or has it no area? Exact; mesh in the centre frame.
 bool is_edge_on(const TriangleMesh& mesh, const Face& face);
 
-// The surface: the mesh without its edge-on faces. Vertices keep their places.
+/// The surface: the mesh without its edge-on faces. Vertices keep their places.
 TriangleMesh without_edge_on(TriangleMesh mesh);
 
-// One value a vertex: is it a corner of a face that is not edge-on? Corners of all faces exist.
+/// One value a vertex: is it a corner of a face that is not edge-on? Corners of all faces exist.
 std::vector<bool> on_surface(const TriangleMesh& mesh);
 
-// Those that are, in the order of the mesh.
+/// Those that are, in the order of the mesh.
 std::vector<VertexIndex> surface_vertices(const TriangleMesh& mesh);
 
 }  // namespace impinge

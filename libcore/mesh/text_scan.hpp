@@ -9,12 +9,12 @@
 
 namespace impinge {
 
-// Hands out the lines of a text, without their line ends (\n or \r\n).
+/// Hands out the lines of a text, without line feeds and carriage returns.
 class LineScanner {
  public:
   explicit LineScanner(std::string_view text) : rest_(text) {}  // the text must outlive the scanner
   std::optional<std::string_view> next();                       // the next line; none at the end
-  // The next line that has a word, cut into its words; empty at the end. Valid until the next call.
+  /// The next line that has a word, cut into its words; empty at the end. Valid until the next call.
   const std::vector<std::string_view>& next_words();
   std::string_view rest() const { return rest_; }  // what has not been handed out
 
@@ -23,13 +23,13 @@ class LineScanner {
   std::vector<std::string_view> words_;
 };
 
-// Replaces the contents of `words` by the parts of `line` between blanks.
+/// Replaces the contents of `words` by the parts of `line` between blanks.
 void split_words(std::string_view line, std::vector<std::string_view>& words);
 
-// The whole word as a number, also "nan" and "inf"; magnitudes beyond a double count as infinite or zero.
+/// The whole word as a number, also "nan" and "inf"; magnitudes beyond a double count as infinite or zero.
 std::optional<double> to_number(std::string_view word);
 
-// The whole word as an integer; none when it is something else or beyond 64 bits.
+/// The whole word as an integer; none when it is something else or beyond 64 bits.
 std::optional<std::int64_t> to_integer(std::string_view word);
 
 }  // namespace impinge

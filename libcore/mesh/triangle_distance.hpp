@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-// From p to the nearest point between a and b, mm^2.
+/// From p to the nearest point between a and b, mm^2.
 inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
@@ -20,8 +20,8 @@ inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Ve
   return (p - a - share * along).squaredNorm();
 }
 
-// mm^2. A point above the triangle is as far as its plane, any other as far as the nearest edge. Degenerate
-// triangles are their edges.
+/// mm^2. A point above the triangle is as far as its plane, any other as far as the nearest edge. Degenerate
+/// triangles are their edges.
 inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
   const auto inside = [&](const Vec3& from, const Vec3& to) {
@@ -38,8 +38,8 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
 
 using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
-// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines where both
-// feet are inside.
+/// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines where both
+/// feet are inside.
 inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const double at_ends =
       std::min({squared_distance_to_segment(a0, b0, b1), squared_distance_to_segment(a1, b0, b1),
@@ -56,7 +56,7 @@ inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const
   return std::min(at_ends, between * between / squared);
 }
 
-// Between two triangles that do not meet, mm^2: at a corner of one of them or between two edges.
+/// Between two triangles that do not meet, mm^2: at a corner of one of them or between two edges.
 inline double squared_distance_of_triangles(const Triangle& s, const Triangle& t) {
   double least = squared_distance_to_triangle(s[0], t[0], t[1], t[2]);
   for (std::size_t i = 0; i < 3; ++i) {

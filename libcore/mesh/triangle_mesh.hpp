@@ -13,32 +13,33 @@ namespace impinge {
 
 using VertexIndex = std::uint32_t;  // place in the vertices of a mesh
 
-// Corners of a face, counter-clockwise seen from outside.
+/// Corners of a face, counter-clockwise seen from outside.
 using Face = std::array<VertexIndex, 3>;
 
-// Points in millimetres. Nothing is promised about closedness, orientation or duplicates; see validation.hpp.
+/// Points in millimetres. Nothing is promised about closedness, orientation or duplicates; see
+/// validation.hpp.
 struct TriangleMesh {
   std::vector<Vec3> vertices;  // mm
   std::vector<Face> faces;     // their corners are places in `vertices`
 };
 
-// Corner k of face f.
+/// Corner k of face f.
 inline const Vec3& corner(const TriangleMesh& mesh, const Face& face, std::size_t k) {
   return mesh.vertices[face[k]];
 }
 
-// A face of a mesh in the centre frame, as the centre sees it.
+/// A face of a mesh in the centre frame, as the centre sees it.
 inline TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
   return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
 }
 
-// Vector along the outward normal, twice the area of the face long (mm^2).
+/// Vector along the outward normal, twice the area of the face long (mm^2).
 Vec3 area_vector(const TriangleMesh& mesh, const Face& face);
 
-// Share of the surface that belongs to each vertex: a third of the area of its faces (mm^2).
+/// Share of the surface that belongs to each vertex: a third of the area of its faces (mm^2).
 std::vector<double> vertex_areas(const TriangleMesh& mesh);
 
-// The same mesh with `centre` as origin (input frame to centre frame).
+/// The same mesh with `centre` as origin (input frame to centre frame).
 TriangleMesh relative_to(TriangleMesh mesh, const Vec3& centre);
 
 }  // namespace impinge

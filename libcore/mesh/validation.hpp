@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-// Edges, flips, components and duplicates are counted among the faces that have three different corners.
+/// Edges, flips, components and duplicates are counted among the faces that have three different corners.
 struct MeshReport {
   std::size_t vertices = 0;               // of the mesh, referenced or not
   std::size_t faces = 0;                  // of the mesh, valid or not
@@ -27,17 +27,17 @@ struct MeshReport {
   bool orientable = true;                 // false: some faces cannot agree (Moebius strip)
   std::optional<double> volume;           // signed, mm^3; closed meshes of one orientation only
 
-  // Does every edge have exactly two faces?
+  /// Does every edge have exactly two faces?
   bool closed() const;
 };
 
-// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in
-// opposite directions. In each part connected that way the faces of the smaller side count as flipped; a part
-// that is inside out as a whole has none, it shows as a negative volume.
+/// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in
+/// opposite directions. In each part connected that way the faces of the smaller side count as flipped; a
+/// part that is inside out as a whole has none, it shows as a negative volume.
 MeshReport validate(const TriangleMesh& mesh);
 
-// One line with the sizes and, if there is anything wrong, a second one that lists it. No line end after the
-// last.
+/// One line with the sizes and, if there is anything wrong, a second one that lists it. No line end after the
+/// last.
 std::string describe(const MeshReport& report);
 
 }  // namespace impinge

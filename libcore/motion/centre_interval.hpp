@@ -41,12 +41,12 @@
 
 namespace impinge {
 
-// What is not known of the centre: both surfaces turn about one common centre that is within a distance r of
-// the origin, t with |t| <= r; or the ball plays in the socket, which shifts it by any d with |d| <= r, at
-// every angle another.
+/// What is not known of the centre: both surfaces turn about one common centre that is within a distance r of
+/// the origin, t with |t| <= r; or the ball plays in the socket, which shifts it by any d with |d| <= r, at
+/// every angle another.
 enum class CentreDoubt { common, play };
 
-// Which centres a limit is to hold for.
+/// Which centres a limit is to hold for.
 struct CentreQuestion {
   CentreDoubt doubt = CentreDoubt::common;  // what is not known
   double within_mm = 0.0;                   // r
@@ -54,28 +54,28 @@ struct CentreQuestion {
   double largest_deg = 0.0;                 // of the motion, as for the limit itself
 };
 
-// Holds the limit for every such centre.
+/// Holds the limit for every such centre.
 struct CentreInterval {
   double low_deg = 0.0;   // none of them has an impinged pose up to here
   double high_deg = 0.0;  // with each of them the pose is impinged here; the largest angle if none is known
   bool limited = false;   // is such a pose known?
 };
 
-// A joint that is asked for the limits of several turns.
+/// A joint that is asked for the limits of several turns.
 class CentreIntervals {
  public:
-  // The meshes of the joint are without edge-on faces (mesh/surface_vertices.hpp); it must outlive this.
+  /// The meshes of the joint are without edge-on faces (mesh/surface_vertices.hpp); it must outlive this.
   CentreIntervals(const CulledJoint& joint, const CentreQuestion& question);
 
-  // The lower end, `to_deg` at most: no centre is free beyond the lower end of the origin. 0 where the start
-  // is within reach of a contact. The start must not be impinged: then no faces pierce each other there
-  // (reference/meeting_surfaces.hpp), which first_within() would not see.
+  /// The lower end, `to_deg` at most: no centre is free beyond the lower end of the origin. 0 where the start
+  /// is within reach of a contact. The start must not be impinged: then no faces pierce each other there
+  /// (reference/meeting_surfaces.hpp), which first_within() would not see.
   double low_deg(const JointTurn& turn, double to_deg) const;
-  // The least angle that was found, from `from` on, at which every centre has an impinged pose.
+  /// The least angle that was found, from `from` on, at which every centre has an impinged pose.
   std::optional<double> high_deg(const JointTurn& turn, double from_deg) const;
 
  private:
-  // A surface as the other one meets it.
+  /// A surface as the other one meets it.
   struct Side {
     SweptParts faces;
     SweptParts walls;
@@ -84,7 +84,7 @@ class CentreIntervals {
     double nearest = 0.0;         // mm, of the faces
   };
   Side side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
-  // Is the pose at that angle impinged, or the gap reached, whatever the centre is? Yes is proven.
+  /// Is the pose at that angle impinged, or the gap reached, whatever the centre is? Yes is proven.
   bool always(const JointTurn& turn, double angle_deg) const;
   bool is_certain(const Pose& pose, const ScannedVertex& at, double shift) const;
   double shift(const Pose& pose) const;

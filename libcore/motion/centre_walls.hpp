@@ -10,11 +10,11 @@
 
 namespace impinge {
 
-// Edges that are jump edges (mesh/jump_edges.hpp) for some centre within r mm of the origin, and perhaps
-// others: all but those of two faces that spread to opposite sides, both with planes farther than r.
+/// Edges that are jump edges (mesh/jump_edges.hpp) for some centre within r mm of the origin, and perhaps
+/// others: all but those of two faces that spread to opposite sides, both with planes farther than r.
 std::vector<Edge> possible_jumps(const TriangleMesh& mesh, double r);
 
-// What walls are wanted.
+/// What walls are wanted.
 struct WallQuestion {
   bool beyond = true;     // of a socket; within, of a ball, if not
   bool common = true;     // CentreDoubt::common
@@ -24,8 +24,8 @@ struct WallQuestion {
   double farthest = 0.0;  // mm, largest radius of these
 };
 
-// The walls { k y } of the edges, as triangles between two values of k; `doubt` is what motion/
-// centre_interval.hpp adds to the shift of the ball there.
+/// The walls { k y } of the edges, as triangles between two values of k; `doubt` is what motion/
+/// centre_interval.hpp adds to the shift of the ball there.
 std::vector<TurnFace> shells(const TriangleMesh& mesh, const std::vector<Edge>& edges,
                              const WallQuestion& walls);
 

@@ -13,17 +13,17 @@
 
 namespace impinge {
 
-// A ball that turns over points of a socket at rest, all in the frame whose +z is the axis, mm.
+/// A ball that turns over points of a socket at rest, all in the frame whose +z is the axis, mm.
 struct MeshEnd {
   std::vector<Vec3> ball;    // its vertices
   std::vector<Edge> border;  // its jump edges (mesh/jump_edges.hpp): of a rim, or of a shell that turns back
   std::vector<Vec3> socket;  // points whose directions are asked for
-  // Is there a surface of the ball along socket point i at that angle, radians?
+  /// Is there a surface of the ball along socket point i at that angle, radians?
   std::function<bool(std::size_t point, double angle)> covered;
 };
 
-// The first angle up to `largest`, radians, at which a point that was covered at the start passes a border of
-// the ball and is not covered behind it; to rounding, about 1e-9.
+/// The first angle up to `largest`, radians, at which a point that was covered at the start passes a border
+/// of the ball and is not covered behind it; to rounding, about 1e-9.
 std::optional<double> first_beyond(const MeshEnd& end, double largest);
 
 }  // namespace impinge

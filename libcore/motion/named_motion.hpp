@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-// One angle grows from a start; the others stay as they are there.
+/// One angle grows from a start; the others stay as they are there.
 struct NamedMotion {
   std::string_view name;     // as options and files have it
   Motion start;              // degrees
@@ -18,10 +18,10 @@ struct NamedMotion {
   std::string_view meaning;  // in words
 };
 
-// flexion ... external_rotation from the pose of the scan; internal_rotation_at_45, _70 and _90 (degrees of
-// flexion); external_rotation_at_90; fadir: 90 of flexion, 15 of adduction, internal rotation grows; faber:
-// 45 of flexion, 30 of abduction, external rotation grows (the angles of the last two are our choice: a
-// clinician takes them as the patient allows).
+/// flexion ... external_rotation from the pose of the scan; internal_rotation_at_45, _70 and _90 (degrees of
+/// flexion); external_rotation_at_90; fadir: 90 of flexion, 15 of adduction, internal rotation grows; faber:
+/// 45 of flexion, 30 of abduction, external rotation grows (the angles of the last two are our choice: a
+/// clinician takes them as the patient allows).
 std::span<const NamedMotion> named_motions();
 
 }  // namespace impinge

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints whose limits and gaps have a closed form, and what the library measures on meshes of them: the proof
-// of the pudding for everything from a mesh to a bracket.
-//
-// Turning by t about a unit axis w brings a unit vector a to an angle D from a fixed unit vector s where
-//   (a.w)(s.w) + [a.s - (a.w)(s.w)] cos t + (w x a).s sin t = cos D       (spherical law of cosines)
-// so that each limit below is one D:
-//   cone neck      a cone of half angle k about a, apex in the centre, against the rim of a cup that opens by
-//                  o about s (180 degrees less its half opening): D = o - k
-//   cylinder neck  of radius c about a, against a rim of radius R: the same with k = asin(c / R)
-//   cam bump       B(u) = R + h cos^2(pi/2 v / W), v the angle from its top a, against a cup of radius S and
-//   half
-//                  opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and the rim
-//                  where angle(a, -s) = H + v
-// Two spheres, the ball's of radius B about a point b that turns, the socket's of radius S about e, touch
-// where
-//   |b(t) - e| = S - B,
-// the same equation with cos D = (|b|^2 + |e|^2 - (S - B)^2) / (2 |b| |e|). Their gap along u is
-// S(u) - B(u) with r(u) = p.u + root(R^2 - |p|^2 + (p.u)^2) for a sphere about p; with e = 0 its minimum is
-// S - B - |b|.
-//
-// A mesh differs from its smooth surface by a sagitta: rims and necks have many sides, the bump rings of
-// vertices next to the level that touches, the spheres rings ever closer about the place of contact. The
-// limits of the meshes are within kPhantomLimitError of the closed forms, which is a target: it is asked of
-// them, not proven.
-// Gaps have a proven bound: the sagittas of both meshes, and for gaps by table what the table is proven to
-// keep.
+/// \file
+/// Joints whose limits and gaps have a closed form, and what the library measures on meshes of them: the
+/// proof of the pudding for everything from a mesh to a bracket.
+///
+/// Turning by t about a unit axis w brings a unit vector a to an angle D from a fixed unit vector s where
+///   (a.w)(s.w) + [a.s - (a.w)(s.w)] cos t + (w x a).s sin t = cos D       (spherical law of cosines)
+/// so that each limit below is one D:
+///   cone neck      a cone of half angle k about a, apex in the centre, against the rim of a cup that opens
+///   by
+///                  o about s (180 degrees less its half opening): D = o - k
+///   cylinder neck  of radius c about a, against a rim of radius R: the same with k = asin(c / R)
+///   cam bump       B(u) = R + h cos^2(pi/2 v / W), v the angle from its top a, against a cup of radius S and
+///   half
+///                  opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and the
+///                  rim where angle(a, -s) = H + v
+/// Two spheres, the ball's of radius B about a point b that turns, the socket's of radius S about e, touch
+/// where
+///   |b(t) - e| = S - B,
+/// the same equation with cos D = (|b|^2 + |e|^2 - (S - B)^2) / (2 |b| |e|). Their gap along u is
+/// S(u) - B(u) with r(u) = p.u + root(R^2 - |p|^2 + (p.u)^2) for a sphere about p; with e = 0 its minimum is
+/// S - B - |b|.
+///
+/// A mesh differs from its smooth surface by a sagitta: rims and necks have many sides, the bump rings of
+/// vertices next to the level that touches, the spheres rings ever closer about the place of contact. The
+/// limits of the meshes are within kPhantomLimitError of the closed forms, which is a target: it is asked of
+/// them, not proven.
+/// Gaps have a proven bound: the sagittas of both meshes, and for gaps by table what the table is proven to
+/// keep.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +38,7 @@
 
 namespace impinge {
 
-// The first t > 0, in radians below 2 pi, at which that angle is D; none where it never is.
+/// The first t > 0, in radians below 2 pi, at which that angle is D; none where it never is.
 struct AngleQuestion {
   Vec3 turning;         // a, unit vector
   Vec3 fixed;           // s, unit vector
@@ -45,19 +47,19 @@ struct AngleQuestion {
 };
 std::optional<double> first_turn_to(const AngleQuestion& question);  // the answer, radians
 
-// One row of the table of validation; lengths in mm, angles in degrees.
+/// One row of the table of validation; lengths in mm, angles in degrees.
 struct PhantomRow {
   std::string phantom;       // which joint
   std::string quantity;      // limit or gap, and about which axis
   double closed_form = 0.0;  // what the equations above say
   double measured = 0.0;     // what the library says of the meshes
   double error = 0.0;        // of the measured value
-  // That the error is to keep: of a limit a target that was chosen, of a gap a bound that is proven.
+  /// That the error is to keep: of a limit a target that was chosen, of a gap a bound that is proven.
   double allowed = 0.0;
   bool proven = false;  // is it the bound?
 };
 
-// How fine the meshes are.
+/// How fine the meshes are.
 struct PhantomSizes {
   std::size_t sides = 360;     // of rims, necks and rings
   std::size_t faces = 4000;    // of each sphere whose gaps are measured
@@ -65,11 +67,11 @@ struct PhantomSizes {
 };
 inline constexpr double kPhantomLimitError = 0.01;  // degrees
 
-// Cone and cylinder neck, cam bump and eccentric spheres, about several axes each: limits by
-// motion/turn_limit.hpp. What is allowed is kPhantomLimitError, whatever the sizes.
+/// Cone and cylinder neck, cam bump and eccentric spheres, about several axes each: limits by
+/// motion/turn_limit.hpp. What is allowed is kPhantomLimitError, whatever the sizes.
 std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes = {});
 
-// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.
+/// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.
 std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes = {});
 
 }  // namespace impinge

@@ -15,34 +15,34 @@
 
 namespace impinge {
 
-// Heights and distances from the centre of a part, mm.
+/// Heights and distances from the centre of a part, mm.
 struct ProfileBox {
   double z_low = 0.0;   // least height
   double z_high = 0.0;  // largest height
   double r_low = 0.0;   // least distance
   double r_high = 0.0;  // largest distance
 
-  // Do the boxes have a point in common, borders included?
+  /// Do the boxes have a point in common, borders included?
   bool overlaps(const ProfileBox& other) const {
     return z_low <= other.z_high && other.z_low <= z_high && r_low <= other.r_high && other.r_low <= r_high;
   }
 };
 
-// The box of a point, an edge, a face, rounded outwards by `margin` mm.
+/// The box of a point, an edge, a face, rounded outwards by `margin` mm.
 ProfileBox profile_of(const Vec3& x, double margin);
 ProfileBox profile_of(const Vec3& a, const Vec3& b, double margin);
 ProfileBox profile_of(const Vec3& a, const Vec3& b, const Vec3& c, double margin);
 
-// The smallest box that holds all of them; one that overlaps nothing if there are none.
+/// The smallest box that holds all of them; one that overlaps nothing if there are none.
 ProfileBox bounds_of(const std::vector<ProfileBox>& boxes);
 
-// The parts of one surface by their boxes.
+/// The parts of one surface by their boxes.
 class ProfileIndex {
  public:
-  // Only boxes that overlap `within` are kept; no other part can be asked for.
+  /// Only boxes that overlap `within` are kept; no other part can be asked for.
   ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& within);
 
-  // Calls visit(i) once for every box i that overlaps this one and `within`.
+  /// Calls visit(i) once for every box i that overlaps this one and `within`.
   template <class Visit>
   void visit(const ProfileBox& box, const Visit& visit) const {
     if (!bounds_.overlaps(box)) return;

@@ -19,11 +19,11 @@
 
 namespace impinge {
 
-// Triangles (a point is one without extent), in a tree. `doubt` of a part, mm, is by how much nearer it may
-// be than it is drawn.
+/// Triangles (a point is one without extent), in a tree. `doubt` of a part, mm, is by how much nearer it may
+/// be than it is drawn.
 class SweptParts {
  public:
-  // A sphere that holds some of the parts; two nodes further on, or one part.
+  /// A sphere that holds some of the parts; two nodes further on, or one part.
   struct Node {
     Vec3 centre;           // mm
     double radius = 0.0;   // mm, doubt included
@@ -35,9 +35,9 @@ class SweptParts {
 
   const std::vector<TurnFace>& parts() const { return parts_; }  // in their order
   const std::vector<Node>& nodes() const { return nodes_; }      // the root first; none without parts
-  // The same parts after a rotation.
+  /// The same parts after a rotation.
   SweptParts rotated(const Eigen::Matrix3d& rotation) const;
-  // Is every part farther than that from x? mm.
+  /// Is every part farther than that from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
@@ -47,13 +47,13 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
-// The largest distance that is asked for in a span of angles, mm.
+/// The largest distance that is asked for in a span of angles, mm.
 using WithinSpan = std::function<double(const AngleSpan&)>;
 
-// The first angle up to `largest` at which the turning parts may be within that distance of those at rest; no
-// pair is before, and what is returned is early by the way of 1e-5 rad at most unless parts stay about as
-// near as that; `largest` if there is none. +z is the axis; largest in [0, 2 pi].
-// Parts that pierce each other at the start may go unseen: distances are those of corners and edges.
+/// The first angle up to `largest` at which the turning parts may be within that distance of those at rest;
+/// no pair is before, and what is returned is early by the way of 1e-5 rad at most unless parts stay about as
+/// near as that; `largest` if there is none. +z is the axis; largest in [0, 2 pi].
+/// Parts that pierce each other at the start may go unseen: distances are those of corners and edges.
 double first_within(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within,
                     double largest);
 

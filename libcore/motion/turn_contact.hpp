@@ -47,11 +47,11 @@
 
 namespace impinge {
 
-// Which of the parts touch: a corner of one and a face of the other, two edges, or two rims as the centre
-// sees them.
+/// Which of the parts touch: a corner of one and a face of the other, two edges, or two rims as the centre
+/// sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
 
-// "ball vertex", "socket vertex", "edges", "rims".
+/// "ball vertex", "socket vertex", "edges", "rims".
 std::string_view name(ContactKind kind);
 
 struct TurnContact {
@@ -61,14 +61,14 @@ struct TurnContact {
   Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
 };
 
-// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
+/// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
 struct TurnMesh {
   const TriangleMesh& mesh;                              // borrowed
   const TurnParts& parts;                                // those of the mesh, borrowed
   Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // a rotation
 };
 
-// The centres coincide. The ball turns about the unit axis.
+/// The centres coincide. The ball turns about the unit axis.
 struct TurnScene {
   TurnMesh ball;              // that turns
   TurnMesh socket;            // that rests
@@ -76,16 +76,16 @@ struct TurnScene {
   double largest_gap = 0.0;   // threshold that will be asked for, mm
 };
 
-// The search, made ready for one axis.
+/// The search, made ready for one axis.
 class TurnContacts {
  public:
-  // Takes the parts of both surfaces to the frame of the axis.
+  /// Takes the parts of both surfaces to the frame of the axis.
   explicit TurnContacts(const TurnScene& scene);
 
-  // Angles to look at, radians, 0 <= from <= to <= 2 pi.
-  // The first contact, if there is one.
+  /// Angles to look at, radians, 0 <= from <= to <= 2 pi.
+  /// The first contact, if there is one.
   std::optional<TurnContact> first(const AngleSpan& angles) const;
-  // The first angle at which a vertex of either surface has a gap of `gap_mm`, 0 or more; none is at `from`.
+  /// The first angle at which a vertex of either surface has a gap of `gap_mm`, 0 or more; none is at `from`.
   std::optional<TurnContact> first_gap(double gap_mm, const AngleSpan& angles) const;
 
   double tolerance() const { return tolerance_; }  // mm

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far can the ball turn before it touches the socket, or before a gap falls to a threshold? A bracket
-// [low, high] that no step can jump over.
-//
-//   low    no angle from the start to here is impinged (motion/turn_contact.hpp has the proof, and how near
-//          parts may come before they count as touching)
-//   high   here the pose is impinged: the overlay decides it exactly (gap/overlay.hpp), culled
-//          (contact/culled_overlay.hpp); of a threshold, a vertex has that gap, in double
-// First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
-// about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
-// about the sagitta of a face. The surfaces are the meshes without faces that are edge-on at rest
-// (mesh/surface_vertices.hpp).
-//
-// The bracket is about as wide as 1e-7 degrees, and wider only after a graze: parts that come so near that
-// doubles cannot tell a touch from none, and of which the overlay sees no contact. Then low stays at the
-// first of these places. The search goes on behind it in growing steps, with the same closed forms and with
-// poses at most a twentieth of a degree apart. A contact that it finds there is certain, though perhaps not
-// the first: one may lie between two poses. If it finds none the limit is unknown: none up to low, and
-// nothing is said of what follows.
-//
-// How far to trust it. The bracket is that of the meshes about their origin. To first order, with n the
-// normal of the contact, p its place, w the axis and R the rotation of the pose, all in the socket's frame,
-//   the ball shifted by d, or a surface by n . d across the contact    n . d / |n . (w x p)|
-//   the common centre of both surfaces off by t: d = (I - R) t         t . (I - R)^T n / |n . (w x p)|
-// move the limit by that. The largest of either for d or t of 1 mm are `deg_per_mm` and `centre_deg_per_mm`;
-// the second is at most 2 sin(theta / 2) times the first, theta the angle of R. But a limit jumps where a
-// graze becomes a contact: centre_interval() holds for every centre.
+/// \file
+/// How far can the ball turn before it touches the socket, or before a gap falls to a threshold? A bracket
+/// [low, high] that no step can jump over.
+///
+///   low    no angle from the start to here is impinged (motion/turn_contact.hpp has the proof, and how near
+///          parts may come before they count as touching)
+///   high   here the pose is impinged: the overlay decides it exactly (gap/overlay.hpp), culled
+///          (contact/culled_overlay.hpp); of a threshold, a vertex has that gap, in double
+/// First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
+/// about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
+/// about the sagitta of a face. The surfaces are the meshes without faces that are edge-on at rest
+/// (mesh/surface_vertices.hpp).
+///
+/// The bracket is about as wide as 1e-7 degrees, and wider only after a graze: parts that come so near that
+/// doubles cannot tell a touch from none, and of which the overlay sees no contact. Then low stays at the
+/// first of these places. The search goes on behind it in growing steps, with the same closed forms and with
+/// poses at most a twentieth of a degree apart. A contact that it finds there is certain, though perhaps not
+/// the first: one may lie between two poses. If it finds none the limit is unknown: none up to low, and
+/// nothing is said of what follows.
+///
+/// How far to trust it. The bracket is that of the meshes about their origin. To first order, with n the
+/// normal of the contact, p its place, w the axis and R the rotation of the pose, all in the socket's frame,
+///   the ball shifted by d, or a surface by n . d across the contact    n . d / |n . (w x p)|
+///   the common centre of both surfaces off by t: d = (I - R) t         t . (I - R)^T n / |n . (w x p)|
+/// move the limit by that. The largest of either for d or t of 1 mm are `deg_per_mm` and `centre_deg_per_mm`;
+/// the second is at most 2 sin(theta / 2) times the first, theta the angle of R. But a limit jumps where a
+/// graze becomes a contact: centre_interval() holds for every centre.
 #pragma once
 
 #include <memory>
@@ -41,7 +42,7 @@
 
 namespace impinge {
 
-// How a search for a limit ended.
+/// How a search for a limit ended.
 enum class LimitState {
   limited,  // low and high as above
   free,     // nowhere impinged up to the largest angle asked for: low and high are that angle
@@ -49,43 +50,43 @@ enum class LimitState {
   unknown,  // none up to low; from there to high, the largest angle asked for, nothing is certain
 };
 
-// "limited", "free", "blocked", "unknown".
+/// "limited", "free", "blocked", "unknown".
 std::string_view name(LimitState state);
 
-// The bracket of a limit, and where the surfaces touch there.
+/// The bracket of a limit, and where the surfaces touch there.
 struct TurnLimit {
   LimitState state = LimitState::unknown;  // says what the bracket means
   double low_deg = 0.0;                    // from the start, see above
-  double high_deg = 0.0;                   // likewise
-  std::optional<TurnContact> contact;      // where limited, the last place up to `high` where parts touch
-  double deg_per_mm = 0.0;         // where limited, see above; infinite where the contact is tangential
-  double centre_deg_per_mm = 0.0;  // likewise
-  // The first angle at which a vertex of the socket, seen over the ball's mesh so far, has no surface of the
-  // ball along its ray, open or closed as the mesh may be: beyond, the limit is that of what is left. Nothing
-  // where none does. Where nothing touches before and behind it, the state is `unknown` and low is this
-  // angle.
+  double high_deg = 0.0;
+  std::optional<TurnContact> contact;  // where limited, the last place up to `high` where parts touch
+  double deg_per_mm = 0.0;             // where limited, see above; infinite where the contact is tangential
+  double centre_deg_per_mm = 0.0;
+  /// The first angle at which a vertex of the socket, seen over the ball's mesh so far, has no surface of the
+  /// ball along its ray, open or closed as the mesh may be: beyond, the limit is that of what is left.
+  /// Nothing where none does. Where nothing touches before and behind it, the state is `unknown` and low is
+  /// this angle.
   std::optional<double> leaves_mesh_deg;
 };
 
-// A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: a shift of
-// the ball, as that to the socket's own centre, is made before.
+/// A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: a shift of
+/// the ball, as that to the socket's own centre, is made before.
 class TurnLimits {
  public:
   explicit TurnLimits(BallSocketPair joint);  // takes the meshes, and sorts their parts once
 
-  // largest_deg in (0, 360].
+  /// largest_deg in (0, 360].
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
-  // The bracket of the turn at which some vertex has a gap of gap_mm, mm, or less.
+  /// The bracket of the turn at which some vertex has a gap of gap_mm, mm, or less.
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
-  // Where the limit, one of the above, may be for another centre.
+  /// Where the limit, one of the above, may be for another centre.
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                  const CentreQuestion& question) const;
 
-  // Smallest gap of a vertex with the turn at that angle.
+  /// Smallest gap of a vertex with the turn at that angle.
   std::optional<VertexGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
-  // Is the pose at that angle impinged? Exact (gap/overlay.hpp).
+  /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
   bool impinged(const JointTurn& turn, double angle_deg) const;
 
  private:
@@ -97,7 +98,7 @@ class TurnLimits {
   void end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                    TurnLimit& limit) const;
 
-  // The meshes without their edge-on faces, and what answers for them.
+  /// The meshes without their edge-on faces, and what answers for them.
   struct Answers {
     explicit Answers(BallSocketPair joint);
     BallSocketPair meshes;

@@ -14,7 +14,7 @@
 
 namespace impinge {
 
-// A triangle, or one half of a wall.
+/// A triangle, or one half of a wall.
 struct TurnFace {
   std::array<Vec3, 3> corner;  // mm
   Vec3 normal;                 // as long as twice the area
@@ -24,16 +24,16 @@ struct TurnFace {
   double doubt = 0.0;          // mm, by which rounding may have moved it, beyond the common tolerance
 };
 
-// The triangle, mm; not of a wall.
+/// The triangle, mm; not of a wall.
 TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// A side of a face, mm.
+/// A side of a face, mm.
 struct TurnEdge {
   Vec3 from;  // an end
   Vec3 to;    // the other end
 };
 
-// All of a surface that may take part in a contact.
+/// All of a surface that may take part in a contact.
 struct TurnSurface {
   std::vector<Vec3> vertices;         // mm; those that belong to a face
   std::vector<TurnFace> faces;        // of the surface
@@ -44,17 +44,17 @@ struct TurnSurface {
   double smallest_radius = HUGE_VAL;  // mm, of a face
 };
 
-// Which side of a jump edge its wall is on: the ball reaches a socket that it gets beyond, and the socket a
-// ball that it gets within.
+/// Which side of a jump edge its wall is on: the ball reaches a socket that it gets beyond, and the socket a
+/// ball that it gets within.
 enum class WallSide { beyond, within };
 
-// How the walls of a surface are built.
+/// How the walls of a surface are built.
 struct WallReach {
   WallSide side = WallSide::beyond;  // for a socket `beyond`, for a ball `within`
   double reach = 0.0;  // mm, beyond: to this distance from the centre at least; within: to the centre
 };
 
-// What of a mesh stays the same whatever the axis.
+/// What of a mesh stays the same whatever the axis.
 struct TurnParts {
   explicit TurnParts(const TriangleMesh& mesh);  // in its centre frame, mm
 
@@ -64,9 +64,9 @@ struct TurnParts {
   std::vector<VertexIndex> rim_vertices;  // ends of the jump edges
 };
 
-// mesh in the centre frame, mm, without edge-on faces, and its parts; the rotation takes its axis to +z. A
-// wall beyond an edge is cut in pieces that the centre sees under 60 degrees at most, so that it is whole
-// however near the edge comes to the centre.
+/// mesh in the centre frame, mm, without edge-on faces, and its parts; the rotation takes its axis to +z. A
+/// wall beyond an edge is cut in pieces that the centre sees under 60 degrees at most, so that it is whole
+/// however near the edge comes to the centre.
 TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
                          const WallReach& walls);
 

@@ -9,20 +9,20 @@
 
 namespace impinge {
 
-// A vertex with the smallest gap.
+/// A vertex with the smallest gap.
 struct VertexGap {
   double gap_mm = 0.0;        // of the vertex
   Vec3 place = Vec3::Zero();  // of the vertex, mm, centre frame of the socket
 };
 
-// Two surfaces made ready to be asked in many poses.
+/// Two surfaces made ready to be asked in many poses.
 class VertexGaps {
  public:
-  // Meshes in their centre frames, mm; they must outlive this.
+  /// Meshes in their centre frames, mm; they must outlive this.
   VertexGaps(const TriangleMesh& ball, const TriangleMesh& socket);
 
-  // The smallest of both scans; none where no vertex meets the other surface. The nearest layer stands for
-  // the socket and the farthest for the ball. A few milliseconds for 12,000 faces.
+  /// The smallest of both scans; none where no vertex meets the other surface. The nearest layer stands for
+  /// the socket and the farthest for the ball. A few milliseconds for 12,000 faces.
   std::optional<VertexGap> smallest(const Pose& pose) const;
 
  private:

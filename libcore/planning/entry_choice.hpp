@@ -6,8 +6,8 @@
 
 namespace impinge {
 
-// Chooses the table for the accuracy that is asked for, if one is, and for each scan the entries that its
-// look-ups read. The vertices of the plan are chosen.
+/// Chooses the table for the accuracy that is asked for, if one is, and for each scan the entries that its
+/// look-ups read. The vertices of the plan are chosen.
 void choose_entries(PlanDraft& draft);
 
 }  // namespace impinge

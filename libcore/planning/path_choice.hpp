@@ -26,24 +26,24 @@ inline constexpr double kCapsPerFace = 4000.0;  // f, ns: of both limits, trees 
 inline constexpr double kLookPerVertex = 28.0;  // v, ns
 inline constexpr double kCulledPerPose = 2e3;   // k, ns
 
-// What has to be looked at.
+/// What has to be looked at.
 struct PathWork {
   std::size_t poses = 1;     // that differ
   std::size_t vertices = 0;  // of the surfaces that are scanned
   std::size_t faces = 0;     // of all surfaces that are met
 };
 
-// Never: no number of poses pays.
+/// Never: no number of poses pays.
 inline constexpr std::size_t kNoPoses = std::numeric_limits<std::size_t>::max();
 
-// The way that is taken, and why.
+/// The way that is taken, and why.
 struct PathChoice {
   bool culled = false;               // whole caps at once
   std::size_t pays_from = kNoPoses;  // so many poses or more pay for the caps
   std::string reason;                // one clause, with the numbers that it rests on
 };
 
-// The cheaper way by that estimate.
+/// The cheaper way by that estimate.
 PathChoice choose_path(const PathWork& work);
 
 }  // namespace impinge

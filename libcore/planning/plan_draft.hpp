@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-// What plan_scene() was given, and how far the plan is.
+/// What plan_scene() was given, and how far the plan is.
 struct PlanDraft {
   const BallSocketPair& joint;  // centre frames, mm
   const SceneNeeds& needs;      // what is asked
@@ -18,11 +18,11 @@ struct PlanDraft {
   ScenePlan plan;               // so far
 };
 
-// Makes the scan know the faces near a direction, with a margin of that many radians or more.
+/// Makes the scan know the faces near a direction, with a margin of that many radians or more.
 void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
 
-// Calls visit(x) for each look-up of the scan, so far as it is planned, in the order of poses and vertices; x
-// is in the frame of the surface that is asked.
+/// Calls visit(x) for each look-up of the scan, so far as it is planned, in the order of poses and vertices;
+/// x is in the frame of the surface that is asked.
 template <class Visit>
 void for_each_look_up(const PlanDraft& draft, const ScanPlan& scan, Visit&& visit) {
   const TriangleMesh& mesh = mesh_of(draft.joint, scan.scanned);

@@ -9,11 +9,11 @@
 
 namespace impinge {
 
-// Fills the whole table of a surface, for a plan that does not leave any of it out.
+/// Fills the whole table of a surface, for a plan that does not leave any of it out.
 using FillFull = std::function<std::unique_ptr<RadiusSource>(const TriangleMesh&, Layer)>;
 
-// The whole table, the part of it that the plan keeps, or with an accuracy a table where it keeps that and
-// the faces elsewhere. Joint, plan and scan must outlive it.
+/// The whole table, the part of it that the plan keeps, or with an accuracy a table where it keeps that and
+/// the faces elsewhere. Joint, plan and scan must outlive it.
 std::unique_ptr<RadiusSource> make_scan_source(const BallSocketPair& joint, const ScenePlan& plan,
                                                const ScanPlan& scan, const FillFull& fill_full);
 

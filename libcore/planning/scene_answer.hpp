@@ -10,13 +10,13 @@
 
 namespace impinge {
 
-// Gaps of all vertices in one pose, mm; NaN where the other surface is not met.
+/// Gaps of all vertices in one pose, mm; NaN where the other surface is not met.
 struct PoseGaps {
   std::vector<double> ball;    // by vertex of the ball; empty where it is not scanned
   std::vector<double> socket;  // by vertex of the socket, likewise
 };
 
-// The first of the smallest gaps, in the order of scans, poses and vertices.
+/// The first of the smallest gaps, in the order of scans, poses and vertices.
 struct SmallestGap {
   double gap_mm = 0.0;              // of the vertex
   Surface scanned = Surface::ball;  // whose vertex it is
@@ -25,14 +25,14 @@ struct SmallestGap {
   bool operator==(const SmallestGap&) const = default;
 };
 
-// What it took.
+/// What it took.
 struct SceneCost {
   std::size_t bytes = 0;     // of tables and whatever stood in for them, not of the answer
   std::size_t entries = 0;   // worked out
   std::size_t look_ups = 0;  // at most: a touch is certain after one gap of 0 or less
 };
 
-// What was asked, and what it took.
+/// What was asked, and what it took.
 struct SceneAnswer {
   std::vector<bool> touches;            // of each pose, for `touch`
   std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
@@ -42,16 +42,16 @@ struct SceneAnswer {
   PathChoice path;                      // how the vertices that matter were found, where it was planned here
 };
 
-// Vertices of no face belong to no surface and have no gap. `joint` and `needs` are those of the plan.
+/// Vertices of no face belong to no surface and have no gap. `joint` and `needs` are those of the plan.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const ScenePlan& plan,
                          const FillFull& fill_full);
 
-// Has the answer what the plan took for proven? A gap that does not exceed the limit, a touch where it
-// promised one: a rim may have taken the answer of the vertex away that has it.
+/// Has the answer what the plan took for proven? A gap that does not exceed the limit, a touch where it
+/// promised one: a rim may have taken the answer of the vertex away that has it.
 bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
 
-// Plans and answers; anew and without bounds where a plan could not keep what it promised. `left_out`, if
-// given, gets what the plan has left out.
+/// Plans and answers; anew and without bounds where a plan could not keep what it promised. `left_out`, if
+/// given, gets what the plan has left out.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                          Omissions omissions, const FillFull& fill_full,
                          std::vector<LeftOut>* left_out = nullptr);

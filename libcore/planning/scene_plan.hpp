@@ -30,25 +30,25 @@
 
 namespace impinge {
 
-// One thing that is not done.
+/// One thing that is not done.
 struct LeftOut {
   Omission what;             // what it is
   std::string reason;        // one clause, with the numbers that it rests on
   double bytes_saved = 0.0;  // of memory, against doing it; less than 0 where the way round it takes more
 };
 
-// One scan: vertices of `scanned` against the other surface.
+/// One scan: vertices of `scanned` against the other surface.
 struct ScanPlan {
   Surface scanned = Surface::ball;  // whose vertices
   bool wanted = true;               // asked for, and not dropped
-  // Those to look up in each of the plan's poses; none given: all.
+  /// Those to look up in each of the plan's poses; none given: all.
   std::optional<std::vector<std::vector<std::uint32_t>>> vertices;
   std::unique_ptr<NearFaces> faces;  // of the other surface, where something is left out because of it
   std::optional<EntrySet> entries;   // those to keep; none given: all
 };
 
-// What is looked up: a table, and with an accuracy the faces themselves where that is cheaper or the table is
-// not proven to keep it.
+/// What is looked up: a table, and with an accuracy the faces themselves where that is cheaper or the table
+/// is not proven to keep it.
 struct TableChoice {
   AnyScheme scheme;                                  // of the table
   Storage storage = Storage::double_precision;       // of the numbers in the table
@@ -69,16 +69,16 @@ struct ScenePlan {
   std::size_t caps_bytes = 0;        // of the caps while the plan was made
   std::vector<LeftOut> left_out;     // what is not done, and why
 
-  // Memory of the plan itself, which the answer needs.
+  /// Memory of the plan itself, which the answer needs.
   std::size_t bytes() const;
 };
 
-// Meshes in their centre frames; they must outlive the plan. `given` is the table that everything would be
-// done with. std::invalid_argument for an accuracy that is not above 0 or a scene without poses or scans.
+/// Meshes in their centre frames; they must outlive the plan. `given` is the table that everything would be
+/// done with. std::invalid_argument for an accuracy that is not above 0 or a scene without poses or scans.
 ScenePlan plan_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                      Omissions omissions);
 
-// Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
+/// Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
 bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near);
 
 }  // namespace impinge

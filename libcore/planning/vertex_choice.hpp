@@ -6,8 +6,8 @@
 
 namespace impinge {
 
-// Chooses between looking at each vertex and at whole caps of them, and leaves out the vertices, and with
-// them maybe the second scan, that cannot change the answer. Sets the plan's limit.
+/// Chooses between looking at each vertex and at whole caps of them, and leaves out the vertices, and with
+/// them maybe the second scan, that cannot change the answer. Sets the plan's limit.
 void choose_vertices(PlanDraft& draft);
 
 }  // namespace impinge

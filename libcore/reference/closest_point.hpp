@@ -20,14 +20,14 @@
 
 namespace impinge {
 
-// The points whose distances are asked for.
+/// The points whose distances are asked for.
 struct DistanceQuery {
   std::span<const Vec3> points;                    // mm, in the frame of the mesh
   std::function<void(std::size_t)> progress = {};  // called at times with the number of points done
 };
 
-// Distance of each point from the mesh, mm, never negative. Throws std::invalid_argument for a mesh without
-// faces and for coordinates that are not finite. About 150 microseconds a point.
+/// Distance of each point from the mesh, mm, never negative. Throws std::invalid_argument for a mesh without
+/// faces and for coordinates that are not finite. About 150 microseconds a point.
 std::vector<double> closest_distances(const TriangleMesh& mesh, const DistanceQuery& query);
 
 }  // namespace impinge

@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-// Entries no farther apart count as one direction: far above rounding, far below any spacing. Radians.
+/// Entries no farther apart count as one direction: far above rounding, far below any spacing. Radians.
 inline constexpr double kCoincident = 1e-9;
 
 struct DistinctDirections {
@@ -19,8 +19,8 @@ struct DistinctDirections {
   std::vector<std::size_t> entries;   // number of entries of each direction
 };
 
-// Unit vectors in, in the order of the entries; directions come out in the order of their first entry.
-// std::invalid_argument where one is not finite or is zero.
+/// Unit vectors in, in the order of the entries; directions come out in the order of their first entry.
+/// std::invalid_argument where one is not finite or is zero.
 DistinctDirections distinct_directions(std::span<const Vec3> entries);
 
 }  // namespace impinge

@@ -9,12 +9,12 @@
 
 namespace impinge {
 
-// Throws std::invalid_argument for a mesh without faces, a face that names a vertex that is not there, and
-// vertices used by a face that are not finite.
+/// Throws std::invalid_argument for a mesh without faces, a face that names a vertex that is not there, and
+/// vertices used by a face that are not finite.
 void require_exact_input(const TriangleMesh& mesh);
 
-// Throws std::invalid_argument for a component that is not finite. `what` is one of them, such as
-// "direction".
+/// Throws std::invalid_argument for a component that is not finite. `what` is one of them, such as
+/// "direction".
 void require_finite(std::span<const Vec3> values, std::string_view what);
 
 }  // namespace impinge

@@ -20,20 +20,20 @@
 
 namespace impinge {
 
-// Relative error of a radius or distance of the reference: half a unit in the last place.
+/// Relative error of a radius or distance of the reference: half a unit in the last place.
 inline constexpr double kExactRadiusError = 0x1p-53;
 
-// The directions along which the radius is asked for.
+/// The directions along which the radius is asked for.
 struct RadiusQuery {
   std::span<const Vec3> directions;                // of any length above zero
   Layer layer = Layer::nearest;                    // which crossing counts
   std::function<void(std::size_t)> progress = {};  // called at times with the number of directions done
 };
 
-// Radius along each direction, mm; kNoSurface where no face is met. mesh in the centre frame. Boundaries
-// belong to faces. Faces whose plane holds the centre, exactly, cover no direction and are left out. Throws
-// std::invalid_argument for a mesh or direction that has none. About 7 microseconds a direction of 12,000
-// faces.
+/// Radius along each direction, mm; kNoSurface where no face is met. mesh in the centre frame. Boundaries
+/// belong to faces. Faces whose plane holds the centre, exactly, cover no direction and are left out. Throws
+/// std::invalid_argument for a mesh or direction that has none. About 7 microseconds a direction of 12,000
+/// faces.
 std::vector<double> exact_radii(const TriangleMesh& mesh, const RadiusQuery& query);
 
 }  // namespace impinge

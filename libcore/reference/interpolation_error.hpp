@@ -12,11 +12,12 @@
 
 namespace impinge {
 
-// Directions, each with the function that is looked up there and its value: made once, used for every scheme.
+/// Directions, each with the function that is looked up there and its value: made once, used for every
+/// scheme.
 struct ErrorProbe {
   ErrorProbe(BandLimited functions, std::vector<Vec3> directions);  // works out the true values
 
-  // The function that direction i looks up: each in its turn.
+  /// The function that direction i looks up: each in its turn.
   std::size_t function_at(std::size_t i) const { return i % functions.functions(); }
 
   BandLimited functions;         // that tables are filled with
@@ -24,20 +25,20 @@ struct ErrorProbe {
   std::vector<double> truth;     // of each direction's function there
 };
 
-// In units of the standard deviation of the functions. p9999 is exceeded in 1 of 10,000 directions: the
-// largest value of a random sample varies too much to compare schemes by.
+/// In units of the standard deviation of the functions. p9999 is exceeded in 1 of 10,000 directions: the
+/// largest value of a random sample varies too much to compare schemes by.
 struct InterpolationError {
   double max = 0.0;    // largest in size
   double p9999 = 0.0;  // see above
   double rms = 0.0;    // root mean square
 };
 
-// Of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws std::invalid_argument
-// for no error and std::runtime_error for one that is not a number.
+/// Of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws std::invalid_argument
+/// for no error and std::runtime_error for one that is not a number.
 InterpolationError summarise_errors(std::vector<double> errors);
 
-// What tables of the scheme, one of each function, answer in the directions of the probe: of their entries
-// only those that a stencil reads are worked out.
+/// What tables of the scheme, one of each function, answer in the directions of the probe: of their entries
+/// only those that a stencil reads are worked out.
 template <SamplingScheme S>
 InterpolationError interpolation_error(const S& scheme, const ErrorProbe& probe) {
   std::vector<double> errors;

@@ -27,18 +27,18 @@
 
 namespace impinge {
 
-// Have the surfaces a common point? Exact, of coordinates as they stand. Faces without area meet nothing.
+/// Have the surfaces a common point? Exact, of coordinates as they stand. Faces without area meet nothing.
 bool surfaces_meet(const TriangleMesh& a, const TriangleMesh& b);
 
-// Does the segment from the centre to x meet the surface? Exact; x is then in the shadow of a star-shaped
-// one. Not the centre itself.
+/// Does the segment from the centre to x meet the surface? Exact; x is then in the shadow of a star-shaped
+/// one. Not the centre itself.
 bool beyond_surface(const TriangleMesh& mesh, const Vec3& x);
 
-// Does the ray from x away from the centre meet a surface whose coordinates are not above `reach`, mm? Exact
-// likewise; not for the centre.
+/// Does the ray from x away from the centre meet a surface whose coordinates are not above `reach`, mm? Exact
+/// likewise; not for the centre.
 bool within_surface(const TriangleMesh& mesh, const Vec3& x, double reach);
 
-// The wall of the rim out to `reach` mm or more.
+/// The wall of the rim out to `reach` mm or more.
 TriangleMesh rim_wall(const TriangleMesh& mesh, double reach);
 
 }  // namespace impinge

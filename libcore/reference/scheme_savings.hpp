@@ -15,29 +15,29 @@
 
 namespace impinge {
 
-// The widest gap that there is, radians.
+/// The widest gap that there is, radians.
 template <SamplingScheme S>
 double measured_covering_radius(const S& scheme) {
   return widest_gap(sphere_delaunay_of(scheme)).radius;
 }
 
-// Entries of the largest table that is made to be measured.
+/// Entries of the largest table that is made to be measured.
 inline constexpr std::size_t kMostMeasured = 1'000'000;
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // a ratio that was not measured
 
-// A table that is as good as the reference in one meaning. It was really made and measured.
+/// A table that is as good as the reference in one meaning. It was really made and measured.
 struct Saving {
   std::string_view meaning;          // name of what is equal, in tables of results
   std::size_t entries = 0;           // of that table
   double measured_ratio = kUnknown;  // of what is to be equal, over that of the reference
 };
 
-// What fewer entries save, in percent of the reference; less than 0 for more.
+/// What fewer entries save, in percent of the reference; less than 0 for more.
 inline double saved_percent(std::size_t entries, std::size_t reference_entries) {
   return 100.0 * (1.0 - static_cast<double>(entries) / static_cast<double>(reference_entries));
 }
 
-// Entries at equal distances on the equator, the thesis' meaning: what with_precision gives.
+/// Entries at equal distances on the equator, the thesis' meaning: what with_precision gives.
 template <SamplingScheme S>
 std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
   const auto scheme = scheme_of_precision<S>(precision_deg);
@@ -45,9 +45,9 @@ std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
   return Saving{"equator_spacing", scheme->size(), scheme->precision_deg() / precision_deg};
 }
 
-// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider.
-// Declared radii lead to about its size, from any scheme `near`; there the search begins. Beyond
-// kMostMeasured entries no table is measured: the size is the one at which the declared radius is as large.
+/// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider.
+/// Declared radii lead to about its size, from any scheme `near`; there the search begins. Beyond
+/// kMostMeasured entries no table is measured: the size is the one at which the declared radius is as large.
 template <SamplingScheme S>
 std::optional<Saving> saving_at_equal_gap(S near, double covering_radius) {
   // Where gaps next to the poles differ from the rest N rho^2 is not quite constant: a few rounds find the
@@ -64,9 +64,9 @@ std::optional<Saving> saving_at_equal_gap(S near, double covering_radius) {
   return Saving{"covering_radius", found->scheme.size(), found->measured / covering_radius};
 }
 
-// Equal errors of interpolating the functions of the probe. An error falls with the number of entries, so
-// that of one table tells the size of the next, twice. There is no search: among many tables it would find
-// one whose few largest errors are small by luck.
+/// Equal errors of interpolating the functions of the probe. An error falls with the number of entries, so
+/// that of one table tells the size of the next, twice. There is no search: among many tables it would find
+/// one whose few largest errors are small by luck.
 template <SamplingScheme S>
 std::vector<Saving> savings_at_equal_error(const S& near, const InterpolationError& target,
                                            const ErrorProbe& probe) {

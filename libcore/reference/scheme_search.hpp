@@ -16,8 +16,8 @@
 
 namespace impinge {
 
-// Precisions within 4 % of one, in steps of 0.25 %, and those among them that divide 180 degrees, which every
-// grid of angles takes. Coarse ones first, each once.
+/// Precisions within 4 % of one, in steps of 0.25 %, and those among them that divide 180 degrees, which
+/// every grid of angles takes. Coarse ones first, each once.
 inline std::vector<double> precisions_near(double degrees) {
   constexpr double kStep = 1.0025;
   constexpr int kSteps = 16;
@@ -33,15 +33,15 @@ inline std::vector<double> precisions_near(double degrees) {
   return precisions;
 }
 
-// The schemes of those precisions, made when they are asked for: some take long to make. Sizes rise with the
-// place.
+/// The schemes of those precisions, made when they are asked for: some take long to make. Sizes rise with the
+/// place.
 template <SamplingScheme S>
 class SizeLadder {
  public:
-  // Schemes of about so many entries; empty where no precision makes one.
+  /// Schemes of about so many entries; empty where no precision makes one.
   explicit SizeLadder(std::size_t entries);
 
-  // The first scheme with at least so many entries, or nothing.
+  /// The first scheme with at least so many entries, or nothing.
   std::optional<S> first_of(std::size_t entries) {
     std::size_t low = 0;
     std::size_t high = precisions_.size();
@@ -60,14 +60,14 @@ class SizeLadder {
     return place_ < precisions_.size() ? made_ : std::nullopt;
   }
 
-  // The next larger or smaller scheme than the one handed out last, or nothing.
+  /// The next larger or smaller scheme than the one handed out last, or nothing.
   std::optional<S> larger(std::size_t than) {
     while (++place_ < precisions_.size()) {
       if (make(place_) && made_->size() > than) return made_;
     }
     return std::nullopt;
   }
-  // See larger().
+  /// See larger().
   std::optional<S> smaller(std::size_t than) {
     while (place_ > 0) {
       if (make(--place_) && made_->size() < than) return made_;
@@ -86,7 +86,7 @@ class SizeLadder {
   std::optional<S> made_;
 };
 
-// Entries grow with the square of 1 / precision, but for poles and seams.
+/// Entries grow with the square of 1 / precision, but for poles and seams.
 template <SamplingScheme S>
 SizeLadder<S>::SizeLadder(std::size_t entries) {
   double degrees = 1.0;
@@ -103,7 +103,7 @@ SizeLadder<S>::SizeLadder(std::size_t entries) {
   precisions_ = precisions_near(degrees);
 }
 
-// The scheme whose number of entries is nearest, the smaller of two as near; nothing where there is none.
+/// The scheme whose number of entries is nearest, the smaller of two as near; nothing where there is none.
 template <SamplingScheme S>
 std::optional<S> scheme_nearest_size(std::size_t entries) {
   SizeLadder<S> ladder(entries);
@@ -113,7 +113,7 @@ std::optional<S> scheme_nearest_size(std::size_t entries) {
   return above->size() - entries < entries - below->size() ? above : below;
 }
 
-// The same where there must be one. Throws std::runtime_error.
+/// The same where there must be one. Throws std::runtime_error.
 template <SamplingScheme S>
 S scheme_of_size(std::size_t entries) {
   if (const auto scheme = scheme_nearest_size<S>(entries)) return *scheme;
@@ -121,16 +121,16 @@ S scheme_of_size(std::size_t entries) {
                            std::to_string(entries) + " entries");
 }
 
-// A scheme and what was measured on it.
+/// A scheme and what was measured on it.
 template <SamplingScheme S>
 struct MeasuredScheme {
   S scheme;         // that was measured
   double measured;  // in the unit of the measure
 };
 
-// The smallest scheme of about `estimate` entries for which measure(scheme), which falls with the entries, is
-// at most `target`; each that is considered is really measured. Nothing where none is within 8 % of the
-// estimate.
+/// The smallest scheme of about `estimate` entries for which measure(scheme), which falls with the entries,
+/// is at most `target`; each that is considered is really measured. Nothing where none is within 8 % of the
+/// estimate.
 template <SamplingScheme S, class Measure>
 std::optional<MeasuredScheme<S>> smallest_within(double target, std::size_t estimate, Measure&& measure) {
   SizeLadder<S> ladder(estimate);

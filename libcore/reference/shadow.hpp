@@ -15,28 +15,28 @@
 
 namespace impinge {
 
-// Does x lie in the shadow of the face, its boundary included? False for a face whose plane holds the centre.
-// Intervals first (CGAL::Interval_nt), rationals where they do not decide.
+/// Does x lie in the shadow of the face, its boundary included? False for a face whose plane holds the
+/// centre. Intervals first (CGAL::Interval_nt), rationals where they do not decide.
 bool in_shadow(const Vec3& x, const Triangle& face);
 
-// Does x lie between the centre and the face, its boundary included? False for a face whose plane holds the
-// centre.
+/// Does x lie between the centre and the face, its boundary included? False for a face whose plane holds the
+/// centre.
 bool in_pyramid(const Vec3& x, const Triangle& face);
 
-// Has a face, of any kind, a point in the shadow of the other? False where the plane of the latter holds the
-// centre.
+/// Has a face, of any kind, a point in the shadow of the other? False where the plane of the latter holds the
+/// centre.
 bool meets_shadow(const Triangle& ball, const Triangle& socket);
 
-// Has a face, of any kind, a point in the pyramid of the other? Likewise.
+/// Has a face, of any kind, a point in the pyramid of the other? Likewise.
 bool meets_pyramid(const Triangle& socket, const Triangle& ball);
 
-// Does the plane of the face not hold the centre, exactly?
+/// Does the plane of the face not hold the centre, exactly?
 bool covers_directions(const Triangle& face);
 
-// A joint about the centre of one of its surfaces, every vertex where a pose has put it (mm).
+/// A joint about the centre of one of its surfaces, every vertex where a pose has put it (mm).
 class ShadowReference {
  public:
-  // Faces are to be those that cover directions seen from the centres of their own surfaces.
+  /// Faces are to be those that cover directions seen from the centres of their own surfaces.
   ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket);
 
   std::vector<bool> ball_vertices_impinged() const;    // in the shadow of some face of the socket
@@ -45,7 +45,7 @@ class ShadowReference {
   bool socket_within_ball() const;  // about the ball's centre: some face of the socket meets a pyramid
 
  private:
-  // The directions and radii of a face, to leave out pairs that are far apart.
+  /// The directions and radii of a face, to leave out pairs that are far apart.
   struct Seen {
     Triangle corners;
     Vec3 axis;

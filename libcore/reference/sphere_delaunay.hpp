@@ -18,31 +18,31 @@
 
 namespace impinge {
 
-// A circle with no direction inside.
+/// A circle with no direction inside.
 struct EmptyCircle {
   Vec3 centre = Vec3::UnitZ();  // unit vector
   double radius = 0.0;          // of the circle
 };
 
-// The triangles between directions, and the gaps in them.
+/// The triangles between directions, and the gaps in them.
 struct SphereDelaunay {
   DistinctDirections distinct;            // whose corners they have
   std::vector<SphereTriangle> triangles;  // of distinct directions
   std::vector<EmptyCircle> gaps;          // circle of each triangle
 };
 
-// Unit vectors in, some of which may be the same. Throws std::invalid_argument for fewer than four that
-// differ and for directions that all lie in one hemisphere.
+/// Unit vectors in, some of which may be the same. Throws std::invalid_argument for fewer than four that
+/// differ and for directions that all lie in one hemisphere.
 SphereDelaunay sphere_delaunay(std::span<const Vec3> entries);
 
-// The widest gap whose centre has |z| <= z_max: its radius is the covering radius, or that away from the
-// poles. Radius 0 where there is no such centre.
+/// The widest gap whose centre has |z| <= z_max: its radius is the covering radius, or that away from the
+/// poles. Radius 0 where there is no such centre.
 EmptyCircle widest_gap(const SphereDelaunay& delaunay, double z_max = 1.0);
 
-// Voronoi area of each distinct direction; they sum to 4 pi.
+/// Voronoi area of each distinct direction; they sum to 4 pi.
 std::vector<double> voronoi_areas(const SphereDelaunay& delaunay);
 
-// Area of each entry: entries of one direction share its Voronoi area evenly.
+/// Area of each entry: entries of one direction share its Voronoi area evenly.
 std::vector<double> entry_areas(const SphereDelaunay& delaunay);
 
 }  // namespace impinge

@@ -7,8 +7,8 @@
 
 namespace impinge {
 
-// Reads both meshes and puts them together (hip/joint.hpp), with the map of the cartilage if there is one.
-// FileError for a file that cannot be used; otherwise as assemble_joint(), with the names of the files.
+/// Reads both meshes and puts them together (hip/joint.hpp), with the map of the cartilage if there is one.
+/// FileError for a file that cannot be used; otherwise as assemble_joint(), with the names of the files.
 Joint load_joint(const SceneOptions& options);
 
 }  // namespace impinge

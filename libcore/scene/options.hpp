@@ -13,7 +13,7 @@
 
 namespace impinge {
 
-// What is written besides the answer to the question.
+/// What is written besides the answer to the question.
 struct SceneOutputs {
   bool gaps = true;       // ball.ply, socket.ply and gaps.csv
   bool bounds = true;     // proven, of the error of every gap
@@ -21,7 +21,7 @@ struct SceneOutputs {
   bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
 };
 
-// One member an option; lengths in mm, angles in degrees.
+/// One member an option; lengths in mm, angles in degrees.
 struct SceneOptions {
   std::filesystem::path ball;          // mesh file
   std::filesystem::path socket;        // mesh file
@@ -45,14 +45,14 @@ struct SceneOptions {
   bool explain = false;               // what is left out is printed
 };
 
-// A wrong option: what() is one line that names it and says what to do.
+/// A wrong option: what() is one line that names it and says what to do.
 class OptionError : public std::invalid_argument {
  public:
   explicit OptionError(const std::string& message);  // message: the line
 };
 
-// Reads a command line. std::nullopt after --help, whose text is then in `help`; OptionError if it cannot be
-// used.
+/// Reads a command line. std::nullopt after --help, whose text is then in `help`; OptionError if it cannot be
+/// used.
 std::optional<SceneOptions> parse_scene_options(int argc, const char* const* argv, std::string& help);
 
 }  // namespace impinge

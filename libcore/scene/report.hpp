@@ -13,16 +13,16 @@
 
 namespace impinge {
 
-// The contents of summary.json. Lengths in mm, areas in mm^2, angles in degrees, times in ms; null where
-// there is no value.
+/// The contents of summary.json. Lengths in mm, areas in mm^2, angles in degrees, times in ms; null where
+/// there is no value.
 nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement);
 
-// Writes the files that options.outputs asks for into options.out, all of them or none (file_set.hpp): an
-// older set is kept where one cannot be written. Positions are those of the pose, in the input frame.
+/// Writes the files that options.outputs asks for into options.out, all of them or none (file_set.hpp): an
+/// older set is kept where one cannot be written. Positions are those of the pose, in the input frame.
 void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
                  const nlohmann::json& summary);
 
-// The same for a reader at a terminal.
+/// The same for a reader at a terminal.
 std::string describe_scene(const nlohmann::json& summary);
 
 }  // namespace impinge

@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-// What it refers to outlives it.
+/// What it refers to outlives it.
 struct ReportedSurface {
   Surface surface;                        // which of the two
   const std::filesystem::path& file;      // that it was read from
@@ -23,7 +23,7 @@ struct ReportedSurface {
   double touching = 0.0;                  // of these, where the layers of cartilage touch
 };
 
-// Of the ball or the socket, in the pose of the measurement.
+/// Of the ball or the socket, in the pose of the measurement.
 ReportedSurface reported(Surface surface, const SceneOptions& options, const Joint& joint,
                          const Measurement& measurement);
 

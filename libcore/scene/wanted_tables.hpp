@@ -7,7 +7,7 @@
 
 namespace impinge {
 
-// Tables of both surfaces. Bytes in floating point, since entries by the 10^18 are asked for at times.
+/// Tables of both surfaces. Bytes in floating point, since entries by the 10^18 are asked for at times.
 struct WantedTables {
   std::size_t entries = 0;     // of each table
   double precision_deg = 0.0;  // of both
@@ -16,7 +16,7 @@ struct WantedTables {
   std::string_view cure;       // what to choose instead
 };
 
-// std::runtime_error, one line with the bytes and the cure, if there is less memory.
+/// std::runtime_error, one line with the bytes and the cure, if there is less memory.
 void require_memory(const WantedTables& wanted);
 
 }  // namespace impinge

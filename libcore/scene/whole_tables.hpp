@@ -6,8 +6,8 @@
 
 namespace impinge {
 
-// Gaps, bounds, times and memory, of the scheme and precision of the options. std::runtime_error, one line,
-// if the tables do not fit in memory.
+/// Gaps, bounds, times and memory, of the scheme and precision of the options. std::runtime_error, one line,
+/// if the tables do not fit in memory.
 Measurement measure_whole_tables(const Joint& joint, const SceneOptions& options, const Pose& pose);
 
 }  // namespace impinge

@@ -10,12 +10,12 @@
 
 namespace impinge {
 
-// L rows at the Gauss-Legendre nodes of z = cos(phi), from the +z pole down, of 2 L equally spaced columns
-// from theta = 0. Sums over it are integrals over the sphere for products of two functions of band limit L
-// (degrees below L).
+/// L rows at the Gauss-Legendre nodes of z = cos(phi), from the +z pole down, of 2 L equally spaced columns
+/// from theta = 0. Sums over it are integrals over the sphere for products of two functions of band limit L
+/// (degrees below L).
 class GaussGrid {
  public:
-  // std::invalid_argument unless 1 <= band_limit <= 4096.
+  /// std::invalid_argument unless 1 <= band_limit <= 4096.
   explicit GaussGrid(std::size_t band_limit);
 
   std::size_t band_limit() const { return z_.size(); }     // L
@@ -25,7 +25,7 @@ class GaussGrid {
 
   double z(std::size_t row) const { return z_[row]; }      // cos(phi) of a row
   double phi(std::size_t row) const { return phi_[row]; }  // radians
-  // Solid angle that an entry of the row stands for, steradians; they sum to 4 pi.
+  /// Solid angle that an entry of the row stands for, steradians; they sum to 4 pi.
   double weight(std::size_t row) const { return weight_[row]; }
   Vec3 direction(std::size_t row, std::size_t column) const;  // unit vector
 
@@ -35,10 +35,10 @@ class GaussGrid {
   std::vector<double> weight_;
 };
 
-// Values of f at the directions of the grid, row by row.
+/// Values of f at the directions of the grid, row by row.
 std::vector<double> sample(const GaussGrid& grid, const std::function<double(const Vec3&)>& f);
 
-// Share of the sphere, by solid angle, on which the values are numbers.
+/// Share of the sphere, by solid angle, on which the values are numbers.
 double covered_share(const GaussGrid& grid, const std::vector<double>& values);
 
 }  // namespace impinge

@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-// mesh in the centre frame; mm, kNoSurface where no face is met. Equal to RayCaster but for rounding, in a
-// time that grows with faces + directions and not with their product.
+/// mesh in the centre frame; mm, kNoSurface where no face is met. Equal to RayCaster but for rounding, in a
+/// time that grows with faces + directions and not with their product.
 std::vector<double> grid_radii(const GaussGrid& grid, const TriangleMesh& mesh, Layer layer);
 
 }  // namespace impinge

@@ -9,18 +9,18 @@
 
 namespace impinge {
 
-// How a hole is filled. Neither changes a value that is there.
-//   membrane  zero Laplacian in the hole, equal to the values round it: the steady temperature. Of all
-//             continuous fillings it has the least sum l (l + 1) |a_lm|^2 and no extreme of its own; it has
-//             a kink at the edge, which puts power into high degrees.
-//   plate     least integral of the squared Laplacian, the least sum l^2 (l + 1)^2 |a_lm|^2: a bent plate,
-//             which goes on with the slope of the surface and has no kink. It may overshoot.
+/// How a hole is filled. Neither changes a value that is there.
+///   membrane  zero Laplacian in the hole, equal to the values round it: the steady temperature. Of all
+///             continuous fillings it has the least sum l (l + 1) |a_lm|^2 and no extreme of its own; it has
+///             a kink at the edge, which puts power into high degrees.
+///   plate     least integral of the squared Laplacian, the least sum l^2 (l + 1)^2 |a_lm|^2: a bent plate,
+///             which goes on with the slope of the surface and has no kink. It may overshoot.
 enum class Filling { membrane, plate };
 
 std::string_view name_of(Filling filling);  // "membrane" or "plate"
 
-// Replaces the values that are no number. Finite volumes on the grid, solved directly.
-// std::invalid_argument when there is not one value, or not one place for each direction.
+/// Replaces the values that are no number. Finite volumes on the grid, solved directly.
+/// std::invalid_argument when there is not one value, or not one place for each direction.
 std::vector<double> fill_holes(const GaussGrid& grid, std::vector<double> values, Filling filling);
 
 }  // namespace impinge

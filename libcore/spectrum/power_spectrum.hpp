@@ -9,42 +9,42 @@
 
 namespace impinge {
 
-// Sum of |a_lm|^2 over m = -l..l for each degree l: all together the integral of f^2 over the sphere.
+/// Sum of |a_lm|^2 over m = -l..l for each degree l: all together the integral of f^2 over the sphere.
 std::vector<double> power_by_degree(const HarmonicCoefficients& coefficients);
 
-// Share of the power of degrees 1 and up that degrees 1..l carry, for each l. Degree 0 is left out: it is
-// the mean radius, which carries nearly all power of a head and needs a single number. 1 everywhere if
-// nothing is left.
+/// Share of the power of degrees 1 and up that degrees 1..l carry, for each l. Degree 0 is left out: it is
+/// the mean radius, which carries nearly all power of a head and needs a single number. 1 everywhere if
+/// nothing is left.
 std::vector<double> cumulative_shares(const std::vector<double>& power);
 
-// Smallest band limit L (degrees below L) that carries `share` of the power of degrees 1 and up; 1 if there
-// is none.
+/// Smallest band limit L (degrees below L) that carries `share` of the power of degrees 1 and up; 1 if there
+/// is none.
 std::size_t band_limit(const std::vector<double>& power, double share);
 
-// Root mean square over the sphere of what degrees of the band limit and up add; unit of the function.
+/// Root mean square over the sphere of what degrees of the band limit and up add; unit of the function.
 double rms_beyond(const std::vector<double>& power, std::size_t band_limit);
 
-// Smallest band limit, 1 or more, that leaves out no more than this root mean square.
+/// Smallest band limit, 1 or more, that leaves out no more than this root mean square.
 std::size_t band_limit_leaving(const std::vector<double>& power, double rms);
 
-// Entries that determine a function of band limit L.
-// Its coefficients, l < L and |m| <= l; a scheme of that many entries: Khalid, Kennedy and McEwen (2014), "An
-// optimal-dimensionality sampling scheme on the sphere with fast spherical harmonic transforms" (accurate,
-// without a theorem that it is exact).
+/// Entries that determine a function of band limit L.
+/// Its coefficients, l < L and |m| <= l; a scheme of that many entries: Khalid, Kennedy and McEwen (2014),
+/// "An optimal-dimensionality sampling scheme on the sphere with fast spherical harmonic transforms"
+/// (accurate, without a theorem that it is exact).
 std::size_t optimal_entries(std::size_t band_limit);
-// Equal angles, 2 L rows of 2 L: Driscoll and Healy (1994), "Computing Fourier transforms and convolutions on
-// the 2-sphere".
+/// Equal angles, 2 L rows of 2 L: Driscoll and Healy (1994), "Computing Fourier transforms and convolutions
+/// on the 2-sphere".
 std::size_t driscoll_healy_entries(std::size_t band_limit);
-// Equal angles, L rows of 2 L - 1 of which one shrinks to a pole: McEwen and Wiaux (2011), "A novel sampling
-// theorem on the sphere".
+/// Equal angles, L rows of 2 L - 1 of which one shrinks to a pole: McEwen and Wiaux (2011), "A novel sampling
+/// theorem on the sphere".
 std::size_t mcewen_wiaux_entries(std::size_t band_limit);
 
-// Distance of entries below which a band limit is out of their reach, pi / L, degrees.
+/// Distance of entries below which a band limit is out of their reach, pi / L, degrees.
 double nyquist_angle_deg(std::size_t band_limit);
 
-// Largest band limit that entries `gap` radians apart all round a great circle determine: a function of band
-// limit L is a trigonometric polynomial of degree L - 1 there, with 2 L - 1 coefficients, and 2 pi / gap
-// entries are to be no fewer.
+/// Largest band limit that entries `gap` radians apart all round a great circle determine: a function of band
+/// limit L is a trigonometric polynomial of degree L - 1 there, with 2 L - 1 coefficients, and 2 pi / gap
+/// entries are to be no fewer.
 std::size_t band_limit_of_gap(double gap);
 
 }  // namespace impinge

@@ -7,7 +7,7 @@
 
 namespace impinge {
 
-// Slice i lies i thicknesses above the middle plane, which holds the centre.
+/// Slice i lies i thicknesses above the middle plane, which holds the centre.
 struct Slice {
   std::size_t index = 0;  // i, from the middle slice
   double height = 0.0;    // mm
@@ -15,8 +15,8 @@ struct Slice {
   double gap = 0.0;  // to the slice below, radians; 0 for slice 0
 };
 
-// Slices of the upper half, the middle one first: all with height <= radius (mm). A sphere is cut by twice as
-// many less one. std::invalid_argument unless 0 < thickness <= radius.
+/// Slices of the upper half, the middle one first: all with height <= radius (mm). A sphere is cut by twice
+/// as many less one. std::invalid_argument unless 0 < thickness <= radius.
 std::vector<Slice> slices_of_sphere(double radius, double thickness);
 
 }  // namespace impinge

@@ -20,7 +20,7 @@ class AnyScheme {
   using VisitStencil = std::function<void(const Stencil&)>;   // takes each stencil of for_each_cell_across()
   using VisitRun = std::function<void(const DirectionRun&)>;  // takes each run of visit_near()
 
-  // What a scheme is asked for; see sphere/scheme.hpp.
+  /// What a scheme is asked for; see sphere/scheme.hpp.
   class Model {
    public:
     Model() = default;
@@ -39,14 +39,14 @@ class AnyScheme {
     virtual Vec3 direction(std::size_t entry) const = 0;
     virtual Stencil stencil(const Vec3& x) const = 0;
     virtual void for_each_cell_across(const Stencil& at, const VisitStencil& visit) const = 0;
-    // That of the scheme's walker.
+    /// That of the scheme's walker.
     virtual void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const = 0;
   };
 
-  // Finds entries in or near triangles. Shares the scheme, which may go before it.
+  /// Finds entries in or near triangles. Shares the scheme, which may go before it.
   class Walker {
    public:
-    // Of the scheme that a model holds.
+    /// Of the scheme that a model holds.
     explicit Walker(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
     void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const {
       model_->visit_near(cone, margin, visit);
@@ -56,17 +56,17 @@ class AnyScheme {
     std::shared_ptr<const Model> model_;
   };
 
-  // The scheme of that name whose entries are so many degrees apart. std::invalid_argument for a name or a
-  // precision that there is not.
+  /// The scheme of that name whose entries are so many degrees apart. std::invalid_argument for a name or a
+  /// precision that there is not.
   AnyScheme(std::string_view name, double precision_deg);
 
   std::string_view name() const { return model_->name(); }
   double precision_deg() const { return model_->precision_deg(); }
   std::size_t size() const { return model_->size(); }
   std::size_t cells() const { return model_->cells(); }
-  // Is it a PlaneExactScheme whose cells are bounded by great circles?
+  /// Is it a PlaneExactScheme whose cells are bounded by great circles?
   bool flat_cells() const { return model_->flat_cells(); }
-  // Is it one of HasKnownBorders? Only then meets_cells_once() may be asked.
+  /// Is it one of HasKnownBorders? Only then meets_cells_once() may be asked.
   bool has_known_borders() const { return model_->has_known_borders(); }
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return model_->meets_cells_once(a, b); }
   double covering_radius() const { return covering_radius_; }
@@ -84,7 +84,7 @@ class AnyScheme {
   double stencil_radius_;
 };
 
-// Names of all schemes, in their order.
+/// Names of all schemes, in their order.
 std::vector<std::string> all_scheme_names();
 
 }  // namespace impinge

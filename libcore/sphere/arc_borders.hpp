@@ -18,18 +18,19 @@
 
 namespace impinge {
 
-// Of a coordinate with these ends: is it monotone, or without a whole number?
+/// Of a coordinate with these ends: is it monotone, or without a whole number?
 inline bool passes_lines_once(double from, double to, double most_bend) {
   if (std::abs(to - from) > 0.5 * most_bend) return true;
   const double aside = 0.125 * most_bend;
   return std::floor(std::min(from, to) - aside) == std::floor(std::max(from, to) + aside);
 }
 
-// Is the polar angle monotone along the arc from a to b, shorter than half a turn? For schemes whose cells
-// lie between parallels and meridians: the azimuth always is. Both of any length above zero.
-//
-// It falls where z rises, at a as b.z (a . a) - a.z (a . b) and at b as b.z (a . b) - a.z (b . b). Rounding
-// can only take the highest point of the circle for an end where it is within 1e-15 radians of that latitude.
+/// Is the polar angle monotone along the arc from a to b, shorter than half a turn? For schemes whose cells
+/// lie between parallels and meridians: the azimuth always is. Both of any length above zero.
+///
+/// It falls where z rises, at a as b.z (a . a) - a.z (a . b) and at b as b.z (a . b) - a.z (b . b). Rounding
+/// can only take the highest point of the circle for an end where it is within 1e-15 radians of that
+/// latitude.
 inline bool latitude_is_monotone(const Vec3& a, const Vec3& b) {
   const Vec3 from = a.stableNormalized();
   const Vec3 to = b.stableNormalized();
@@ -38,10 +39,10 @@ inline bool latitude_is_monotone(const Vec3& a, const Vec3& b) {
   return (to.z() - from.z() * along) * (to.z() * along - from.z()) >= 0.0;
 }
 
-// What is known of the spherical angles along a short arc from a to b of length s,
-//   |phi''| <= |cot phi|,  |theta'| <= 1 / sin(phi),  |theta''| <= |cot phi| / sin(phi),
-// by the equations of a great circle phi' = cos(course), theta' = sin(course) / sin(phi). No point of it is
-// farther than s / 2 from one of its ends.
+/// What is known of the spherical angles along a short arc from a to b of length s,
+///   |phi''| <= |cot phi|,  |theta'| <= 1 / sin(phi),  |theta''| <= |cot phi| / sin(phi),
+/// by the equations of a great circle phi' = cos(course), theta' = sin(course) / sin(phi). No point of it is
+/// farther than s / 2 from one of its ends.
 struct ArcAngles {
   Angles from;    // of a
   Angles to;      // of b
@@ -49,7 +50,7 @@ struct ArcAngles {
   double length;  // s, radians
   double sine;    // the least sin(phi), or less; 0 where the arc may pass a pole
 
-  // Of an arc between two vectors of any length above zero.
+  /// Of an arc between two vectors of any length above zero.
   ArcAngles(const Vec3& a, const Vec3& b)
       : from(to_angles(a)),
         to(to_angles(b)),

@@ -16,7 +16,7 @@ class ArcSteps {
  public:
   static constexpr bool kMirrored = true;
 
-  // size >= 4 entries, below 2^53; turns >= 2.
+  /// size >= 4 entries, below 2^53; turns >= 2.
   ArcSteps(std::size_t size, std::size_t turns);
 
   double last() const { return last_; }

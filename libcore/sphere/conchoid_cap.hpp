@@ -21,25 +21,25 @@
 
 namespace impinge {
 
-// Where a cap is: about phi = 0, where the conchoid is farthest from its origin, or about phi = pi.
+/// Where a cap is: about phi = 0, where the conchoid is farthest from its origin, or about phi = pi.
 enum class Pole { north, south };
 
 class ConchoidCap {
  public:
   ConchoidCap(Pole pole, double b);  // the cap round a pole; 0 <= b < 1, in units of a
 
-  // Of the hemisphere of directions round the pole, chi <= pi / 2.
+  /// Of the hemisphere of directions round the pole, chi <= pi / 2.
   double whole_area() const { return area(0.5); }
-  // The meridian from the pole to chi = pi / 2.
+  /// The meridian from the pole to chi = pi / 2.
   double whole_length() const { return 2.0 * pole_radius_ * arc_.length(); }
 
-  // Area up to y, and y at an area up to whole_area(), which comes from a table.
+  /// Area up to y, and y at an area up to whole_area(), which comes from a table.
   double area(double y) const;
   double y_at_area(double area) const { return area * (*mean_thinness_)(area); }  // inverse of area()
 
-  // Length of the meridian up to chi <= pi / 2, and its inverse.
+  /// Length of the meridian up to chi <= pi / 2, and its inverse.
   double length(double chi) const { return 2.0 * pole_radius_ * arc_.length(0.5 * chi); }
-  // Inverse of length().
+  /// Inverse of length().
   double angle(double length) const { return 2.0 * arc_.angle(0.5 * length / pole_radius_); }
 
  private:

@@ -3,8 +3,8 @@
 
 namespace impinge {
 
-// The conchoid r = a + b cos(phi) of the hip (thesis, Eq. 11). Lengths in mm; the default is Menschik's
-// acetabulum (Menschik 1997; thesis, Section 5.1.2).
+/// The conchoid r = a + b cos(phi) of the hip (thesis, Eq. 11). Lengths in mm; the default is Menschik's
+/// acetabulum (Menschik 1997; thesis, Section 5.1.2).
 struct ConchoidShape {
   double a = 20.501;  // r at phi = 90 degrees, above b
   double b = 17.843;  // what r gains at phi = 0 and loses at 180 degrees

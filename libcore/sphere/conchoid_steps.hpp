@@ -18,7 +18,7 @@ class ConchoidSteps {
  public:
   static constexpr bool kMirrored = false;
 
-  // 0 <= b < a, size >= 6 entries and so many that there are two turns.
+  /// 0 <= b < a, size >= 6 entries and so many that there are two turns.
   ConchoidSteps(const ConchoidShape& shape, std::size_t size);
 
   double last() const { return last_; }
@@ -27,8 +27,8 @@ class ConchoidSteps {
   double ratio() const { return b_; }          // b / a
   double step_area() const { return step_; }   // between entries, in units of a^2
   double turn(double phi) const;
-  // With s' = m, m^2 = 1 + b^2 + 2 b cos(phi): |s'| <= 1 + b, and |s''| = b sin(phi) / m is b where cos(phi)
-  // = -b.
+  /// With s' = m, m^2 = 1 + b^2 + 2 b cos(phi): |s'| <= 1 + b, and |s''| = b sin(phi) / m is b where cos(phi)
+  /// = -b.
   double most_turn_rate() const { return (1.0 + b_) / spacing_; }
   double most_turn_bend() const { return b_ / spacing_; }
   double polar_of_turn(double turn) const;
@@ -44,7 +44,7 @@ class ConchoidSteps {
   }
 
  private:
-  // What is known of a place: the pole that it is treated from and sin^2 of half of its angle from there.
+  /// What is known of a place: the pole that it is treated from and sin^2 of half of its angle from there.
   struct Seen {
     bool south;
     double y;

@@ -10,21 +10,21 @@
 
 namespace impinge {
 
-// A convex cone given by the directions of its edges, in order (any length above zero).
+/// A convex cone given by the directions of its edges, in order (any length above zero).
 class ConePolygon {
  public:
-  // The whole cone.
+  /// The whole cone.
   explicit ConePolygon(const TriangleCone& cone) : count_(3) {
     corner_.fill(Vec3::Zero());
     for (std::size_t k = 0; k < 3; ++k) corner_[k] = cone.corners()[k].stableNormalized();
   }
 
-  // What clipping has left, in order; valid until the next clip().
+  /// What clipping has left, in order; valid until the next clip().
   std::span<const Vec3> corners() const { return {corner_.data(), count_}; }
   bool empty() const { return count_ == 0; }  // nothing is left
 
-  // Keeps what is on the side plane . x >= 0 (Sutherland and Hodgman 1974: a spherical polygon is clipped as
-  // the flat one). Rounding is of the order of 1e-15 of the corners, which have length one at first.
+  /// Keeps what is on the side plane . x >= 0 (Sutherland and Hodgman 1974: a spherical polygon is clipped as
+  /// the flat one). Rounding is of the order of 1e-15 of the corners, which have length one at first.
   void clip(const Vec3& plane) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < count_; ++k) above += plane.dot(corner_[k]) >= 0.0 ? 1U : 0U;
@@ -47,7 +47,7 @@ class ConePolygon {
   }
 
  private:
-  // Half as many again for each of at most four planes, were rounding to make a polygon as bad as can be.
+  /// Half as many again for each of at most four planes, were rounding to make a polygon as bad as can be.
   static constexpr std::size_t kMostCorners = 14;
 
   std::array<Vec3, kMostCorners> corner_;

@@ -25,12 +25,12 @@
 
 namespace impinge {
 
-// A warp says what makes one cube map differ from another:
-//   name, label, citation   those of the scheme (sphere/scheme.hpp)
-//   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
-//   coordinate(a)    inverse of node()
-//   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
-// and that the widest cell is the one at the middle of the face.
+/// A warp says what makes one cube map differ from another:
+///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
+///   coordinate(a)    inverse of node()
+///   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
+/// and that the widest cell is the one at the middle of the face.
 template <class Warp>
 class CubeMap {
  public:
@@ -73,13 +73,13 @@ class CubeMap {
   friend bool operator==(const CubeMap&, const CubeMap&) = default;
 
  private:
-  // Face 2 k looks along the k-th axis, face 2 k + 1 against it.
+  /// Face 2 k looks along the k-th axis, face 2 k + 1 against it.
   struct Axes {
     Eigen::Index depth, a, b;
   };
   static constexpr std::array<Axes, 3> kAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
 
-  // Grid line below a coordinate and the share of the cell that is left of it.
+  /// Grid line below a coordinate and the share of the cell that is left of it.
   struct Place {
     std::size_t line;
     double share;
@@ -101,7 +101,7 @@ class CubeMap {
     return {line, std::min(position - static_cast<double>(line), 1.0)};
   }
 
-  // The same line, with the share of the flat cell.
+  /// The same line, with the share of the flat cell.
   Place flat_place(double a) const {
     const std::size_t line = place(a).line;
     const double from = node(line);
@@ -123,12 +123,12 @@ class CubeMap {
             (face * n_ + j) * n_ + i};
   }
 
-  // Whole numbers make the grid symmetric bit for bit.
+  /// Whole numbers make the grid symmetric bit for bit.
   double node(std::size_t k) const {
     return Warp::node((2.0 * static_cast<double>(k) - static_cast<double>(n_)) / static_cast<double>(n_));
   }
 
-  // 1 / |(1, a, b)|, the same for (1, b, a) and, on an edge of the cube, for both of its faces.
+  /// 1 / |(1, a, b)|, the same for (1, b, a) and, on an edge of the cube, for both of its faces.
   static double shrink(double a, double b) { return 1.0 / std::sqrt(1.0 + (a * a + b * b)); }
 
   static Vec3 on_face(std::size_t face, double a, double b) {
@@ -144,9 +144,9 @@ class CubeMap {
   std::size_t n_ = 90;
 };
 
-// Circumradius of the widest cell. For odd n it has the corners (+-t, +-t) round the middle of a face. For
-// even n a corner is in the middle, and (t, t) lies within the circle through (0, 0), (t, 0), (0, t), so that
-// the Delaunay triangle is (0, 0), (t, 0), (t, t), with the centre at (t / (1 + s), t / (s + r)).
+/// Circumradius of the widest cell. For odd n it has the corners (+-t, +-t) round the middle of a face. For
+/// even n a corner is in the middle, and (t, t) lies within the circle through (0, 0), (t, 0), (0, t), so
+/// that the Delaunay triangle is (0, 0), (t, 0), (t, t), with the centre at (t / (1 + s), t / (s + r)).
 template <class Warp>
 double CubeMap<Warp>::covering_radius() const {
   const double t = node(n_ / 2 + 1);
@@ -156,11 +156,11 @@ double CubeMap<Warp>::covering_radius() const {
   return std::atan(t * std::hypot(1.0 / (1.0 + s), 1.0 / (s + r)));
 }
 
-// Holds the coordinates of the grid lines, so that a filler computes each once.
+/// Holds the coordinates of the grid lines, so that a filler computes each once.
 template <class Warp>
 class CubeMap<Warp>::Walker {
  public:
-  // Computes the coordinates of all grid lines.
+  /// Computes the coordinates of all grid lines.
   explicit Walker(const CubeMap& scheme) : scheme_(scheme), node_(scheme.n_ + 1) {
     for (std::size_t k = 0; k < node_.size(); ++k) node_[k] = scheme.node(k);
   }
@@ -181,7 +181,7 @@ class CubeMap<Warp>::Walker {
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
   static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its a and b to be accurate
 
-  // Grid lines first, first + 1, ... end - 1.
+  /// Grid lines first, first + 1, ... end - 1.
   struct Lines {
     std::size_t first;
     std::size_t end;
@@ -191,8 +191,8 @@ class CubeMap<Warp>::Walker {
     Lines rows;
   };
 
-  // How far a margin reaches: seen from an axis across that of the face, a point of the face is at least 45
-  // degrees away, so that a cap of that radius about it spans asin(sqrt(2) sin margin) either way.
+  /// How far a margin reaches: seen from an axis across that of the face, a point of the face is at least 45
+  /// degrees away, so that a cap of that radius about it spans asin(sqrt(2) sin margin) either way.
   struct Spread {
     explicit Spread(double margin) : all(margin > kLargestMargin) {
       const double y = std::sqrt(2.0) * std::sin(margin + kRounding);
@@ -213,7 +213,7 @@ class CubeMap<Warp>::Walker {
             std::min(static_cast<std::size_t>(std::max(last, -1.0) + 1.0), node_.size())};
   }
 
-  // Where on a face the entries within the margin of a triangle can be.
+  /// Where on a face the entries within the margin of a triangle can be.
   Window window(ConePolygon polygon, std::size_t face, const Spread& spread) const {
     const Window everything{{0, node_.size()}, {0, node_.size()}};
     if (spread.all) return everything;

@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-// Adds det(a, b, c), or less where sign is -1: 24 values, those of 6 products.
+/// Adds det(a, b, c), or less where sign is -1: 24 values, those of 6 products.
 template <std::size_t Most>
 void add_determinant(Expansion<Most>& sum, double sign, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int i = 0; i < 3; ++i) {

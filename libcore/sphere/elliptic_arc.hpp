@@ -8,17 +8,17 @@
 
 namespace impinge {
 
-// Arc from x = 0 to `end` with speed sqrt(cos^2 x + complement sin^2 x), complement = 1 - m > 0. `end` is at
-// most pi / 2 where the speed rises, complement >= 1, and pi / 4 where it falls: beyond it may fall to
-// nothing, and the length no longer tells x. A copy shares the tables of the original. Both functions have a
-// relative error of about 1e-15.
+/// Arc from x = 0 to `end` with speed sqrt(cos^2 x + complement sin^2 x), complement = 1 - m > 0. `end` is at
+/// most pi / 2 where the speed rises, complement >= 1, and pi / 4 where it falls: beyond it may fall to
+/// nothing, and the length no longer tells x. A copy shares the tables of the original. Both functions have a
+/// relative error of about 1e-15.
 class EllipticArc {
  public:
   EllipticArc(double complement, double end);  // makes the tables
 
   double length() const { return length_; }                        // of the whole arc
   double length(double x) const { return x * (*mean_speed_)(x); }  // from 0 to x in [0, end]
-  // The x at a length in [0, length()].
+  /// The x at a length in [0, length()].
   double angle(double length) const { return length * (*mean_slowness_)(length); }
 
  private:
@@ -27,7 +27,7 @@ class EllipticArc {
   std::shared_ptr<const SmoothTable> mean_slowness_;  // x over length
 };
 
-// x with E(x | 1 - complement) = length, at most `end`.
+/// x with E(x | 1 - complement) = length, at most `end`.
 double elliptic_angle(double length, double complement, double end);
 
 }  // namespace impinge

@@ -9,9 +9,9 @@
 
 namespace impinge {
 
-// Calls visit(entry, direction) once for every entry whose direction the cone contains, boundary included.
-// The tests of a run are computed together, which the compiler turns into vector instructions; those in doubt
-// are decided exactly.
+/// Calls visit(entry, direction) once for every entry whose direction the cone contains, boundary included.
+/// The tests of a run are computed together, which the compiler turns into vector instructions; those in
+/// doubt are decided exactly.
 template <class Walker, class Visit>
 void for_each_entry_inside(const Walker& walker, const TriangleCone& cone, Visit&& visit) {
   const double doubt = cone.doubt();

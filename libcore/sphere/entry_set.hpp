@@ -12,13 +12,13 @@
 
 namespace impinge {
 
-// Entries in chunks of 4096. A chunk without any entry takes 4 bytes, another one 1.5 bits an entry.
+/// Entries in chunks of 4096. A chunk without any entry takes 4 bytes, another one 1.5 bits an entry.
 class EntrySet {
  public:
-  // An empty set of entries below `size`.
+  /// An empty set of entries below `size`.
   explicit EntrySet(std::size_t size) : chunk_of_((size + kChunk - 1) / kChunk, kNone) {}
 
-  // The set must not have been numbered.
+  /// The set must not have been numbered.
   void insert(std::size_t entry) {
     assert(entry / kChunk < chunk_of_.size());
     std::uint32_t& chunk = chunk_of_[entry / kChunk];
@@ -29,7 +29,7 @@ class EntrySet {
     chunks_[chunk].bits[entry % kChunk / 64] |= std::uint64_t{1} << (entry % 64);
   }
 
-  // Gives every entry a slot, in ascending order; to be called once, after the last insert().
+  /// Gives every entry a slot, in ascending order; to be called once, after the last insert().
   void number() {
     for (const std::uint32_t chunk : chunk_of_) {
       if (chunk == kNone) continue;
@@ -42,13 +42,13 @@ class EntrySet {
     chunks_.shrink_to_fit();
   }
 
-  // Is this entry in the set?
+  /// Is this entry in the set?
   bool contains(std::size_t entry) const {
     const std::uint32_t chunk = chunk_of_[entry / kChunk];
     return chunk != kNone && (chunks_[chunk].bits[entry % kChunk / 64] >> (entry % 64) & 1U) != 0U;
   }
 
-  // Slot of an entry of a numbered set, below count(); none if it is not in the set.
+  /// Slot of an entry of a numbered set, below count(); none if it is not in the set.
   std::optional<std::size_t> slot(std::size_t entry) const {
     const std::uint32_t chunk = chunk_of_[entry / kChunk];
     if (chunk == kNone) return std::nullopt;
@@ -59,7 +59,7 @@ class EntrySet {
     return chunks_[chunk].before[word] + static_cast<std::size_t>(std::popcount(bits & (bit - 1U)));
   }
 
-  // Calls visit(entry) for each, in ascending order: in that of their slots.
+  /// Calls visit(entry) for each, in ascending order: in that of their slots.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t c = 0; c < chunk_of_.size(); ++c) {
@@ -73,7 +73,7 @@ class EntrySet {
   }
 
   std::size_t count() const { return count_; }  // of a numbered set
-  // Memory of chunks and of their index.
+  /// Memory of chunks and of their index.
   std::size_t bytes() const {
     return chunk_of_.size() * sizeof(std::uint32_t) + chunks_.size() * sizeof(Chunk);
   }

@@ -8,16 +8,16 @@
 
 namespace impinge {
 
-// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
+/// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
 inline constexpr double kSmallestProduct = 1e-280;
 inline constexpr double kLargestProduct = 1e300;  // the largest of such products
 
-// Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
-// precision floating-point arithmetic"). `Most` is at least the number of values added.
+/// Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
+/// precision floating-point arithmetic"). `Most` is at least the number of values added.
 template <std::size_t Most>
 class Expansion {
  public:
-  // Adds a value, exactly.
+  /// Adds a value, exactly.
   void add(double value) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -31,14 +31,14 @@ class Expansion {
     size_ = kept;
   }
 
-  // Sign of the sum, exactly: +1, 0 or -1.
+  /// Sign of the sum, exactly: +1, 0 or -1.
   int sign() const {
     if (size_ == 0) return 0;
     return component_[size_ - 1] > 0.0 ? 1 : -1;
   }
 
-  // Off by 2^-53 of itself at most, but for 2^-53 of that: what is below the last two components counts no
-  // more.
+  /// Off by 2^-53 of itself at most, but for 2^-53 of that: what is below the last two components counts no
+  /// more.
   double value() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < size_; ++i) sum += component_[i];
@@ -50,7 +50,7 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-// Adds x * y: two values.
+/// Adds x * y: two values.
 template <std::size_t Most>
 void add_product(Expansion<Most>& sum, double x, double y) {
   const double product = x * y;
@@ -58,7 +58,7 @@ void add_product(Expansion<Most>& sum, double x, double y) {
   sum.add(std::fma(x, y, -product));
 }
 
-// Adds x * y * z: four values.
+/// Adds x * y * z: four values.
 template <std::size_t Most>
 void add_product(Expansion<Most>& sum, double x, double y, double z) {
   const double high = x * y;

@@ -15,7 +15,7 @@
 
 namespace impinge {
 
-// Of a face in the centre frame, mm.
+/// Of a face in the centre frame, mm.
 struct FacePlane {
   Vec3 normal;         // n = (b - a) x (c - a), away from the centre; zero where that is in the plane
   double offset;       // p = n . a
@@ -23,15 +23,15 @@ struct FacePlane {
   bool exact = false;  // but for one rounding of p and of each component of n
 };
 
-// Almost no face of a scanned hip is above it, and none whose corners have angles above 15 degrees, if it is
-// small for its distance. The error that tests allow follows from it (stress/measure.hpp).
+/// Almost no face of a scanned hip is above it, and none whose corners have angles above 15 degrees, if it is
+/// small for its distance. The error that tests allow follows from it (stress/measure.hpp).
 inline constexpr double kMostTilt = 4.0;
 
-// From exact sums (sphere/expansion.hpp): for lengths of mesh/lengths.hpp. side = orientation(a, b, c), not
-// 0.
+/// From exact sums (sphere/expansion.hpp): for lengths of mesh/lengths.hpp. side = orientation(a, b, c), not
+/// 0.
 FacePlane exact_face_plane(const Vec3& a, const Vec3& b, const Vec3& c, int side);
 
-// side = orientation(a, b, c); the offset may be rounding noise of either sign if the face is seen edge-on.
+/// side = orientation(a, b, c); the offset may be rounding noise of either sign if the face is seen edge-on.
 inline FacePlane face_plane(const Vec3& a, const Vec3& b, const Vec3& c, int side) {
   const Vec3 normal = face_normal<double>(a, b, c, side);
   const double ab = (b - a).norm();

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Glossary of the frames, ranges and units of the library. All frames are right-handed.
-//
-//   input frame    coordinates as they stand in the user's mesh files, millimetres
-//   centre frame   input frame moved so that the centre of rotation is the origin,
-//                  x_centre = x_input - centre, subtracted in double; tables and scans work in it
-//   socket frame   centre frame of the socket, which stays at rest
-//   ball frame     centre frame of the ball, which a pose moves: x_socket = R x_ball + t
-//   joint frame    anatomical axes of the patient about the centre: x to the patient's right, y anterior,
-//                  z superior (RAS). An axis code such as LPS says how the input frame maps to it.
-//
-//   direction      unit vector u from the centre
-//   angles         phi in [0, pi] from +z, theta in [0, 2 pi) from +x towards +y (thesis Eq. 5-6), radians
-//   radius         r(u), distance from the centre to the surface along u, millimetres
-//   gap            g(u) = S(u) - B(u), socket radius minus ball radius, millimetres; negative is penetration
-//
-// Lengths are from 2^-100 to 2^100 mm (mesh/lengths.hpp); inside that range none is compared with a fixed
-// number, so that other units change nothing but the units.
-//
-// Angles are degrees where a person reads or types them, and in names that end in _deg; radians elsewhere.
+/// \file
+/// Glossary of the frames, ranges and units of the library. All frames are right-handed.
+///
+///   input frame    coordinates as they stand in the user's mesh files, millimetres
+///   centre frame   input frame moved so that the centre of rotation is the origin,
+///                  x_centre = x_input - centre, subtracted in double; tables and scans work in it
+///   socket frame   centre frame of the socket, which stays at rest
+///   ball frame     centre frame of the ball, which a pose moves: x_socket = R x_ball + t
+///   joint frame    anatomical axes of the patient about the centre: x to the patient's right, y anterior,
+///                  z superior (RAS). An axis code such as LPS says how the input frame maps to it.
+///
+///   direction      unit vector u from the centre
+///   angles         phi in [0, pi] from +z, theta in [0, 2 pi) from +x towards +y (thesis Eq. 5-6), radians
+///   radius         r(u), distance from the centre to the surface along u, millimetres
+///   gap            g(u) = S(u) - B(u), socket radius minus ball radius, millimetres; negative is penetration
+///
+/// Lengths are from 2^-100 to 2^100 mm (mesh/lengths.hpp); inside that range none is compared with a fixed
+/// number, so that other units change nothing but the units.
+///
+/// Angles are degrees where a person reads or types them, and in names that end in _deg; radians elsewhere.
 #pragma once

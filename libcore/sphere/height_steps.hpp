@@ -17,7 +17,7 @@ class HeightSteps {
  public:
   static constexpr bool kMirrored = true;  // the southern half is the mirror image of the northern one
 
-  // size >= 4 entries, below 2^53; slope >= 4: two turns.
+  /// size >= 4 entries, below 2^53; slope >= 4: two turns.
   HeightSteps(std::size_t size, double slope);
 
   double last() const { return last_; }          // place of the south pole
@@ -29,16 +29,16 @@ class HeightSteps {
   double most_turn_bend() const { return 0.0; }
   double polar_of_turn(double turn) const { return turn * spacing_; }
 
-  // t(phi) = (w - 1) (1 - cos phi) / 2, and phi(t), accurate at both poles.
+  /// t(phi) = (w - 1) (1 - cos phi) / 2, and phi(t), accurate at both poles.
   double place(double phi) const { return last_ * haversine(phi); }
   double polar_angle(double t) const { return 2.0 * std::atan2(std::sqrt(t), std::sqrt(last_ - t)); }
 
   Vec3 direction(std::size_t entry) const;
-  // Fills a run whose `first` and `count` are set, with the numbers of direction().
+  /// Fills a run whose `first` and `count` are set, with the numbers of direction().
   void fill(DirectionRun& run) const;
 
-  // Solid angle between the heights half a step to either side of an entry: 4 pi / (w - 1), at a pole half of
-  // that.
+  /// Solid angle between the heights half a step to either side of an entry: 4 pi / (w - 1), at a pole half
+  /// of that.
   double area(std::size_t entry) const {
     const bool pole = entry == 0 || static_cast<double>(entry) == last_;
     return (pole ? 2.0 : 4.0) * kPi / last_;
@@ -46,7 +46,7 @@ class HeightSteps {
 
   friend bool operator==(const HeightSteps&, const HeightSteps&) = default;
 
-  // What direction() needs of a helix.
+  /// What direction() needs of a helix.
   struct Curve {
     double last;  // place of the south pole
     double end;   // fraction of a turn at which the helix meets the south pole

@@ -14,19 +14,19 @@
 
 namespace impinge {
 
-// Places of three entries in the given span, and weights that are not negative and sum to 1.
+/// Places of three entries in the given span, and weights that are not negative and sum to 1.
 struct HoldingTriangle {
   std::array<std::size_t, 3> place{};  // of its corners in the span
   std::array<double, 3> weight{};      // of the corners, in the same order
 };
 
-// Volume a . (b x c), from differences, so that it is as accurate for neighbouring entries as for distant
-// ones.
+/// Volume a . (b x c), from differences, so that it is as accurate for neighbouring entries as for distant
+/// ones.
 inline double volume(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot((b - a).cross(c - a)); }
 
-// Delaunay triangles are the faces of the convex hull, and the ray along unit u leaves the hull through the
-// one whose lambda in sum lambda_j p_j = u, lambda >= 0, has the smallest sum: the simplex method, a few
-// steps for the tens of entries round u. The weights are lambda / sum lambda.
+/// Delaunay triangles are the faces of the convex hull, and the ray along unit u leaves the hull through the
+/// one whose lambda in sum lambda_j p_j = u, lambda >= 0, has the smallest sum: the simplex method, a few
+/// steps for the tens of entries round u. The weights are lambda / sum lambda.
 inline HoldingTriangle holding_triangle(std::span<const Vec3> entries, const Vec3& u) {
   constexpr double kRounding = 2e-15;   // of the height of an entry above a plane
   constexpr double kLeastShare = 1e-5;  // less than that would leave a flat triangle

@@ -28,22 +28,22 @@
 
 namespace impinge {
 
-// Lower and upper ends of three barycentric coordinates.
+/// Lower and upper ends of three barycentric coordinates.
 struct TriangleRange {
-  Vec3 low;   // of the ranges, corner by corner
-  Vec3 high;  // likewise
+  Vec3 low;  // of the ranges, corner by corner
+  Vec3 high;
 };
 
-// A warp says what makes one icosahedral grid differ from another:
-//   name, label, citation   those of the scheme (sphere/scheme.hpp)
-//   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
-//   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
-//   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
-//   kFlatCells         whether the fractions are lambda itself; if not, also
-//   kMostBend          the largest second derivative of a fraction along a unit step of lambda
-//   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
-//                      times n; radians
-// and that the widest cell is at most kWidest steps from the middle of the face.
+/// A warp says what makes one icosahedral grid differ from another:
+///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
+///   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
+///   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
+///   kFlatCells         whether the fractions are lambda itself; if not, also
+///   kMostBend          the largest second derivative of a fraction along a unit step of lambda
+///   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
+///                      times n; radians
+/// and that the widest cell is at most kWidest steps from the middle of the face.
 template <class Warp>
 class IcosahedralGrid {
  public:
@@ -79,8 +79,8 @@ class IcosahedralGrid {
     return to_stencil(face, triangle_at(flat_place(face, x)));
   }
 
-  // On a face of the icosahedron an arc is a straight line, along which the fractions bend by at most
-  // kMostBend times its length squared. Cells lie between lines of whole n times a fraction.
+  /// On a face of the icosahedron an arc is a straight line, along which the fractions bend by at most
+  /// kMostBend times its length squared. Cells lie between lines of whole n times a fraction.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const {
     if constexpr (kFlatCells) {
       return true;
@@ -116,7 +116,7 @@ class IcosahedralGrid {
  private:
   explicit IcosahedralGrid(std::size_t n) : n_(n), covering_radius_(widest_near_middle()) {}
 
-  // Largest circumradius of the triangles round the middle of a face.
+  /// Largest circumradius of the triangles round the middle of a face.
   double widest_near_middle() const {
     const auto weight = [this](std::size_t k) { return Warp::weight(k, n_); };
     const auto at = [&](std::size_t i, std::size_t j) { return node(0, i, j, weight); };
@@ -136,7 +136,7 @@ class IcosahedralGrid {
 
   std::size_t north() const { return 10 * n_ * n_; }
 
-  // Node (i, j) of a diamond, weight(k) that of a corner.
+  /// Node (i, j) of a diamond, weight(k) that of a corner.
   template <class Weight>
   Vec3 node(std::size_t diamond, std::size_t i, std::size_t j, Weight&& weight) const {
     const auto& faces = Icosahedron::instance().face;
@@ -153,7 +153,7 @@ class IcosahedralGrid {
     return (diamond * n_ + j) * n_ + i - 1;
   }
 
-  // Entry at node (i, j) of a diamond, i and j from 0 to n: its own, or that of the diamond across the edge.
+  /// Entry at node (i, j) of a diamond, i and j from 0 to n: its own, or that of the diamond across the edge.
   std::size_t entry_at(std::size_t diamond, std::size_t i, std::size_t j) const {
     if (i != 0 && j != n_) return owned(diamond, i, j);
     const std::size_t next = diamond % 5 == 4 ? diamond - 4 : diamond + 1;
@@ -165,9 +165,9 @@ class IcosahedralGrid {
     return owned(next - 5, n_, j);
   }
 
-  // A triangle of a face: the upright one with the nodes (i, j), (i + 1, j), (i, j + 1), where the face has
-  // its corners at (0, 0), (n, 0), (0, n), or the one upside down beside it, (i + 1, j + 1) in place of
-  // (i, j). Weights are those of the nodes in this order.
+  /// A triangle of a face: the upright one with the nodes (i, j), (i + 1, j), (i, j + 1), where the face has
+  /// its corners at (0, 0), (n, 0), (0, n), or the one upside down beside it, (i + 1, j + 1) in place of
+  /// (i, j). Weights are those of the nodes in this order.
   struct Triangle {
     std::size_t i;
     std::size_t j;
@@ -180,14 +180,14 @@ class IcosahedralGrid {
     }
   };
 
-  // Barycentric coordinates on the flat face.
+  /// Barycentric coordinates on the flat face.
   static Vec3 flat_place(std::size_t f, const Vec3& x) {
     const Icosahedron::Face& face = Icosahedron::instance().face[f];
     const Vec3 flat = Vec3(face.dual[0].dot(x), face.dual[1].dot(x), face.dual[2].dot(x)).cwiseMax(0.0);
     return flat / flat.sum();
   }
 
-  // The triangle that holds a place, with the weights of the fractions.
+  /// The triangle that holds a place, with the weights of the fractions.
   Triangle triangle_at(const Vec3& flat) const {
     const Vec3 place = Warp::fractions(flat) * static_cast<double>(n_);
     const std::size_t i = std::min(static_cast<std::size_t>(place[1]), n_ - 1);
@@ -200,8 +200,8 @@ class IcosahedralGrid {
     return {i, j, false, {a - (1.0 - b), 1.0 - b, 1.0 - a}};
   }
 
-  // The triangle that holds a place on the flat face, with the weights there. It is that of the fractions,
-  // or beside their border, which is curved on the flat face, a neighbour.
+  /// The triangle that holds a place on the flat face, with the weights there. It is that of the fractions,
+  /// or beside their border, which is curved on the flat face, a neighbour.
   Triangle flat_triangle_at(const Vec3& flat) const {
     Triangle triangle = triangle_at(flat);
     for (std::size_t step = 0;; ++step) {
@@ -216,7 +216,7 @@ class IcosahedralGrid {
     return triangle;
   }
 
-  // The triangle across the edge that a node is opposite to; false if it is on another face.
+  /// The triangle across the edge that a node is opposite to; false if it is on another face.
   bool cross_edge(std::size_t opposite, Triangle& triangle) const {
     Triangle next = triangle;
     next.upright = !triangle.upright;
@@ -227,8 +227,8 @@ class IcosahedralGrid {
     return true;
   }
 
-  // Weights of the nodes on the flat face, in whose plane the second and third coordinate are enough;
-  // negative for a place outside.
+  /// Weights of the nodes on the flat face, in whose plane the second and third coordinate are enough;
+  /// negative for a place outside.
   std::array<double, 3> flat_weights(const Triangle& triangle, const Vec3& flat) const {
     const auto on_face = [this](const typename Triangle::Node& node) -> Eigen::Vector2d {
       const double first = Warp::weight(n_ - node[0] - node[1], n_);
@@ -267,11 +267,11 @@ class IcosahedralGrid {
   double covering_radius_;  // radians
 };
 
-// Holds the weights of the warp, so that a filler computes each once.
+/// Holds the weights of the warp, so that a filler computes each once.
 template <class Warp>
 class IcosahedralGrid<Warp>::Walker {
  public:
-  // Computes the weights of all nodes along an edge.
+  /// Computes the weights of all nodes along an edge.
   explicit Walker(const IcosahedralGrid& scheme) : scheme_(scheme), weight_(scheme.n_ + 1) {
     for (std::size_t k = 0; k < weight_.size(); ++k) weight_[k] = Warp::weight(k, scheme.n_);
   }
@@ -299,7 +299,7 @@ class IcosahedralGrid<Warp>::Walker {
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
   static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its coordinates to be accurate
 
-  // First and last multiple of 1 / n in a range.
+  /// First and last multiple of 1 / n in a range.
   struct Lines {
     std::size_t first;
     std::size_t last;
@@ -312,17 +312,17 @@ class IcosahedralGrid<Warp>::Walker {
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
   }
 
-  // How much a barycentric coordinate of a point of a face differs from that of a point within the margin:
-  // central projection to the plane of the face, cos(corner angle) from the centre, stretches by at most that
-  // over cos^2, and the height of the face is one.
+  /// How much a barycentric coordinate of a point of a face differs from that of a point within the margin:
+  /// central projection to the plane of the face, cos(corner angle) from the centre, stretches by at most
+  /// that over cos^2, and the height of the face is one.
   static double spread(double margin) {
     const double height = Icosahedron::kEdge * 0.8660254037844386;
     const double farthest = std::cos(Icosahedron::kCornerAngle + margin);
     return margin * std::cos(Icosahedron::kCornerAngle) / (farthest * farthest * height);
   }
 
-  // Range of the barycentric coordinates of the points of a face within the margin of the triangle; false if
-  // there is none.
+  /// Range of the barycentric coordinates of the points of a face within the margin of the triangle; false if
+  /// there is none.
   static bool near_range(const Icosahedron::Face& face, ConePolygon polygon, double margin,
                          TriangleRange& range) {
     range = {Vec3::Zero(), Vec3::Ones()};
@@ -378,7 +378,7 @@ class IcosahedralGrid<Warp>::Walker {
     visit(static_cast<const DirectionRun&>(run));
   }
 
-  // Nodes i = first..end - 1 of a row of a diamond.
+  /// Nodes i = first..end - 1 of a row of a diamond.
   template <class Visit>
   void visit_row(std::size_t diamond, std::size_t j, std::size_t first, std::size_t end,
                  Visit&& visit) const {

@@ -13,10 +13,10 @@
 
 namespace impinge {
 
-// Two faces make one of ten diamonds with corners A, P, F, Q: faces 2 d and 2 d + 1 are A P Q and F Q P of
-// diamond d. Diamond k = 0..4 is (N, U_k, D_k, U_k+1) and diamond 5 + k is (U_k+1, D_k, S, D_k+1).
+/// Two faces make one of ten diamonds with corners A, P, F, Q: faces 2 d and 2 d + 1 are A P Q and F Q P of
+/// diamond d. Diamond k = 0..4 is (N, U_k, D_k, U_k+1) and diamond 5 + k is (U_k+1, D_k, S, D_k+1).
 struct Icosahedron {
-  // A face and what finds the place of a direction on it.
+  /// A face and what finds the place of a direction on it.
   struct Face {
     std::array<Vec3, 3> corner;  // unit vectors, anticlockwise as seen from outside
     std::array<Vec3, 3> dual;    // dual[k] . corner[l] = 1 if k = l, else 0
@@ -24,18 +24,18 @@ struct Icosahedron {
   };
   std::array<Face, 20> face;  // faces 2 d and 2 d + 1 are those of diamond d
 
-  // Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
+  /// Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
   static constexpr double kTangent = 0.7639320225002103;
   static constexpr double kCornerAngle = 0.6523581397843682;  // atan(kTangent), radians
   static constexpr double kEdge = 1.0514622242382672;         // length of an edge, 1 / sin 72 degrees
 
-  // The one icosahedron, made at first use.
+  /// The one icosahedron, made at first use.
   static const Icosahedron& instance() {
     static const Icosahedron all;
     return all;
   }
 
-  // Face whose middle is nearest to x, among ten and the ten opposite to them.
+  /// Face whose middle is nearest to x, among ten and the ten opposite to them.
   std::size_t face_of(const Vec3& x) const {
     std::size_t nearest = 0;
     double largest = -1.0;
@@ -67,7 +67,7 @@ struct Icosahedron {
     }
   }
 
-  // Corner at azimuth 36 k degrees.
+  /// Corner at azimuth 36 k degrees.
   static Vec3 ring(long k, double side) {
     const CosSin azimuth = half_turn_fraction(k, 5);
     const double z = 1.0 / std::sqrt(5.0);

@@ -5,7 +5,7 @@
 
 namespace impinge {
 
-// What an empty range ends at, and a length that has no limit.
+/// What an empty range ends at, and a length that has no limit.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace impinge

@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-// sum w_k values[entry_k]. A tap of weight zero does not count: on an entry the entry alone decides, whether
-// or not there is surface beside it.
+/// sum w_k values[entry_k]. A tap of weight zero does not count: on an entry the entry alone decides, whether
+/// or not there is surface beside it.
 template <class Values>
 double interpolate(const Stencil& stencil, const Values& values) {
   double sum = 0.0;

@@ -11,14 +11,14 @@
 
 namespace impinge {
 
-// Sign of det(a, b, c) = a . (b x c): +1, 0 or -1, exact for finite input. A floating-point filter decides
-// all but nearly coplanar cases, an expansion (Shewchuk 1997, "Adaptive precision floating-point arithmetic")
-// the rest. Each vector is scaled by a power of two first; exactness is lost only where the components of one
-// vector differ by more than a factor of about 2^300.
+/// Sign of det(a, b, c) = a . (b x c): +1, 0 or -1, exact for finite input. A floating-point filter decides
+/// all but nearly coplanar cases, an expansion (Shewchuk 1997, "Adaptive precision floating-point
+/// arithmetic") the rest. Each vector is scaled by a power of two first; exactness is lost only where the
+/// components of one vector differ by more than a factor of about 2^300.
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Where does u lie in the cone over a triangle whose corners have the orientation `side`? Inside +1, on the
-// boundary 0, outside -1; 0 for any u where side is 0. Exact.
+/// Where does u lie in the cone over a triangle whose corners have the orientation `side`? Inside +1, on the
+/// boundary 0, outside -1; 0 for any u where side is 0. Exact.
 inline int place_in_cone(const std::array<Vec3, 3>& corners, int side, const Vec3& u) {
   int place = 1;
   for (std::size_t k = 0; k < 3 && place >= 0; ++k)
@@ -26,9 +26,9 @@ inline int place_in_cone(const std::array<Vec3, 3>& corners, int side, const Vec
   return place;
 }
 
-// |fl(u . fl(a x b)) - u . (a x b)| <= kPlaneTestError |u| |a| |b|, in any evaluation order: 2 roundings a
-// component of the cross product, 3 in the scalar product, each 2^-53 of sum |u_i| (|a_j b_k| + |a_k b_j|)
-// <= 2 |u| |a| |b|; 10 in all, doubled to cover the second order terms and the rounding of the norms.
+/// |fl(u . fl(a x b)) - u . (a x b)| <= kPlaneTestError |u| |a| |b|, in any evaluation order: 2 roundings a
+/// component of the cross product, 3 in the scalar product, each 2^-53 of sum |u_i| (|a_j b_k| + |a_k b_j|)
+/// <= 2 |u| |a| |b|; 10 in all, doubled to cover the second order terms and the rounding of the norms.
 inline constexpr double kPlaneTestError = 20.0 * 0x1p-53;
 
 }  // namespace impinge

@@ -8,20 +8,20 @@
 
 namespace impinge {
 
-// A vector of any kind of number, mm.
+/// A vector of any kind of number, mm.
 template <class Number>
 using Vec3Of = Eigen::Matrix<Number, 3, 1>;
 
-// (b - a) x (c - a), twice the area of the face long; turned away from the centre by side, the orientation of
-// the corners (+1 or -1).
+/// (b - a) x (c - a), twice the area of the face long; turned away from the centre by side, the orientation
+/// of the corners (+1 or -1).
 template <class Number>
 Vec3Of<Number> face_normal(const Vec3Of<Number>& a, const Vec3Of<Number>& b, const Vec3Of<Number>& c,
                            int side) {
   return Number(side) * (b - a).cross(c - a);
 }
 
-// r = n.v0 / (n.u) in lengths of u, from offset = n.v0 above zero; never above `largest`, the distance of the
-// farthest corner, which only matters where u grazes the face and n.u is rounding noise.
+/// r = n.v0 / (n.u) in lengths of u, from offset = n.v0 above zero; never above `largest`, the distance of
+/// the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
 template <class Number>
 Number plane_radius(const Vec3Of<Number>& normal, const Number& offset, const Number& largest,
                     const Vec3Of<Number>& u) {

@@ -25,15 +25,15 @@
 
 namespace impinge {
 
-// 5 roundings of either sum, 4 of the weights' sums, 3 of point and quotient; half an ulp each.
+/// 5 roundings of either sum, 4 of the weights' sums, 3 of point and quotient; half an ulp each.
 inline constexpr double kSumRounding = 17.0 * 0x1p-53;
 
-// Radii of a RadialTable, kept in `Values` (see stored_values.hpp).
+/// Radii of a RadialTable, kept in `Values` (see stored_values.hpp).
 template <SamplingScheme S, class Values>
 class StoredRadialTable {
  public:
-  // Rounds the radii of a table, and finds by how much. std::invalid_argument where `Values` cannot keep
-  // them.
+  /// Rounds the radii of a table, and finds by how much. std::invalid_argument where `Values` cannot keep
+  /// them.
   explicit StoredRadialTable(const RadialTable<S>& table)
       : scheme_(table.scheme()), rim_(table.rim_cells()), values_(table.radii()) {
     double off = 0.0;
@@ -51,13 +51,13 @@ class StoredRadialTable {
   const CellMask& rim_cells() const { return rim_; }                    // cells that answer kNoSurface
   std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }  // of values and rim mask
 
-  // Largest |this - table in double| over all directions that have an answer, mm.
+  /// Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
 
-  // Radius along direction(i), mm.
+  /// Radius along direction(i), mm.
   double entry_radius(std::size_t i) const { return values_[i]; }
 
-  // As RadialTable::radius_at(), mm.
+  /// As RadialTable::radius_at(), mm.
   double radius_at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
     return rim_.contains(stencil.cell) ? kNoSurface : interpolate(stencil, values_);
@@ -70,11 +70,11 @@ class StoredRadialTable {
   double storage_bound_ = 0.0;
 };
 
-// Inverse depths of an InverseDepthTable, kept in `Values`.
+/// Inverse depths of an InverseDepthTable, kept in `Values`.
 template <PlaneExactScheme S, class Values>
 class StoredInverseDepthTable {
  public:
-  // Rounds the inverse depths of a table, as StoredRadialTable does radii.
+  /// Rounds the inverse depths of a table, as StoredRadialTable does radii.
   explicit StoredInverseDepthTable(const InverseDepthTable<S>& table)
       : scheme_(table.scheme()), rim_(table.rim_cells()), values_(table.inverse_depths()) {
     double off = 0.0;
@@ -92,15 +92,15 @@ class StoredInverseDepthTable {
   const CellMask& rim_cells() const { return rim_; }                    // cells that answer kNoSurface
   std::size_t bytes() const { return values_.bytes() + rim_.bytes(); }  // of values and rim mask
 
-  // Largest |this - table in double| over all directions that have an answer, mm.
+  /// Largest |this - table in double| over all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
 
-  // Radius along direction(i), mm.
+  /// Radius along direction(i), mm.
   double entry_radius(std::size_t i) const {
     return 1.0 / (values_[i] * scheme_.depth(scheme_.direction(i)));
   }
 
-  // As InverseDepthTable::radius_at(), mm.
+  /// As InverseDepthTable::radius_at(), mm.
   double radius_at(const Vec3& x) const { return plane_exact_radius_at(scheme_, rim_, values_, x); }
 
  private:
@@ -110,16 +110,16 @@ class StoredInverseDepthTable {
   double storage_bound_ = 0.0;
 };
 
-// Radii in float: 4 bytes an entry.
+/// Radii in float: 4 bytes an entry.
 template <SamplingScheme S>
 using FloatTable = StoredRadialTable<S, FloatValues>;
-// Radii in steps of 16 bits: 2 bytes an entry.
+/// Radii in steps of 16 bits: 2 bytes an entry.
 template <SamplingScheme S>
 using Uint16Table = StoredRadialTable<S, Uint16Values>;
-// Inverse depths in float.
+/// Inverse depths in float.
 template <PlaneExactScheme S>
 using FloatInverseDepthTable = StoredInverseDepthTable<S, FloatValues>;
-// Inverse depths in steps of 16 bits.
+/// Inverse depths in steps of 16 bits.
 template <PlaneExactScheme S>
 using Uint16InverseDepthTable = StoredInverseDepthTable<S, Uint16Values>;
 

@@ -13,16 +13,17 @@
 
 namespace impinge {
 
-// Radius of a direction in which there is no surface. It is a NaN, so that no comparison calls it a hit and
-// any interpolation that reads it says "no surface" too.
+/// Radius of a direction in which there is no surface. It is a NaN, so that no comparison calls it a hit and
+/// any interpolation that reads it says "no surface" too.
 inline constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
 
-// Radii in mm. Rim cells, in which the surface ends or jumps, answer kNoSurface: no tap reaches across a rim.
+/// Radii in mm. Rim cells, in which the surface ends or jumps, answer kNoSurface: no tap reaches across a
+/// rim.
 template <SamplingScheme S>
 class RadialTable {
  public:
-  // A table without any surface. std::invalid_argument above kMostTableEntries, std::bad_alloc where it does
-  // not fit in memory; see bytes().
+  /// A table without any surface. std::invalid_argument above kMostTableEntries, std::bad_alloc where it does
+  /// not fit in memory; see bytes().
   explicit RadialTable(const S& scheme)
       : scheme_(scheme),
         radii_(require_table_size(S::name, scheme.size()), kNoSurface),
@@ -36,18 +37,18 @@ class RadialTable {
   void forget(std::size_t entry) { radii_[entry] = kNoSurface; }       // it has no surface from now on
   static bool keeps(const Stencil& /*stencil*/) { return true; }  // the entries that it reads: all are kept
 
-  // Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
-  // one bit a cell where a surface has a rim inside the reach of four entries.
+  /// Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
+  /// one bit a cell where a surface has a rim inside the reach of four entries.
   static std::size_t bytes(const S& scheme) { return scheme.size() * sizeof(double); }
 
-  // Interpolated radius along x (any length above zero), the `smooth` interpolant: linear in r, as in the
-  // thesis.
+  /// Interpolated radius along x (any length above zero), the `smooth` interpolant: linear in r, as in the
+  /// thesis.
   double radius_at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
     return is_rim_cell(stencil.cell) ? kNoSurface : interpolate(stencil, radii_);
   }
 
-  // Does this cell answer kNoSurface?
+  /// Does this cell answer kNoSurface?
   bool is_rim_cell(std::size_t cell) const { return rim_.contains(cell); }
   void mark_rim_cell(std::size_t cell) { rim_.mark(cell); }  // from now on this cell answers kNoSurface
   void forget_rim() { rim_ = CellMask(scheme_.cells()); }    // unmarks all cells

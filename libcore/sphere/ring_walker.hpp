@@ -13,29 +13,29 @@
 
 namespace impinge {
 
-// Entries first .. first + count - 1 at the polar angle `polar` and azimuths 2 pi (t + half / 2) / count.
+/// Entries first .. first + count - 1 at the polar angle `polar` and azimuths 2 pi (t + half / 2) / count.
 struct Ring {
   std::size_t first;  // number of its westernmost entry
   std::size_t count;  // of its entries
   std::size_t half;   // 0 or 1
   CosSin polar;       // of its polar angle
 
-  // Unit vector of entry first + t.
+  /// Unit vector of entry first + t.
   Vec3 direction(std::size_t t) const {
     const CosSin azimuth = half_turn_fraction(static_cast<long>(2 * t + half), static_cast<long>(count));
     return {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
   }
 
-  // Place of an azimuth on the ring, in steps from the first entry; radians.
+  /// Place of an azimuth on the ring, in steps from the first entry; radians.
   double position(double theta) const {
     return theta / (2.0 * kPi) * static_cast<double>(count) - 0.5 * static_cast<double>(half);
   }
 };
 
-// Walker of such a scheme S, which has
-//   rings()             number of its rings
-//   ring(k)             the k-th of its rings, from the north
-//   ring_position(phi)  place of a polar angle among the rings, k at ring k; never falls with phi
+/// Walker of such a scheme S, which has
+///   rings()             number of its rings
+///   ring(k)             the k-th of its rings, from the north
+///   ring_position(phi)  place of a polar angle among the rings, k at ring k; never falls with phi
 template <class S>
 class RingWalker {
  public:

@@ -12,8 +12,8 @@
 
 namespace impinge {
 
-// The entries that an interpolation at one direction reads, with weights that are not negative and sum to 1,
-// and the cell (patch between entries) that holds the direction. Only the first `taps` places count.
+/// The entries that an interpolation at one direction reads, with weights that are not negative and sum to 1,
+/// and the cell (patch between entries) that holds the direction. Only the first `taps` places count.
 struct Stencil {
   std::array<std::size_t, 4> entry{};  // the taps
   std::array<double, 4> weight{};      // of each tap
@@ -21,50 +21,50 @@ struct Stencil {
   std::size_t cell = 0;                // below cells()
 };
 
-// Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
-// filler tests several at once. Scratch memory of a walker.
+/// Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
+/// filler tests several at once. Scratch memory of a walker.
 struct DirectionRun {
   static constexpr std::size_t kMost = 64;  // entries that a run has room for
 
   std::size_t first = 0;        // number of the first entry
   std::size_t count = 0;        // of entries in the run, at most kMost
   std::array<double, kMost> x;  // of the directions, as y and z
-  std::array<double, kMost> y;  // likewise
-  std::array<double, kMost> z;  // likewise
+  std::array<double, kMost> y;
+  std::array<double, kMost> z;
 
   Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }  // direction of entry first + k
 };
 
-// Visitor of runs, used to state the concept below.
+/// Visitor of runs, used to state the concept below.
 struct RunVisitor {
   void operator()(const DirectionRun& run) const;  // takes a run; there is no body, as none is called
 };
 
-// A scheme is a regular value type of a few bytes.
-//   name                 what the scheme is called in options, files and tables
-//   label                the same for figures and text
-//   citation             where the scheme is from
-//   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
-//                        one line that says why, if there is none
-//   precision_deg()      how far entries are apart at the equator, degrees: what with_precision() came to
-//   size()               number of entries
-//   cells()              number of cells
-//   direction(i)         unit vector of entry i
-//   stencil(x)           entries round the direction of x, x of any length above zero
-//   covering_radius()    largest angle from any direction to its nearest entry, radians
-//   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
-//   equator_points()     entries on the equator, or those nearest to it that stand for it
-//   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
-//   visit_near(cone, margin, visit)
-//                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
-//                        radians of it, and perhaps some outside; each once, with the very numbers of
-//                        direction(i)
-//
-// A scheme whose stencils read entries beyond the cell that holds the direction also has
-//   for_each_cell_across(stencil, visit)
-//                        calls visit(other) for the stencils of all cells that read across the cell of
-//                        `stencil`, so that a rim in it is kept out of theirs
-// and a scheme may have what PlaneExactScheme, AreaScheme and HasKnownBorders ask for below.
+/// A scheme is a regular value type of a few bytes.
+///   name                 what the scheme is called in options, files and tables
+///   label                the same for figures and text
+///   citation             where the scheme is from
+///   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
+///                        one line that says why, if there is none
+///   precision_deg()      how far entries are apart at the equator, degrees: what with_precision() came to
+///   size()               number of entries
+///   cells()              number of cells
+///   direction(i)         unit vector of entry i
+///   stencil(x)           entries round the direction of x, x of any length above zero
+///   covering_radius()    largest angle from any direction to its nearest entry, radians
+///   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
+///   equator_points()     entries on the equator, or those nearest to it that stand for it
+///   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
+///   visit_near(cone, margin, visit)
+///                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
+///                        radians of it, and perhaps some outside; each once, with the very numbers of
+///                        direction(i)
+///
+/// A scheme whose stencils read entries beyond the cell that holds the direction also has
+///   for_each_cell_across(stencil, visit)
+///                        calls visit(other) for the stencils of all cells that read across the cell of
+///                        `stencil`, so that a rim in it is kept out of theirs
+/// and a scheme may have what PlaneExactScheme, AreaScheme and HasKnownBorders ask for below.
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {
@@ -83,13 +83,13 @@ concept SamplingScheme = std::regular<S> &&
   scheme.walker().visit_near(TriangleCone(x, x, x), degrees, RunVisitor{});
 };
 
-// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
-//   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is
-//                     the point of the solid in the direction of x
-//   plane_stencil(x)  taps on the face of that point, with weights that are not negative and sum to 1 and
-//                     put it between those of the taps: x / depth(x) = sum w_i u_i / depth(u_i)
-//   kFlatCells        whether all cells are bounded by great circles. Then taps and cell are those of
-//                     stencil(x); else they may be those of a neighbour where x is close to the border
+/// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
+///   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is
+///                     the point of the solid in the direction of x
+///   plane_stencil(x)  taps on the face of that point, with weights that are not negative and sum to 1 and
+///                     put it between those of the taps: x / depth(x) = sum w_i u_i / depth(u_i)
+///   kFlatCells        whether all cells are bounded by great circles. Then taps and cell are those of
+///                     stencil(x); else they may be those of a neighbour where x is close to the border
 template <class S>
 concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const Vec3& x) {
   { scheme.depth(x) } -> std::same_as<double>;
@@ -97,20 +97,20 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
   { S::kFlatCells } -> std::convertible_to<bool>;
 };
 
-// A scheme that tells how its cells are bounded, so that the rim of a surface takes out no more of them than
-// it crosses (table/rim.hpp). It has one of
-//   kFlatCells               true: all cells are bounded by great circles and convex
-//   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
-//                            cell in one stretch at most? Of arcs short enough it has to be sure, but round
-//                            single points. sphere/arc_borders.hpp helps.
-// Of any other scheme the entries beside a rim have no surface.
+/// A scheme that tells how its cells are bounded, so that the rim of a surface takes out no more of them than
+/// it crosses (table/rim.hpp). It has one of
+///   kFlatCells               true: all cells are bounded by great circles and convex
+///   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
+///                            cell in one stretch at most? Of arcs short enough it has to be sure, but round
+///                            single points. sphere/arc_borders.hpp helps.
+/// Of any other scheme the entries beside a rim have no surface.
 template <class S>
 concept HasKnownBorders = requires(const S scheme, const Vec3& x) {
   { scheme.meets_cells_once(x, x) } -> std::same_as<bool>;
 }
 || requires { requires S::kFlatCells; };
 
-// The answer of either.
+/// The answer of either.
 template <HasKnownBorders S>
 bool meets_cells_once(const S& scheme, const Vec3& a, const Vec3& b) {
   if constexpr (requires { scheme.meets_cells_once(a, b); }) {
@@ -120,8 +120,8 @@ bool meets_cells_once(const S& scheme, const Vec3& a, const Vec3& b) {
   }
 }
 
-// A scheme that divides the sphere among its entries in closed form:
-//   area(i)  solid angle that entry i stands for, steradians; the sum is 4 pi
+/// A scheme that divides the sphere among its entries in closed form:
+///   area(i)  solid angle that entry i stands for, steradians; the sum is 4 pi
 template <class S>
 concept AreaScheme = SamplingScheme<S> && requires(const S scheme, std::size_t i) {
   { scheme.area(i) } -> std::same_as<double>;

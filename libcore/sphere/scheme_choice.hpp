@@ -10,15 +10,15 @@
 
 namespace impinge {
 
-// Names of all schemes, with commas between.
+/// Names of all schemes, with commas between.
 inline std::string scheme_names() {
   std::string names;
   for_each_scheme([&names]<class S>() { names += (names.empty() ? "" : ", ") + std::string(S::name); });
   return names;
 }
 
-// Calls use.template operator()<S>() for the scheme of that name; std::invalid_argument that lists the names
-// if there is none.
+/// Calls `use.template operator()<S>()` for the scheme of that name; std::invalid_argument that lists the
+/// names if there is none.
 template <class Use>
 void with_scheme(std::string_view name, Use&& use) {
   bool found = false;

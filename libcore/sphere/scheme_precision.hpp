@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-// The scheme whose entries are so many degrees apart, or nothing where there is none.
+/// The scheme whose entries are so many degrees apart, or nothing where there is none.
 template <SamplingScheme S>
 std::optional<S> scheme_of_precision(double degrees) {
   try {

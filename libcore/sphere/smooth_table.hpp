@@ -9,14 +9,15 @@
 
 namespace impinge {
 
-// f above zero on (0, end), its values good to a few units in the last place, and analytic within the circle
-// round every x that passes 0: the table is as good. Pieces are halved until the Chebyshev series of f on
-// them has come to its rounding; where f changes near 0 over many orders of magnitude they get short with it.
+/// f above zero on (0, end), its values good to a few units in the last place, and analytic within the circle
+/// round every x that passes 0: the table is as good. Pieces are halved until the Chebyshev series of f on
+/// them has come to its rounding; where f changes near 0 over many orders of magnitude they get short with
+/// it.
 class SmoothTable {
  public:
   SmoothTable(const std::function<double(double)>& f, double end);  // tabulates f on [0, end]
 
-  // f(x) for x in [0, end]; beyond them what the polynomial of the last piece gives.
+  /// f(x) for x in [0, end]; beyond them what the polynomial of the last piece gives.
   double operator()(double x) const;
 
  private:

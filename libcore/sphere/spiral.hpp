@@ -37,14 +37,14 @@ namespace impinge {
 template <class P>
 class Spiral {
  public:
-  // Finds the covering radius and the stencil radius once.
+  /// Finds the covering radius and the stencil radius once.
   explicit Spiral(const P& placement) : placement_(placement) {
     stencil_radius_ = spiral_stencil_radius(placement_);
     covering_radius_ = spiral_covering_radius(placement_);
   }
 
   std::size_t size() const { return static_cast<std::size_t>(last()) + 1; }
-  // Cells are numbered along the strip between consecutive turns: see cell_of().
+  /// Cells are numbered along the strip between consecutive turns: see cell_of().
   std::size_t cells() const { return 2 * size() - 1; }
   double covering_radius() const { return covering_radius_; }
   double stencil_radius() const { return stencil_radius_; }
@@ -52,20 +52,20 @@ class Spiral {
   Vec3 direction(std::size_t entry) const { return placement_.direction(entry); }
   double area(std::size_t entry) const { return placement_.area(entry); }
 
-  // Entries that the curve has passed at polar angle phi, between entries a fraction.
+  /// Entries that the curve has passed at polar angle phi, between entries a fraction.
   double place(double phi) const { return placement_.place(phi); }
 
-  // Algorithm 3: linear along the turn above at the query's theta (point P_a, two entries round it) and along
-  // the turn below (P_b), then linear in the turn between P_a and P_b. Above the first turn and below the
-  // last one the pole stands for the missing turn, three taps.
+  /// Algorithm 3: linear along the turn above at the query's theta (point P_a, two entries round it) and
+  /// along the turn below (P_b), then linear in the turn between P_a and P_b. Above the first turn and below
+  /// the last one the pole stands for the missing turn, three taps.
   Stencil stencil(const Vec3& x) const {
     return stencil_with(x, [this](double phi) { return place(phi); });
   }
 
-  // Entries of one turn do not stand below those of the next, so that a cell reads entries beyond its
-  // corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
-  // cells that have the same interval above or the same interval below. Calls visit(stencil) for all of
-  // these; the weights are of no meaning.
+  /// Entries of one turn do not stand below those of the next, so that a cell reads entries beyond its
+  /// corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
+  /// cells that have the same interval above or the same interval below. Calls visit(stencil) for all of
+  /// these; the weights are of no meaning.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {
     const bool first = at.taps == 3 && at.entry[2] == at.entry[1] + 1;
@@ -74,10 +74,10 @@ class Spiral {
     if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
   }
 
-  // Cells lie between meridians and the curve, on which turn(phi) - theta / (2 pi) is whole. With the bounds
-  // of ArcAngles that bends by at most T' |cot phi| + T'' + |cot phi| / (2 pi sin(phi)). An arc of a
-  // sixteenth of a turn of azimuth meets the azimuths of a cell once: no two entries are 15/16 of a turn
-  // apart.
+  /// Cells lie between meridians and the curve, on which turn(phi) - theta / (2 pi) is whole. With the bounds
+  /// of ArcAngles that bends by at most T' |cot phi| + T'' + |cot phi| / (2 pi sin(phi)). An arc of a
+  /// sixteenth of a turn of azimuth meets the azimuths of a cell once: no two entries are 15/16 of a turn
+  /// apart.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const {
     const ArcAngles arc(a, b);
     if (arc.sine == 0.0 || std::abs(arc.turn) > kPi / 8.0) return false;
@@ -93,7 +93,7 @@ class Spiral {
 
   const Spiral& walker() const { return *this; }
 
-  // Runs of the turns that cross the box round the cone, as far as TurnClip leaves them.
+  /// Runs of the turns that cross the box round the cone, as far as TurnClip leaves them.
   template <class Visit>
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
     const AngularBox box = angular_box(cone.corners(), margin);
@@ -123,7 +123,7 @@ class Spiral {
   friend bool operator==(const Spiral& a, const Spiral& b) { return a.placement_ == b.placement_; }
 
  protected:
-  // Stencil whose places on the turns place_of(phi) tells.
+  /// Stencil whose places on the turns place_of(phi) tells.
   template <class PlaceOf>
   Stencil stencil_with(const Vec3& x, PlaceOf&& place_of) const {
     const auto on_turn = [&](double turn) { return between_entries(place_of(polar_of_turn(turn))); };
@@ -142,21 +142,21 @@ class Spiral {
   }
 
  private:
-  // A point of the curve between entries `entry` and entry + 1.
+  /// A point of the curve between entries `entry` and entry + 1.
   struct Between {
     std::size_t entry;
     double share;
   };
 
-  // Places that a walker may visit, and the first entry that it has not: none is visited twice where rounding
-  // makes pieces overlap.
+  /// Places that a walker may visit, and the first entry that it has not: none is visited twice where
+  /// rounding makes pieces overlap.
   struct Range {
     double from;
     double to;
     std::size_t next;
   };
 
-  // An entry is within kDoubt (1 + turns()) radians of its place in exact arithmetic.
+  /// An entry is within kDoubt (1 + turns()) radians of its place in exact arithmetic.
   static constexpr double kDoubt = 1e-14;
 
   double last() const { return placement_.last(); }
@@ -170,9 +170,9 @@ class Spiral {
   }
   Between on_turn(double turn) const { return between_entries(place(polar_of_turn(turn))); }
 
-  // The strip between two turns is one spiral ribbon from pole to pole. Along it neither the interval a of
-  // the turn above nor the interval b of the turn below ever falls, and a cell is where both stay the same.
-  // Where the turn above is missing its pole counts as interval -1, where the one below is, as size - 1.
+  /// The strip between two turns is one spiral ribbon from pole to pole. Along it neither the interval a of
+  /// the turn above nor the interval b of the turn below ever falls, and a cell is where both stay the same.
+  /// Where the turn above is missing its pole counts as interval -1, where the one below is, as size - 1.
   static std::size_t cell_of(std::size_t a_after, std::size_t b) { return a_after + b; }
 
   static Stencil four_taps(Between a, Between b, double down) {
@@ -198,7 +198,7 @@ class Spiral {
     return placement_.turn(placement_.polar_angle(static_cast<double>(entry)));
   }
 
-  // All cells between interval a and the turn below it, between interval b and the turn above it.
+  /// All cells between interval a and the turn below it, between interval b and the turn above it.
   template <class Visit>
   void visit_below(Between a, Visit&& visit) const {
     const double from = turn_of_entry(a.entry) + 1.0;

@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-// Direction whose polar angle from the north pole, or else from the south pole, has this haversine.
+/// Direction whose polar angle from the north pole, or else from the south pole, has this haversine.
 inline Vec3 spiral_point(double hav, bool south, double turns) {
   const CosSin theta = turn_angle(turns);
   const double sin_phi = 2.0 * std::sqrt(hav * (1.0 - hav));
@@ -20,7 +20,7 @@ inline Vec3 spiral_point(double hav, bool south, double turns) {
   return {sin_phi * theta.cos, sin_phi * theta.sin, south ? -cos_phi : cos_phi};
 }
 
-// Fills a run with the directions of a placement.
+/// Fills a run with the directions of a placement.
 template <class P>
 void fill_singly(const P& placement, DirectionRun& run) {
   for (std::size_t k = 0; k < run.count; ++k) {
@@ -31,8 +31,8 @@ void fill_singly(const P& placement, DirectionRun& run) {
   }
 }
 
-// Solid angle of the band from half a place before an entry to half a place after it, with sin^2(a / 2) -
-// sin^2(b / 2) = sin((a + b) / 2) sin((a - b) / 2).
+/// Solid angle of the band from half a place before an entry to half a place after it, with sin^2(a / 2) -
+/// sin^2(b / 2) = sin((a + b) / 2) sin((a - b) / 2).
 template <class P>
 double band_area(const P& placement, std::size_t entry) {
   const auto i = static_cast<double>(entry);

@@ -16,14 +16,14 @@
 
 namespace impinge {
 
-// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. std::invalid_argument for a
-// number that is too large for a float, or so small (below 2^-126, but for 0) that fewer digits are left of
-// it.
+/// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. std::invalid_argument for a
+/// number that is too large for a float, or so small (below 2^-126, but for 0) that fewer digits are left of
+/// it.
 class FloatValues {
  public:
   static constexpr std::string_view name = "float";  // in tables of results
 
-  // Rounds the values.
+  /// Rounds the values.
   explicit FloatValues(std::span<const double> values) : values_(values.size()) {
     std::ranges::transform(values, values_.begin(), [](double v) { return to_float(v); });
   }
@@ -48,14 +48,14 @@ class FloatValues {
   std::vector<float> values_;
 };
 
-// Two bytes a number: steps of equal size from the smallest number to the largest, off by at most half a step
-// (and the rounding of smallest + step * code).
+/// Two bytes a number: steps of equal size from the smallest number to the largest, off by at most half a
+/// step (and the rounding of smallest + step * code).
 class Uint16Values {
  public:
   static constexpr std::string_view name = "uint16";  // in tables of results
   static constexpr std::uint16_t kNone = 65535;       // code of NaN
 
-  // Rounds the values to steps between the least and the largest.
+  /// Rounds the values to steps between the least and the largest.
   explicit Uint16Values(std::span<const double> values) : codes_(values.size(), kNone) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -73,14 +73,14 @@ class Uint16Values {
     }
   }
 
-  // Number i.
+  /// Number i.
   double operator[](std::size_t i) const {
     const std::uint16_t code = codes_[i];
     return code == kNone ? std::numeric_limits<double>::quiet_NaN() : smallest_ + step_ * code;
   }
   std::size_t size() const { return codes_.size(); }                           // of numbers
   std::size_t bytes() const { return codes_.size() * sizeof(std::uint16_t); }  // of memory
-  // Number i is smallest() + step() * code(i), in the unit of the numbers; code kNone is NaN.
+  /// Number i is smallest() + step() * code(i), in the unit of the numbers; code kNone is NaN.
   std::uint16_t code(std::size_t i) const { return codes_[i]; }
   double smallest() const { return smallest_; }  // of the numbers
   double step() const { return step_; }          // between two codes

@@ -13,32 +13,33 @@
 
 namespace impinge {
 
-// From 2 MiB on in pages of 2 MiB, if Linux will: a fault for each page of 4 KiB takes as long as filling it.
+/// From 2 MiB on in pages of 2 MiB, if Linux will: a fault for each page of 4 KiB takes as long as filling
+/// it.
 void* allocate_table(std::size_t bytes);
 void free_table(void* memory, std::size_t bytes) noexcept;  // gives it back; `bytes` as it was asked for
 
-// The allocator of such a vector, as the standard library asks for one.
+/// The allocator of such a vector, as the standard library asks for one.
 template <class T>
 struct LeftUnset {
   using value_type = T;  // of the elements
 
   LeftUnset() = default;
-  // All are alike.
+  /// All are alike.
   template <class U>
   explicit LeftUnset(const LeftUnset<U>& /*other*/) {}
 
-  // Memory of so many elements.
+  /// Memory of so many elements.
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_table(count * sizeof(T))); }
-  // Gives it back.
+  /// Gives it back.
   void deallocate(T* memory, std::size_t count) noexcept { free_table(memory, count * sizeof(T)); }
 
-  // Begins an element without a value.
+  /// Begins an element without a value.
   template <class U>
   void construct(U* place) noexcept {
     static_assert(std::is_trivially_default_constructible_v<U>);
     ::new (static_cast<void*>(place)) U;
   }
-  // Begins an element with a value.
+  /// Begins an element with a value.
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
     ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
@@ -47,7 +48,7 @@ struct LeftUnset {
   friend bool operator==(const LeftUnset&, const LeftUnset&) { return true; }
 };
 
-// A vector in such memory.
+/// A vector in such memory.
 template <class T>
 using TableMemory = std::vector<T, LeftUnset<T>>;
 

@@ -16,11 +16,11 @@
 
 namespace impinge {
 
-// Corners a, b, c in the centre frame (mm). The face may be front-facing (normal away from the centre, a
-// ball) or back-facing (normal towards it, a socket); both are met alike.
+/// Corners a, b, c in the centre frame (mm). The face may be front-facing (normal away from the centre, a
+/// ball) or back-facing (normal towards it, a socket); both are met alike.
 class TriangleCone {
  public:
-  // Of the face a, b, c, in mm.
+  /// Of the face a, b, c, in mm.
   TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c)
       : corner_{a, b, c},
         side_(orientation(a, b, c)),
@@ -36,17 +36,17 @@ class TriangleCone {
     }
   }
 
-  // The plane of the face passes through the centre, exactly: no direction meets its inside in one point.
+  /// The plane of the face passes through the centre, exactly: no direction meets its inside in one point.
   bool edge_on() const { return side_ == 0; }
 
-  // +1 front-facing, -1 back-facing, 0 edge-on.
+  /// +1 front-facing, -1 back-facing, 0 edge-on.
   int side() const { return side_; }
 
   const std::array<Vec3, 3>& corners() const& { return corner_; }  // as given, mm
   const std::array<Vec3, 3>& corners() const&& = delete;           // they would be gone before they are read
 
-  // Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
-  // vertex at least one answers yes.
+  /// Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
+  /// vertex at least one answers yes.
   bool contains(const Vec3& u) const {
     bool certain = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -57,8 +57,8 @@ class TriangleCone {
     return certain || place_in_cone(corner_, side_, u) >= 0;
   }
 
-  // Least of the three edge plane tests for u = (x, y, z): above `doubt()` the cone contains u, below
-  // -doubt() it does not, and in between contains() decides. For loops over many directions.
+  /// Least of the three edge plane tests for u = (x, y, z): above `doubt()` the cone contains u, below
+  /// -doubt() it does not, and in between contains() decides. For loops over many directions.
   double least_edge_distance(double x, double y, double z) const {
     const double e0 = edge_plane_[0].x() * x + edge_plane_[0].y() * y + edge_plane_[0].z() * z;
     const double e1 = edge_plane_[1].x() * x + edge_plane_[1].y() * y + edge_plane_[1].z() * z;
@@ -68,22 +68,22 @@ class TriangleCone {
   }
   double doubt() const { return std::max({doubt_[0], doubt_[1], doubt_[2]}); }  // see least_edge_distance()
 
-  // The plane of the face; its offset is above 0 unless the face is seen edge-on, or nearly so.
+  /// The plane of the face; its offset is above 0 unless the face is seen edge-on, or nearly so.
   const FacePlane& plane() const& { return plane_; }
   const FacePlane& plane() const&& = delete;
 
-  // Distance of the centre from the plane of the face, mm.
+  /// Distance of the centre from the plane of the face, mm.
   double plane_distance() const { return plane_.offset / plane_.normal.norm(); }
 
-  // r = n.v0 / (n.u) along a unit u that the cone contains (mm); the nearest corner's for a grazing face.
-  // Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
+  /// r = n.v0 / (n.u) along a unit u that the cone contains (mm); the nearest corner's for a grazing face.
+  /// Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
   double radius(const Vec3& u) const {
     if (grazing_) return smallest_radius_;
     return plane_radius<double>(plane_.normal, plane_.offset, largest_radius_, u);
   }
 
-  // Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below
-  // a limit form a convex cone, so that the largest is at a corner. This is |grad r| / r on the unit sphere.
+  /// Largest tan psi over the face, psi the angle between direction and normal. The directions with psi below
+  /// a limit form a convex cone, so that the largest is at a corner. This is |grad r| / r on the unit sphere.
   double largest_slope() const {
     if (grazing_) return std::numeric_limits<double>::infinity();
     double slope = 0.0;

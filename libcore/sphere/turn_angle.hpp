@@ -7,11 +7,11 @@
 
 namespace impinge {
 
-// The whole number nearest to x, |x| < 2^51, in default rounding.
+/// The whole number nearest to x, |x| < 2^51, in default rounding.
 inline double nearest_whole(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
-// Cosine and sine of 2 pi `turns`, |turns| < 2^49: within 3e-16, multiples of a quarter turn exact. The
-// polynomials interpolate at Chebyshev nodes an eighth of a turn to either side of a quarter, within 2e-17.
+/// Cosine and sine of 2 pi `turns`, |turns| < 2^49: within 3e-16, multiples of a quarter turn exact. The
+/// polynomials interpolate at Chebyshev nodes an eighth of a turn to either side of a quarter, within 2e-17.
 inline CosSin turn_angle(double turns) {
   const double part = turns - nearest_whole(turns);
   const double quarter = nearest_whole(4.0 * part);  // -2 ... 2

@@ -21,34 +21,34 @@ namespace impinge {
 
 class TurnClip {
  public:
-  // Shares of a piece, 0 at its first border and 1 at its second; nothing where from > to.
+  /// Shares of a piece, 0 at its first border and 1 at its second; nothing where from > to.
   struct Part {
     double from;  // share of the piece at which the part begins
     double to;    // and at which it ends
   };
 
-  // A turn between the outermost borders. Radians.
+  /// A turn between the outermost borders. Radians.
   struct Turn {
     CosSin polar;  // of its middle
     double rise;   // of its polar angle, at least
   };
 
-  // `spacing` is that of the turns, on which the number of pieces depends; `doubt` bounds the error of an
-  // entry's direction. Radians.
+  /// `spacing` is that of the turns, on which the number of pieces depends; `doubt` bounds the error of an
+  /// entry's direction. Radians.
   struct Accuracy {
     double margin;   // how near to the triangle entries count
     double spacing;  // of turns
     double doubt;    // of directions
   };
 
-  // Of the triangle `cone`, whose angular box (with the margin) is `box`.
+  /// Of the triangle `cone`, whose angular box (with the margin) is `box`.
   TurnClip(const TriangleCone& cone, const AngularBox& box, const Accuracy& accuracy);
 
   std::size_t pieces() const { return pieces_; }  // into which the azimuths of the box are divided
-  // Azimuth of border k = 0 ... pieces(), in turns.
+  /// Azimuth of border k = 0 ... pieces(), in turns.
   double azimuth(std::size_t k) const { return azimuth_ + static_cast<double>(k) * width_; }
 
-  // Of the piece between borders k and k + 1.
+  /// Of the piece between borders k and k + 1.
   Part part(std::size_t k, const Turn& turn) const {
     const double bend = turn.polar.sin * bend_ + 0.5 * turn.rise;
     Part part{0.0, 1.0};

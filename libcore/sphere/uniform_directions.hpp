@@ -13,10 +13,10 @@
 
 namespace impinge {
 
-// Uniform in [0, 1).
+/// Uniform in [0, 1).
 inline double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
 
-// Uniform on the sphere: by the theorem of Archimedes heights are uniform.
+/// Uniform on the sphere: by the theorem of Archimedes heights are uniform.
 inline Vec3 uniform_direction(std::mt19937_64& random) {
   const double z = 2.0 * uniform(random) - 1.0;
   const double theta = 2.0 * kPi * uniform(random);
@@ -24,7 +24,7 @@ inline Vec3 uniform_direction(std::mt19937_64& random) {
   return {across * std::cos(theta), across * std::sin(theta), z};
 }
 
-// Uniform on the sphere; the same for a seed everywhere.
+/// Uniform on the sphere; the same for a seed everywhere.
 inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Vec3> directions;
@@ -33,7 +33,7 @@ inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t see
   return directions;
 }
 
-// Uniform on the two caps within an angle of the poles, radians, in turn.
+/// Uniform on the two caps within an angle of the poles, radians, in turn.
 inline std::vector<Vec3> polar_directions(std::size_t count, double within, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Vec3> directions;

@@ -23,12 +23,12 @@
 
 namespace impinge {
 
-// mm; low > high where there is nothing.
+/// mm; low > high where there is nothing.
 struct RadiusRange {
   double low = std::numeric_limits<double>::infinity();    // the least radius
   double high = -std::numeric_limits<double>::infinity();  // the largest radius
 
-  // Widens the range to hold a radius, mm.
+  /// Widens the range to hold a radius, mm.
   void include(double radius) {
     low = std::min(low, radius);
     high = std::max(high, radius);
@@ -36,33 +36,33 @@ struct RadiusRange {
   bool empty() const { return low > high; }  // nothing has been included
 };
 
-// What of a face lies in a cap.
+/// What of a face lies in a cap.
 struct FaceInCap {
   RadiusRange range;                // holds every radius of that part
   std::array<bool, 3> side_inside;  // may the side from corner k to k + 1 pass through the cap?
 };
 
-// Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
-// kCapSlack radians more. Rounding stays below both, u = 2^-53:
-//   a radius p / (n . x)  21 u k by kPlaneRoundings (surface_plane.hpp); a face with a condition k above
-//                         1e-10 / kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have
-//                         as much
-//   a point of the disc   coordinates up to 1 / kLeastDepth = 20 with 10 roundings: 2e-14 of kCapSlack
-//   the cap of a face     |axis - axis'| with 4 roundings: 1e-15 of kCapSlack
-// and the lengths that are compared with a range have 4 roundings.
+/// Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
+/// kCapSlack radians more. Rounding stays below both, u = 2^-53:
+///   a radius p / (n . x)  21 u k by kPlaneRoundings (surface_plane.hpp); a face with a condition k above
+///                         1e-10 / kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have
+///                         as much
+///   a point of the disc   coordinates up to 1 / kLeastDepth = 20 with 10 roundings: 2e-14 of kCapSlack
+///   the cap of a face     |axis - axis'| with 4 roundings: 1e-15 of kCapSlack
+/// and the lengths that are compared with a range have 4 roundings.
 inline constexpr double kRangeSlack = 1e-9;
 inline constexpr double kCapShare = 1e-7;   // of the radius of a cap
 inline constexpr double kCapSlack = 1e-10;  // radians
 
-// A face that is asked about many caps.
+/// A face that is asked about many caps.
 class FaceRange {
  public:
-  // The cone must not be edge-on.
+  /// The cone must not be edge-on.
   explicit FaceRange(const TriangleCone& cone);
 
-  // None if the face is certainly outside of the cap. The whole range of the face where the formulas would
-  // be ill-conditioned: a cap of more than kWidestCap, a corner almost a quarter turn away from the axis, a
-  // face that is almost edge-on.
+  /// None if the face is certainly outside of the cap. The whole range of the face where the formulas would
+  /// be ill-conditioned: a cap of more than kWidestCap, a corner almost a quarter turn away from the axis, a
+  /// face that is almost edge-on.
   std::optional<FaceInCap> in_cap(const DirectionCap& cap) const;
 
   static constexpr double kWidestCap = 1.2;  // radians

@@ -29,21 +29,21 @@
 
 namespace impinge {
 
-// How much of a set of directions the surface covers.
+/// How much of a set of directions the surface covers.
 enum class Cover { none, part, whole };
 
-// Every radius of the surface along a direction is within `range`; there is none with Cover::none, at least
-// one with Cover::whole.
+/// Every radius of the surface along a direction is within `range`; there is none with Cover::none, at least
+/// one with Cover::whole.
 struct SurfaceRange {
   RadiusRange range;          // mm; empty with Cover::none
   Cover cover = Cover::none;  // of the cell that holds the direction
 };
 
-// Ranges in mm as floats, rounded outwards: 8 bytes an entry and two bits.
+/// Ranges in mm as floats, rounded outwards: 8 bytes an entry and two bits.
 template <SamplingScheme S>
 class RangeTable {
  public:
-  // Without any surface. std::invalid_argument above kMostTableEntries.
+  /// Without any surface. std::invalid_argument above kMostTableEntries.
   explicit RangeTable(const S& scheme)
       : scheme_(scheme),
         ranges_(require_table_size(S::name, scheme.size())),
@@ -51,10 +51,10 @@ class RangeTable {
         cut_(scheme.size()) {}
 
   const S& scheme() const { return scheme_; }  // whose entries have the ranges
-  // Memory of ranges and bits.
+  /// Memory of ranges and bits.
   std::size_t bytes() const { return ranges_.size() * sizeof(FloatRange) + 2 * (ranges_.size() / 8); }
 
-  // What is known of the radius along x, of any length above zero.
+  /// What is known of the radius along x, of any length above zero.
   SurfaceRange at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
     SurfaceRange common{{0.0, std::numeric_limits<double>::infinity()}, Cover::part};
@@ -68,7 +68,7 @@ class RangeTable {
     return common;
   }
 
-  // Widens the range of an entry to hold another one.
+  /// Widens the range of an entry to hold another one.
   void include(std::size_t entry, const RadiusRange& range) {
     const auto low = static_cast<float>(range.low);
     const auto high = static_cast<float>(range.high);
@@ -91,7 +91,7 @@ class RangeTable {
   CellMask cut_;
 };
 
-// What one face says about the cap of one entry.
+/// What one face says about the cap of one entry.
 template <SamplingScheme S>
 void include_face(RangeTable<S>& table, std::size_t entry, const FaceInCap& part,
                   const std::array<bool, 3>& jumps) {
@@ -101,8 +101,8 @@ void include_face(RangeTable<S>& table, std::size_t entry, const FaceInCap& part
   }
 }
 
-// mesh in the centre frame; faces whose plane holds the centre cover no direction and are left out, as in a
-// radial table.
+/// mesh in the centre frame; faces whose plane holds the centre cover no direction and are left out, as in a
+/// radial table.
 template <SamplingScheme S>
 RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
   require_lengths(mesh);

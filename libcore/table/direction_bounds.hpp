@@ -16,22 +16,22 @@
 
 namespace impinge {
 
-// Tables of more cells are bounded to first order alone: the others take some microseconds a cell.
+/// Tables of more cells are bounded to first order alone: the others take some microseconds a cell.
 inline constexpr std::size_t kMostBoundedCells = 1'500'000;
 
-// The lesser of the bound of a cell and that of the whole table, mm. 0 stands in cells that the search has
-// not met, and says nothing.
+/// The lesser of the bound of a cell and that of the whole table, mm. 0 stands in cells that the search has
+/// not met, and says nothing.
 inline double bound_in(const std::vector<float>& of_cells, std::size_t cell, double everywhere) {
   const auto here = static_cast<double>(of_cells[cell]);
   return here > 0.0 ? std::min(here, everywhere) : everywhere;
 }
 
-// The bounds of a RadialTable of any scheme.
+/// The bounds of a RadialTable of any scheme.
 template <SamplingScheme S>
 class DirectionBounds {
  public:
-  // mesh in the centre frame; the table was filled from it, exactly, for this layer. Keeps a reference to the
-  // table. `options` are those of the search for the bound of the whole table.
+  /// mesh in the centre frame; the table was filled from it, exactly, for this layer. Keeps a reference to
+  /// the table. `options` are those of the search for the bound of the whole table.
   DirectionBounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                   BoundOptions options = {})
       : table_(table), slopes_(largest_slopes(mesh, table.scheme())) {
@@ -43,11 +43,11 @@ class DirectionBounds {
     everywhere_ = table_bound(mesh, table, layer, options).bound_mm;
   }
 
-  // Of the whole table, mm; infinite where none is proven.
+  /// Of the whole table, mm; infinite where none is proven.
   double everywhere() const { return everywhere_; }
 
-  // Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface where the table answers none, and
-  // infinite where nothing is proven.
+  /// Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface where the table answers none, and
+  /// infinite where nothing is proven.
   double at(const Vec3& x) const {
     const double here = error_bound_at(table_, slopes_, x);
     if (std::isnan(here)) return here;
@@ -62,11 +62,11 @@ class DirectionBounds {
   double everywhere_ = HUGE_VAL;
 };
 
-// The bounds of an InverseDepthTable.
+/// The bounds of an InverseDepthTable.
 template <PlaneExactScheme S>
 class FlatDirectionBounds {
  public:
-  // As in DirectionBounds.
+  /// As in DirectionBounds.
   FlatDirectionBounds(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
                       BoundOptions options = {})
       : table_(table) {
@@ -79,7 +79,7 @@ class FlatDirectionBounds {
 
   double everywhere() const { return everywhere_; }  // as in DirectionBounds
 
-  // As in DirectionBounds.
+  /// As in DirectionBounds.
   double at(const Vec3& x) const {
     if (std::isnan(table_.radius_at(x))) return kNoSurface;
     if (cells_.empty()) return everywhere_;

@@ -27,9 +27,9 @@
 
 namespace impinge {
 
-// By how much rounding may move an entry or a line between entries, radians. An azimuth of t turns of a curve
-// is 2 pi t with at most 8 roundings of t, t <= equator_points() for every spiral: 5.6e-15 a turn; all other
-// angles are within one turn.
+/// By how much rounding may move an entry or a line between entries, radians. An azimuth of t turns of a
+/// curve is 2 pi t with at most 8 roundings of t, t <= equator_points() for every spiral: 5.6e-15 a turn; all
+/// other angles are within one turn.
 template <SamplingScheme S>
 double direction_doubt(const S& scheme) {
   return 1e-14 * (2.0 + static_cast<double>(scheme.equator_points()));
@@ -37,14 +37,14 @@ double direction_doubt(const S& scheme) {
 
 inline constexpr double kFirstOrderRounding = 512.0 * 0x1p-53;  // for each unit of 1 + tan psi, of a radius
 
-// How much a radius may change within an angle (radians) where tan psi is no larger, as a share of it.
+/// How much a radius may change within an angle (radians) where tan psi is no larger, as a share of it.
 inline double first_order_share(double slope, double angle) {
   const double grown = std::expm1(slope * angle);
   return grown + kFirstOrderRounding * (1.0 + slope) * (1.0 + grown);
 }
 
-// Largest tan psi within the stencil radius of each entry; infinite near a face whose plane holds the centre,
-// 0 where there is no face. mesh in the centre frame.
+/// Largest tan psi within the stencil radius of each entry; infinite near a face whose plane holds the
+/// centre, 0 where there is no face. mesh in the centre frame.
 template <SamplingScheme S>
 std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   std::vector<float> slopes(scheme.size(), 0.0F);
@@ -62,9 +62,9 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   return slopes;
 }
 
-// Bound on |table.radius_at(x) - radius of the mesh along x|, mm, for a table filled exactly and its
-// largest_slopes(). kNoSurface where the table has no surface; infinite where the
-// bound is above the radius itself and says nothing.
+/// Bound on |table.radius_at(x) - radius of the mesh along x|, mm, for a table filled exactly and its
+/// largest_slopes(). kNoSurface where the table has no surface; infinite where the
+/// bound is above the radius itself and says nothing.
 template <SamplingScheme S>
 double error_bound_at(const RadialTable<S>& table, const std::vector<float>& slopes, const Vec3& x) {
   const Stencil stencil = table.scheme().stencil(x);

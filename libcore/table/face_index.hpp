@@ -14,28 +14,28 @@
 
 namespace impinge {
 
-// Lists of faces by the entries of a grid on a cube whose cells are about as large as a face. O(faces) memory
-// for faces of similar size.
+/// Lists of faces by the entries of a grid on a cube whose cells are about as large as a face. O(faces)
+/// memory for faces of similar size.
 class FaceIndex {
  public:
-  // A face as seen from the centre.
+  /// A face as seen from the centre.
   struct SeenFace {
     DirectionCap cap;   // holds its directions if less than a quarter turn wide
     RadiusRange range;  // holds its radii, mm
     int side = 0;       // orientation of its corners; 0 for a face that covers no direction
   };
 
-  // What the surface has near a direction.
+  /// What the surface has near a direction.
   struct Neighbours {
     std::span<const std::uint32_t> faces;  // each that meets the cap once, and perhaps some that do not
     RadiusRange range;                     // of all that meet it
   };
 
-  // mesh in the centre frame.
+  /// mesh in the centre frame.
   explicit FaceIndex(const TriangleMesh& mesh);
 
-  // Faces that may be met within reach() of the direction of x, of any length above zero. Faces whose plane
-  // holds the centre are left out.
+  /// Faces that may be met within reach() of the direction of x, of any length above zero. Faces whose plane
+  /// holds the centre are left out.
   Neighbours near(const Vec3& x) const;
 
   double reach() const { return reach_; }                          // radians: about the size of a face
@@ -55,8 +55,8 @@ class FaceIndex {
   std::vector<std::uint32_t> listed_;
 };
 
-// The face with these corners as the centre sees it; its range holds its radii, rounded outwards. A corner in
-// the centre has any direction.
+/// The face with these corners as the centre sees it; its range holds its radii, rounded outwards. A corner
+/// in the centre has any direction.
 FaceIndex::SeenFace see_face(const std::array<Vec3, 3>& corners);
 
 }  // namespace impinge

@@ -4,12 +4,12 @@
 
 namespace impinge {
 
-// A star-shaped surface is met once and the choice does not matter. A socket with both sides of its wall
-// keeps the nearest, the one that faces the ball; a ball keeps the farthest, its outer skin.
+/// A star-shaped surface is met once and the choice does not matter. A socket with both sides of its wall
+/// keeps the nearest, the one that faces the ball; a ball keeps the farthest, its outer skin.
 enum class Layer { nearest, farthest };
 
-// Puts a radius (mm) into an entry that is empty (NaN) or holds that of another face. Ties and order of faces
-// do not matter, so that the result depends on the surface alone.
+/// Puts a radius (mm) into an entry that is empty (NaN) or holds that of another face. Ties and order of
+/// faces do not matter, so that the result depends on the surface alone.
 inline void keep(double& entry, double radius, Layer layer) {
   const bool replaces = layer == Layer::nearest ? !(entry <= radius) : !(entry >= radius);
   if (replaces) entry = radius;

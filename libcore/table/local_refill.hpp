@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bringing a table up to date after a part of its mesh has moved (the thesis' deformable case): only entries
-// that a changed face covers, before or after, are worked out again.
+/// \file
+/// Bringing a table up to date after a part of its mesh has moved (the thesis' deformable case): only entries
+/// that a changed face covers, before or after, are worked out again.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +16,20 @@
 
 namespace impinge {
 
-// Faces with a corner that is not where it was. The meshes differ in the places of their vertices alone, else
-// std::invalid_argument.
+/// Faces with a corner that is not where it was. The meshes differ in the places of their vertices alone,
+/// else std::invalid_argument.
 std::vector<std::size_t> changed_faces(const TriangleMesh& before, const TriangleMesh& after);
 
-// A cap that holds all directions of these faces in both meshes; all directions where none narrower is found.
+/// A cap that holds all directions of these faces in both meshes; all directions where none narrower is
+/// found.
 DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
                           const std::vector<std::size_t>& faces);
 
-// Are all directions of the face outside of the cap? false is safe.
+/// Are all directions of the face outside of the cap? false is safe.
 bool surely_outside(const TriangleMesh& mesh, const Face& face, const DirectionCap& cap);
 
-// `table` was filled exactly from `before` for this layer and becomes that of `after`, bit for bit. Returns
-// how many entries were worked out. The rim, where there is one, is followed anew as a whole.
+/// `table` was filled exactly from `before` for this layer and becomes that of `after`, bit for bit. Returns
+/// how many entries were worked out. The rim, where there is one, is followed anew as a whole.
 template <SamplingScheme S>
 std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer layer,
                    RadialTable<S>& table) {

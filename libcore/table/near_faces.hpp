@@ -21,7 +21,7 @@ namespace impinge {
 
 class NearFaces {
  public:
-  // Of all directions within the margin of the one that was asked for.
+  /// Of all directions within the margin of the one that was asked for.
   struct Near {
     std::span<const std::uint32_t> faces;  // every face that is met there, and perhaps some that are not
     RadiusRange range;   // mm, holds every radius there and every mean of them; empty if there is none
@@ -31,22 +31,22 @@ class NearFaces {
     bool nothing() const { return range.empty(); }  // no face is met
   };
 
-  // mesh in the centre frame; it must outlive this. margin in radians. Faces whose
-  // plane holds the centre cover no direction and are not listed, but their slope is infinite.
+  /// mesh in the centre frame; it must outlive this. margin in radians. Faces whose
+  /// plane holds the centre cover no direction and are not listed, but their slope is infinite.
   NearFaces(const TriangleMesh& mesh, double margin);
 
-  // x of any length. Nothing is known about the centre, which has no direction.
+  /// x of any length. Nothing is known about the centre, which has no direction.
   Near near(const Vec3& x) const;
 
-  // Radius of the layer along unit u, mm; kNoSurface if it meets no face. The number that exact
-  // rasterisation gives to an entry in this direction.
+  /// Radius of the layer along unit u, mm; kNoSurface if it meets no face. The number that exact
+  /// rasterisation gives to an entry in this direction.
   double radius(const Vec3& u, Layer layer) const;
 
-  // The same, for u within the margin of the direction that `near` was asked for.
+  /// The same, for u within the margin of the direction that `near` was asked for.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
-  // Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
-  // of its corners.
+  /// Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
+  /// of its corners.
   template <class Test>
   bool any_met(const Vec3& x, Test&& test) const {
     const Vec3 u = x.stableNormalized();
@@ -62,7 +62,8 @@ class NearFaces {
   double margin() const { return margin_; }                      // radians
   const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
 
-  // Those of the jump edges that come within `angle` radians of some of these directions, and perhaps others.
+  /// Those of the jump edges that come within `angle` radians of some of these directions, and perhaps
+  /// others.
   std::vector<JumpEdge> jumps_near(std::span<const Vec3> directions, double angle) const;
 
   std::size_t bytes() const;  // of memory, without the mesh
@@ -73,8 +74,8 @@ class NearFaces {
     double cosine;  // of the angle that holds the face; -1 where it does not
     int side;       // orientation of its corners
   };
-  // Of the faces within reach of an entry of the grid; as floats, rounded outwards, for a look-up to find
-  // those of neighbours together.
+  /// Of the faces within reach of an entry of the grid; as floats, rounded outwards, for a look-up to find
+  /// those of neighbours together.
   struct Summary {
     float low = std::numeric_limits<float>::infinity();
     float high = -std::numeric_limits<float>::infinity();
@@ -85,7 +86,7 @@ class NearFaces {
 
   void see(std::size_t f, const CubeGnomonic::Walker& walker, std::vector<Listed>& listed);
   void sort(const std::vector<Listed>& listed);
-  // The faces of that entry of the stencil which has the fewest: none that is met there is missing.
+  /// The faces of that entry of the stencil which has the fewest: none that is met there is missing.
   std::span<const std::uint32_t> listed(const Stencil& stencil) const;
 
   const TriangleMesh& mesh_;

@@ -18,32 +18,32 @@
 
 namespace impinge {
 
-// How a radius is kept: 8, 4 or 2 bytes (sphere/stored_values.hpp).
+/// How a radius is kept: 8, 4 or 2 bytes (sphere/stored_values.hpp).
 enum class Storage { double_precision, single_precision, sixteen_bits };
 
 class PartialTable final : public RadiusSource {
  public:
-  // Without any surface. The set must have been numbered.
+  /// Without any surface. The set must have been numbered.
   PartialTable(AnyScheme scheme, EntrySet entries);
 
   const AnyScheme& scheme() const { return scheme_; }  // some of whose entries are kept
   const EntrySet& kept() const { return kept_; }       // the entries that have a radius here
   double radius_of(std::size_t entry) const;           // mm, kNoSurface if it is not kept
-  // Radius of the entry with this slot of kept(), mm.
+  /// Radius of the entry with this slot of kept(), mm.
   void set(std::size_t slot, double radius) { radii_[slot] = radius; }
-  // It has no surface from now on. Before store().
+  /// It has no surface from now on. Before store().
   void forget(std::size_t entry) {
     if (const auto slot = kept_.slot(entry)) set(*slot, kNoSurface);
   }
   bool keeps(const Stencil& stencil) const;  // are all entries kept that this stencil reads?
 
-  // Does this cell answer kNoSurface?
+  /// Does this cell answer kNoSurface?
   bool is_rim_cell(std::size_t cell) const { return !rim_.empty() && rim_.contains(cell); }
   void mark_rim_cell(std::size_t cell) { rim_.insert(cell); }  // from now on this cell answers kNoSurface
 
-  // Keeps the radii in fewer bytes from now on; they must have been set before.
+  /// Keeps the radii in fewer bytes from now on; they must have been set before.
   void store(Storage storage);
-  // Largest difference of an answer from that with 8 bytes, mm (sphere/quantised_table.hpp has the proof).
+  /// Largest difference of an answer from that with 8 bytes, mm (sphere/quantised_table.hpp has the proof).
   double storage_bound() const { return storage_bound_; }
 
   double radius_at(const Vec3& x) const override;
@@ -63,18 +63,18 @@ class PartialTable final : public RadiusSource {
   double storage_bound_ = 0.0;
 };
 
-// Adds what a look-up along x reads.
+/// Adds what a look-up along x reads.
 void insert_taps(const AnyScheme& scheme, const Vec3& x, EntrySet& entries);
 
-// The entries of the set as fill_exact() has them, by looking at the faces near each: O(entries) for few
-// entries, where rasterisation is O(faces + all entries). `faces` are those of the surface, with any
-// margin.
+/// The entries of the set as fill_exact() has them, by looking at the faces near each: O(entries) for few
+/// entries, where rasterisation is O(faces + all entries). `faces` are those of the surface, with any
+/// margin.
 std::unique_ptr<PartialTable> fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries,
                                            Layer layer);
 
-// An edge marks the cell that it crosses and those that read across it. No two directions of a cell, nor two
-// between the entries that a cell reads, are farther apart than two stencil radii: what marks a cell is
-// within so many stencil radii of the entries that it reads.
+/// An edge marks the cell that it crosses and those that read across it. No two directions of a cell, nor two
+/// between the entries that a cell reads, are farther apart than two stencil radii: what marks a cell is
+/// within so many stencil radii of the entries that it reads.
 inline constexpr double kRimReach = 4.0;
 
 }  // namespace impinge

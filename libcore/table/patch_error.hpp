@@ -52,16 +52,16 @@
 
 namespace impinge {
 
-// Corners on the border of a patch are sampled this share of it inside, where its own cell answers.
+/// Corners on the border of a patch are sampled this share of it inside, where its own cell answers.
 inline constexpr double kCornerInset = 1e-9;
 
-// Value and truth in units of y; NaN where there is none.
+/// Value and truth in units of y; NaN where there is none.
 struct CornerSample {
   double value = 0.0;  // of the interpolant
   double truth = 0.0;  // of the surface
 };
 
-// A rectangle of a patch. Corners in the order (from, from), (to, from), (from, to), (to, to).
+/// A rectangle of a patch. Corners in the order (from, from), (to, from), (from, to), (to, to).
 struct PatchView {
   PatchMotion motion;                  // over the rectangle
   DirectionCap cap;                    // holds all of its directions
@@ -73,20 +73,20 @@ struct PatchView {
   bool flat = false;                   // mesh_exact
 };
 
-// What is proven about a rectangle.
+/// What is proven about a rectangle.
 struct PatchBound {
   double bound = 0.0;     // mm, on the error over the rectangle
   std::size_t split = 0;  // the direction that adds most to it
   bool settled = false;   // no smaller rectangle would do better
 };
 
-// Bounds rectangles one after the other; keeps scratch memory.
+/// Bounds rectangles one after the other; keeps scratch memory.
 class PatchError {
  public:
-  // angle_doubt: how far rounding may move a direction, radians.
+  /// angle_doubt: how far rounding may move a direction, radians.
   PatchError(const SurfaceIndex& surface, double angle_doubt) : surface_(surface), doubt_(angle_doubt) {}
 
-  // At least one corner has a value.
+  /// At least one corner has a value.
   PatchBound operator()(const PatchView& view);
 
  private:

@@ -10,11 +10,11 @@
 
 namespace impinge {
 
-// Directions spread evenly over the two caps within `within` radians of the poles: `count` in all.
+/// Directions spread evenly over the two caps within `within` radians of the poles: `count` in all.
 std::vector<Vec3> polar_directions(double within, std::size_t count);
 
-// Directions through every vertex and through the middle of every edge of a mesh in the centre frame, where
-// the radius of the mesh has its kinks.
+/// Directions through every vertex and through the middle of every edge of a mesh in the centre frame, where
+/// the radius of the mesh has its kinks.
 std::vector<Vec3> feature_directions(const TriangleMesh& mesh);
 
 }  // namespace impinge

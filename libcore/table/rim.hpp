@@ -28,21 +28,21 @@
 
 namespace impinge {
 
-// An edge may run along the border of two cells, both of which it then separates: it is followed at this
-// distance on either side, radians.
+/// An edge may run along the border of two cells, both of which it then separates: it is followed at this
+/// distance on either side, radians.
 inline constexpr double kBesideEdge = 1e-9;
 
-// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
+/// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
 inline constexpr double kRimPlace = 1e-12;
 
-// The line from `from` to `to`, each of its points x moved by |x| `aside`. In halves of an angle: a ray that
-// halves the angle between two points divides the line between them as their distances from the centre.
+/// The line from `from` to `to`, each of its points x moved by |x| `aside`. In halves of an angle: a ray that
+/// halves the angle between two points divides the line between them as their distances from the centre.
 struct RimLine {
   Vec3 from;                  // mm
   Vec3 to;                    // mm
   Vec3 aside = Vec3::Zero();  // across, radians
 
-  // Two places of the line as shares of it, and the angle between their directions.
+  /// Two places of the line as shares of it, and the angle between their directions.
   struct Part {
     double first;  // share
     double last;   // share
@@ -50,12 +50,12 @@ struct RimLine {
   };
 
   Part whole() const { return {0.0, 1.0, angle_between(from, to)}; }  // of the line
-  // The point at a share of the line, mm.
+  /// The point at a share of the line, mm.
   Vec3 point(double share) const {
     const Vec3 x = from + share * (to - from);
     return x + x.norm() * aside;
   }
-  // Where the angle of a part is halved.
+  /// Where the angle of a part is halved.
   double middle(const Part& part) const {
     const double near = (from + part.first * (to - from)).norm();
     const double far = (from + part.last * (to - from)).norm();
@@ -63,22 +63,22 @@ struct RimLine {
   }
 };
 
-// Follows a line from cell to cell.
+/// Follows a line from cell to cell.
 template <class S, class Visit>
 class RimTrace {
  public:
-  // Keeps references to all three.
+  /// Keeps references to all three.
   RimTrace(const S& scheme, const RimLine& line, Visit& visit)
       : scheme_(scheme), line_(line), visit_(visit), here_(scheme.stencil(line.point(0.0))) {}
 
-  // From one end to the other, once.
+  /// From one end to the other, once.
   void run() {
     follow(line_.whole());
     visit_(here_, line_.point(entered_), line_.point(1.0));
   }
 
  private:
-  // In parts that meet each cell in one stretch, or are too short to matter.
+  /// In parts that meet each cell in one stretch, or are too short to matter.
   void follow(const RimLine::Part& part) {
     if (part.angle < kRimPlace || meets_once(part)) return find_changes(part);
     const double middle = line_.middle(part);
@@ -91,7 +91,7 @@ class RimTrace {
     return meets_cells_once(scheme_, a, b);
   }
 
-  // Where the line leaves the cell that it is in is found by halving.
+  /// Where the line leaves the cell that it is in is found by halving.
   void find_changes(RimLine::Part part) {
     const std::size_t last_cell = scheme_.stencil(line_.point(part.last)).cell;
     while (here_.cell != last_cell) {
@@ -113,9 +113,9 @@ class RimTrace {
   Stencil here_;
 };
 
-// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
-// ends. No cell is left out in which the line is deeper than rounding. Beside an edge a line is straight for
-// an eighth of a turn, no farther than 1.09 `aside` from it, and then goes on from there.
+/// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
+/// ends. No cell is left out in which the line is deeper than rounding. Beside an edge a line is straight for
+/// an eighth of a turn, no farther than 1.09 `aside` from it, and then goes on from there.
 template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
   const RimLine::Part whole = line.whole();
@@ -128,24 +128,24 @@ void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
   RimTrace<S, std::remove_reference_t<Visit>>(scheme, straight, visit).run();
 }
 
-// The least distance from the centre of a stretch of a line, mm.
+/// The least distance from the centre of a stretch of a line, mm.
 inline double least_radius(const Vec3& first, const Vec3& last) {
   const Vec3 along = last - first;
   const double length = along.squaredNorm();
   if (length == 0.0) return first.norm();
   return (first + std::clamp(-first.dot(along) / length, 0.0, 1.0) * along).norm();
 }
-// The largest, which is at an end.
+/// The largest, which is at an end.
 inline double largest_radius(const Vec3& first, const Vec3& last) {
   return std::max(first.norm(), last.norm());
 }
-// The one of both at which a stretch is most likely to be of the layer.
+/// The one of both at which a stretch is most likely to be of the layer.
 inline double radius_to_be_seen(const Vec3& first, const Vec3& last, Layer layer) {
   return layer == Layer::nearest ? least_radius(first, last) : largest_radius(first, last);
 }
 
-// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
-// to belong to the layer; 0 or less if not at all. `radius` is that of the stretch of the edge in the cell.
+/// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
+/// to belong to the layer; 0 or less if not at all. `radius` is that of the stretch of the edge in the cell.
 template <class Table>
 double change_to_be_seen(const Table& table, const Stencil& stencil, double radius, Layer layer) {
   double least = std::numeric_limits<double>::infinity();
@@ -157,17 +157,17 @@ double change_to_be_seen(const Table& table, const Stencil& stencil, double radi
   return least;
 }
 
-// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
-// scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
+/// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
+/// scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
 template <class S, class Visit>
 void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   visit(at);
   if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
 }
 
-// Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
-// entry speaks for its cell, but not on the line between two others.) Where a cell reads one entry only, that
-// speaks for directions beyond the rim.
+/// Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
+/// entry speaks for its cell, but not on the line between two others.) Where a cell reads one entry only,
+/// that speaks for directions beyond the rim.
 template <class Table>
 bool may_be_parted(const Table& table, const Stencil& stencil) {
   return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
@@ -175,14 +175,14 @@ bool may_be_parted(const Table& table, const Stencil& stencil) {
          stencil.taps == 1;
 }
 
-// An edge in a cell that the faces at the edge alone would call hidden.
+/// An edge in a cell that the faces at the edge alone would call hidden.
 struct DoubtfulRim {
   Stencil reader;  // of the cell, by the entries that it reads
   double slope;    // tan psi that a face within the reach of a tap needs for the edge to be seen
 };
 
-// Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T s)
-// between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
+/// Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T
+/// s) between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
 template <class Table>
 void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful, Table& table) {
   std::unordered_map<std::size_t, double> slopes;  // of the taps
@@ -214,13 +214,13 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
   }
 }
 
-// The direction across an edge, unit; 0 where the centre sees it as a point. The difference of near ends is
-// exact, or nearly so, and their product is small: its rounding is one of the edge's own length.
+/// The direction across an edge, unit; 0 where the centre sees it as a point. The difference of near ends is
+/// exact, or nearly so, and their product is small: its rounding is one of the edge's own length.
 inline Vec3 across(const Vec3& from, const Vec3& to) { return from.cross(to - from).stableNormalized(); }
 
-// For a scheme that does not tell the borders of its cells: takes the surface from every entry within the
-// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
-// one across an edge.
+/// For a scheme that does not tell the borders of its cells: takes the surface from every entry within the
+/// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
+/// one across an edge.
 template <class Table>
 void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Table& table) {
   const auto& walker = table.scheme().walker();
@@ -233,7 +233,7 @@ void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh,
   }
 }
 
-// Marks the cells that one side of an edge parts, or puts them down as doubtful.
+/// Marks the cells that one side of an edge parts, or puts them down as doubtful.
 template <class Table>
 void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& table,
                 std::vector<DoubtfulRim>& doubtful) {
@@ -252,7 +252,7 @@ void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& t
   });
 }
 
-// Marks the cells that these edges part and those that read across them.
+/// Marks the cells that these edges part and those that read across them.
 template <class Table>
 void mask_crossed(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
   std::vector<DoubtfulRim> doubtful;
@@ -269,9 +269,9 @@ void mask_crossed(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, 
   mask_doubtful(mesh, doubtful, table);
 }
 
-// Marks every cell in which the surface ends or jumps between the entries that it reads, for these of the
-// jump edges of the mesh. A table is one that has radius_of(), keeps(), forget(), scheme() and a rim mask;
-// cells that read an entry that it does not keep are never asked, and are left out.
+/// Marks every cell in which the surface ends or jumps between the entries that it reads, for these of the
+/// jump edges of the mesh. A table is one that has radius_of(), keeps(), forget(), scheme() and a rim mask;
+/// cells that read an entry that it does not keep are never asked, and are left out.
 template <class Table>
 void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
   const auto& scheme = table.scheme();
@@ -284,7 +284,7 @@ void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh
   }
 }
 
-// For all of them.
+/// For all of them.
 template <class Table>
 void mask_rim(const TriangleMesh& mesh, Layer layer, Table& table) {
   mask_rim_along(jump_edges(mesh), mesh, layer, table);

@@ -18,16 +18,16 @@ namespace impinge {
 
 class SurfaceIndex {
  public:
-  // mesh in the centre frame. `reach` is the largest angle of caps that will be asked for, radians.
+  /// mesh in the centre frame. `reach` is the largest angle of caps that will be asked for, radians.
   SurfaceIndex(const TriangleMesh& mesh, Layer layer, double reach);
 
-  // Radius of the layer along unit u, mm; kNoSurface where it is not met.
+  /// Radius of the layer along unit u, mm; kNoSurface where it is not met.
   double radius(const Vec3& u) const;
 
-  // Faces that may meet a cap, and edges. Not fewer than do; cap.radius <= reach.
+  /// Faces that may meet a cap, and edges. Not fewer than do; cap.radius <= reach.
   void faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const;
   std::span<const std::uint32_t> kinks_of(std::uint32_t face) const;  // edges of a face, which kink() has
-  // Faces that share directions with this one, so that a layer may change between them off their edges.
+  /// Faces that share directions with this one, so that a layer may change between them off their edges.
   std::span<const std::uint32_t> overlaps_of(std::uint32_t face) const;
 
   const SurfacePlane& plane(std::uint32_t face) const { return planes_[face]; }  // face `face` of the mesh
@@ -35,7 +35,7 @@ class SurfaceIndex {
   double reach() const { return reach_; }  // largest angle of a cap that may be asked for, radians
 
  private:
-  // Lists of numbers, one after the other.
+  /// Lists of numbers, one after the other.
   struct Lists {
     std::vector<std::size_t> first{0};
     std::vector<std::uint32_t> value;
@@ -45,7 +45,7 @@ class SurfaceIndex {
   };
   static Lists gather(std::size_t count, const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
-  // Faces by the entry of a cube map that is nearest to a direction: all within `reach` of the direction.
+  /// Faces by the entry of a cube map that is nearest to a direction: all within `reach` of the direction.
   struct Level {
     CubeGnomonic bins;
     double reach;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proven and tight bound on what a table costs: the largest |table.radius_at(x) - radius of the mesh along
-// x| over all x that have an answer.
-//
-// A priori, for each patch of the scheme (patches/patch.hpp) from its errors at the corners and the faces and
-// edges that it may meet (patch_error.hpp, with the proof); then by branch and bound: the patch with the
-// largest bound is halved until that bound is within `tightness` of the largest error that was evaluated, or
-// the budget ends. Patches of one face converge at second order, those across an edge at first order, but
-// along the edge only.
-//
-// A scheme that declares no patches has a bound of first order.
-//
-// Answer and truth lie between 0 and the largest radius of the surface. A bound above that says nothing, and
-// is infinite: there is none.
+/// \file
+/// A proven and tight bound on what a table costs: the largest |table.radius_at(x) - radius of the mesh along
+/// x| over all x that have an answer.
+///
+/// A priori, for each patch of the scheme (patches/patch.hpp) from its errors at the corners and the faces
+/// and edges that it may meet (patch_error.hpp, with the proof); then by branch and bound: the patch with the
+/// largest bound is halved until that bound is within `tightness` of the largest error that was evaluated, or
+/// the budget ends. Patches of one face converge at second order, those across an edge at first order, but
+/// along the edge only.
+///
+/// A scheme that declares no patches has a bound of first order.
+///
+/// Answer and truth lie between 0 and the largest radius of the surface. A bound above that says nothing, and
+/// is infinite: there is none.
 #pragma once
 
 #include <algorithm>
@@ -41,26 +42,26 @@ struct TableBound {
   double a_priori_mm = 0.0;      // the bound before any patch was halved
 };
 
-// When the search for a bound ends.
+/// When the search for a bound ends.
 struct BoundOptions {
   double tightness = 1.05;         // stop when bound <= tightness * attained
   std::size_t budget = 1'000'000;  // halvings; 0 for the bound a priori
-  // If given: as many as the scheme has cells, 0; gets the bound a priori of each that is answered, mm.
+  /// If given: as many as the scheme has cells, 0; gets the bound a priori of each that is answered, mm.
   std::vector<float>* of_cells = nullptr;
 };
 
-// The search over the patches of one table.
+/// The search over the patches of one table.
 template <class Interpolant>
 class BoundSearch {
  public:
-  // Keeps references to interpolant and surface. `surface` reaches as far as the stencils of the table.
+  /// Keeps references to interpolant and surface. `surface` reaches as far as the stencils of the table.
   BoundSearch(const Interpolant& interpolant, const SurfaceIndex& surface, const BoundOptions& options)
       : interpolant_(interpolant),
         surface_(surface),
         error_(surface, direction_doubt(interpolant.table().scheme())),
         options_(options) {}
 
-  // The whole search, once.
+  /// The whole search, once.
   TableBound run() {
     interpolant_.patches().for_each([this](const Patch& patch) { begin(patch); });
     result_.a_priori_mm = largest_bound();
@@ -107,14 +108,14 @@ class BoundSearch {
     if (open_.size() > kMostOpen) close_settled();
   }
 
-  // Of a whole patch. A float may round down; one step up keeps the bound.
+  /// Of a whole patch. A float may round down; one step up keeps the bound.
   void note_bound_of_cell(const Node& node) {
     const Vec3 middle = interpolant_.patches().at(node.patch, node.rect.middle(0), node.rect.middle(1));
     float& noted = (*options_.of_cells)[interpolant_.cell(middle)];
     noted = std::max(noted, std::nextafter(static_cast<float>(node.bound), HUGE_VALF));
   }
 
-  // Keeps a node for halving, or only its bound.
+  /// Keeps a node for halving, or only its bound.
   void open(Node& node) {
     const PatchBound found = error_(view_of(node));
     node.bound = found.bound;
@@ -163,7 +164,7 @@ class BoundSearch {
     return upper ? rect.to[axis] : rect.from[axis];
   }
 
-  // A corner of the rectangle, inside of the patch.
+  /// A corner of the rectangle, inside of the patch.
   Vec3 point(const Patch& patch, const Rect& rect, std::size_t corner) const {
     std::array<double, 2> place{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -216,7 +217,8 @@ class BoundSearch {
   double closed_ = 0.0;  // largest bound of the rectangles that are done with
 };
 
-// A bound that says something is left as it is; there is none in place of any other. Those of cells likewise.
+/// A bound that says something is left as it is; there is none in place of any other. Those of cells
+/// likewise.
 inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
                                  std::vector<float>* of_cells = nullptr) {
   double largest = 0.0;
@@ -230,8 +232,8 @@ inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
   return found;
 }
 
-// The bound of first order of any scheme, by error_bound.hpp: r_i (exp(T_i s) - 1), the largest over the
-// entries.
+/// The bound of first order of any scheme, by error_bound.hpp: r_i (exp(T_i s) - 1), the largest over the
+/// entries.
 template <SamplingScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& table) {
   const std::vector<float> slopes = largest_slopes(mesh, table.scheme());
@@ -245,10 +247,10 @@ TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& tab
   return within_surface(mesh, result);
 }
 
-// The same of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
-//   1 / R = sum w_i |P_i| / (r_i |P|),   |P| <= sum w_i |P_i| <= |P| / cos s,
-// so that it is at most the largest tap and at least cos s times the least, and is off by at most
-// r_i (exp(T_i s) - cos s) for one of them.
+/// The same of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
+///   1 / R = sum w_i |P_i| / (r_i |P|),   |P| <= sum w_i |P_i| <= |P| / cos s,
+/// so that it is at most the largest tap and at least cos s times the least, and is off by at most
+/// r_i (exp(T_i s) - cos s) for one of them.
 template <PlaneExactScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table) {
   const S& scheme = table.scheme();
@@ -266,7 +268,7 @@ TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S
   return within_surface(mesh, result);
 }
 
-// mesh in the centre frame; the table was filled from it, exactly, for this layer.
+/// mesh in the centre frame; the table was filled from it, exactly, for this layer.
 template <SamplingScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {
@@ -280,7 +282,7 @@ TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, La
   }
 }
 
-// The same of inverse depths, made from such a table.
+/// The same of inverse depths, made from such a table.
 template <PlaneExactScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {

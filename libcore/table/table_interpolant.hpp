@@ -14,10 +14,10 @@
 
 namespace impinge {
 
-// A tap without a surface is left out where its weight is that of rounding, or of the inset of a corner.
+/// A tap without a surface is left out where its weight is that of rounding, or of the inset of a corner.
 inline constexpr double kNegligibleWeight = 1e-6;
 
-// Interpolated value, NaN where a tap that counts has none.
+/// Interpolated value, NaN where a tap that counts has none.
 inline double interpolated(const Stencil& stencil, std::span<const double> taps) {
   double sum = 0.0;
   double weights = 0.0;
@@ -31,7 +31,7 @@ inline double interpolated(const Stencil& stencil, std::span<const double> taps)
   return sum / weights;
 }
 
-// The least and the largest tap of a stencil; infinite, least above largest, where none has a value.
+/// The least and the largest tap of a stencil; infinite, least above largest, where none has a value.
 inline void range_of_taps(const Stencil& stencil, std::span<const double> taps, double& least,
                           double& largest) {
   least = std::numeric_limits<double>::infinity();
@@ -44,25 +44,25 @@ inline void range_of_taps(const Stencil& stencil, std::span<const double> taps, 
   }
 }
 
-// Y = r of a RadialTable, on the patches of its scheme. Keeps references to both.
+/// Y = r of a RadialTable, on the patches of its scheme. Keeps references to both.
 template <SamplingScheme S, class Patches>
 class SmoothInterpolant {
  public:
-  // Whether patches run over the solid of the scheme; here over the unit sphere.
+  /// Whether patches run over the solid of the scheme; here over the unit sphere.
   static constexpr bool kFlat = false;
-  // The table and its scheme's patches_of().
+  /// The table and its scheme's patches_of().
   SmoothInterpolant(const RadialTable<S>& table, const Patches& patches) : table_(table), patches_(patches) {}
 
   const RadialTable<S>& table() const { return table_; }  // that interpolates
   const Patches& patches() const { return patches_; }     // on each of which y is bilinear
 
-  // The cell whose taps answer for x.
+  /// The cell whose taps answer for x.
   std::size_t cell(const Vec3& x) const { return table_.scheme().stencil(x).cell; }
-  // Is there any answer in the cell of x?
+  /// Is there any answer in the cell of x?
   bool answers(const Vec3& x) const { return !table_.is_rim_cell(cell(x)); }
-  // Y at x, NaN where it has none.
+  /// Y at x, NaN where it has none.
   double value(const Vec3& x) const { return interpolated(table_.scheme().stencil(x), table_.radii()); }
-  // Least and largest tap of the stencil at x.
+  /// Least and largest tap of the stencil at x.
   void tap_range(const Vec3& x, double& least, double& largest) const {
     range_of_taps(table_.scheme().stencil(x), table_.radii(), least, largest);
   }
@@ -72,30 +72,30 @@ class SmoothInterpolant {
   const Patches& patches_;
 };
 
-// Y = 1 / (r depth) of an InverseDepthTable, likewise, on the flat patches of its scheme.
+/// Y = 1 / (r depth) of an InverseDepthTable, likewise, on the flat patches of its scheme.
 template <PlaneExactScheme S, class Patches>
 class PlaneExactInterpolant {
  public:
   static constexpr bool kFlat = true;  // patches run over the solid
-  // The table and its scheme's flat_patches_of().
+  /// The table and its scheme's flat_patches_of().
   PlaneExactInterpolant(const InverseDepthTable<S>& table, const Patches& patches)
       : table_(table), patches_(patches) {}
 
   const InverseDepthTable<S>& table() const { return table_; }  // that interpolates
   const Patches& patches() const { return patches_; }           // on each of which y is bilinear
 
-  // As in SmoothInterpolant.
+  /// As in SmoothInterpolant.
   std::size_t cell(const Vec3& x) const { return table_.scheme().plane_stencil(x).cell; }
-  // As in SmoothInterpolant.
+  /// As in SmoothInterpolant.
   bool answers(const Vec3& x) const { return !table_.rim_cells().contains(cell(x)); }
-  // None beside the curved border of a cell that a rim crosses, where the table answers none.
+  /// None beside the curved border of a cell that a rim crosses, where the table answers none.
   double value(const Vec3& x) const {
     if constexpr (!S::kFlatCells) {
       if (table_.rim_cells().contains(table_.scheme().stencil(x).cell)) return kNoSurface;
     }
     return interpolated(table_.scheme().plane_stencil(x), table_.inverse_depths());
   }
-  // As in SmoothInterpolant.
+  /// As in SmoothInterpolant.
   void tap_range(const Vec3& x, double& least, double& largest) const {
     range_of_taps(table_.scheme().plane_stencil(x), table_.inverse_depths(), least, largest);
   }

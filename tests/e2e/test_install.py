@@ -6,12 +6,14 @@ from __future__ import annotations
 
 import csv
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-CONSUMER = Path(__file__).resolve().parent.parent / "data" / "consumer"
+ROOT = Path(__file__).resolve().parents[2]
+CONSUMER = ROOT / "tests/data/consumer"
 
 
 def run(*command: str | Path, expected: int = 0) -> str:
@@ -53,7 +55,18 @@ class Install(unittest.TestCase):
         installed = {file.name for file in self.prefix.rglob("*.a")}
         self.assertLessEqual({"libimpinge_sphere.a", "libimpinge_kernels.a"}, installed)
         self.assertLessEqual(installed, made)
-        self.assertNotIn("libimpinge_experiment.a", made)
+        self.assertNotIn("libimpinge_harness.a", made)
+
+    def test_a_clone_without_the_scripts_of_npm_builds_the_library(self):
+        """Only what needs them asks for them, by the command that brings them."""
+        clone, build = self.folder / "clone", self.folder / "cloned"
+        left_out = shutil.ignore_patterns(".git", "build", "results", "node_modules")
+        shutil.copytree(ROOT, clone, ignore=left_out)
+        self.configure(clone, build)
+        run("ninja", "-C", build, "-n", "library")
+        for script in ("three/package.json", "plotly.js-basic-dist-min/plotly-basic.min.js"):
+            said = run("ninja", "-C", build, clone / "analysis/node_modules" / script, expected=1)
+            self.assertIn("npm ci --prefix analysis", said)
 
     def test_an_unknown_component_is_refused_by_name(self):
         source = self.folder / "source"

@@ -14,7 +14,7 @@
 
 namespace impinge {
 
-// The warp of CubeMap that divides the face evenly.
+/// The warp of CubeMap that divides the face evenly.
 struct GnomonicCubeWarp {
   static constexpr std::string_view name = "cube_gnomonic";
   static constexpr std::string_view label = "Cube, gnomonic";
@@ -24,7 +24,7 @@ struct GnomonicCubeWarp {
   static double node(double t) { return t; }
   static double coordinate(double a) { return a; }
 
-  // Central projection from a plane at distance 1 makes no length longer.
+  /// Central projection from a plane at distance 1 makes no length longer.
   static constexpr double kLongestWay = std::numbers::sqrt2;
 };
 

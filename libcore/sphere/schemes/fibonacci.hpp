@@ -40,9 +40,9 @@ class Fibonacci {
   static Fibonacci with_precision(double degrees);
 
   std::size_t size() const { return size_; }
-  // Eight numbers an entry, of which its triangles use two: see cell_of().
+  /// Eight numbers an entry, of which its triangles use two: see cell_of().
   std::size_t cells() const { return 8 * size_; }
-  // Entries a row round the equator would have, were they in squares.
+  /// Entries a row round the equator would have, were they in squares.
   std::size_t equator_points() const {
     return static_cast<std::size_t>(std::round(std::sqrt(kPi * count())));
   }
@@ -58,13 +58,13 @@ class Fibonacci {
 
   Stencil stencil(const Vec3& x) const;
 
-  // The gap at the pole, N rho^2 = 6.74; away from the poles N rho^2 = 2 pi, where the lattice is square.
+  /// The gap at the pole, N rho^2 = 6.74; away from the poles N rho^2 = 2 pi, where the lattice is square.
   double covering_radius() const { return covering_radius_; }
-  // A Delaunay triangle lies in a circle of the covering radius.
+  /// A Delaunay triangle lies in a circle of the covering radius.
   double stencil_radius() const { return 2.0 * covering_radius_; }
 
-  // The zone half a step of z either way; the first and the last entry have the rest of theirs, 1/2 + eps
-  // steps.
+  /// The zone half a step of z either way; the first and the last entry have the rest of theirs, 1/2 + eps
+  /// steps.
   double area(std::size_t entry) const {
     const bool end = entry == 0 || entry + 1 == size_;
     return (end ? 0.5 + kEps : 1.0) * 4.0 * kPi / height();
@@ -77,7 +77,7 @@ class Fibonacci {
   friend bool operator==(const Fibonacci& a, const Fibonacci& b) { return a.size_ == b.size_; }
 
  private:
-  // Azimuths are counted in 2^-64 turns, in which arithmetic modulo a turn is exact.
+  /// Azimuths are counted in 2^-64 turns, in which arithmetic modulo a turn is exact.
   static constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
   static constexpr double kTurn = 2.0 * kPi * 0x1p-64;           // radians in one
   static constexpr double kGoldenRatio = 1.6180339887498948482;
@@ -105,8 +105,8 @@ class Fibonacci {
   double covering_radius_;
 };
 
-// Beyond the first 64 entries of each pole the lattice is flat enough for 2 pi, which is below the gap at the
-// pole.
+/// Beyond the first 64 entries of each pole the lattice is flat enough for 2 pi, which is below the gap at
+/// the pole.
 inline double Fibonacci::find_covering_radius() const {
   const double reach = 4.2 / std::sqrt(count());
   std::vector<Vec3> polar;
@@ -115,7 +115,7 @@ inline double Fibonacci::find_covering_radius() const {
   return largest_gap(polar, z_min, reach) * (1.0 + 1e-9);
 }
 
-// All entries within two covering radii of u, and some more; returns their number.
+/// All entries within two covering radii of u, and some more; returns their number.
 inline std::size_t Fibonacci::entries_round(const Vec3& u,
                                             std::array<std::size_t, kPolarEntries>& entries) const {
   const double place = std::clamp(0.5 * height() * (1.0 - u.z()) - kEps, 0.0, count() - 1.0);
@@ -172,8 +172,8 @@ inline Stencil Fibonacci::stencil(const Vec3& x) const {
           cell_of(corner)};
 }
 
-// Triangles are (i, i + F(k), i + F(k + 2)) and (i, i + F(k + 1), i + F(k + 2)), with one k for an entry i,
-// or two or three where the shortest steps change: k modulo 4 and which of both tells them apart.
+/// Triangles are (i, i + F(k), i + F(k + 2)) and (i, i + F(k + 1), i + F(k + 2)), with one k for an entry i,
+/// or two or three where the shortest steps change: k modulo 4 and which of both tells them apart.
 inline std::size_t Fibonacci::cell_of(std::array<std::size_t, 3> entry) const {
   std::sort(entry.begin(), entry.end());
   const std::size_t far = entry[2] - entry[0];
@@ -184,8 +184,8 @@ inline std::size_t Fibonacci::cell_of(std::array<std::size_t, 3> entry) const {
   return 8 * entry[0] + 2 * (order % 4) + half;
 }
 
-// Entries whose azimuth is in an interval come back to it after one of three Fibonacci numbers of entries
-// (three gap theorem), so that no other entry of the box is looked at but before the first.
+/// Entries whose azimuth is in an interval come back to it after one of three Fibonacci numbers of entries
+/// (three gap theorem), so that no other entry of the box is looked at but before the first.
 template <class Visit>
 void Fibonacci::visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
   constexpr double kSlack = 1e-6;

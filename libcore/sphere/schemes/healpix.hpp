@@ -37,12 +37,12 @@ class Healpix {
 
   std::size_t nside() const { return n_; }  // pixels along an edge of each of the 12 base pixels
   std::size_t size() const { return 12 * n_ * n_; }
-  // One for each cap, and for two rings as many as they have entries.
+  /// One for each cap, and for two rings as many as they have entries.
   std::size_t cells() const { return 2 * size() - 6; }
   std::size_t equator_points() const { return 4 * n_; }
   double precision_deg() const { return 90.0 / static_cast<double>(n_); }
 
-  // The poles are farthest from all entries, in the middle of the first ring: 1 - cos = 1 / (3 nside^2).
+  /// The poles are farthest from all entries, in the middle of the first ring: 1 - cos = 1 / (3 nside^2).
   double covering_radius() const { return 2.0 * std::asin(1.0 / (std::sqrt(6.0) * static_cast<double>(n_))); }
   double stencil_radius() const { return stencil_radius_; }
 
@@ -65,10 +65,10 @@ class Healpix {
     return between(k, theta, down);
   }
 
-  // Entries of one ring do not stand below those of the next, so that a cell reads entries beyond its
-  // corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
-  // cells that have the same gap above or the same gap below. Calls visit(stencil) for all of these; the
-  // weights are of no meaning.
+  /// Entries of one ring do not stand below those of the next, so that a cell reads entries beyond its
+  /// corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
+  /// cells that have the same gap above or the same gap below. Calls visit(stencil) for all of these; the
+  /// weights are of no meaning.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {
     if (at.cell == 0 || at.cell == cells() - 1) return;
@@ -78,14 +78,14 @@ class Healpix {
     for_each_overlap(ring(k + 1), at.entry[2], ring(k), visit_middle);
   }
 
-  // Cells lie between parallels and meridians.
+  /// Cells lie between parallels and meridians.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   double area(std::size_t) const { return 4.0 * kPi / static_cast<double>(size()); }
 
   RingWalker<Healpix> walker() const { return RingWalker(*this); }
 
-  // Ring k of the library is ring i = k + 1 of the paper.
+  /// Ring k of the library is ring i = k + 1 of the paper.
   std::size_t rings() const { return 4 * n_ - 1; }
   Ring ring(std::size_t k) const;
   double ring_position(double phi) const;
@@ -93,8 +93,8 @@ class Healpix {
   friend bool operator==(const Healpix&, const Healpix&) = default;
 
  private:
-  // The gap of a ring that holds an azimuth: the entries left and right of it, the number of gaps begun since
-  // theta = 0, and the share of the gap that is left of it.
+  /// The gap of a ring that holds an azimuth: the entries left and right of it, the number of gaps begun
+  /// since theta = 0, and the share of the gap that is left of it.
   struct Gap {
     std::size_t left;
     std::size_t right;
@@ -109,7 +109,7 @@ class Healpix {
     return std::atan2(polar.sin, polar.cos);
   }
 
-  // Ring of an entry of a cap, counted from 1 at its pole: 2 i (i - 1) entries come before ring i.
+  /// Ring of an entry of a cap, counted from 1 at its pole: 2 i (i - 1) entries come before ring i.
   static std::size_t ring_from_pole(std::size_t entry) {
     auto i = static_cast<std::size_t>(0.5 * (1.0 + std::sqrt(1.0 + 2.0 * static_cast<double>(entry))));
     while (2 * i * (i - 1) > entry) --i;
@@ -182,7 +182,7 @@ inline Stencil Healpix::between(std::size_t k, double theta, double down) const 
           upper.first + lower.first - 3 + step};
 }
 
-// `outwards` from 0 at the pole to 1 on the ring.
+/// `outwards` from 0 at the pole to 1 on the ring.
 inline Stencil Healpix::cap_stencil(std::size_t k, double outwards, double theta, std::size_t cell) const {
   const Ring on = ring(k);
   const Gap at = gap(on, theta);
@@ -194,8 +194,8 @@ inline Stencil Healpix::cap_stencil(std::size_t k, double outwards, double theta
   return stencil;
 }
 
-// Calls visit(theta) with the middle of each stretch that the gap right of an entry shares with one of the
-// other ring.
+/// Calls visit(theta) with the middle of each stretch that the gap right of an entry shares with one of the
+/// other ring.
 template <class Visit>
 void Healpix::for_each_overlap(const Ring& ring, std::size_t entry, const Ring& other, Visit&& visit) {
   const double step = 2.0 * kPi / static_cast<double>(ring.count);
@@ -211,9 +211,9 @@ void Healpix::for_each_overlap(const Ring& ring, std::size_t entry, const Ring& 
   }
 }
 
-// From an entry to the far end of a gap of the next ring, without leaving the rings between: along the ring
-// nearer to the pole as far as the pole is in the way, and then straight. Longest next to the poles or at the
-// equator; or across a cap.
+/// From an entry to the far end of a gap of the next ring, without leaving the rings between: along the ring
+/// nearer to the pole as far as the pole is in the way, and then straight. Longest next to the poles or at
+/// the equator; or across a cap.
 inline double Healpix::find_stencil_radius() const {
   double largest = 2.0 * polar_angle(0);
   const auto consider = [&](std::size_t k) {

@@ -30,7 +30,7 @@ class HelixIsotropic : public Spiral<HeightSteps> {
   HelixIsotropic() : HelixIsotropic(41253) {}
   static HelixIsotropic with_precision(double degrees);
 
-  // Of the turn round the equator: 2 pi over the spacing.
+  /// Of the turn round the equator: 2 pi over the spacing.
   std::size_t equator_points() const { return static_cast<std::size_t>(std::round(placement().slope())); }
   double precision_deg() const { return 360.0 / placement().slope(); }
 

@@ -15,7 +15,7 @@
 
 namespace impinge {
 
-// The warp of IcosahedralGrid that divides the flat face evenly.
+/// The warp of IcosahedralGrid that divides the flat face evenly.
 struct GnomonicIcosahedralWarp {
   static constexpr std::string_view name = "icosahedral_gnomonic";
   static constexpr std::string_view label = "Icosahedral, gnomonic";
@@ -27,8 +27,8 @@ struct GnomonicIcosahedralWarp {
   static Vec3 fractions(const Vec3& lambda) { return lambda; }
   static void widen(TriangleRange&) {}
 
-  // An edge of a flat cell is 1 / n of that of the icosahedron, and its plane is cos(corner angle) from the
-  // centre: as an angle it is no longer than their ratio, sqrt(3) (3 - sqrt(5)) / n.
+  /// An edge of a flat cell is 1 / n of that of the icosahedron, and its plane is cos(corner angle) from the
+  /// centre: as an angle it is no longer than their ratio, sqrt(3) (3 - sqrt(5)) / n.
   static constexpr double kLongestWay = 1.7320508075688772 * Icosahedron::kTangent;
 };
 

@@ -20,7 +20,7 @@
 
 namespace impinge {
 
-// The warp of IcosahedralGrid that evens out the cells.
+/// The warp of IcosahedralGrid that evens out the cells.
 struct SineIcosahedralWarp {
   static constexpr std::string_view name = "icosahedral_sine";
   static constexpr std::string_view label = "Icosahedral, sine-warped";
@@ -39,9 +39,9 @@ struct SineIcosahedralWarp {
     return angle / angle.sum();
   }
 
-  // First order in the distance from the middle of the range, and a bound on the second derivative for the
-  // rest. With u_k = k-th fraction and c_k = 1 / (w cos(w u_k)),
-  //   du_k = m c_k (dl_k - l_k sum(c dl) / sum(c l)).
+  /// First order in the distance from the middle of the range, and a bound on the second derivative for the
+  /// rest. With u_k = k-th fraction and c_k = 1 / (w cos(w u_k)),
+  ///   du_k = m c_k (dl_k - l_k sum(c dl) / sum(c l)).
   static void widen(TriangleRange& range) {
     const Vec3 sum = range.low + range.high;
     const Vec3 middle = sum / sum.sum();
@@ -61,17 +61,17 @@ struct SineIcosahedralWarp {
     }
   }
 
-  // Largest second derivative of a fraction along a unit step of l over the face, 0.66 at the corners, and a
-  // margin.
+  /// Largest second derivative of a fraction along a unit step of l over the face, 0.66 at the corners, and a
+  /// margin.
   static constexpr double kMostBend = 0.8;
 
-  // w |a - b| / sin w: edges of cells are longest at the corners of the icosahedron, across from them.
+  /// w |a - b| / sin w: edges of cells are longest at the corners of the icosahedron, across from them.
   static constexpr double kLongestWay = kAngle * Icosahedron::kEdge / 0.9320390859672263;
 
  private:
   static Vec3 angles(const Vec3& lambda, double m) { return (m * lambda).array().asin(); }
 
-  // m. Starts at the least of two upper bounds: asin(x) >= x, and no angle is above w.
+  /// m. Starts at the least of two upper bounds: asin(x) >= x, and no angle is above w.
   static double scale(const Vec3& lambda) {
     constexpr double sine = 0.9320390859672263;  // sin w
     constexpr double negligible = 1e-9;          // the error is about ten times the square of the last step

@@ -39,11 +39,11 @@ class LatitudeRows {
   static LatitudeRows with_precision(double degrees);
 
   std::size_t rows() const { return rows_; }  // m, of equal latitude
-  // Entry numbers of row i begin at first(i); first(rows()) = size().
+  /// Entry numbers of row i begin at first(i); first(rows()) = size().
   std::size_t first(std::size_t row) const { return (*first_)[row]; }
   std::size_t row_size(std::size_t row) const { return first(row + 1) - first(row); }  // entries of a row
   std::size_t size() const { return first(rows_); }
-  // One for each cap, and n_i + n_(i+1) between two rows.
+  /// One for each cap, and n_i + n_(i+1) between two rows.
   std::size_t cells() const { return 2 * size() - 4; }
   std::size_t equator_points() const { return row_size(rows_ / 2); }
   double precision_deg() const { return 180.0 / static_cast<double>(rows_); }
@@ -68,10 +68,10 @@ class LatitudeRows {
     return between(row, on_row(row, theta), on_row(row + 1, theta), down);
   }
 
-  // Entries of one row do not stand below those of the next, so that a cell reads entries beyond its corners:
-  // from any direction there is a way to each tap, no longer than stencil_radius(), through the cells that
-  // have the same gap above or the same gap below. Calls visit(stencil) for all of these; the weights are of
-  // no meaning.
+  /// Entries of one row do not stand below those of the next, so that a cell reads entries beyond its
+  /// corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
+  /// cells that have the same gap above or the same gap below. Calls visit(stencil) for all of these; the
+  /// weights are of no meaning.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {
     if (at.taps == 3) return;
@@ -82,14 +82,14 @@ class LatitudeRows {
                     [&](const Between& b, const Between& a) { visit(between(row, a, b, 0.0)); });
   }
 
-  // Cells lie between parallels and meridians.
+  /// Cells lie between parallels and meridians.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
-  // Away from the poles N rho^2 = 2 pi, half the diagonal of a square of h.
+  /// Away from the poles N rho^2 = 2 pi, half the diagonal of a square of h.
   double covering_radius() const { return covering_radius_; }
   double stencil_radius() const { return stencil_radius_; }
 
-  // Share of the band half a step either way of the row.
+  /// Share of the band half a step either way of the row.
   double area(std::size_t entry) const {
     const std::size_t row = row_of(entry);
     const double height = 2.0 * row_angle(row).sin * std::sin(0.5 * row_height());
@@ -101,7 +101,7 @@ class LatitudeRows {
   friend bool operator==(const LatitudeRows& a, const LatitudeRows& b) { return a.rows_ == b.rows_; }
 
  private:
-  // A point of a row: the entries left and right of it, and the steps from theta = 0 to the left one.
+  /// A point of a row: the entries left and right of it, and the steps from theta = 0 to the left one.
   struct Between {
     std::size_t left;
     std::size_t right;
@@ -131,7 +131,7 @@ class LatitudeRows {
            1;
   }
 
-  // Place of theta in a row, in entries from its first one; a turned row begins half a step after theta = 0.
+  /// Place of theta in a row, in entries from its first one; a turned row begins half a step after theta = 0.
   double column(std::size_t row, double theta) const {
     return theta / (2.0 * kPi) * static_cast<double>(row_size(row)) - (is_turned(row) ? 0.5 : 0.0);
   }
@@ -150,10 +150,10 @@ class LatitudeRows {
   double stencil_radius_ = kPi;
 };
 
-// Holds the sines and cosines of the rows.
+/// Holds the sines and cosines of the rows.
 class LatitudeRows::Walker {
  public:
-  // Computes the sines and cosines.
+  /// Computes the sines and cosines.
   explicit Walker(const LatitudeRows& scheme) : scheme_(scheme), row_angles_(scheme.rows()) {
     for (std::size_t row = 0; row < row_angles_.size(); ++row) row_angles_[row] = scheme.row_angle(row);
   }
@@ -253,8 +253,8 @@ inline Stencil LatitudeRows::between(std::size_t row, const Between& a, const Be
           upper + lower - 2 + a.step + b.step};
 }
 
-// Calls visit(gap, gap of the other row) for the gaps of the other row that face the gap right of entry
-// `left`.
+/// Calls visit(gap, gap of the other row) for the gaps of the other row that face the gap right of entry
+/// `left`.
 template <class Visit>
 void LatitudeRows::for_each_in_gap(std::size_t row, std::size_t left, std::size_t other,
                                    Visit&& visit) const {
@@ -269,7 +269,7 @@ void LatitudeRows::for_each_in_gap(std::size_t row, std::size_t left, std::size_
   if (from + step > 2.0 * kPi + 1e-9) visit_part(0.0, from + step - 2.0 * kPi);  // on past the seam
 }
 
-// `outwards` from 0 at the pole to 1 on the row.
+/// `outwards` from 0 at the pole to 1 on the row.
 inline Stencil LatitudeRows::cap_stencil(std::size_t row, double outwards, double theta,
                                          std::size_t cell) const {
   const Between on = on_row(row, theta);
@@ -280,8 +280,9 @@ inline Stencil LatitudeRows::cap_stencil(std::size_t row, double outwards, doubl
   return stencil;
 }
 
-// Between two rows a direction is farthest from their entries where it faces a gap of both: the centre of the
-// circle through the four (see Rsid::covering_radius()). Near the pole, where gaps are few, the exact gap.
+/// Between two rows a direction is farthest from their entries where it faces a gap of both: the centre of
+/// the circle through the four (see Rsid::covering_radius()). Near the pole, where gaps are few, the exact
+/// gap.
 inline double LatitudeRows::find_covering_radius() const {
   const double h = row_height();
   std::vector<Vec3> polar;
@@ -300,9 +301,9 @@ inline double LatitudeRows::find_covering_radius() const {
   return largest * (1.0 + 1e-9);
 }
 
-// From an entry to the far corner of the widest stencil, one row and one gap away, without leaving the rows
-// between: along the row nearer to the pole as far as the pole is in the way, and then straight. (The
-// southern half mirrors the northern one.)
+/// From an entry to the far corner of the widest stencil, one row and one gap away, without leaving the rows
+/// between: along the row nearer to the pole as far as the pole is in the way, and then straight. (The
+/// southern half mirrors the northern one.)
 inline double LatitudeRows::find_stencil_radius() const {
   double largest = row_height();  // across a cap
   for (std::size_t row = 0; row < rows_ / 2; ++row) {

@@ -49,9 +49,9 @@ class OctahedralEqualArea {
   double precision_deg() const { return 90.0 / static_cast<double>(n_); }
   double covering_radius() const { return covering_radius_; }
 
-  // With du, dv <= 1 / n along a straight way in the square, dr <= 2 / n and, q = 2 - r^2 in [1, 2],
-  //   ds^2 = (2 / sqrt(q) dr)^2 + (pi / 2 sqrt(q) max(du, dv))^2 <= (16 / q + pi^2 q / 4) / n^2,
-  // at most 16 + pi^2 / 4, on the equator.
+  /// With du, dv <= 1 / n along a straight way in the square, dr <= 2 / n and, q = 2 - r^2 in [1, 2],
+  ///   ds^2 = (2 / sqrt(q) dr)^2 + (pi / 2 sqrt(q) max(du, dv))^2 <= (16 / q + pi^2 q / 4) / n^2,
+  /// at most 16 + pi^2 / 4, on the equator.
   double stencil_radius() const {
     return std::min(std::sqrt(16.0 + kPi * kPi / 4.0) / static_cast<double>(n_), kPi);
   }
@@ -63,11 +63,11 @@ class OctahedralEqualArea {
 
   Stencil stencil(const Vec3& x) const;
 
-  // In an octant, which great circles bound, cells lie between lines of whole u = n r (1 - q) and v = n r q
-  // with q = 2 theta / pi and r = sqrt(2) sin(phi / 2), phi from the nearer pole. r' <= 1 / sqrt(2), and with
-  // the bounds of ArcAngles
-  //   |r''| <= |cot phi| / sqrt(2) + 1 / 4,   |(r q)''| <= |r''| + 2 |r' q'| + r |q''|,   r <= sin(phi)
-  // since r'' = (cos(phi / 2) phi'' - sin(phi / 2) phi'^2 / 2) / sqrt(2); and likewise for 1 - q.
+  /// In an octant, which great circles bound, cells lie between lines of whole u = n r (1 - q) and v = n r q
+  /// with q = 2 theta / pi and r = sqrt(2) sin(phi / 2), phi from the nearer pole. r' <= 1 / sqrt(2), and
+  /// with the bounds of ArcAngles
+  ///   |r''| <= |cot phi| / sqrt(2) + 1 / 4,   |(r q)''| <= |r''| + 2 |r' q'| + r |q''|,   r <= sin(phi)
+  /// since r'' = (cos(phi / 2) phi'' - sin(phi / 2) phi'^2 / 2) / sqrt(2); and likewise for 1 - q.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const {
     if (quarter_of(a) != quarter_of(b) || (a.z() >= 0.0) != (b.z() >= 0.0)) return false;
     const ArcAngles arc(a, b);
@@ -80,8 +80,8 @@ class OctahedralEqualArea {
     return passes_lines_once(from.u, to.u, most) && passes_lines_once(from.v, to.v, most);
   }
 
-  // A quarter of each cell round the entry, of which there are four, but two at the four corners of the
-  // equator.
+  /// A quarter of each cell round the entry, of which there are four, but two at the four corners of the
+  /// equator.
   double area(std::size_t entry) const {
     const std::size_t first = ring(n_).first;
     const bool corner = entry >= first && entry < first + 4 * n_ && (entry - first) % n_ == 0;
@@ -91,7 +91,7 @@ class OctahedralEqualArea {
 
   RingWalker<OctahedralEqualArea> walker() const { return RingWalker(*this); }
 
-  // Ring 0 is the north pole, ring n the equator, ring 2 n the south pole.
+  /// Ring 0 is the north pole, ring n the equator, ring 2 n the south pole.
   std::size_t rings() const { return 2 * n_ + 1; }
   Ring ring(std::size_t k) const;
   double ring_position(double phi) const {
@@ -112,7 +112,7 @@ class OctahedralEqualArea {
     return x.y() < 0.0 ? 3 : 0;
   }
 
-  // Ring of an entry counted from its pole: the first s rings hold 1 + 2 s (s - 1) entries before ring s.
+  /// Ring of an entry counted from its pole: the first s rings hold 1 + 2 s (s - 1) entries before ring s.
   static std::size_t ring_from_pole(std::size_t entry) {
     if (entry == 0) return 0;
     auto s = static_cast<std::size_t>(0.5 * (1.0 + std::sqrt(2.0 * static_cast<double>(entry) - 1.0)));
@@ -125,7 +125,7 @@ class OctahedralEqualArea {
     return 2 * n_ - ring_from_pole(size() - 1 - entry);
   }
 
-  // Entry at node (i, j) of a quarter.
+  /// Entry at node (i, j) of a quarter.
   std::size_t entry_at(std::size_t quarter, std::size_t i, std::size_t j) const {
     const std::size_t k = i + j;
     if (k == 0) return 0;
@@ -135,7 +135,7 @@ class OctahedralEqualArea {
     return on.first + step % on.count;
   }
 
-  // Where a direction is in the square of its quarter, in cells.
+  /// Where a direction is in the square of its quarter, in cells.
   struct SquarePlace {
     double u;
     double v;
@@ -144,7 +144,7 @@ class OctahedralEqualArea {
 
   double find_covering_radius() const;
 
-  // Beyond it the limit of the covering radius for fine grids, which is larger by less than 1 %, is used.
+  /// Beyond it the limit of the covering radius for fine grids, which is larger by less than 1 %, is used.
   static constexpr std::size_t kMostRings = 4096;
 
   std::size_t n_;
@@ -161,7 +161,7 @@ inline Ring OctahedralEqualArea::ring(std::size_t k) const {
   return {north ? 1 + 2 * s * (s - 1) : size() - 1 - 2 * s * (s + 1), 4 * s, 0, polar};
 }
 
-// The widest gaps are those between two rings beside theta = 0, where four entries nearly make a rectangle.
+/// The widest gaps are those between two rings beside theta = 0, where four entries nearly make a rectangle.
 inline double OctahedralEqualArea::find_covering_radius() const {
   if (n_ > kMostRings) return 0.5 * std::sqrt(2.0 + kPi * kPi / 2.0) / static_cast<double>(n_);
   double widest = 0.0;

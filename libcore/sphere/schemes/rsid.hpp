@@ -62,18 +62,18 @@ class Rsid {
             upper + j};
   }
 
-  // Cells lie between parallels and meridians.
+  /// Cells lie between parallels and meridians.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
-  // Circumradius of the widest cell, the one at the equator: its corners (phi, +-p/2) and (phi + p, +-p/2)
-  // are equally far from the point at polar angle atan2(cos phi - cos(phi + p), cos(p/2) (sin(phi + p) - sin
-  // phi)).
+  /// Circumradius of the widest cell, the one at the equator: its corners (phi, +-p/2) and (phi + p, +-p/2)
+  /// are equally far from the point at polar angle atan2(cos phi - cos(phi + p), cos(p/2) (sin(phi + p) - sin
+  /// phi)).
   double covering_radius() const;
 
-  // The far corner of a cell: no farther than its diagonal, sides p and at most p.
+  /// The far corner of a cell: no farther than its diagonal, sides p and at most p.
   double stencil_radius() const { return std::sqrt(2.0) * spacing(); }
 
-  // Share of the band half a step either way of the row; a pole's entries share its cap.
+  /// Share of the band half a step either way of the row; a pole's entries share its cap.
   double area(std::size_t entry) const {
     const std::size_t row = entry / columns();
     const bool pole = row == 0 || row == divisions_;
@@ -102,10 +102,10 @@ class Rsid {
   std::size_t divisions_ = 180;
 };
 
-// Holds the sines and cosines of the grid lines, so that a filler computes each once.
+/// Holds the sines and cosines of the grid lines, so that a filler computes each once.
 class Rsid::Walker {
  public:
-  // Computes the sines and cosines of all rows and columns.
+  /// Computes the sines and cosines of all rows and columns.
   explicit Walker(const Rsid& scheme) : scheme_(scheme), cos_(scheme.columns()), sin_(scheme.columns()) {
     for (std::size_t k = 0; k < cos_.size(); ++k) {
       const CosSin line = scheme.row_angle(k);

@@ -31,7 +31,7 @@ class Usid : public Spiral<HeightSteps> {
 
   Usid() : Usid(229) {}
   static Usid with_precision(double degrees);
-  // Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
+  /// Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
   static Usid with_turns(std::size_t turns);
 
   std::size_t helix_turns() const { return turns_; }  // k, from pole to pole

@@ -32,7 +32,7 @@ class UsidArc : public Spiral<ArcSteps> {
 
   UsidArc() : UsidArc(229) {}
   static UsidArc with_precision(double degrees);
-  // Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
+  /// Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
   static UsidArc with_turns(std::size_t turns);
 
   std::size_t helix_turns() const { return turns_; }  // k, from pole to pole
@@ -41,14 +41,14 @@ class UsidArc : public Spiral<ArcSteps> {
   }
   double precision_deg() const { return 720.0 / (kPi * static_cast<double>(turns_)); }
 
-  // Index T / dx of Section 4.3 with the true spacing dx = L(pi) / (w - 1), clamped to the table.
+  /// Index T / dx of Section 4.3 with the true spacing dx = L(pi) / (w - 1), clamped to the table.
   double place_by_travelled_distance(double phi) const {
     const double travelled = (4.0 * static_cast<double>(turns_) + 1.0) * haversine(phi);
     return std::min(travelled / placement().length(), 1.0) * placement().last();
   }
 
-  // Algorithm 3 with that index: as the thesis has it, and wrong by up to 0.25 k entries, for T is not the
-  // arc length. Taps may be far outside of the stencil radius.
+  /// Algorithm 3 with that index: as the thesis has it, and wrong by up to 0.25 k entries, for T is not the
+  /// arc length. Taps may be far outside of the stencil radius.
   Stencil stencil_by_travelled_distance(const Vec3& x) const {
     return stencil_with(x, [this](double phi) { return place_by_travelled_distance(phi); });
   }

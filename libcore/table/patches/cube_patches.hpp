@@ -22,29 +22,29 @@
 
 namespace impinge {
 
-// Least and largest absolute value of an interval.
+/// Least and largest absolute value of an interval.
 struct Magnitude {
-  // From <= to.
+  /// From <= to.
   Magnitude(double from, double to)
       : least(from <= 0.0 && to >= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to))),
         most(std::max(std::abs(from), std::abs(to))) {}
   double least;  // of the absolute values
-  double most;   // likewise
+  double most;
 };
 
-// First and second derivative of the way along a line by its coordinate, at most.
+/// First and second derivative of the way along a line by its coordinate, at most.
 struct LineMotion {
   double way;   // radians a unit of the coordinate
   double turn;  // radians a unit squared
 };
-// Along s = a, with t = b.
+/// Along s = a, with t = b.
 inline LineMotion line_motion(GnomonicCubeWarp, const Magnitude& a, const Magnitude& b) {
   const double most = std::sqrt(1.0 + b.most * b.most);
   const double least = 1.0 + b.least * b.least + a.least * a.least;
   // sqrt(B) / (B + a^2) falls with b above its largest, at B = a^2 <= 1: everywhere.
   return {std::sqrt(1.0 + b.least * b.least) / least, 2.0 * a.most * most / (least * least)};
 }
-// Along s with t, where a and b are tan(pi / 4 s) and tan(pi / 4 t).
+/// Along s with t, where a and b are tan(pi / 4 s) and tan(pi / 4 t).
 inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Magnitude& t) {
   const double quarter = 0.25 * kPi;
   const double b_least = std::tan(quarter * t.least);
@@ -59,7 +59,7 @@ inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Mag
 template <class Warp>
 class CubePatches {
  public:
-  // Coordinates of the grid lines, from -1 to 1.
+  /// Coordinates of the grid lines, from -1 to 1.
   explicit CubePatches(std::vector<double> lines) : lines_(std::move(lines)) {}
 
   template <class Visit>
@@ -72,7 +72,7 @@ class CubePatches {
     }
   }
 
-  // A point of the cube.
+  /// A point of the cube.
   Vec3 at(const Patch& patch, double s, double t) const {
     const std::size_t axis = patch.part / 2;
     Vec3 x;

@@ -18,7 +18,7 @@ namespace impinge {
 
 class LatticePatches {
  public:
-  // std::logic_error if the triangles that are found do not close round the sphere.
+  /// std::logic_error if the triangles that are found do not close round the sphere.
   explicit LatticePatches(const Fibonacci& scheme) : scheme_(scheme), seen_(scheme.cells(), false) {
     find_from(scheme_.stencil(scheme_.direction(0) + scheme_.direction(1)));
     for (std::size_t k = 0; k < triangles_.size(); ++k) cross_sides(Triangle(triangles_[k]));
@@ -54,7 +54,7 @@ class LatticePatches {
     triangles_.push_back({stencil.entry[0], stencil.entry[1], stencil.entry[2]});
   }
 
-  // A little beyond the middle of each side is the triangle across it.
+  /// A little beyond the middle of each side is the triangle across it.
   void cross_sides(const Triangle& triangle) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 a = scheme_.direction(triangle[k]);

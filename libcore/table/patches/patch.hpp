@@ -23,7 +23,7 @@
 
 namespace impinge {
 
-// A rectangle of the two coordinates.
+/// A rectangle of the two coordinates.
 struct Rect {
   std::array<double, 2> from;                                             // s, t
   std::array<double, 2> to;                                               // s, t
@@ -31,13 +31,13 @@ struct Rect {
   double middle(std::size_t k) const { return 0.5 * (from[k] + to[k]); }  // of coordinate k
 };
 
-// One patch of a scheme.
+/// One patch of a scheme.
 struct Patch {
   std::size_t part = 0;  // of the sphere, of a meaning that is the scheme's
   Rect rect{};           // of the whole patch
 };
 
-// Bounds over a rectangle, in each of its two directions, for a step h as wide as the rectangle.
+/// Bounds over a rectangle, in each of its two directions, for a step h as wide as the rectangle.
 struct PatchMotion {
   std::array<double, 2> way{};   // h |du/ds|, radians
   std::array<double, 2> turn{};  // h^2 |acceleration of u along the sphere|, radians
@@ -46,7 +46,7 @@ struct PatchMotion {
   bool smooth = true;            // whether `turn` is finite; else only `way` is of use
 };
 
-// Schemes that tell their patches.
+/// Schemes that tell their patches.
 template <class S>
 concept HasPatches = requires(const S scheme, Patch patch) {
   { patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;

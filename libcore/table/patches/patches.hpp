@@ -15,15 +15,15 @@
 
 namespace impinge {
 
-// Patches of the interpolation in 1 / (r depth), linear in the point of the scheme's solid; at() is a point
-// of that solid.
+/// Patches of the interpolation in 1 / (r depth), linear in the point of the scheme's solid; at() is a point
+/// of that solid.
 template <class S>
 concept HasFlatPatches = requires(const S scheme, Patch patch) {
   { flat_patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;
   { flat_patches_of(scheme).motion(patch, patch.rect) } -> std::same_as<PatchMotion>;
 };
 
-// The rectangles of a warped cube map are rectangles on the cube.
+/// The rectangles of a warped cube map are rectangles on the cube.
 template <class Warp>
 CubePatches<GnomonicCubeWarp> flat_patches_of(const CubeMap<Warp>& scheme) {
   std::vector<double> lines;
@@ -33,7 +33,7 @@ CubePatches<GnomonicCubeWarp> flat_patches_of(const CubeMap<Warp>& scheme) {
   return CubePatches<GnomonicCubeWarp>(std::move(lines));
 }
 
-// The triangles on the flat faces.
+/// The triangles on the flat faces.
 template <class Warp>
 IcosahedralPatches<Warp> flat_patches_of(const IcosahedralGrid<Warp>& scheme) {
   return {scheme.divisions(), true};

@@ -18,16 +18,16 @@
 
 namespace impinge {
 
-// The corners x(from, from), x(to, from), x(from, to), x(to, to) of a surface patch x(s, t) and bounds on its
-// bending h^2 |d^2 x / ds^2|, h^2 |d^2 x / dt^2|.
+/// The corners x(from, from), x(to, from), x(from, to), x(to, to) of a surface patch x(s, t) and bounds on
+/// its bending h^2 |d^2 x / ds^2|, h^2 |d^2 x / dt^2|.
 struct ProjectedPatch {
   std::array<Vec3, 4> corner;       // see above
   std::array<double, 2> bending{};  // along s and along t
 };
 
-// Of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord and b its bending,
-//   |x'| <= c + b_s / 2 + b_t / 4        (a chord is the mean of x', and changes by its own bending)
-//   |u'| <= |x'| / |x|,   |acceleration of u along the sphere| <= b / |x| + 2 |u . x'| |u'| / |x|.
+/// Of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord and b its bending,
+///   |x'| <= c + b_s / 2 + b_t / 4        (a chord is the mean of x', and changes by its own bending)
+///   |u'| <= |x'| / |x|,   |acceleration of u along the sphere| <= b / |x| + 2 |u . x'| |u'| / |x|.
 inline PatchMotion projected_motion(const ProjectedPatch& patch) {
   const auto& x = patch.corner;
   const Vec3 middle = 0.25 * (x[0] + x[1] + x[2] + x[3]);
@@ -56,12 +56,12 @@ inline PatchMotion projected_motion(const ProjectedPatch& patch) {
   return motion;
 }
 
-// Triangles of an icosahedral grid. `flat`: on the flat face, for the `mesh_exact` interpolant, at() is then
-// a point of the icosahedron; else in the fractions of the warp.
+/// Triangles of an icosahedral grid. `flat`: on the flat face, for the `mesh_exact` interpolant, at() is then
+/// a point of the icosahedron; else in the fractions of the warp.
 template <class Warp>
 class IcosahedralPatches {
  public:
-  // Of the grid that divides an edge into so many steps.
+  /// Of the grid that divides an edge into so many steps.
   IcosahedralPatches(std::size_t divisions, bool flat) : n_(divisions), flat_(flat || Warp::kFlatCells) {}
 
   template <class Visit>
@@ -97,7 +97,7 @@ class IcosahedralPatches {
   }
   std::size_t face_of(const Patch& patch) const { return patch.part / (2 * n_ * n_); }
 
-  // Barycentric coordinates of its corners: on the flat face, or the fractions.
+  /// Barycentric coordinates of its corners: on the flat face, or the fractions.
   std::array<Vec3, 3> nodes(const Patch& patch) const {
     const std::size_t place = patch.part / 2;
     const std::size_t i = place / n_ % n_;
@@ -123,7 +123,7 @@ class IcosahedralPatches {
     }
   }
 
-  // x = sum sin(w f_k) c_k bends by at most sum w^2 sin(w f_k) (df_k)^2 along a straight line of f.
+  /// x = sum sin(w f_k) c_k bends by at most sum w^2 sin(w f_k) (df_k)^2 along a straight line of f.
   std::array<double, 2> bendings(const Patch& patch, const Rect& rect) const {
     std::array<double, 2> bending{};
     if constexpr (!Warp::kFlatCells) {

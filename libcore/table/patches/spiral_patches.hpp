@@ -29,34 +29,34 @@
 
 namespace impinge {
 
-// P', |P''| and |q''| of a placement between two polar angles, at most.
+/// P', |P''| and |q''| of a placement between two polar angles, at most.
 struct TurnRates {
   double polar;       // P', radians a turn
   double polar_bend;  // |P''|
   double place_bend;  // |q''|, entries
 };
 
-// Largest |cos(phi)|.
+/// Largest |cos(phi)|.
 inline double largest_cosine(double from, double to) {
   return std::max(std::abs(std::cos(from)), std::abs(std::cos(to)));
 }
 
-// q = (w - 1) (1 - cos(h x)) / 2 with h the distance of turns.
+/// q = (w - 1) (1 - cos(h x)) / 2 with h the distance of turns.
 inline TurnRates turn_rates(const HeightSteps& steps, double from, double to) {
   const double h = kPi / steps.turns();
   return {h, 0.0, 0.5 * steps.last() * h * h * largest_cosine(from, to)};
 }
 
-// q' = h sqrt(1 + 4 k^2 sin^2(phi)) (w - 1) / L with k turns, so that
-//   q'' = h^2 4 k^2 sin cos / sqrt(..) (w - 1) / L <= 2 k h^2 |cos| (w - 1) / L.
+/// q' = h sqrt(1 + 4 k^2 sin^2(phi)) (w - 1) / L with k turns, so that
+///   q'' = h^2 4 k^2 sin cos / sqrt(..) (w - 1) / L <= 2 k h^2 |cos| (w - 1) / L.
 inline TurnRates turn_rates(const ArcSteps& steps, double from, double to) {
   const double h = kPi / steps.turns();
   return {h, 0.0, 2.0 * steps.turns() * h * h * largest_cosine(from, to) * steps.last() / steps.length()};
 }
 
-// With r = 1 + b cos(phi) and the meridian's length ds = m dphi, m^2 = 1 + b^2 + 2 b cos(phi):
-//   P' = h / m,  P'' = h^2 b sin(phi) / m^4,
-//   q' = 2 pi h r sin(phi) / A1,  q'' = 2 pi h (r cos(phi) - b sin^2(phi)) P' / A1,  A1 the area of a step.
+/// With r = 1 + b cos(phi) and the meridian's length ds = m dphi, m^2 = 1 + b^2 + 2 b cos(phi):
+///   P' = h / m,  P'' = h^2 b sin(phi) / m^4,
+///   q' = 2 pi h r sin(phi) / A1,  q'' = 2 pi h (r cos(phi) - b sin^2(phi)) P' / A1,  A1 the area of a step.
 inline TurnRates turn_rates(const ConchoidSteps& steps, double from, double to) {
   const double b = steps.ratio();
   const double h = steps.spacing();
@@ -121,7 +121,7 @@ class SpiralPatches {
     return a + t * std::max(b - a, 0.0);
   }
 
-  // Between the azimuths of the entries of the turn above and of the turn below, as far as the curve goes.
+  /// Between the azimuths of the entries of the turn above and of the turn below, as far as the curve goes.
   template <class Visit>
   void visit_turn(std::size_t part, const std::vector<double>& turn, std::size_t first, Visit&& visit) const {
     const double above = static_cast<double>(part) - 1.0;
