@@ -26,6 +26,7 @@ endif()
 set(IMPINGE_GRAPH_DIR "${PROJECT_BINARY_DIR}/graph" CACHE INTERNAL "State of the graph: jobs, locks, times")
 set(IMPINGE_JOB_RUNNER "${CMAKE_CURRENT_LIST_DIR}/job.py" CACHE INTERNAL "Runs one job")
 
+# run_graph.py builds what a job needs of these before it runs any job: no compiler beside a stopwatch.
 add_custom_target(programs COMMENT "")
 add_custom_target(results COMMENT "")
 
@@ -91,9 +92,6 @@ function(impinge_job)
     VERBATIM)
   add_custom_target(result-${job_NAME} DEPENDS ${outputs})
   add_dependencies(results result-${job_NAME})
-  if(job_TIMING) # no compiler beside a stopwatch
-    add_dependencies(result-${job_NAME} programs)
-  endif()
 
   # --only and --why take the name of an artefact: it must say which one.
   get_property(artefacts GLOBAL PROPERTY IMPINGE_ARTEFACTS)

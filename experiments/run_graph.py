@@ -82,8 +82,8 @@ def experiments_behind(job: Job, jobs: dict[str, Job]) -> list[str]:
 
 
 def programs_behind(job: Job, jobs: dict[str, Job], build: Path, results: Path) -> list[str]:
-    """The targets of the programs that a job rests on; all programs where one of them is timed, since no
-    compiler may run beside a stopwatch.
+    """The targets of the programs that a job rests on. They are built before anything runs, since no compiler may run
+    beside a stopwatch.
     """
     makers = {output: other for other in jobs.values() for output in other.outputs}
     behind, left = {job.name: job}, [job]
@@ -93,10 +93,9 @@ def programs_behind(job: Job, jobs: dict[str, Job], build: Path, results: Path) 
             if maker and maker.name not in behind:
                 behind[maker.name] = maker
                 left.append(maker)
-    if any(other.timing for other in behind.values()):
-        return ["programs"]
     files = {Path(file) for other in behind.values() for file in other.depends}
-    return sorted(f"program-{file.stem}" for file in files if file.suffix == ".kept")
+    programs = sorted(f"program-{file.stem}" for file in files if file.suffix == ".kept")
+    return programs + ["joint3d_engine"] * any(file.name == "joint3d_engine.js" for file in files)
 
 
 def show_list(jobs: dict[str, Job]) -> None:

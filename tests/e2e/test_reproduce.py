@@ -304,6 +304,21 @@ class Reproduce(unittest.TestCase):
         self.assertFalse((RESULTS / "tables" / "table-3.csv").exists())
         self.assertEqual(reproduce("--only", "table-99").returncode, 2)
 
+    def test_g_only_builds_what_an_artefact_needs(self):
+        """Not all programs, where one of them is timed."""
+        code = (
+            "import pathlib, sys, run_graph as r; build, results, name = map(pathlib.Path, sys.argv[1:]); "
+            "jobs = r.load_jobs(build, 'quick'); "
+            "print(*r.programs_behind(r.find(jobs, str(name)), jobs, build, results))"
+        )
+        for name, programs in (
+            ("scheme-comparison", "program-08_scheme_savings program-08_schemes program-09_lookup_time"),
+            ("joint3d-speed", "joint3d_engine"),
+        ):
+            words = ["/usr/bin/python3", "-B", "-c", code, os.environ["IMPINGE_BUILD_DIR"], RESULTS, name]
+            done = subprocess.run(words, cwd=ROOT / "experiments", capture_output=True, text=True, check=True)
+            self.assertEqual(done.stdout.strip(), programs)
+
     def test_h_a_changed_byte_is_refused(self):
         """The report names the CSV that its sidecar does not vouch for; removing the CSV mends it."""
         table = RESULTS / "data" / "lut_memory.csv"
