@@ -51,9 +51,15 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
 bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
 
 /// Plans and answers; anew and without bounds where a plan could not keep what it promised. `left_out`, if
-/// given, gets what the plan has left out.
+/// given, gets what the plan has left out. Whole tables are asked for where the omissions keep them.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                          Omissions omissions, const FillFull& fill_full,
                          std::vector<LeftOut>* left_out = nullptr);
+
+/// The same with all omissions.
+inline SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
+                                std::vector<LeftOut>* left_out = nullptr) {
+  return answer_scene(joint, needs, given, Omissions::all(), {}, left_out);
+}
 
 }  // namespace impinge

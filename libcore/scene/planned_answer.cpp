@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/planned_answer.hpp"
 
-#include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "files/stopwatch.hpp"
@@ -13,11 +11,6 @@ namespace {
 
 SceneNeeds needs_of(const SceneOptions& options, const Pose& pose) {
   return {options.question, options.scan_ball, options.scan_socket, {pose}, options.max_error_mm};
-}
-
-// Never called: all omissions are on, so that no whole table is wanted.
-std::unique_ptr<RadiusSource> no_full_table(const TriangleMesh& /*mesh*/, Layer /*layer*/) {
-  throw std::logic_error("a plan that leaves out entries asks for a whole table");
 }
 
 // A table that keeps few entries still has a directory of all of them.
@@ -36,8 +29,8 @@ Measurement measure_gaps(const Joint& joint, const SceneOptions& options, const 
   result.pose = pose;
   Stopwatch watch;
   const AnyScheme scheme = partly_kept(options);
-  SceneAnswer answer = answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, pose), scheme,
-                                    Omissions::all(), no_full_table, &result.left_out);
+  SceneAnswer answer =
+      answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, pose), scheme, &result.left_out);
   result.precision_deg = options.max_error_mm ? 0.0 : scheme.precision_deg();
   result.entries = options.max_error_mm ? answer.cost.entries : scheme.size();
   result.bytes = answer.cost.bytes;
@@ -53,7 +46,7 @@ QuestionAnswer answer_question(const Joint& joint, const SceneOptions& options) 
   found.pose = scene_pose(options);
   Stopwatch watch;
   found.answer = answer_scene({joint.ball.mesh, joint.socket.mesh}, needs_of(options, found.pose),
-                              partly_kept(options), Omissions::all(), no_full_table, &found.left_out);
+                              partly_kept(options), &found.left_out);
   found.milliseconds = watch.lap_ms();
   return found;
 }

@@ -15,12 +15,11 @@ int main() {
   SceneNeeds needs;
   needs.question = Question::first_contact;
   needs.poses = {Pose{Eigen::AngleAxisd(-0.5, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()}};
-  const auto no_full_table = [](const TriangleMesh&, Layer) { return std::unique_ptr<RadiusSource>(); };
   const AnyScheme scheme("rsid", 0.5);
-  const SceneAnswer smallest = answer_scene(joint, needs, scheme, Omissions::all(), no_full_table);
+  const SceneAnswer smallest = answer_scene(joint, needs, scheme);
   needs.question = Question::touch;
   needs.poses.push_back({Eigen::AngleAxisd(-1.0, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()});
-  const SceneAnswer touch = answer_scene(joint, needs, scheme, Omissions::all(), no_full_table);
+  const SceneAnswer touch = answer_scene(joint, needs, scheme);
   std::printf("%.3f %d %d %.3f\n", smallest.smallest->gap_mm, static_cast<int>(touch.touches[0]),
               static_cast<int>(touch.touches[1]), fit_ball(joint.socket).radius);
   return 0;
