@@ -5,9 +5,9 @@
 // @seconds   50 90
 // @links     harness stress
 //
-// Every family of experiments/stress/families/: its knob is turned from harmless to extreme, and each answer
-// is held against the exact one. The run fails, with the results written, if ours fails in a case that it
-// does not refuse.
+// Every family of experiments/stress/families/: its parameter is turned from harmless to extreme, and each
+// answer is held against the exact one. The run fails, with the results written, if ours fails in a case that
+// it does not refuse.
 
 #include <stdexcept>
 #include <string>

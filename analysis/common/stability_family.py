@@ -32,7 +32,7 @@ def draw(cases: pd.DataFrame, family: pd.Series, of_all: dict[str, dict]) -> plt
     draw_counts(grid[1, 1], cases)
     for axes in grid.flat:
         stability_plot.fewer_ticks(axes)
-        axes.set_xlabel(textwrap.fill(f"{family.knob}{stability_plot.unit_text(family)}", 70), fontsize=8.5)
+        axes.set_xlabel(textwrap.fill(f"{family.parameter}{stability_plot.unit_text(family)}", 70), fontsize=8.5)
     figure.tight_layout(h_pad=2)
     title = cases.family.iloc[0].replace("_", " ").capitalize()
     heading = textwrap.wrap(f"{title}. Expected: {family.expected}", 130)

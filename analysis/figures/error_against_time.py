@@ -91,7 +91,7 @@ def looks_of(table: pd.DataFrame, costs: list[str]) -> dict[str, dict]:
     """A look for the lines that are coloured: those most often on the front of each cost, and the references."""
     ranked = []
     for cost in costs:
-        often = table[f"{cost}_front"].eq(True).groupby(table.line).sum()  # NaN: not in the race
+        often = table[f"{cost}_front"].eq(True).groupby(table.line).sum()  # NaN: not in the benchmark
         often = often[often > 0].sort_values(ascending=False, kind="stable")
         ranked.append(list(often.index))
     turns = [line for turn in itertools.zip_longest(*ranked) for line in turn if line is not None]

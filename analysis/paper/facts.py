@@ -25,10 +25,10 @@ import pandas as pd
 import common
 from common import log_plot, strain, timing
 from findings import finding
-from paper import baselines, cells, contact, counts, fast, fill, limits, race, replay, stability
+from paper import baselines, cells, contact, counts, fast, fill, error_against_time, limits, replay, stability
 from verdicts import verdict
 
-MODULES = (cells, fast, contact, counts, fill, race, replay, stability, strain, baselines, limits)
+MODULES = (cells, fast, contact, counts, error_against_time, fill, replay, stability, strain, baselines, limits)
 MACHINE = [
     "cpu",
     "cores",

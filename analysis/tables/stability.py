@@ -26,7 +26,7 @@ def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
     in_double = ours[ours.scalar == "double"]
     return {
         "family": name,
-        "knob": family.knob,
+        "parameter": family.parameter,
         "unit": family.unit,
         "magnitudes": len(stability.magnitudes(cases)),
         "stiffness": cases.stiffness.max(),

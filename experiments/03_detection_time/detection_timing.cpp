@@ -12,26 +12,27 @@ namespace {
 
 constexpr int kFewRounds = 3;
 
-bool is_pairwise(const Contender& contender) { return contender.name() == "pairwise"; }
+bool is_pairwise(const TouchMethod& method) { return method.name() == "pairwise"; }
 
-bool is_measured(const RaceJoint& joint, const Contender& contender, const DetectionRaceOptions& options) {
-  return !is_pairwise(contender) || joint.pairs <= options.most_pairs;
+bool is_measured(const BenchmarkJoint& joint, const TouchMethod& method, const DetectionOptions& options) {
+  return !is_pairwise(method) || joint.pairs <= options.most_pairs;
 }
 
-std::vector<Cell> key_of(const RaceJoint& joint, const Contender& contender) {
+std::vector<Cell> key_of(const BenchmarkJoint& joint, const TouchMethod& method) {
   std::vector<Cell> key = joint.before;
-  key.emplace_back(contender.name());
+  key.emplace_back(method.name());
   key.insert(key.end(), joint.after.begin(), joint.after.end());
   return key;
 }
 
-std::vector<TimedCase> race_cases(const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options) {
+std::vector<TimedCase> benchmark_cases(const std::vector<BenchmarkJoint>& joints,
+                                       const DetectionOptions& options) {
   std::vector<TimedCase> cases;
-  for (const RaceJoint& joint : joints) {
-    for (const auto& contender : joint.race.contenders) {
-      if (!is_measured(joint, *contender, options)) continue;
-      cases.push_back(race_case(key_of(joint, *contender), *contender, joint.race));
-      if (is_pairwise(*contender) && joint.pairs > options.most_pairs_often) cases.back().rounds = kFewRounds;
+  for (const BenchmarkJoint& joint : joints) {
+    for (const auto& method : joint.bench.methods) {
+      if (!is_measured(joint, *method, options)) continue;
+      cases.push_back(benchmark_case(key_of(joint, *method), *method, joint.bench));
+      if (is_pairwise(*method) && joint.pairs > options.most_pairs_often) cases.back().rounds = kFewRounds;
     }
   }
   return cases;
@@ -39,36 +40,36 @@ std::vector<TimedCase> race_cases(const std::vector<RaceJoint>& joints, const De
 
 }  // namespace
 
-RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, std::vector<Cell> after,
-                          double precision_deg) {
+BenchmarkJoint make_benchmark_joint(std::vector<Cell> before, const BallSocketPair& pair,
+                                    std::vector<Cell> after, double precision_deg) {
   const auto pairs =
       static_cast<double>(pair.ball.faces.size()) * static_cast<double>(pair.socket.faces.size());
-  return {std::move(before), std::move(after), pairs, make_detection_race(pair, precision_deg)};
+  return {std::move(before), std::move(after), pairs, make_detection_benchmark(pair, precision_deg)};
 }
 
-TimedCase race_case(std::vector<Cell> key, Contender& contender, const DetectionRace& race) {
+TimedCase benchmark_case(std::vector<Cell> key, TouchMethod& method, const DetectionBenchmark& bench) {
   TimedCase timed;
   timed.key = std::move(key);
-  timed.units = static_cast<double>(race.poses.size());
-  timed.verify = [&contender, &race] { require_agreement(contender, *race.oracle, race.poses); };
-  timed.run = [&contender, &race] { benchmark::DoNotOptimize(count_touching(contender, race.poses)); };
+  timed.units = static_cast<double>(bench.poses.size());
+  timed.verify = [&method, &bench] { require_agreement(method, *bench.oracle, bench.poses); };
+  timed.run = [&method, &bench] { benchmark::DoNotOptimize(count_touching(method, bench.poses)); };
   return timed;
 }
 
-Timing write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
-                  const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options) {
-  const TimingRun timed = run_interleaved(race_cases(joints, options), {}, driver.progress);
+Timing write_benchmark(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                       const std::vector<BenchmarkJoint>& joints, const DetectionOptions& options) {
+  const TimingRun timed = run_interleaved(benchmark_cases(joints, options), {}, driver.progress);
   Timing pair = options.pair;
   result.table.columns = timing_columns(key_columns);
   result.table.columns.push_back({"gives_distance", "", "yes: the same work yields the gap at every vertex"});
-  for (const RaceJoint& joint : joints) {
-    for (const auto& contender : joint.race.contenders) {
-      const std::vector<Cell> key = key_of(joint, *contender);
-      const bool measured = is_measured(joint, *contender, options);
-      if (measured && is_pairwise(*contender)) pair = scaled(find(timed, key), 1.0 / joint.pairs);
+  for (const BenchmarkJoint& joint : joints) {
+    for (const auto& method : joint.bench.methods) {
+      const std::vector<Cell> key = key_of(joint, *method);
+      const bool measured = is_measured(joint, *method, options);
+      if (measured && is_pairwise(*method)) pair = scaled(find(timed, key), 1.0 / joint.pairs);
       auto row =
           measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, scaled(pair, joint.pairs));
-      row.emplace_back(contender->gives_distance());
+      row.emplace_back(method->gives_distance());
       result.table.add_row(std::move(row));
     }
   }

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timing the contenders of detection on several joints: the form that Table 4 and the real joints share.
+// Timing the methods of detection on several joints: the form that Table 4 and the real joints share.
 #pragma once
 
 #include <vector>
 
 #include "harness/driver.hpp"
 #include "harness/timing.hpp"
-#include "methods/detection_race.hpp"
+#include "methods/detection_benchmark.hpp"
 
 namespace impinge::lab {
 
-// One row of the table for each contender.
-struct RaceJoint {
+// One row of the table for each method.
+struct BenchmarkJoint {
   std::vector<Cell> before;  // key cells before the method: the subject, say
   std::vector<Cell> after;   // key cells after it: numbers of triangles
   double pairs = 0.0;        // of triangles
-  DetectionRace race;        // contenders, poses and oracle
+  DetectionBenchmark bench;  // methods, poses and oracle
 };
 
 // Meshes in their centre frames; the precision, degrees, is that of all tables.
-RaceJoint make_race_joint(std::vector<Cell> before, const BallSocketPair& pair, std::vector<Cell> after,
-                          double precision_deg);
+BenchmarkJoint make_benchmark_joint(std::vector<Cell> before, const BallSocketPair& pair,
+                                    std::vector<Cell> after, double precision_deg);
 
-// The mean over the poses, after the contender agreed with the oracle in all of them. All that is referred to
+// The mean over the poses, after the method agreed with the oracle in all of them. All that is referred to
 // must outlive the case.
-TimedCase race_case(std::vector<Cell> key, Contender& contender, const DetectionRace& race);
+TimedCase benchmark_case(std::vector<Cell> key, TouchMethod& method, const DetectionBenchmark& bench);
 
-// What of the slowest contender is measured, and what scaled.
-struct DetectionRaceOptions {
+// What of the slowest method is measured, and what scaled.
+struct DetectionOptions {
   // Pairs of triangles up to which `pairwise` is measured; beyond, its time is scaled by the pairs.
   double most_pairs = 0.0;
   // Pairs up to which `pairwise` gets all rounds; beyond, three.
@@ -36,10 +36,10 @@ struct DetectionRaceOptions {
   Timing pair = {};
 };
 
-// Times all contenders on all joints, in one interleaved run, and writes the result with its samples. The
+// Times all methods on all joints, in one interleaved run, and writes the result with its samples. The
 // columns of the table are filled in here. Returns the timing of one pair on the last joint that was measured
 // pairwise.
-Timing write_race(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
-                  const std::vector<RaceJoint>& joints, const DetectionRaceOptions& options);
+Timing write_benchmark(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                       const std::vector<BenchmarkJoint>& joints, const DetectionOptions& options);
 
 }  // namespace impinge::lab

@@ -78,12 +78,12 @@ Hip12k patients_place(const std::vector<RealJoint>& real) {
 }
 
 // A scan looks up each vertex of both models once: its time divided by their number is that of one query.
-Timing race_tables(DriverRun& run, const std::vector<RealJoint>& real, const DetectionRaceOptions& options) {
+Timing benchmark_tables(DriverRun& run, const std::vector<RealJoint>& real, const DetectionOptions& options) {
   Result result = make_result("detection_time", "How long does a pose take?");
-  std::vector<RaceJoint> joints;
+  std::vector<BenchmarkJoint> joints;
   joints.reserve(kLevels.size() + 1);
   const auto add = [&](const BallSocketPair& pair, std::size_t level, const std::string& joint) {
-    joints.push_back(make_race_joint({}, pair, {level, joint}, kPrecision));
+    joints.push_back(make_benchmark_joint({}, pair, {level, joint}, kPrecision));
     result.parameters["queries"][std::to_string(level)] =
         pair.ball.vertices.size() + pair.socket.vertices.size();
   };
@@ -94,23 +94,23 @@ Timing race_tables(DriverRun& run, const std::vector<RealJoint>& real, const Det
                              std::to_string(hip.meshes.ball.faces.size()) + " and " +
                              std::to_string(hip.meshes.socket.faces.size()) + " triangles";
   const Column joint{"joint", "", "generated: a ball and a socket; else the hip in the patient's place"};
-  return write_race(run, result, {kMethod, kTriangles, joint}, joints, options);
+  return write_benchmark(run, result, {kMethod, kTriangles, joint}, joints, options);
 }
 
-void race_real(DriverRun& run, const std::vector<RealJoint>& real, DetectionRaceOptions options) {
-  std::vector<RaceJoint> joints;
+void benchmark_real(DriverRun& run, const std::vector<RealJoint>& real, DetectionOptions options) {
+  std::vector<BenchmarkJoint> joints;
   joints.reserve(real.size());
   for (const RealJoint& joint : real) {
     const BallSocketPair& pair = joint.meshes;
-    joints.push_back(make_race_joint({joint.subject}, pair,
-                                     {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
+    joints.push_back(make_benchmark_joint({joint.subject}, pair,
+                                          {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
   }
   const std::vector<Column> keys{{"subject", "", "folder of the joint"},
                                  kMethod,
                                  {"ball_triangles", "1", "triangles of the ball"},
                                  {"socket_triangles", "1", "triangles of the socket"}};
-  write_race(run, make_result("detection_time_bones", "How long does a pose of a real joint take?"), keys,
-             joints, options);
+  write_benchmark(run, make_result("detection_time_bones", "How long does a pose of a real joint take?"),
+                  keys, joints, options);
 }
 
 // The scans alone, with tables of every precision.
@@ -120,15 +120,15 @@ void vary_precision(DriverRun& run) {
   result.parameters.erase("precision_deg");
   const std::vector<Column> keys{kMethod, {"precision_deg", "deg", "of the tables"}, kTriangles};
   result.table.columns = timing_columns(keys);
-  std::vector<DetectionRace> races;
-  races.reserve(kPrecisions.size() * kPrecisionLevels.size());  // the cases refer to them
+  std::vector<DetectionBenchmark> benches;
+  benches.reserve(kPrecisions.size() * kPrecisionLevels.size());  // the cases refer to them
   std::vector<TimedCase> cases;
   for (const std::size_t n : kPrecisionLevels) {
     for (const double precision : kPrecisions) {
-      races.push_back(make_detection_race(make_ball_socket_pair(n), precision));
-      for (const auto& contender : races.back().contenders) {
-        if (!contender->gives_distance()) continue;
-        cases.push_back(race_case({contender->name(), precision, n}, *contender, races.back()));
+      benches.push_back(make_detection_benchmark(make_ball_socket_pair(n), precision));
+      for (const auto& method : benches.back().methods) {
+        if (!method->gives_distance()) continue;
+        cases.push_back(benchmark_case({method->name(), precision, n}, *method, benches.back()));
       }
     }
   }
@@ -138,12 +138,12 @@ void vary_precision(DriverRun& run) {
 }
 
 void body(DriverRun& run) {
-  DetectionRaceOptions options;
+  DetectionOptions options;
   options.most_pairs = run.quick() ? kMostPairsInQuick : std::numeric_limits<double>::infinity();
   std::vector<RealJoint> real;
   if (run.bones) real = read_real_joints(*run.bones, run.progress);
-  options.pair = race_tables(run, real, options);
-  if (run.bones) race_real(run, real, options);
+  options.pair = benchmark_tables(run, real, options);
+  if (run.bones) benchmark_real(run, real, options);
   vary_precision(run);
 }
 

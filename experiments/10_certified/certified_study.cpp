@@ -63,7 +63,7 @@ void add_delay(const SurfaceOverlay& joint, const ContactPose& pose, PoseSummary
     summary.later.push_back(std::max(0.0, *by_vertices - *pose.contact) * path_length(pose.path));
 }
 
-void add_pose(CertifiedStudy& study, CertifiedJoint& joint, Contender& tree, const Pose& pose,
+void add_pose(CertifiedStudy& study, CertifiedJoint& joint, TouchMethod& tree, const Pose& pose,
               PoseSummary& summary) {
   JudgedPose judged = judge(joint.overlay, pose);
   Stopwatch watch;

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <array>
 
-#include "10_error_against_time/race_report.hpp"
-#include "10_error_against_time/race_scenes.hpp"
+#include "10_error_against_time/report.hpp"
+#include "10_error_against_time/scenes.hpp"
 #include "files/file_bytes.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
@@ -29,8 +29,8 @@ constexpr std::array<std::size_t, 4> kLevels{300, 3000, 12000, 100000};  // tria
 constexpr std::size_t kMostInQuick = 12000;
 constexpr std::size_t kJointsInQuick = 2;  // the smallest
 
-std::vector<RaceScene> scenes(DriverRun& run) {
-  std::vector<RaceScene> all;
+std::vector<BenchmarkScene> scenes(DriverRun& run) {
+  std::vector<BenchmarkScene> all;
   for (const std::size_t n : kLevels) {
     if (!run.quick() || n <= kMostInQuick) all.push_back(generated_scene(n));
   }
@@ -42,7 +42,7 @@ std::vector<RaceScene> scenes(DriverRun& run) {
   return all;
 }
 
-nlohmann::json parameters_of(const RaceOptions& options) {
+nlohmann::json parameters_of(const BenchmarkOptions& options) {
   return {{"precisions_deg", options.tables.precisions},
           {"grid_nodes", options.grid_nodes},
           {"most_entries_of_a_searched_bound", options.tables.most_entries},
@@ -69,12 +69,12 @@ nlohmann::json parameters_of(const RaceOptions& options) {
 }
 
 void body(DriverRun& run) {
-  RaceOptions options = run.quick() ? quick_race() : full_race();
+  BenchmarkOptions options = run.quick() ? quick_benchmark() : full_benchmark();
   options.radial.cache = options.euclidean.cache = run.cache;
   options.radial.seed = options.euclidean.seed = options.timing.seed = run.record.seed;
-  RaceTables tables = make_race_tables();
+  BenchmarkTables tables = make_benchmark_tables();
   try {
-    for (const RaceScene& scene : scenes(run)) run_race(scene, options, tables, run.progress);
+    for (const BenchmarkScene& scene : scenes(run)) run_benchmark(scene, options, tables, run.progress);
   } catch (const BoundViolated& violated) {
     write_if_changed(run.record.folder / "error_against_time_witness.json",
                      violated.violation().text() + "\n");

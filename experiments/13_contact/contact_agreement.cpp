@@ -46,7 +46,7 @@ class ContactReferee {
   SurfaceOverlay overlay_;
   CulledJoint culled_;
   CoherentContact coherent_;
-  std::unique_ptr<Contender> fcl_;
+  std::unique_ptr<TouchMethod> fcl_;
 };
 
 PosePath any_path(std::mt19937_64& random) {

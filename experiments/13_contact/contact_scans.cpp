@@ -43,8 +43,8 @@ RadialTable<CubeGnomonic> filled(const TriangleMesh& mesh, std::size_t cells, La
 template <class Made>
 std::function<void(const Pose&, JointGaps&)> scan_of(const BallSocketPair& pair, ScanCells cells,
                                                      const Made& made) {
-  auto lanes = joint_lanes(made(pair.ball, cells.ball, Layer::farthest),
-                           made(pair.socket, cells.socket, Layer::nearest), pair.ball, pair.socket);
+  auto lanes = packed_joint(made(pair.ball, cells.ball, Layer::farthest),
+                            made(pair.socket, cells.socket, Layer::nearest), pair.ball, pair.socket);
   const auto joint = std::make_shared<const decltype(lanes)>(std::move(lanes));
   return [joint](const Pose& pose, JointGaps& gaps) { scan_joint(*joint, pose, gaps.ball, gaps.socket); };
 }
@@ -107,10 +107,12 @@ bool any_at_most_zero(const JointGaps& gaps) {
 }
 
 ContactScans::ContactScans(const BallSocketPair& pair) {
-  const auto rows = [](const auto&... of) { return lane_table<std::uint16_t>(Flat(filled(of...))); };
-  const auto sampled = [](const auto&... of) { return corner_table(lane_table<float>(Flat(filled(of...)))); };
+  const auto rows = [](const auto&... of) { return packed_table<std::uint16_t>(Flat(filled(of...))); };
+  const auto sampled = [](const auto&... of) {
+    return corner_table(packed_table<float>(Flat(filled(of...))));
+  };
   const auto centred = [](const TriangleMesh& mesh, std::size_t cells, Layer layer) {
-    return corner_table(lane_table<float>(centred_table(mesh, filled(mesh, cells, layer), layer)));
+    return corner_table(packed_table<float>(centred_table(mesh, filled(mesh, cells, layer), layer)));
   };
   ways.push_back({"all_vertices", scan_of(pair, kRowsCells, rows)});
   ways.push_back({"all_corners", scan_of(pair, kCentredCells, centred)});

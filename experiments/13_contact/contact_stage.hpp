@@ -11,8 +11,8 @@
 #include "13_contact/contact_scans.hpp"
 #include "contact/coherent_contact.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "methods/contender.hpp"
 #include "methods/fcl_distance.hpp"
+#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
@@ -22,13 +22,13 @@ struct ContactStage {
   ContactStage(const ContactStage&) = delete;
   ContactStage& operator=(const ContactStage&) = delete;
 
-  BallSocketPair pair;             // both meshes, mm
-  CulledJoint culled;              // pose by pose
-  CoherentContact coherent;        // from one pose to the next
-  std::unique_ptr<Contender> fcl;  // contact of faces
-  FclDistance distance;            // of faces
-  std::unique_ptr<Contender> vtk;  // contact of faces
-  ContactScans scans;              // all gaps
+  BallSocketPair pair;               // both meshes, mm
+  CulledJoint culled;                // pose by pose
+  CoherentContact coherent;          // from one pose to the next
+  std::unique_ptr<TouchMethod> fcl;  // contact of faces
+  FclDistance distance;              // of faces
+  std::unique_ptr<TouchMethod> vtk;  // contact of faces
+  ContactScans scans;                // all gaps
 };
 
 // Compares answers in some of the poses. std::runtime_error where the culled ones are not those of all

@@ -45,14 +45,14 @@ void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMa
   const std::string name = kCubeName;
   const std::string setting = "n=" + std::to_string(cells);
   makers.push_back({name, setting, "uint16", true,
-                    [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scanned); }});
+                    [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); }});
   makers.push_back(
-      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scanned); }});
+      {name, setting, "float", true, [=] { return kernel(packed_table<float>(filled()), s.scanned); }});
 }
 
 void add_corners(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {
   makers.push_back({kCubeName, "n=" + std::to_string(cells), kCorners, true, [=] {
-                      return kernel(corner_table(lane_table<float>(filled_cube(s, cells))), s.scanned);
+                      return kernel(corner_table(packed_table<float>(filled_cube(s, cells))), s.scanned);
                     }});
 }
 
@@ -65,11 +65,11 @@ void add_scheme(const AskedSurface& s, double precision, std::vector<GapMethodMa
   makers.push_back({name + "_scalar", setting, "double", false,
                     [=] { return std::make_unique<ScalarScan<S>>(filled(), s.scanned); }});
   makers.push_back(
-      {name, setting, "double", true, [=] { return kernel(lane_table<double>(filled()), s.scanned); }});
+      {name, setting, "double", true, [=] { return kernel(packed_table<double>(filled()), s.scanned); }});
   makers.push_back(
-      {name, setting, "float", true, [=] { return kernel(lane_table<float>(filled()), s.scanned); }});
+      {name, setting, "float", true, [=] { return kernel(packed_table<float>(filled()), s.scanned); }});
   makers.push_back({name, setting, "uint16", true,
-                    [=] { return kernel(lane_table<std::uint16_t>(filled()), s.scanned); }});
+                    [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); }});
 }
 
 using PeerMaker = std::unique_ptr<RadiusMethod> (*)(const TriangleMesh&);
@@ -102,7 +102,9 @@ void add_voxels(const AskedSurface& s, double voxel_mm, std::vector<GapMethodMak
 }  // namespace
 
 AskedPoints::AskedPoints(std::vector<Vec3> asked)
-    : points(std::move(asked)), floats(vertex_lanes<float>(points)), doubles(vertex_lanes<double>(points)) {}
+    : points(std::move(asked)),
+      floats(packed_vertices<float>(points)),
+      doubles(packed_vertices<double>(points)) {}
 
 std::vector<GapMethodMaker> fast_methods(const AskedSurface& surface, const FastSizes& sizes) {
   std::vector<GapMethodMaker> makers;

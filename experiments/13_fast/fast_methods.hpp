@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "kernels/certified_table.hpp"
-#include "kernels/vertex_lanes.hpp"
+#include "kernels/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "methods/radius_method.hpp"
 #include "table/layer.hpp"
@@ -22,9 +22,9 @@ namespace impinge::lab {
 struct AskedPoints {
   explicit AskedPoints(std::vector<Vec3> asked);  // rounds them to float as well
 
-  std::vector<Vec3> points;     // mm, in the frame of the mesh that they are of
-  VertexLanes<float> floats;    // the same points
-  VertexLanes<double> doubles;  // the same points
+  std::vector<Vec3> points;        // mm, in the frame of the mesh that they are of
+  PackedVertices<float> floats;    // the same points
+  PackedVertices<double> doubles;  // the same points
 };
 
 // One way to find all gaps of a pose.

@@ -38,7 +38,7 @@ class AtOnce final : public TableFilling {
  private:
   const TriangleMesh& mesh_;
   CubeFill fill_;
-  LaneTable<CubeGnomonic, Value> table_;
+  PackedTable<CubeGnomonic, Value> table_;
 };
 
 // The rasteriser of all schemes, in double.

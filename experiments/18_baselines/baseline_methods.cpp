@@ -10,7 +10,7 @@
 
 #include "files/csv.hpp"
 #include "methods/cartesian_field.hpp"
-#include "methods/detection_race.hpp"
+#include "methods/detection_benchmark.hpp"
 #include "methods/distance_grid.hpp"
 #include "methods/hu_voxels.hpp"
 #include "methods/maciel_triangles.hpp"
@@ -29,19 +29,19 @@ constexpr double kRounding = 1e-9;  // mm, of a radius in double
 }
 
 BaselineMethod voxels(const BallSocketPair& joint, double size) {
-  auto contender = std::make_unique<HuVoxels>(joint.ball, joint.socket, size);
+  auto method = std::make_unique<HuVoxels>(joint.ball, joint.socket, size);
   Pose deep;  // somewhere, so that there are hits
   deep.translation = Vec3(0.0, 0.0, 5.0);
-  const auto hits = some_of(contender->collided(deep), 50);
+  const auto hits = some_of(method->collided(deep), 50);
   const auto apart = closest_distances(joint.socket, {hits});
   if (std::ranges::any_of(apart, [size](double d) { return d > std::numbers::sqrt3 * size; }))
     broken("hu_voxels", "a collided point is farther from the socket than the voxel is wide");
   BaselineMethod method;
-  method.name = contender->name();
+  method.name = method->name();
   method.setting = Cell(size).text() + " mm";
   method.size = size;
-  method.bytes = static_cast<double>(contender->bytes());
-  method.contender = std::move(contender);
+  method.bytes = static_cast<double>(method->bytes());
+  method.method = std::move(method);
   method.build = [&joint, size] { benchmark::DoNotOptimize(HuVoxels(joint.ball, joint.socket, size)); };
   return method;
 }
@@ -68,9 +68,9 @@ BaselineMethod triangles(const BallSocketPair& joint, std::size_t side, const Ba
       benchmark::DoNotOptimize(fill_triangles_pairwise(joint.ball, side, Layer::farthest));
     };
   }
-  auto contender = std::make_unique<MacielTriangles>(joint.ball, joint.socket, std::move(table));
-  method.bytes = static_cast<double>(contender->bytes());
-  method.contender = std::move(contender);
+  auto method = std::make_unique<MacielTriangles>(joint.ball, joint.socket, std::move(table));
+  method.bytes = static_cast<double>(method->bytes());
+  method.method = std::move(method);
   return method;
 }
 
@@ -91,7 +91,7 @@ BaselineMethod field(const BallSocketPair& joint, std::size_t nodes, const Basel
   method.size = static_cast<double>(nodes);
   method.answers = judge_answers(distance, points.distance);
   method.bytes = static_cast<double>(grid.bytes());
-  method.contender = std::make_unique<CartesianField>(joint.ball, grid);
+  method.method = std::make_unique<CartesianField>(joint.ball, grid);
   method.build = [&joint, shape] { benchmark::DoNotOptimize(make_signed_field(joint.socket, shape)); };
   return method;
 }
@@ -127,7 +127,7 @@ BaselineMethod table(const BallSocketPair& joint, double precision, const Baseli
   const std::size_t rims = tables->ball.rim_cells().bytes() + tables->socket.rim_cells().bytes();
   method.bytes = static_cast<double>(2 * RadialTable<Rsid>::bytes(tables->ball.scheme()) + rims);
   method.missed_faces = static_cast<double>(faces_without_entry(joint.ball, tables->ball.scheme()));
-  method.contender = std::make_unique<TableScan<Rsid>>(joint.ball, joint.socket, tables);
+  method.method = std::make_unique<TableScan<Rsid>>(joint.ball, joint.socket, tables);
   method.build = [&joint, precision] { benchmark::DoNotOptimize(make_tables<Rsid>(joint, precision)); };
   return method;
 }

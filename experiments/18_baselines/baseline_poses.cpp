@@ -40,10 +40,10 @@ std::vector<BaselinePose> baseline_poses(const BallSocketPair& joint, const Base
   return poses;
 }
 
-BaselineVerdicts judge(Contender& contender, const std::vector<BaselinePose>& poses) {
+BaselineVerdicts judge(TouchMethod& method, const std::vector<BaselinePose>& poses) {
   BaselineVerdicts verdicts;
   for (const BaselinePose& judged : poses) {
-    const bool answer = contender.touches(judged.pose);
+    const bool answer = method.touches(judged.pose);
     if (answer == judged.touches) continue;
     ++(answer ? verdicts.false_touches : verdicts.missed_touches);
     verdicts.wrong_within_mm = std::max(verdicts.wrong_within_mm, std::abs(judged.beyond_mm));

@@ -11,11 +11,11 @@ HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg) {
   const auto dial = clock_face(hip.socket);
   if (!dial) throw std::invalid_argument(hip.name + ": the socket has no dial: see hip/clock.hpp");
   const Rsid scheme = Rsid::with_precision(precision_deg);
-  return {
-      hip, *dial,
-      joint_lanes(lane_table<double>(fill_exact(hip.ball, scheme, Layer::farthest)),
-                  lane_table<double>(fill_exact(hip.socket, scheme, Layer::nearest)), hip.ball, hip.socket),
-      vertex_areas(hip.ball), vertex_areas(hip.socket)};
+  return {hip, *dial,
+          packed_joint(packed_table<double>(fill_exact(hip.ball, scheme, Layer::farthest)),
+                       packed_table<double>(fill_exact(hip.socket, scheme, Layer::nearest)), hip.ball,
+                       hip.socket),
+          vertex_areas(hip.ball), vertex_areas(hip.socket)};
 }
 
 PosedHip scan(const HipScanner& scanner, const Pose& pose) {

@@ -24,10 +24,10 @@ struct ReplayedHip {
 
 // All that the poses of one hip share; the hip must outlive it.
 struct HipScanner {
-  const ReplayedHip& hip;                     // borrowed
-  ClockFace dial;                             // of the socket
-  JointLanes<LaneTable<Rsid, double>> lanes;  // tables and vertices of both surfaces
-  std::vector<double> ball_area;              // vertex_areas(), mm^2
+  const ReplayedHip& hip;                        // borrowed
+  ClockFace dial;                                // of the socket
+  PackedJoint<PackedTable<Rsid, double>> lanes;  // tables and vertices of both surfaces
+  std::vector<double> ball_area;                 // vertex_areas(), mm^2
   std::vector<double> socket_area;
 };
 HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg);  // fills the tables, exactly

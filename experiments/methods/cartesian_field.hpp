@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "methods/contender.hpp"
 #include "methods/grid_field.hpp"
+#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
 // Signed distances (mm, in float) at every node: CGAL's closest points, and the sign by its first hit.
 GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape& shape);
 
-class CartesianField final : public Contender {
+class CartesianField final : public TouchMethod {
  public:
   // Meshes in their centre frames, mm.
   CartesianField(const TriangleMesh& ball, GridField socket)

@@ -18,7 +18,7 @@ using Triangles = std::vector<ExactPredicates::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<ExactPredicates, Triangles::const_iterator>;
 using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<ExactPredicates, Primitive>>;
 
-class CgalTree final : public Contender {
+class CgalTree final : public TouchMethod {
  public:
   CgalTree(TriangleMesh ball, const TriangleMesh& socket)
       : ball_(std::move(ball)),
@@ -43,7 +43,7 @@ class CgalTree final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_cgal_tree(const TriangleMesh& ball, const TriangleMesh& socket) {
+std::unique_ptr<TouchMethod> make_cgal_tree(const TriangleMesh& ball, const TriangleMesh& socket) {
   return std::make_unique<CgalTree>(ball, socket);
 }
 

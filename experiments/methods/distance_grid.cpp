@@ -29,7 +29,7 @@ class DistanceGrid final : public RadiusMethod {
 
 }  // namespace
 
-DistanceGridShape grid_shape(const RaceScene& scene, std::size_t nodes) {
+DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nodes) {
   double half_width = 0.0;
   for (const Vec3& v : scene.pair.socket.vertices)
     half_width = std::max(half_width, v.lpNorm<Eigen::Infinity>());

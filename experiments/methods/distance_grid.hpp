@@ -17,7 +17,7 @@
 namespace impinge::lab {
 
 // The cube that holds ball and socket in the pose of the scene.
-DistanceGridShape grid_shape(const RaceScene& scene, std::size_t nodes);
+DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nodes);
 
 // Distances (mm, without sign, in float) by cgal_closest at every node. Points outside of the cube get NaN.
 // std::invalid_argument for fewer than 2 nodes or no width.

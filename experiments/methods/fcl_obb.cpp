@@ -10,7 +10,7 @@ namespace {
 
 using BoxTree = fcl::BVHModel<fcl::OBB<double>>;
 
-class FclObb final : public Contender {
+class FclObb final : public TouchMethod {
  public:
   FclObb(const TriangleMesh& ball, const TriangleMesh& socket) {
     fill_fcl_model(ball_, ball);
@@ -34,7 +34,7 @@ class FclObb final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_fcl_obb(const TriangleMesh& ball, const TriangleMesh& socket) {
+std::unique_ptr<TouchMethod> make_fcl_obb(const TriangleMesh& ball, const TriangleMesh& socket) {
   return std::make_unique<FclObb>(ball, socket);
 }
 

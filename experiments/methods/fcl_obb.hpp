@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "mesh/triangle_mesh.hpp"
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
 // Meshes in their centre frames, mm; both are copied. Asks for one contact, without its depth, and stops
 // there.
-std::unique_ptr<Contender> make_fcl_obb(const TriangleMesh& ball, const TriangleMesh& socket);
+std::unique_ptr<TouchMethod> make_fcl_obb(const TriangleMesh& ball, const TriangleMesh& socket);
 
 }  // namespace impinge::lab

@@ -11,27 +11,27 @@ namespace {
 
 class FclCollide final : public RadiusMethod {
  public:
-  explicit FclCollide(const RaceScene& scene)
+  explicit FclCollide(const BenchmarkScene& scene)
       : heap_before_(heap_bytes()),
-        contender_(make_fcl_obb(scene.pair.ball, scene.pair.socket)),
+        method_(make_fcl_obb(scene.pair.ball, scene.pair.socket)),
         bytes_(heap_bytes() - heap_before_),
         pose_(scene.pose) {}
 
   void answer(std::span<const Vec3> /*points*/, std::span<double> out) override {
-    out[0] = contender_->touches(pose_) ? 0.0 : kNoSurface;
+    out[0] = method_->touches(pose_) ? 0.0 : kNoSurface;
   }
   double bytes() const override { return bytes_; }
 
  private:
   double heap_before_;
-  std::unique_ptr<Contender> contender_;
+  std::unique_ptr<TouchMethod> method_;
   double bytes_;
   Pose pose_;
 };
 
 class FclSmallest final : public RadiusMethod {
  public:
-  explicit FclSmallest(const RaceScene& scene)
+  explicit FclSmallest(const BenchmarkScene& scene)
       : heap_before_(heap_bytes()),
         distance_(scene.pair.ball, scene.pair.socket),
         bytes_(heap_bytes() - heap_before_),
@@ -51,11 +51,11 @@ class FclSmallest final : public RadiusMethod {
 
 }  // namespace
 
-std::unique_ptr<RadiusMethod> make_fcl_collide(const RaceScene& scene) {
+std::unique_ptr<RadiusMethod> make_fcl_collide(const BenchmarkScene& scene) {
   return std::make_unique<FclCollide>(scene);
 }
 
-std::unique_ptr<RadiusMethod> make_fcl_distance(const RaceScene& scene) {
+std::unique_ptr<RadiusMethod> make_fcl_distance(const BenchmarkScene& scene) {
   return std::make_unique<FclSmallest>(scene);
 }
 

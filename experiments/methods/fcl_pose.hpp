@@ -9,10 +9,10 @@
 namespace impinge::lab {
 
 // Do they touch? 0 mm if so, else NaN: FCL says no more. Bytes as in heap_use.hpp.
-std::unique_ptr<RadiusMethod> make_fcl_collide(const RaceScene& scene);
+std::unique_ptr<RadiusMethod> make_fcl_collide(const BenchmarkScene& scene);
 
 // Smallest distance between the surfaces, mm, 0 where they touch, to the last digits (no tolerance is given
 // away).
-std::unique_ptr<RadiusMethod> make_fcl_distance(const RaceScene& scene);
+std::unique_ptr<RadiusMethod> make_fcl_distance(const BenchmarkScene& scene);
 
 }  // namespace impinge::lab

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 #include "methods/voxel_table.hpp"
 
 namespace impinge::lab {
@@ -21,7 +21,7 @@ namespace impinge::lab {
 // Farthest that the surfaces are apart where a voxel is hit, in voxels' sides.
 inline constexpr double kVoxelReach = 1.5 * std::numbers::sqrt3;
 
-class HuVoxels final : public Contender {
+class HuVoxels final : public TouchMethod {
  public:
   // Meshes in their centre frames, mm; size is the side of a voxel, mm. Throws as surface_voxels() does.
   HuVoxels(const TriangleMesh& ball, const TriangleMesh& socket, double size);

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 #include "methods/triangle_table.hpp"
 
 namespace impinge::lab {
 
-class MacielTriangles final : public Contender {
+class MacielTriangles final : public TouchMethod {
  public:
   // The table is that of the ball, farthest layer. Meshes in their centre frames, mm; they are copied.
   MacielTriangles(TriangleMesh ball, const TriangleMesh& socket, TriangleTable table)

@@ -11,7 +11,7 @@
 namespace impinge::lab {
 namespace {
 
-class Pairwise final : public Contender {
+class Pairwise final : public TouchMethod {
  public:
   Pairwise(TriangleMesh ball, const TriangleMesh& socket)
       : ball_(std::move(ball)), socket_(exact_triangles(socket)) {}
@@ -35,7 +35,7 @@ class Pairwise final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_pairwise(const TriangleMesh& ball, const TriangleMesh& socket) {
+std::unique_ptr<TouchMethod> make_pairwise(const TriangleMesh& ball, const TriangleMesh& socket) {
   return std::make_unique<Pairwise>(ball, socket);
 }
 

@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "mesh/triangle_mesh.hpp"
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
 // Meshes in their centre frames, mm. The ball is copied.
-std::unique_ptr<Contender> make_pairwise(const TriangleMesh& ball, const TriangleMesh& socket);
+std::unique_ptr<TouchMethod> make_pairwise(const TriangleMesh& ball, const TriangleMesh& socket);
 
 }  // namespace impinge::lab

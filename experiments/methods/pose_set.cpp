@@ -59,20 +59,20 @@ std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& so
   return poses;
 }
 
-void require_agreement(Contender& contender, Contender& oracle, const std::vector<NamedPose>& poses) {
+void require_agreement(TouchMethod& method, TouchMethod& oracle, const std::vector<NamedPose>& poses) {
   for (const NamedPose& named : poses) {
     const bool expected = oracle.touches(named.pose);
-    if (contender.touches(named.pose) == expected) continue;
-    throw std::runtime_error(std::string(contender.name()) + " disagrees with " + std::string(oracle.name()) +
+    if (method.touches(named.pose) == expected) continue;
+    throw std::runtime_error(std::string(method.name()) + " disagrees with " + std::string(oracle.name()) +
                              " in the pose \"" + named.name + "\", where the surfaces " +
                              (expected ? "touch" : "are free") +
                              ": its time means nothing until that is resolved");
   }
 }
 
-int count_touching(Contender& contender, const std::vector<NamedPose>& poses) {
+int count_touching(TouchMethod& method, const std::vector<NamedPose>& poses) {
   int touching = 0;
-  for (const NamedPose& named : poses) touching += contender.touches(named.pose) ? 1 : 0;
+  for (const NamedPose& named : poses) touching += method.touches(named.pose) ? 1 : 0;
   return touching;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
@@ -24,10 +24,10 @@ struct NamedPose {
 // not bring the surfaces together.
 std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& socket);
 
-// Throws std::runtime_error that names contender and pose when the two contenders differ in one.
-void require_agreement(Contender& contender, Contender& oracle, const std::vector<NamedPose>& poses);
+// Throws std::runtime_error that names method and pose when the two methods differ in one.
+void require_agreement(TouchMethod& method, TouchMethod& oracle, const std::vector<NamedPose>& poses);
 
 // Number of poses that touch: one answer a pose, which makes it the work that is timed.
-int count_touching(Contender& contender, const std::vector<NamedPose>& poses);
+int count_touching(TouchMethod& method, const std::vector<NamedPose>& poses);
 
 }  // namespace impinge::lab

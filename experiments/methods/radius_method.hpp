@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "methods/race_scene.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 

@@ -49,7 +49,7 @@ HWY_EXPORT(floor_lanes);
 
 }  // namespace
 
-void floor_scan(const FloorTable& table, const LaneScan<float>& scan, std::span<float> out) {
+void floor_scan(const FloorTable& table, const PackedScan<float>& scan, std::span<float> out) {
   HWY_DYNAMIC_DISPATCH(floor_lanes)(table, raw_scan(scan, out));
 }
 

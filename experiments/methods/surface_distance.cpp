@@ -43,7 +43,7 @@ std::vector<double> distances(RadiusMethod& closest, const std::vector<Vec3>& po
 
 }  // namespace
 
-double surface_distance(const RaceScene& scene) {
+double surface_distance(const BenchmarkScene& scene) {
   if (make_cgal_tree(scene.pair.ball, scene.pair.socket)->touches(scene.pose)) return 0.0;
   const auto closest = make_cgal_closest(scene.pair.socket);
   const auto socket = held_triangles(scene.pair.socket, {});

@@ -3,12 +3,12 @@
 // methods that answer for a whole pose.
 #pragma once
 
-#include "methods/race_scene.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 
 // mm, to the last digits; 0 where the surfaces meet (decided exactly). Triangles of the ball that cannot be
 // nearer than a vertex is are passed over.
-double surface_distance(const RaceScene& scene);
+double surface_distance(const BenchmarkScene& scene);
 
 }  // namespace impinge::lab

@@ -16,7 +16,7 @@
 
 #include "gap/gap_scan.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "methods/contender.hpp"
+#include "methods/touch_method.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge::lab {
@@ -29,7 +29,7 @@ struct TablePair {
 };
 
 template <SamplingScheme S>
-class TableScan final : public Contender {
+class TableScan final : public TouchMethod {
  public:
   // Meshes in their centre frames, mm. Their vertices are copied; the tables are shared.
   TableScan(const TriangleMesh& ball, const TriangleMesh& socket, std::shared_ptr<const TablePair<S>> tables)

@@ -11,7 +11,7 @@
 namespace impinge::lab {
 namespace {
 
-class VtkCollision final : public Contender {
+class VtkCollision final : public TouchMethod {
  public:
   VtkCollision(const TriangleMesh& ball, const TriangleMesh& socket) {
     to_vtk(ball, *ball_);
@@ -47,7 +47,7 @@ class VtkCollision final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_vtk_collision(const TriangleMesh& ball, const TriangleMesh& socket) {
+std::unique_ptr<TouchMethod> make_vtk_collision(const TriangleMesh& ball, const TriangleMesh& socket) {
   return std::make_unique<VtkCollision>(ball, socket);
 }
 

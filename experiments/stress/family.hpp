@@ -33,9 +33,9 @@ double unit_roundoff(Scalar scalar);      // 2^-24, 2^-53
 
 // One method at one magnitude: one row of the results. What was not measured is NaN or 0.
 struct StabilityCase {
-  double magnitude = 0.0;           // of the knob, in the unit of the family
-  std::string method;               // as the race calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
-  std::string kind;                 // ours, library or brute; a failure of ours fails the run
+  double magnitude = 0.0;  // of the parameter, in the unit of the family
+  std::string method;      // as the benchmark calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
+  std::string kind;        // ours, library or brute; a failure of ours fails the run
   Scalar scalar = Scalar::float64;  // whose rounding counts
 
   std::size_t questions = 0;                     // directions, entries or poses that were asked
@@ -74,10 +74,10 @@ struct StabilityRun {
 
 // One family: what it turns, what is expected, and how it is run.
 struct StabilityFamily {
-  std::string name;      // of its file, and in the results
-  std::string knob;      // what grows stiff or extreme, in words
-  std::string unit;      // of the magnitudes
-  std::string expected;  // behaviour of ours, stated before it is run
+  std::string name;       // of its file, and in the results
+  std::string parameter;  // what grows stiff or extreme, in words
+  std::string unit;       // of the magnitudes
+  std::string expected;   // behaviour of ours, stated before it is run
   // Of ours in double; a case may have one of its own, such as that of a table stored in float.
   double threshold = 0.0;
   std::string derivation;  // which operations the threshold counts

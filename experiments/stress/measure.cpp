@@ -128,7 +128,7 @@ MeasureOptions measure_options(const StabilityRun& run) {
 }
 
 RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions) {
-  return {directions, exact_radii(mesh, {directions, RaceScene::kLayer, {}}),
+  return {directions, exact_radii(mesh, {directions, BenchmarkScene::kLayer, {}}),
           conditions_along(mesh, directions)};
 }
 

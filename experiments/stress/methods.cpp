@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "10_error_against_time/race_methods.hpp"
+#include "10_error_against_time/methods.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/lengths.hpp"
 #include "methods/cgal_distances.hpp"
@@ -38,7 +38,7 @@ class ConeRays final : public RadiusMethod {
       const Vec3 u = points[i].stableNormalized();
       out[i] = kNoSurface;
       for (const TriangleCone& cone : cones_) {
-        if (is_met(cone, points[i], u)) keep(out[i], cone.radius(u), RaceScene::kLayer);
+        if (is_met(cone, points[i], u)) keep(out[i], cone.radius(u), BenchmarkScene::kLayer);
       }
     }
   }
@@ -58,18 +58,19 @@ StabilityMethod method_of(std::string name, std::string kind, Scalar scalar,
   return method;
 }
 
-RaceScene race_scene(const StabilityScene& scene) { return {"stability", {{}, scene.mesh}, {}}; }
+BenchmarkScene benchmark_scene(const StabilityScene& scene) { return {"stability", {{}, scene.mesh}, {}}; }
 
-// Tables of the scene in double and float. The race's scene is kept by the methods.
+// Tables of the scene in double and float. The benchmark's scene is kept by the methods.
 void add_tables(std::vector<StabilityMethod>& methods, const StabilityScene& scene,
                 const BoundOptions& search) {
-  const auto race = std::make_shared<const RaceScene>(race_scene(scene));
-  for (MethodMaker& maker : table_methods(*race, {{scene.precision_deg}, kMostEntries, kMostFaces, search})) {
+  const auto bench = std::make_shared<const BenchmarkScene>(benchmark_scene(scene));
+  for (MethodMaker& maker :
+       table_methods(*bench, {{scene.precision_deg}, kMostEntries, kMostFaces, search})) {
     if (maker.storage == "uint16") continue;  // steps of one size: an error without relative bound
     StabilityMethod method;
     method.scalar = maker.storage == "float" ? Scalar::float32 : Scalar::float64;
     method.maker = std::move(maker);
-    method.maker.make = [race, make = std::move(method.maker.make)] { return make(); };
+    method.maker.make = [bench, make = std::move(method.maker.make)] { return make(); };
     methods.push_back(std::move(method));
   }
 }
@@ -106,7 +107,7 @@ std::vector<StabilityMethod> stability_methods(const StabilityScene& scene, cons
   add_tables(methods, scene, search);
   add_refusals(methods, scene);
   methods.push_back(method_of("pairwise", "brute", Scalar::float64,
-                              [&mesh] { return make_pairwise_rays(mesh, RaceScene::kLayer); }));
+                              [&mesh] { return make_pairwise_rays(mesh, BenchmarkScene::kLayer); }));
   for (const auto& [quality, name] :
        {std::pair{EmbreeQuality::fast, "embree_fast"}, {EmbreeQuality::robust, "embree_robust"}}) {
     methods.push_back(method_of(name, "library", Scalar::float32, [&mesh, quality = quality] {

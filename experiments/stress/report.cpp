@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kLeastMagnitudes = 5;
 
 const std::vector<Column> kKey{{"family", "", "see stability_families.csv"},
-                               {"magnitude", "", "of the knob, in the unit of the family"},
+                               {"magnitude", "", "of the parameter, in the unit of the family"},
                                {"method", "", "SCHEME, SCHEME_mesh_exact, cone_rays (ours), or by library"},
                                {"scalar", "", "float or double: what the answers are computed or stored in"}};
 
@@ -74,7 +74,7 @@ StabilityTables make_stability_tables() {
                 {"bound_um", "um", "proven bound on it"}});
   tables.families.columns = {
       {"family", "", "file in experiments/stress/families"},
-      {"knob", "", "what is varied"},
+      {"parameter", "", "what is varied"},
       {"unit", "", "of the magnitudes"},
       {"magnitudes", "1", "how many"},
       {"expected", "", "of ours, stated before the run"},
@@ -105,7 +105,7 @@ void run_family(const StabilityFamily& family, const StabilityRun& run, Stabilit
     throw std::logic_error("family " + family.name + " has fewer than 5 magnitudes: add some");
   const std::vector<std::string> lines = broken(family, cases);
   tables.broken.insert(tables.broken.end(), lines.begin(), lines.end());
-  tables.families.add_row({family.name, family.knob, family.unit, magnitudes.size(), family.expected,
+  tables.families.add_row({family.name, family.parameter, family.unit, magnitudes.size(), family.expected,
                            family.threshold, family.derivation, family.seen[0], family.seen[1], ours, refused,
                            lines.size()});
 }

@@ -36,9 +36,9 @@ std::vector<Vec3> entries(std::size_t cells) {
 }
 
 // Adds levels, one after the other.
-class LadderBuilder {
+class LevelsBuilder {
  public:
-  LadderBuilder(const TriangleMesh& mesh, Layer layer, double margin)
+  LevelsBuilder(const TriangleMesh& mesh, Layer layer, double margin)
       : search_(mesh, layer), margin_(margin) {
     limits.assign(24, search_.limit({Vec3::UnitZ(), 4.0}, 0.0));
   }
@@ -62,7 +62,7 @@ class LadderBuilder {
 }  // namespace
 
 CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
-  LadderBuilder builder(mesh, layer, margin);
+  LevelsBuilder builder(mesh, layer, margin);
   const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
   const auto cells = static_cast<std::int32_t>(std::clamp(most, 4.0, kMostCells));
   while (reach(finest_) > kFinestReach / static_cast<float>(cells)) {

@@ -2,7 +2,7 @@
 // How near to the centre a surface comes, or how far from it, over a cap of directions of any size: one
 // look-up.
 //
-// A ladder of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
+// A levels of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
 // a direction within c + reach + margin of it, c = sqrt(2) / n being the farthest that a direction is from
 // the entry nearest to it on the grid (that way is along a straight line of the gnomonic plane, and central
 // projection makes no length longer); the reaches are 2, 1.75, 1.5, 1.25, 1, 0.875 ... radians. So
@@ -28,7 +28,7 @@
 namespace impinge {
 
 /// The grids of all levels, as kernels read them.
-struct CapLadder {
+struct CapLevels {
   const std::int32_t* steps;  // of each level: cells along an edge in kLineBits, above the place of its
                               /// limits; all 32 bits count
   const float* limits;        // of each level by face, row and column, mm
@@ -60,11 +60,11 @@ class CapLimits {
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
     return look_up(std::clamp(level, 0, finest_), x);
   }
-  float overall() const { return ladder().overall; }  // of all directions
+  float overall() const { return levels().overall; }  // of all directions
   /// In the direction of x.
   float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
   /// Of all levels.
-  CapLadder ladder() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
+  CapLevels levels() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
 
   std::size_t bytes() const;  // of memory
 

@@ -19,7 +19,7 @@ constexpr double kTightness = 1.25;  // of the proven bound, over the largest er
 constexpr std::size_t kHalvings = 100000;
 constexpr double kRoundUp = 1.0 + 0x1p-20;  // the comparison itself takes 4 u of it
 
-using Codes = LaneTable<CubeGnomonic, std::uint16_t>;
+using Codes = PackedTable<CubeGnomonic, std::uint16_t>;
 
 bool answers(const Codes& table, std::size_t entry) {
   return table.none.empty() || (table.none[entry / 32] >> (entry % 32) & 1U) == 0U;
@@ -84,7 +84,7 @@ CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_
   const auto radii = fill_exact(mesh, scheme, layer);
   const InverseDepthTable<CubeGnomonic> depths(radii);
   const Uint16InverseDepthTable<CubeGnomonic> stored(depths);
-  auto table = lane_table<std::uint16_t>(depths);
+  auto table = packed_table<std::uint16_t>(depths);
   const StoredCells cells = stored_cells(table, stored);
   const double range = table.smallest > 0.0 ? 1.0 + table.step / table.smallest * 65535.0 : 1.0;
   const double share =

@@ -20,16 +20,16 @@
 #include <vector>
 
 #include "kernels/exact_cells.hpp"
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 
 namespace impinge {
 
 /// Plain data; make it with certified_table().
 struct CertifiedTable {
-  LaneTable<CubeGnomonic, std::uint16_t> table;  // that is asked first
-  std::vector<std::uint32_t> open;               // one bit an entry: its cell decides nothing
-  double bound_mm = 0.0;                         // of a gap, but for the part that grows with |x|
-  ExactCells exact;                              // that undecided vertices go to
+  PackedTable<CubeGnomonic, std::uint16_t> table;  // that is asked first
+  std::vector<std::uint32_t> open;                 // one bit an entry: its cell decides nothing
+  double bound_mm = 0.0;                           // of a gap, but for the part that grows with |x|
+  ExactCells exact;                                // that undecided vertices go to
 
   /// Of all of it, without the mesh.
   std::size_t bytes() const { return table.bytes() + open.size() * sizeof(std::uint32_t) + exact.bytes(); }
@@ -43,10 +43,10 @@ struct CertifiedGaps {
   float threshold = 0.0F;                // mm
   std::vector<float> gap;                // mm, on its side of the threshold for sure; NaN where there is none
   std::vector<std::uint32_t> undecided;  // vertices that went to the exact cells, rising
-  VertexLanes<float> asked;              // those vertices
+  PackedVertices<float> asked;           // those vertices
   std::vector<float> answered;           // and their gaps
 };
 /// Every vertex of the scan, by the threshold in `found`.
-void scan_gaps(const CertifiedTable& table, const LaneScan<float>& scan, CertifiedGaps& found);
+void scan_gaps(const CertifiedTable& table, const PackedScan<float>& scan, CertifiedGaps& found);
 
 }  // namespace impinge

@@ -8,7 +8,7 @@
 namespace impinge {
 namespace {
 
-using FloatRows = LaneTable<CubeGnomonic, float>;
+using FloatRows = PackedTable<CubeGnomonic, float>;
 
 bool has_answer(const FloatRows& table, std::size_t entry) {
   return table.none.empty() || (table.none[entry / 32] >> (entry % 32) & 1U) == 0U;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// A cube map whose cells have their four corners side by side: one load of 64 bits reads them, and whether
-/// there is an answer, where the rows of kernels/lane_table.hpp take two loads and one of the mask. For that
-/// every number is kept twice, in 15 bits.
+/// there is an answer, where the rows of kernels/packed_table.hpp take two loads and one of the mask. For
+/// that every number is kept twice, in 15 bits.
 ///
 /// Entry (i, j) of `cube_gnomonic` has one word, in the order of the entries: its code in bits 0 to 14, the
 /// code of the entry in the next row of the face in bits 16 to 30, and in bit 15 whether the cell that begins
@@ -35,13 +35,13 @@ struct CornerTable {
 };
 
 /// The same entries and the same cells without an answer. One pass over the table.
-CornerTable corner_table(const LaneTable<CubeGnomonic, float>& table);
+CornerTable corner_table(const PackedTable<CubeGnomonic, float>& table);
 
 /// A scan as in kernels/gap_kernels.hpp. At the moved vertex x the gap is off from that of the table in exact
 /// arithmetic by at most
 ///   u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 D,   D = r (C - 1)
 /// in the letters used there: the share of a cell along its column is rounded to 14 bits, with which the sum
 /// of two codes is exact; along a whole cell r changes by D at most.
-void scan_gaps(const CornerTable& table, const LaneScan<float>& scan, std::span<float> gap);
+void scan_gaps(const CornerTable& table, const PackedScan<float>& scan, std::span<float> gap);
 
 }  // namespace impinge

@@ -31,13 +31,13 @@ CubeView view_of(const TriangleMesh& mesh, const CubeFill& fill) {
 
 void require_fill(const TriangleMesh& mesh, const CubeFill& fill) {
   require_lengths(mesh);
-  require_lane_entries(fill.scheme.size());
+  require_packed_entries(fill.scheme.size());
   if (fill.threads < 1) throw std::invalid_argument("a table is filled by one thread or more");
 }
 
 // From a float below the least number to above the most.
 template <class Value>
-void set_steps(const DepthRange& range, LaneTable<CubeGnomonic, Value>& table) {
+void set_steps(const DepthRange& range, PackedTable<CubeGnomonic, Value>& table) {
   static_cast<void>(FloatValues(std::array{range.least, range.most}));  // its checks
   if constexpr (std::same_as<Value, std::uint16_t>) {
     const float below = std::nextafter(static_cast<float>(range.least), 0.0F);
@@ -47,7 +47,7 @@ void set_steps(const DepthRange& range, LaneTable<CubeGnomonic, Value>& table) {
 }
 
 template <class Value>
-void set_up(const CubeFill& fill, LaneTable<CubeGnomonic, Value>& table) {
+void set_up(const CubeFill& fill, PackedTable<CubeGnomonic, Value>& table) {
   table.divisions = fill.scheme.divisions();
   table.stride = table.divisions + 1;
   table.values.resize(fill.scheme.size());
@@ -72,7 +72,7 @@ void paint(const PaintTask<Value>& task, const TileBins& bins, int threads, cons
 // Takes the marks from the cells of these tiles; says how many entries they keep.
 template <class Value>
 std::size_t unmask(const CubeTiling& tiling, const std::vector<bool>& tiles,
-                   LaneTable<CubeGnomonic, Value>& table) {
+                   PackedTable<CubeGnomonic, Value>& table) {
   std::size_t entries = 0;
   for (std::size_t t = 0; t < tiling.size(); ++t) {
     if (!tiles[t]) continue;
@@ -88,8 +88,8 @@ std::size_t unmask(const CubeTiling& tiling, const std::vector<bool>& tiles,
 
 }  // namespace
 
-template <LaneValue Value>
-void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, LaneTable<CubeGnomonic, Value>& table) {
+template <PackedValue Value>
+void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, PackedTable<CubeGnomonic, Value>& table) {
   require_fill(mesh, fill);
   const CubeView view = view_of(mesh, fill);
   const CubeTiling tiling(view.divisions());
@@ -101,9 +101,9 @@ void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, LaneTable<CubeGno
         [](std::size_t) { return true; });
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, const CubeFill& fill,
-                        LaneTable<CubeGnomonic, Value>& table) {
+                        PackedTable<CubeGnomonic, Value>& table) {
   require_fill(after, fill);
   if (table.values.size() != fill.scheme.size())
     throw std::invalid_argument("the table to refill is not of this scheme: fill it anew");
@@ -112,7 +112,7 @@ std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, c
   const CubeView view = view_of(after, fill);
   const CubeTiling tiling(view.divisions());
   const TileBins bins = tile_bins(view, tiling, static_cast<std::size_t>(fill.threads));
-  LaneTable<CubeGnomonic, Value> anew;
+  PackedTable<CubeGnomonic, Value> anew;
   set_steps(fill.room.most > 0.0 ? fill.room : bins.range, anew);
   if (anew.smallest != table.smallest || anew.step != table.step) {
     fill_cube(after, fill, table);
@@ -129,11 +129,11 @@ std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, c
   return worked_out;
 }
 
-template void fill_cube(const TriangleMesh&, const CubeFill&, LaneTable<CubeGnomonic, float>&);
-template void fill_cube(const TriangleMesh&, const CubeFill&, LaneTable<CubeGnomonic, std::uint16_t>&);
+template void fill_cube(const TriangleMesh&, const CubeFill&, PackedTable<CubeGnomonic, float>&);
+template void fill_cube(const TriangleMesh&, const CubeFill&, PackedTable<CubeGnomonic, std::uint16_t>&);
 template std::size_t refill_cube(const TriangleMesh&, const TriangleMesh&, const CubeFill&,
-                                 LaneTable<CubeGnomonic, float>&);
+                                 PackedTable<CubeGnomonic, float>&);
 template std::size_t refill_cube(const TriangleMesh&, const TriangleMesh&, const CubeFill&,
-                                 LaneTable<CubeGnomonic, std::uint16_t>&);
+                                 PackedTable<CubeGnomonic, std::uint16_t>&);
 
 }  // namespace impinge

@@ -5,7 +5,7 @@
 /// of which is then stored in float or 16 bits. The memory of the table is touched once, by the thread that
 /// fills it. Bytes do not depend on the number of threads, on the instruction set or on the order of faces.
 ///
-/// Beside lane_table(InverseDepthTable(fill_exact(mesh, scheme, layer))), q being its number before it is
+/// Beside packed_table(InverseDepthTable(fill_exact(mesh, scheme, layer))), q being its number before it is
 /// stored:
 ///   - the same entries have a surface, exactly: what float leaves in doubt is decided as there
 ///   - float       |stored - q| <= 41 u q                          u = 2^-24 (tile_triangle.hpp)
@@ -17,7 +17,7 @@
 
 #include <cstddef>
 
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 #include "kernels/tile_triangle.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/layer.hpp"
@@ -36,14 +36,14 @@ struct CubeFill {
 /// mesh in the centre frame. std::invalid_argument for lengths beyond those of mesh/lengths.hpp, more entries
 /// than a kernel can read, numbers that a float cannot hold, and no thread. The memory of `table` is used
 /// again. Value is float or std::uint16_t.
-template <LaneValue Value>
-void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, LaneTable<CubeGnomonic, Value>& table);
+template <PackedValue Value>
+void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, PackedTable<CubeGnomonic, Value>& table);
 
 /// `table` was filled from `before` and becomes that of `after`, bit for bit as if filled anew: tiles that a
 /// changed face meets, before or after, are drawn again, and all where the range of the numbers changes. The
 /// meshes differ in the places of their vertices alone. Returns how many entries were worked out.
-template <LaneValue Value>
+template <PackedValue Value>
 std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, const CubeFill& fill,
-                        LaneTable<CubeGnomonic, Value>& table);
+                        PackedTable<CubeGnomonic, Value>& table);
 
 }  // namespace impinge

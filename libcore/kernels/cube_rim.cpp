@@ -109,7 +109,7 @@ void follow(const JumpEdge& edge, const RimLine& line, Layer layer, StoredRim<Va
 
 }  // namespace
 
-template <LaneValue Value>
+template <PackedValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   StoredRim<Value> rim(task);
   std::vector<DoubtfulRim> doubtful;

@@ -4,24 +4,24 @@
 
 #include <vector>
 
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 #include "mesh/jump_edges.hpp"
 #include "table/layer.hpp"
 
 namespace impinge {
 
 /// A surface and its table, whose cells without four corners are marked already.
-template <LaneValue Value>
+template <PackedValue Value>
 struct RimTask {
-  const TriangleMesh& mesh;               // centre frame
-  const CubeGnomonic& scheme;             // of the table
-  Layer layer;                            // that the table holds
-  LaneTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
+  const TriangleMesh& mesh;                 // centre frame
+  const CubeGnomonic& scheme;               // of the table
+  Layer layer;                              // that the table holds
+  PackedTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
 };
 
 /// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. What is stored is taken for as
 /// near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
-template <LaneValue Value>
+template <PackedValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges);
 
 }  // namespace impinge

@@ -32,31 +32,31 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/lane_table.hpp"
-#include "kernels/vertex_lanes.hpp"
+#include "kernels/packed_table.hpp"
+#include "kernels/packed_vertices.hpp"
 
 namespace impinge {
 
 /// Vertices of one surface in a pose. The vertices outlive it.
 template <class Real>
-struct LaneScan {
-  const VertexLanes<Real>& vertices;  // in their own centre frame
-  Pose pose;                          // of the ball in the socket
-  Surface scanned;                    // whose vertices they are
+struct PackedScan {
+  const PackedVertices<Real>& vertices;  // in their own centre frame
+  Pose pose;                             // of the ball in the socket
+  Surface scanned;                       // whose vertices they are
 };
 
 /// gap has the size of the vertices; the table is that of the other surface.
-void scan_gaps(const LaneTable<CubeGnomonic, float>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedScan<float>& scan,
                std::span<float> gap);
-void scan_gaps(const LaneTable<CubeGnomonic, std::uint16_t>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedScan<float>& scan,
                std::span<float> gap);
-void scan_gaps(const LaneTable<Rsid, float>& table, const LaneScan<float>& scan, std::span<float> gap);
-void scan_gaps(const LaneTable<Rsid, std::uint16_t>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<Rsid, float>& table, const PackedScan<float>& scan, std::span<float> gap);
+void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedScan<float>& scan,
                std::span<float> gap);
-void scan_gaps(const LaneTable<Rsid, double>& table, const LaneScan<double>& scan, std::span<double> gap);
-void scan_gaps(const LaneTable<Usid, float>& table, const LaneScan<double>& scan, std::span<double> gap);
-void scan_gaps(const LaneTable<Usid, std::uint16_t>& table, const LaneScan<double>& scan,
+void scan_gaps(const PackedTable<Rsid, double>& table, const PackedScan<double>& scan, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, float>& table, const PackedScan<double>& scan, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedScan<double>& scan,
                std::span<double> gap);
-void scan_gaps(const LaneTable<Usid, double>& table, const LaneScan<double>& scan, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, double>& table, const PackedScan<double>& scan, std::span<double> gap);
 
 }  // namespace impinge

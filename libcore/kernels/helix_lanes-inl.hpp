@@ -53,7 +53,7 @@ struct HelixPlace {
 class HelixLanes {
  public:
   template <class Value>
-  explicit HelixLanes(const LaneTable<Usid, Value>& table)
+  explicit HelixLanes(const PackedTable<Usid, Value>& table)
       : turns_(static_cast<double>(table.divisions)), last_(turns_ * turns_ - 1.0) {}
 
   // A pole stands for the turn that is missing above the first one and below the last one.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <span>
 
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 #include "sphere/stored_values.hpp"
 
 namespace impinge {
@@ -20,11 +20,11 @@ std::vector<std::uint64_t> rim_bits(const CellMask& rim, std::size_t cells) {
 
 }  // namespace
 
-template <LaneValue Value>
-LaneTable<Usid, Value> lane_table(const RadialTable<Usid>& table) {
-  require_lane_entries(table.scheme().size());
+template <PackedValue Value>
+PackedTable<Usid, Value> packed_table(const RadialTable<Usid>& table) {
+  require_packed_entries(table.scheme().size());
   const std::span<const double> radii = table.radii();
-  LaneTable<Usid, Value> lanes;
+  PackedTable<Usid, Value> lanes;
   lanes.divisions = table.scheme().helix_turns();
   lanes.values.reserve(radii.size() + kBehind);
   if constexpr (std::same_as<Value, std::uint16_t>) {
@@ -41,8 +41,8 @@ LaneTable<Usid, Value> lane_table(const RadialTable<Usid>& table) {
   return lanes;
 }
 
-template LaneTable<Usid, double> lane_table(const RadialTable<Usid>&);
-template LaneTable<Usid, float> lane_table(const RadialTable<Usid>&);
-template LaneTable<Usid, std::uint16_t> lane_table(const RadialTable<Usid>&);
+template PackedTable<Usid, double> packed_table(const RadialTable<Usid>&);
+template PackedTable<Usid, float> packed_table(const RadialTable<Usid>&);
+template PackedTable<Usid, std::uint16_t> packed_table(const RadialTable<Usid>&);
 
 }  // namespace impinge

@@ -13,29 +13,29 @@ namespace impinge {
 
 /// Each surface as the other one asks it, in its own centre frame.
 template <class Table>
-struct JointLanes {
+struct PackedJoint {
   using Real = typename Table::Real;  // float or double, in which gaps are worked out
 
-  Table ball_table;          // asked by the socket's vertices
-  Table socket_table;        // asked by the ball's vertices
-  VertexLanes<Real> ball;    // mm
-  VertexLanes<Real> socket;  // mm
+  Table ball_table;             // asked by the socket's vertices
+  Table socket_table;           // asked by the ball's vertices
+  PackedVertices<Real> ball;    // mm
+  PackedVertices<Real> socket;  // mm
 };
 
 /// Meshes in their centre frames, mm, and the tables that were filled from them.
 template <class Table>
-JointLanes<Table> joint_lanes(Table ball_table, Table socket_table, const TriangleMesh& ball,
-                              const TriangleMesh& socket) {
+PackedJoint<Table> packed_joint(Table ball_table, Table socket_table, const TriangleMesh& ball,
+                                const TriangleMesh& socket) {
   using Real = typename Table::Real;
-  return {std::move(ball_table), std::move(socket_table), vertex_lanes<Real>(ball.vertices),
-          vertex_lanes<Real>(socket.vertices)};
+  return {std::move(ball_table), std::move(socket_table), packed_vertices<Real>(ball.vertices),
+          packed_vertices<Real>(socket.vertices)};
 }
 
 /// Gaps of all vertices, mm, each of the size of its surface; as in kernels/gap_kernels.hpp.
 template <class Table>
-void scan_joint(const JointLanes<Table>& joint, const Pose& pose,
-                std::span<typename JointLanes<Table>::Real> ball_gap,
-                std::span<typename JointLanes<Table>::Real> socket_gap) {
+void scan_joint(const PackedJoint<Table>& joint, const Pose& pose,
+                std::span<typename PackedJoint<Table>::Real> ball_gap,
+                std::span<typename PackedJoint<Table>::Real> socket_gap) {
   scan_gaps(joint.socket_table, {joint.ball, pose, Surface::ball}, ball_gap);
   scan_gaps(joint.ball_table, {joint.socket, pose, Surface::socket}, socket_gap);
 }

@@ -13,7 +13,7 @@
 
 #include <hwy/highway.h>
 
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {

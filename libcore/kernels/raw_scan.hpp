@@ -16,21 +16,21 @@ struct RawScan {
   const Real* x;  // of the vertices, `count` each, mm
   const Real* y;
   const Real* z;
-  std::size_t count;              // of vertices
-  LaneTransform<Real> transform;  // to the frame of the table
-  Real sign;                      // gap_sign()
-  Real* gap;                      // mm, `count` of them
+  std::size_t count;                // of vertices
+  PackedTransform<Real> transform;  // to the frame of the table
+  Real sign;                        // gap_sign()
+  Real* gap;                        // mm, `count` of them
 };
 
 /// Borrows from both; gap has the size of the vertices.
 template <class Real>
-RawScan<Real> raw_scan(const LaneScan<Real>& scan, std::span<Real> gap) {
+RawScan<Real> raw_scan(const PackedScan<Real>& scan, std::span<Real> gap) {
   assert(gap.size() == scan.vertices.size());
   return {scan.vertices.x.data(),
           scan.vertices.y.data(),
           scan.vertices.z.data(),
           scan.vertices.size(),
-          lane_transform<Real>(scan.pose, scan.scanned),
+          packed_transform<Real>(scan.pose, scan.scanned),
           gap_sign<Real>(scan.scanned),
           gap.data()};
 }

@@ -25,7 +25,7 @@ std::size_t decide(const CertifiedTable& table, const RawScan<float>& scan, floa
   const std::uint32_t* const open = table.open.data();
   const auto bound = hn::Set(d, static_cast<float>(table.bound_mm));
   const auto a_mm = hn::Set(d, 28.0F * 0x1p-24F);
-  const LaneTransform<float> transform = scan.transform;
+  const PackedTransform<float> transform = scan.transform;
   const float sign = scan.sign;
   std::size_t count = 0;
   for_each_vector(scan, [&](const Point<D>& v, std::size_t i) HWY_ATTR {
@@ -57,13 +57,13 @@ constexpr std::size_t kLongestVector = 64;
 
 }  // namespace
 
-void scan_gaps(const CertifiedTable& table, const LaneScan<float>& scan, CertifiedGaps& found) {
-  const VertexLanes<float>& all = scan.vertices;
+void scan_gaps(const CertifiedTable& table, const PackedScan<float>& scan, CertifiedGaps& found) {
+  const PackedVertices<float>& all = scan.vertices;
   found.gap.resize(all.size());
   found.undecided.resize(all.size() + kLongestVector);
   found.undecided.resize(HWY_DYNAMIC_DISPATCH(decide)(table, raw_scan(scan, std::span(found.gap)),
                                                       found.threshold, found.undecided.data()));
-  VertexLanes<float>& asked = found.asked;
+  PackedVertices<float>& asked = found.asked;
   for (auto* axis : {&asked.x, &asked.y, &asked.z}) axis->clear();
   for (const std::uint32_t i : found.undecided) {
     asked.x.push_back(all.x[i]);

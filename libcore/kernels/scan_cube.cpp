@@ -15,10 +15,10 @@ HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 namespace {
 
-void scan_float(const LaneTable<CubeGnomonic, float>& table, const RawScan<float>& scan) {
+void scan_float(const PackedTable<CubeGnomonic, float>& table, const RawScan<float>& scan) {
   scan_lanes(CubeLanes(table), raw_table(table), scan);
 }
-void scan_uint16(const LaneTable<CubeGnomonic, std::uint16_t>& table, const RawScan<float>& scan) {
+void scan_uint16(const PackedTable<CubeGnomonic, std::uint16_t>& table, const RawScan<float>& scan) {
   scan_lanes(CubeLanes(table), raw_table(table), scan);
 }
 void scan_corners(const CornerTable& table, const RawScan<float>& scan) {
@@ -39,17 +39,17 @@ HWY_EXPORT(scan_corners);
 
 }  // namespace
 
-void scan_gaps(const LaneTable<CubeGnomonic, float>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedScan<float>& scan,
                std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_float)(table, raw_scan(scan, gap));
 }
 
-void scan_gaps(const LaneTable<CubeGnomonic, std::uint16_t>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedScan<float>& scan,
                std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_uint16)(table, raw_scan(scan, gap));
 }
 
-void scan_gaps(const CornerTable& table, const LaneScan<float>& scan, std::span<float> gap) {
+void scan_gaps(const CornerTable& table, const PackedScan<float>& scan, std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_corners)(table, raw_scan(scan, gap));
 }
 

@@ -119,7 +119,7 @@ HWY_EXPORT(scan_exact);
 
 }  // namespace
 
-void scan_gaps(const ExactCells& cells, const LaneScan<float>& scan, std::span<float> gap) {
+void scan_gaps(const ExactCells& cells, const PackedScan<float>& scan, std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_exact)(cells, raw_scan(scan, gap));
 }
 

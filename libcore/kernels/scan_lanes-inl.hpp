@@ -35,7 +35,7 @@ struct Place {
 };
 
 template <class D>
-HWY_INLINE Point<D> transformed(D d, const LaneTransform<hn::TFromD<D>>& by, const Point<D>& v) {
+HWY_INLINE Point<D> transformed(D d, const PackedTransform<hn::TFromD<D>>& by, const Point<D>& v) {
   const auto coordinate = [&](std::size_t k) HWY_ATTR {
     const auto& r = by.rotation[k];
     const auto xy = hn::Add(hn::Mul(hn::Set(d, r[0]), v.x), hn::Mul(hn::Set(d, r[1]), v.y));
@@ -79,9 +79,9 @@ struct RawTable {
 };
 
 template <class S, class Value>
-auto raw_table(const LaneTable<S, Value>& table) {
-  using T = typename LaneTable<S, Value>::Real;
-  using Word = typename LaneTable<S, Value>::Word;
+auto raw_table(const PackedTable<S, Value>& table) {
+  using T = typename PackedTable<S, Value>::Real;
+  using Word = typename PackedTable<S, Value>::Word;
   return RawTable<T, Value, Word>{table.values.data(), table.none.empty() ? nullptr : table.none.data(),
                                   table.stride, static_cast<T>(table.smallest), static_cast<T>(table.step)};
 }
@@ -145,7 +145,7 @@ template <class Scheme, class Table, class T>
 void scan_lanes(const Scheme scheme, const Table table, const RawScan<T>& scan) {
   using D = hn::ScalableTag<T>;
   const D d;
-  const LaneTransform<T> transform = scan.transform;
+  const PackedTransform<T> transform = scan.transform;
   const T sign = scan.sign;
   for_each_vector(scan, [&](const Point<D>& v, std::size_t /*i*/)
                             HWY_ATTR { return gaps(d, scheme, table, sign, transformed(d, transform, v)); });

@@ -18,7 +18,7 @@ template <class T>
 class RsidLanes {
  public:
   template <class Value>
-  explicit RsidLanes(const LaneTable<Rsid, Value>& table)
+  explicit RsidLanes(const PackedTable<Rsid, Value>& table)
       : rows_(static_cast<T>(table.divisions)),
         columns_(static_cast<T>(2 * table.divisions)),
         stride_(table.stride),
@@ -50,14 +50,14 @@ class RsidLanes {
   T cells_a_radian_;
 };
 
-void scan_rsid_float(const LaneTable<Rsid, float>& table, const RawScan<float>& scan) {
+void scan_rsid_float(const PackedTable<Rsid, float>& table, const RawScan<float>& scan) {
   scan_lanes(RsidLanes<float>(table), raw_table(table), scan);
 }
-void scan_rsid_uint16(const LaneTable<Rsid, std::uint16_t>& table, const RawScan<float>& scan) {
+void scan_rsid_uint16(const PackedTable<Rsid, std::uint16_t>& table, const RawScan<float>& scan) {
   scan_lanes(RsidLanes<float>(table), raw_table(table), scan);
 }
 #if !defined(__wasm__)  // whose vectors hold no doubles in Highway 1.0
-void scan_rsid_double(const LaneTable<Rsid, double>& table, const RawScan<double>& scan) {
+void scan_rsid_double(const PackedTable<Rsid, double>& table, const RawScan<double>& scan) {
   scan_lanes(RsidLanes<double>(table), raw_table(table), scan);
 }
 #endif
@@ -78,17 +78,18 @@ HWY_EXPORT(scan_rsid_double);
 
 }  // namespace
 
-void scan_gaps(const LaneTable<Rsid, float>& table, const LaneScan<float>& scan, std::span<float> gap) {
+void scan_gaps(const PackedTable<Rsid, float>& table, const PackedScan<float>& scan, std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_rsid_float)(table, raw_scan(scan, gap));
 }
 
-void scan_gaps(const LaneTable<Rsid, std::uint16_t>& table, const LaneScan<float>& scan,
+void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedScan<float>& scan,
                std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_rsid_uint16)(table, raw_scan(scan, gap));
 }
 
 #if !defined(__wasm__)
-void scan_gaps(const LaneTable<Rsid, double>& table, const LaneScan<double>& scan, std::span<double> gap) {
+void scan_gaps(const PackedTable<Rsid, double>& table, const PackedScan<double>& scan,
+               std::span<double> gap) {
   HWY_DYNAMIC_DISPATCH(scan_rsid_double)(table, raw_scan(scan, gap));
 }
 #endif

@@ -13,13 +13,13 @@ HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 namespace {
 
-void scan_usid_float(const LaneTable<Usid, float>& table, const RawScan<double>& scan) {
+void scan_usid_float(const PackedTable<Usid, float>& table, const RawScan<double>& scan) {
   scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
-void scan_usid_uint16(const LaneTable<Usid, std::uint16_t>& table, const RawScan<double>& scan) {
+void scan_usid_uint16(const PackedTable<Usid, std::uint16_t>& table, const RawScan<double>& scan) {
   scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
-void scan_usid_double(const LaneTable<Usid, double>& table, const RawScan<double>& scan) {
+void scan_usid_double(const PackedTable<Usid, double>& table, const RawScan<double>& scan) {
   scan_lanes(HelixLanes(table), raw_table(table), scan);
 }
 
@@ -37,16 +37,17 @@ HWY_EXPORT(scan_usid_double);
 
 }  // namespace
 
-void scan_gaps(const LaneTable<Usid, float>& table, const LaneScan<double>& scan, std::span<double> gap) {
+void scan_gaps(const PackedTable<Usid, float>& table, const PackedScan<double>& scan, std::span<double> gap) {
   HWY_DYNAMIC_DISPATCH(scan_usid_float)(table, raw_scan(scan, gap));
 }
 
-void scan_gaps(const LaneTable<Usid, std::uint16_t>& table, const LaneScan<double>& scan,
+void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedScan<double>& scan,
                std::span<double> gap) {
   HWY_DYNAMIC_DISPATCH(scan_usid_uint16)(table, raw_scan(scan, gap));
 }
 
-void scan_gaps(const LaneTable<Usid, double>& table, const LaneScan<double>& scan, std::span<double> gap) {
+void scan_gaps(const PackedTable<Usid, double>& table, const PackedScan<double>& scan,
+               std::span<double> gap) {
   HWY_DYNAMIC_DISPATCH(scan_usid_double)(table, raw_scan(scan, gap));
 }
 

@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::paint(std::size_t tile, std::span<const std::uint32_t> faces) {
   tile_ = task_.tiling[tile];
   std::fill_n(canvas_.q.begin(), tile_.seen_rows * TileCanvas::kStride, no_depth(task_.layer));
@@ -20,7 +20,7 @@ void TilePainter<Value>::paint(std::size_t tile, std::span<const std::uint32_t> 
   store();
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::add(std::uint32_t face) {
   const CubeView& view = task_.view;
   const Face& own = view.mesh().faces[face];
@@ -33,7 +33,7 @@ void TilePainter<Value>::add(std::uint32_t face) {
   }
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::add(std::uint32_t face, const std::array<const SeenCorner*, 3>& corners) {
   const std::size_t at = corners_.count++;
   corners_.faces[at] = face;
@@ -46,7 +46,7 @@ void TilePainter<Value>::add(std::uint32_t face, const std::array<const SeenCorn
   if (corners_.count == CornerBatch::kMost) draw_added();
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::draw_added() {
   const auto test = [](void* self, std::uint32_t face, std::size_t column, std::size_t row) {
     return static_cast<TilePainter*>(self)->covers(face, column, row);
@@ -63,7 +63,7 @@ void TilePainter<Value>::draw_added() {
   corners_.count = 0;
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::draw_exactly(std::uint32_t face, const GridWindow& window) {
   if (cone(face).edge_on()) return;
   for (long j = window.first_row; j <= window.last_row; ++j) {
@@ -79,7 +79,7 @@ void TilePainter<Value>::draw_exactly(std::uint32_t face, const GridWindow& wind
   }
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::store() {
   auto& table = task_.table;
   const StoredSteps steps{static_cast<float>(table.smallest), static_cast<float>(1.0 / table.step)};
@@ -101,7 +101,7 @@ void TilePainter<Value>::store() {
 }
 
 // One bit a cell, from that at the first column on.
-template <LaneValue Value>
+template <PackedValue Value>
 void TilePainter<Value>::mark_cells(std::size_t row, std::uint64_t cells) {
   if (cells == 0) return;
   auto& table = task_.table;
@@ -117,19 +117,19 @@ void TilePainter<Value>::mark_cells(std::size_t row, std::uint64_t cells) {
   }
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 bool TilePainter<Value>::covers(std::uint32_t face, std::size_t column, std::size_t row) {
   return cone(face).contains(task_.scheme.direction(entry(column, row)));
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 const TriangleCone& TilePainter<Value>::cone(std::uint32_t face) {
   if (!cone_ || cone_face_ != face) cone_.emplace(cone_of(task_.view.mesh(), task_.view.mesh().faces[face]));
   cone_face_ = face;
   return *cone_;
 }
 
-template <LaneValue Value>
+template <PackedValue Value>
 std::size_t TilePainter<Value>::entry(std::size_t column, std::size_t row) const {
   const std::size_t side = task_.table.stride;
   return (tile_.face * side + tile_.first_row + row) * side + tile_.first_column + column;

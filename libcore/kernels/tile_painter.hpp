@@ -9,25 +9,25 @@
 #include <span>
 
 #include "kernels/cube_view.hpp"
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 #include "kernels/raster_tile.hpp"
 
 namespace impinge {
 
 /// What all threads share. Tiles are theirs alone but for the words of the mask, which are set atomically,
 /// and made once that one of them is needed.
-template <LaneValue Value>
+template <PackedValue Value>
 struct PaintTask {
-  const CubeView& view;                   // of the mesh, all of whose corners have been seen
-  const CubeTiling& tiling;               // of the table
-  const CubeGnomonic& scheme;             // of the table
-  Layer layer;                            // that counts where faces overlap
-  LaneTable<CubeGnomonic, Value>& table;  // that is filled
-  std::once_flag& mask_made;              // of the table's mask
+  const CubeView& view;                     // of the mesh, all of whose corners have been seen
+  const CubeTiling& tiling;                 // of the table
+  const CubeGnomonic& scheme;               // of the table
+  Layer layer;                              // that counts where faces overlap
+  PackedTable<CubeGnomonic, Value>& table;  // that is filled
+  std::once_flag& mask_made;                // of the table's mask
 };
 
 /// Keeps the memory of a tile while it goes from one to the next.
-template <LaneValue Value>
+template <PackedValue Value>
 class TilePainter {
  public:
   explicit TilePainter(const PaintTask<Value>& task) : task_(task) {}  // the task must outlive this

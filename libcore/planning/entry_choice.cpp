@@ -39,7 +39,7 @@ void choose_table_of(PlanDraft& draft) {
   RadiusRange range;
   for (ScanPlan& scan : plan.scans) {
     if (!scan.wanted) continue;
-    know_faces(draft.joint, draft.given.stencil_radius(), scan);
+    index_faces(draft.joint, draft.given.stencil_radius(), scan);
     std::size_t k = 0;
     for_each_look_up(draft, scan, [&](const Vec3& x) {
       if (k++ % kSampled != 0) return;
@@ -54,7 +54,7 @@ void choose_table_of(PlanDraft& draft) {
   plan.table = choose_table(needs, kSampled, range, accuracy, draft.given);
   for (ScanPlan& scan : plan.scans) {
     if (scan.wanted && !plan.table.rays_only)
-      know_faces(draft.joint, plan.table.scheme.stencil_radius(), scan);
+      index_faces(draft.joint, plan.table.scheme.stencil_radius(), scan);
   }
   plan.left_out.push_back(
       {Omission::fine_table, formatted("%g mm need ", accuracy) + in_words(plan.table), 0.0});
@@ -77,7 +77,7 @@ EntrySet entries_read(const PlanDraft& draft, const ScanPlan& scan) {
 }
 
 void keep_entries(PlanDraft& draft, ScanPlan& scan) {
-  know_faces(draft.joint, draft.plan.table.scheme.stencil_radius(), scan);
+  index_faces(draft.joint, draft.plan.table.scheme.stencil_radius(), scan);
   EntrySet entries = entries_read(draft, scan);
   if (draft.omissions.has(Omission::entries)) {
     const double full = static_cast<double>(draft.given.size()) * sizeof(double);

@@ -3,7 +3,7 @@
 
 namespace impinge {
 
-void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan) {
+void index_faces(const BallSocketPair& joint, double margin, ScanPlan& scan) {
   if (scan.faces && scan.faces->margin() >= margin) return;
   scan.faces = std::make_unique<NearFaces>(mesh_of(joint, other(scan.scanned)), margin);
 }

@@ -19,7 +19,7 @@ struct PlanDraft {
 };
 
 /// Makes the scan know the faces near a direction, with a margin of that many radians or more.
-void know_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
+void index_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
 
 /// Calls visit(x) for each look-up of the scan, so far as it is planned, in the order of poses and vertices;
 /// x is in the frame of the surface that is asked.

@@ -49,7 +49,7 @@ class ReachSearch {
   const Pose& pose(std::size_t p) const { return task_.needs.poses[task_.poses[p]]; }
 
   // Of the vertex of scan k in pose p; empty where it meets nothing. A gap of first contact sets the limit.
-  RadiusRange weigh(std::size_t k, std::size_t p, std::uint32_t v, bool& rim) {
+  RadiusRange gap_range(std::size_t k, std::size_t p, std::uint32_t v, bool& rim) {
     const ScanPlan& scan = task_.scans[k];
     const Vec3 x = to_other(scan.scanned, pose(p), mesh_of(task_.joint, scan.scanned).vertices[v]);
     const NearFaces::Near near = scan.faces->near(x);
@@ -65,7 +65,7 @@ class ReachSearch {
     bool rim = false;
     for (std::size_t k = 0; k < 2; ++k) {
       for (std::size_t p = 0; p < task_.poses.size(); p += step) {
-        for (const std::uint32_t v : vertices_[k]) weigh(k, p, v, rim);
+        for (const std::uint32_t v : vertices_[k]) gap_range(k, p, v, rim);
       }
     }
   }
@@ -75,7 +75,7 @@ class ReachSearch {
     std::vector<Reachable>& found = reach_.found[k][p];
     const auto take = [&](std::uint32_t v) {
       bool rim = false;
-      const RadiusRange gap = weigh(k, p, v, rim);
+      const RadiusRange gap = gap_range(k, p, v, rim);
       if (gap.empty() || gap.low > reach_.limit_mm) return;
       reach_.touches[p] = touch() && !rim && gap.high <= 0.0;
       if (reach_.touches[p]) found.clear();

@@ -114,7 +114,7 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
   return answering.finish();
 }
 
-bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer) {
+bool is_as_planned(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer) {
   if (needs.question == Question::first_contact)
     return std::isinf(plan.limit_mm) || (answer.smallest && answer.smallest->gap_mm <= plan.limit_mm);
   if (needs.question != Question::touch || plan.touches.empty()) return true;
@@ -128,7 +128,7 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
                          Omissions omissions, const FillFull& fill_full, std::vector<LeftOut>* left_out) {
   ScenePlan plan = plan_scene(joint, needs, given, omissions);
   SceneAnswer answer = answer_scene(joint, needs, plan, fill_full);
-  if (!keeps_promises(needs, plan, answer)) {
+  if (!is_as_planned(needs, plan, answer)) {
     const Omissions safe = omissions.without(Omission::vertices)
                                .without(Omission::second_scan)
                                .without(Omission::single_vertices);

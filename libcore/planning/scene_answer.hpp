@@ -48,7 +48,7 @@ SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, c
 
 /// Has the answer what the plan took for proven? A gap that does not exceed the limit, a touch where it
 /// promised one: a rim may have taken the answer of the vertex away that has it.
-bool keeps_promises(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
+bool is_as_planned(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
 
 /// Plans and answers; anew and without bounds where a plan could not keep what it promised. `left_out`, if
 /// given, gets what the plan has left out. Whole tables are asked for where the omissions keep them.

@@ -82,11 +82,11 @@ void select(PlanDraft& draft, const std::vector<std::vector<Reachable>>& found, 
   }
 }
 
-void look_around(PlanDraft& draft) {
+void find_near_vertices(PlanDraft& draft) {
   const double stencil_radius = draft.given.stencil_radius();
   ScenePlan& plan = draft.plan;
   for (ScanPlan& scan : plan.scans) {
-    if (scan.wanted) know_faces(draft.joint, stencil_radius, scan);
+    if (scan.wanted) index_faces(draft.joint, stencil_radius, scan);
   }
   Reach reach =
       find_reach({draft.joint, draft.needs, plan.poses, plan.scans, plan.path.culled}, stencil_radius);
@@ -108,7 +108,7 @@ void choose_vertices(PlanDraft& draft) {
   draft.plan.path = chosen_way(draft);
   const bool wanted = draft.omissions.has(Omission::vertices) ||
                       (draft.omissions.has(Omission::second_scan) && question != Question::all_gaps);
-  if (wanted || draft.plan.path.culled) look_around(draft);
+  if (wanted || draft.plan.path.culled) find_near_vertices(draft);
 }
 
 }  // namespace impinge

@@ -36,10 +36,10 @@ inline std::vector<double> precisions_near(double degrees) {
 /// The schemes of those precisions, made when they are asked for: some take long to make. Sizes rise with the
 /// place.
 template <SamplingScheme S>
-class SizeLadder {
+class SizeLevels {
  public:
   /// Schemes of about so many entries; empty where no precision makes one.
-  explicit SizeLadder(std::size_t entries);
+  explicit SizeLevels(std::size_t entries);
 
   /// The first scheme with at least so many entries, or nothing.
   std::optional<S> first_of(std::size_t entries) {
@@ -88,7 +88,7 @@ class SizeLadder {
 
 /// Entries grow with the square of 1 / precision, but for poles and seams.
 template <SamplingScheme S>
-SizeLadder<S>::SizeLadder(std::size_t entries) {
+SizeLevels<S>::SizeLevels(std::size_t entries) {
   double degrees = 1.0;
   std::optional<S> scheme = scheme_of_precision<S>(degrees);
   if (!scheme) return;
@@ -106,9 +106,9 @@ SizeLadder<S>::SizeLadder(std::size_t entries) {
 /// The scheme whose number of entries is nearest, the smaller of two as near; nothing where there is none.
 template <SamplingScheme S>
 std::optional<S> scheme_nearest_size(std::size_t entries) {
-  SizeLadder<S> ladder(entries);
-  const std::optional<S> above = ladder.first_of(entries);
-  const std::optional<S> below = ladder.smaller(entries);
+  SizeLevels<S> levels(entries);
+  const std::optional<S> above = levels.first_of(entries);
+  const std::optional<S> below = levels.smaller(entries);
   if (!above || !below) return above ? above : below;
   return above->size() - entries < entries - below->size() ? above : below;
 }
@@ -133,21 +133,21 @@ struct MeasuredScheme {
 /// estimate.
 template <SamplingScheme S, class Measure>
 std::optional<MeasuredScheme<S>> smallest_within(double target, std::size_t estimate, Measure&& measure) {
-  SizeLadder<S> ladder(estimate);
+  SizeLevels<S> levels(estimate);
   std::optional<MeasuredScheme<S>> found;
   const auto meets = [&](const std::optional<S>& scheme) {
     const double measured = measure(*scheme);
     if (measured <= target) found = {*scheme, measured};
     return measured <= target;
   };
-  std::optional<S> scheme = ladder.first_of(estimate);
-  if (!scheme) scheme = ladder.smaller(estimate);
+  std::optional<S> scheme = levels.first_of(estimate);
+  if (!scheme) scheme = levels.smaller(estimate);
   if (!scheme) return std::nullopt;
   if (meets(scheme)) {
-    do scheme = ladder.smaller(scheme->size());
+    do scheme = levels.smaller(scheme->size());
     while (scheme && meets(scheme));
   } else {
-    do scheme = ladder.larger(scheme->size());
+    do scheme = levels.larger(scheme->size());
     while (scheme && !meets(scheme));
   }
   return found;

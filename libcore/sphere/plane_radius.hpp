@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel of every table: where a ray from the centre meets the plane of a face, in any kind of number.
 // The tables compute in double; the same lines in float, long double and 200 bits show that nothing in them
-// is less precise than their numbers are (tests/stress/precision_ladder_test.cpp).
+// is less precise than their numbers are (tests/stress/precision_levels_test.cpp).
 #pragma once
 
 #include <Eigen/Geometry>

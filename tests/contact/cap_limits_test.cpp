@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/ladder_lanes.hpp"
+#include "contact/level_lanes.hpp"
 #include "mesh/bodies.hpp"
 #include "support/cap_nodes.hpp"
 #include "support/directions.hpp"
@@ -88,9 +88,9 @@ TEST_P(LimitsOf, AreKeptInEveryCap) {
   }
 }
 
-// The finest ladder holds 6e6 limits and more: kernels find the last of them, too. Along +x of a face of n
+// The finest levels holds 6e6 limits and more: kernels find the last of them, too. Along +x of a face of n
 // cells that is the entry (n / 2) (n + 1) + n / 2.
-TEST(CapLimits, KernelsReachTheEndOfALongLadder) {
+TEST(CapLimits, KernelsReachTheEndOfManyLevels) {
   constexpr std::uint32_t kPlace = 8'000'000;
   constexpr std::uint32_t kCells = 510;
   MovedCaps caps;

@@ -24,7 +24,7 @@ BaselineJoint small_joint() {
   return joint;
 }
 
-class Always final : public Contender {
+class Always final : public TouchMethod {
  public:
   explicit Always(bool answer) : answer_(answer) {}
   std::string_view name() const override { return "always"; }

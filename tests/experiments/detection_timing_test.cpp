@@ -35,18 +35,18 @@ std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& csv) 
 TEST(DetectionTiming, PairwiseBeyondTheLimitIsScaledByThePairs) {
   const TemporaryFolder folder;
   DriverRun driver = driver_in(folder.path());
-  std::vector<RaceJoint> joints;
+  std::vector<BenchmarkJoint> joints;
   for (const std::size_t n : {100U, 200U}) {
-    joints.push_back(make_race_joint({}, make_ball_socket_pair(n), {n}, 2.0));
+    joints.push_back(make_benchmark_joint({}, make_ball_socket_pair(n), {n}, 2.0));
   }
   Result result;
-  result.name = "race";
-  DetectionRaceOptions options;
+  result.name = "benchmark";
+  DetectionOptions options;
   options.most_pairs = 1e4;
   const Timing pair =
-      write_race(driver, result, {{"method", "", ""}, {"triangles", "1", ""}}, joints, options);
+      write_benchmark(driver, result, {{"method", "", ""}, {"triangles", "1", ""}}, joints, options);
 
-  const auto rows = rows_of(folder.path() / "race.csv");
+  const auto rows = rows_of(folder.path() / "benchmark.csv");
   ASSERT_EQ(rows.size(), 8U);
   EXPECT_EQ(rows[0][0], "pairwise");
   EXPECT_EQ(rows[0][5], "no");
@@ -58,24 +58,24 @@ TEST(DetectionTiming, PairwiseBeyondTheLimitIsScaledByThePairs) {
   EXPECT_EQ(rows[4][6], rows[0][6]);
   EXPECT_DOUBLE_EQ(std::stod(rows[4][2]), 4.0 * std::stod(rows[0][2]));
   for (const auto& row : rows) EXPECT_EQ(row[8], row[0].ends_with("sid") ? "yes" : "no");
-  EXPECT_EQ(rows_of(folder.path() / "race_samples.csv").size(), 7U * 15U);
+  EXPECT_EQ(rows_of(folder.path() / "benchmark_samples.csv").size(), 7U * 15U);
 }
 
-// A contender that misses a contact must not be timed.
-class Blind final : public Contender {
+// A method that misses a contact must not be timed.
+class Blind final : public TouchMethod {
  public:
   std::string_view name() const override { return "blind"; }
   bool gives_distance() const override { return false; }
   bool touches(const Pose& /*pose*/) override { return false; }
 };
 
-TEST(DetectionTiming, AWrongContenderEndsTheMeasurement) {
+TEST(DetectionTiming, AWrongMethodEndsTheMeasurement) {
   const TemporaryFolder folder;
   DriverRun driver = driver_in(folder.path());
-  std::vector<RaceJoint> joints;
-  joints.push_back(make_race_joint({"subject"}, make_ball_socket_pair(100), {100}, 2.0));
-  joints[0].race.contenders.push_back(std::make_unique<Blind>());
-  EXPECT_THROW(write_race(driver, {}, {}, joints, {}), std::runtime_error);
+  std::vector<BenchmarkJoint> joints;
+  joints.push_back(make_benchmark_joint({"subject"}, make_ball_socket_pair(100), {100}, 2.0));
+  joints[0].bench.methods.push_back(std::make_unique<Blind>());
+  EXPECT_THROW(write_benchmark(driver, {}, {}, joints, {}), std::runtime_error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

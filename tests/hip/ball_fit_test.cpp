@@ -60,15 +60,15 @@ TEST(BallFit, FindsTheHeadThroughNoise) {
   }
 }
 
-// A head on a long bone with a second, larger knob, that is less of a sphere: an ellipsoid.
+// A head on a long bone with a second, larger parameter, that is less of a sphere: an ellipsoid.
 TEST(BallFit, FindsTheHeadOfALongBone) {
   const Hip hip = make_hip({.shaft_length = 200.0}, 6000);
-  TriangleMesh knob = sphere(30.0, 2000);
-  for (Vec3& v : knob.vertices) v = Vec3(1.3 * v.x(), v.y(), 0.8 * v.z()) + Vec3(40.0, 0.0, -250.0);
+  TriangleMesh parameter = sphere(30.0, 2000);
+  for (Vec3& v : parameter.vertices) v = Vec3(1.3 * v.x(), v.y(), 0.8 * v.z()) + Vec3(40.0, 0.0, -250.0);
   TriangleMesh bone = hip.ball;
   const auto first = static_cast<VertexIndex>(bone.vertices.size());
-  bone.vertices.insert(bone.vertices.end(), knob.vertices.begin(), knob.vertices.end());
-  for (const Face& face : knob.faces)
+  bone.vertices.insert(bone.vertices.end(), parameter.vertices.begin(), parameter.vertices.end());
+  for (const Face& face : parameter.faces)
     bone.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   const SphereFit fit = fit_ball(bone);
   EXPECT_LT(fit.centre.norm(), 0.002);

@@ -24,14 +24,14 @@ int side(float gap, float threshold) {
 
 struct Asked {
   const CertifiedTable& table;
-  const VertexLanes<float>& vertices;
+  const PackedVertices<float>& vertices;
   Pose pose;
   Surface scanned;
 };
 
 // Returns how many vertices went to the exact cells.
 std::size_t expect_sides(const Asked& asked, float threshold) {
-  const LaneScan<float> scan{asked.vertices, asked.pose, asked.scanned};
+  const PackedScan<float> scan{asked.vertices, asked.pose, asked.scanned};
   std::vector<float> exact(asked.vertices.size());
   scan_gaps(asked.table.exact, scan, exact);
   CertifiedGaps found;
@@ -62,7 +62,7 @@ TEST(CertifiedTableTest, IsOnTheSideOfTheExactCells) {
     const bool first = scanned == Surface::ball;
     const CertifiedTable table =
         certified_table(first ? pair.socket : pair.ball, first ? Layer::nearest : Layer::farthest, 40);
-    const auto vertices = vertex_lanes<float>(first ? pair.ball.vertices : pair.socket.vertices);
+    const auto vertices = packed_vertices<float>(first ? pair.ball.vertices : pair.socket.vertices);
     std::size_t undecided = 0;
     for (int k = 0; k < 40; ++k) {
       Pose pose;
@@ -84,7 +84,7 @@ TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
     const CertifiedTable table = certified_table(mesh, Layer::nearest, 21);
     auto directions = test::random_directions(20000, 17);
     for (const Vec3& u : test::feature_directions(mesh)) directions.push_back(u);
-    const auto points = vertex_lanes<float>(directions);
+    const auto points = packed_vertices<float>(directions);
     CertifiedGaps far;
     far.threshold = -1e6F;
     scan_gaps(table, {points, {}, Surface::ball}, far);
@@ -119,7 +119,7 @@ TEST(CertifiedTableTest, HoldsOnSteepFaces) {
     for (std::size_t i = 0; i < 2000; ++i)
       points.push_back(at(std::pow(uniform(random), 6.0), 5.0 * kStep * uniform(random)));
     const CertifiedTable table = certified_table(mesh, Layer::nearest, kCells);
-    expect_sides({table, vertex_lanes<float>(points), {}, Surface::ball}, -1e6F);
+    expect_sides({table, packed_vertices<float>(points), {}, Surface::ball}, -1e6F);
   }
 }
 
@@ -139,7 +139,7 @@ TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
                             {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}};
     CertifiedGaps found;
     found.threshold = -1e6F;
-    const auto beside = vertex_lanes<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
+    const auto beside = packed_vertices<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
     scan_gaps(certified_table(mesh, Layer::nearest, 10), {beside, {}, Surface::ball}, found);
     EXPECT_EQ(found.undecided.size(), width < 1e-6 ? 1U : 0U);
   }
@@ -171,7 +171,7 @@ TEST(CertifiedTableTest, LayersAndNumbersOfVertices) {
   auto points = test::random_directions(70, 2);
   for (Vec3& x : points) x *= 20.0;
   for (std::size_t count = 0; count <= points.size(); ++count) {
-    const auto some = vertex_lanes<float>(std::span(points).first(count));
+    const auto some = packed_vertices<float>(std::span(points).first(count));
     expect_sides({table, some, {}, Surface::ball}, 1.0F);
   }
 }

@@ -15,14 +15,14 @@ namespace impinge {
 namespace {
 
 template <class Value>
-LaneTable<CubeGnomonic, Value> full(const TriangleMesh& mesh, const CubeFill& fill) {
-  LaneTable<CubeGnomonic, Value> table;
+PackedTable<CubeGnomonic, Value> full(const TriangleMesh& mesh, const CubeFill& fill) {
+  PackedTable<CubeGnomonic, Value> table;
   fill_cube(mesh, fill, table);
   return table;
 }
 
 template <class Value>
-void expect_same(const LaneTable<CubeGnomonic, Value>& a, const LaneTable<CubeGnomonic, Value>& b) {
+void expect_same(const PackedTable<CubeGnomonic, Value>& a, const PackedTable<CubeGnomonic, Value>& b) {
   EXPECT_EQ(a.values, b.values);
   EXPECT_EQ(a.none, b.none);
   EXPECT_EQ(a.smallest, b.smallest);

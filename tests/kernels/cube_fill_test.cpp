@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract, beside lane_table(InverseDepthTable(fill_exact(mesh, scheme, layer))):
+// Contract, beside packed_table(InverseDepthTable(fill_exact(mesh, scheme, layer))):
 //   an entry has a surface here if and only if it has one there
 //   |stored - q| <= 41 u q in float and <= 0.51 step + 41 u q in 16 bits, u = 2^-24
 //   a cell without an answer there has none here, and no other, but for jumps at the limit
@@ -25,13 +25,13 @@ constexpr float kNoDepth = 1.0F;  // what a table in float holds without a surfa
 CubeGnomonic cells(std::size_t n) { return CubeGnomonic::with_precision(90.0 / static_cast<double>(n)); }
 
 template <class Value>
-LaneTable<CubeGnomonic, Value> filled(const TriangleMesh& mesh, const CubeFill& fill) {
-  LaneTable<CubeGnomonic, Value> table;
+PackedTable<CubeGnomonic, Value> filled(const TriangleMesh& mesh, const CubeFill& fill) {
+  PackedTable<CubeGnomonic, Value> table;
   fill_cube(mesh, fill, table);
   return table;
 }
 
-std::size_t marked(const LaneTable<CubeGnomonic, float>& table) {
+std::size_t marked(const PackedTable<CubeGnomonic, float>& table) {
   std::size_t count = 0;
   for (const std::uint32_t word : table.none) count += static_cast<std::size_t>(std::popcount(word));
   return count;
@@ -56,7 +56,7 @@ void expect_as_exact(const TriangleMesh& mesh, std::size_t n, Layer layer) {
   const CubeFill fill{cells(n), layer, 1, {}};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, layer));
   expect_numbers(fill, mesh, exact.inverse_depths());
-  const auto none = lane_table<float>(exact).none;
+  const auto none = packed_table<float>(exact).none;
   EXPECT_EQ(filled<float>(mesh, fill).none, none);
   EXPECT_EQ(filled<std::uint16_t>(mesh, fill).none, none);
 }
@@ -122,7 +122,7 @@ TEST(CubeFill, SoupOfSteepAndThinFaces) {
     const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, Layer::nearest));
     expect_numbers(fill, mesh, exact.inverse_depths());
     const auto none = filled<float>(mesh, fill).none;
-    const auto expected = lane_table<float>(exact).none;
+    const auto expected = packed_table<float>(exact).none;
     ASSERT_EQ(none.size(), expected.size());
     for (std::size_t w = 0; w < none.size(); ++w) EXPECT_EQ(expected[w] & ~none[w], 0U);
   }
@@ -197,7 +197,7 @@ TEST(CubeFill, MemoryIsUsedAgain) {
 
 TEST(CubeFill, BadInputIsRefused) {
   const TriangleMesh mesh = octahedron(20.0);
-  LaneTable<CubeGnomonic, float> table;
+  PackedTable<CubeGnomonic, float> table;
   EXPECT_THROW(fill_cube(mesh, {cells(4), Layer::farthest, 0, {}}, table), std::invalid_argument);
   EXPECT_THROW(fill_cube(mesh, {cells(7000), Layer::farthest, 1, {}}, table), std::invalid_argument);
   EXPECT_THROW(fill_cube(octahedron(1e40), {cells(4), Layer::farthest, 1, {}}, table), std::invalid_argument);

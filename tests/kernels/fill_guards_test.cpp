@@ -14,7 +14,7 @@
 namespace impinge {
 namespace {
 
-using FloatCube = LaneTable<CubeGnomonic, float>;
+using FloatCube = PackedTable<CubeGnomonic, float>;
 
 constexpr std::size_t kGuardCells = 64;  // along an edge: two tiles, columns 0 to 32 and 33 to 64
 

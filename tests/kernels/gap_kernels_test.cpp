@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/gap_scan.hpp"
-#include "kernels/lane_fixture.hpp"
+#include "kernels/packed_fixture.hpp"
 #include "mesh/generated_pair.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/uniform_directions.hpp"
@@ -29,7 +29,7 @@ struct Kind {
   using S = SchemeT;
   using Value = ValueT;
   using Scalar = ScalarT;
-  using Lanes = LaneTable<S, Value>;
+  using Lanes = PackedTable<S, Value>;
   using Real = typename Lanes::Real;
   static constexpr bool kCube = std::same_as<S, CubeGnomonic>;
   static constexpr double kUnit = sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53;
@@ -71,7 +71,7 @@ using Kinds =
 template <class K>
 std::vector<typename K::Real> kernel_gaps(const typename K::Lanes& table, const std::vector<Vec3>& vertices,
                                           const Pose& pose, Surface scanned) {
-  const auto lanes = vertex_lanes<typename K::Real>(vertices);
+  const auto lanes = packed_vertices<typename K::Real>(vertices);
   std::vector<typename K::Real> gap(vertices.size());
   scan_gaps(table, {lanes, pose, scanned}, gap);
   return gap;
@@ -109,7 +109,7 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
     const auto radii = test::bumpy_table<typename K::S>(precision);
     const auto exact = K::exact(radii);
     const typename K::Scalar scalar(exact);
-    const auto table = lane_table<typename K::Value>(exact);
+    const auto table = packed_table<typename K::Value>(exact);
     const auto points = test::float_points(radii.scheme());
     const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     std::size_t none = 0;
@@ -148,7 +148,7 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTableInSteepCells) {
     }
     const auto exact = K::exact(radii);
     const typename K::Scalar scalar(exact);
-    const auto table = lane_table<typename K::Value>(exact);
+    const auto table = packed_table<typename K::Value>(exact);
     const auto points = test::float_points(radii.scheme());
     const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -171,7 +171,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
                              : fill_exact(pair.ball, scheme, Layer::farthest);
     const auto exact = K::exact(radii);
     const typename K::Scalar scalar(exact);
-    const auto table = lane_table<typename K::Value>(exact);
+    const auto table = packed_table<typename K::Value>(exact);
     const double slope = steps<K>(scheme, radii);  // mm a radian, no less
     for (int k = 0; k < 10; ++k) {
       Pose pose;
@@ -199,7 +199,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
 TYPED_TEST(GapKernels, TakesTheBytesOfItsEntriesAndMask) {
   using K = TypeParam;
   const auto radii = test::bumpy_table<typename K::S>(3.0);
-  const auto table = lane_table<typename K::Value>(K::exact(radii));
+  const auto table = packed_table<typename K::Value>(K::exact(radii));
   const std::size_t more = K::kCube ? 0 : K::kHelix ? 4 : radii.scheme().size() / 120;
   const std::size_t entries = radii.scheme().size() + more;
   const std::size_t cells = K::kHelix ? radii.scheme().cells() : entries;

@@ -14,7 +14,7 @@
 #include "kernels/corner_table.hpp"
 #include "kernels/exact_cells.hpp"
 #include "kernels/gap_kernels.hpp"
-#include "kernels/lane_fixture.hpp"
+#include "kernels/packed_fixture.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace impinge {
@@ -27,7 +27,7 @@ using Pattern = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64
 template <class Table>
 std::vector<Pattern<typename Table::Real>> patterns(const Table& table, const std::vector<Vec3>& vertices) {
   using Real = typename Table::Real;
-  const auto lanes = vertex_lanes<Real>(vertices);
+  const auto lanes = packed_vertices<Real>(vertices);
   Pose pose;
   pose.rotation = Eigen::AngleAxisd(0.7, Vec3(0.36, 0.48, 0.8)).toRotationMatrix();
   pose.translation = Vec3(0.3, -0.2, 0.1);
@@ -55,31 +55,31 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   const auto rsid = test::bumpy_table<Rsid>(1.5);
   const InverseDepthTable<CubeGnomonic> cube(test::bumpy_table<CubeGnomonic>(1.5));
   const auto points = test::float_points(rsid.scheme());
-  expect_same_bits(lane_table<float>(cube), points);
-  expect_same_bits(lane_table<std::uint16_t>(cube), points);
-  expect_same_bits(corner_table(lane_table<float>(cube)), points);
-  expect_same_bits(lane_table<double>(rsid), points);
-  expect_same_bits(lane_table<float>(rsid), points);
-  expect_same_bits(lane_table<std::uint16_t>(rsid), points);
+  expect_same_bits(packed_table<float>(cube), points);
+  expect_same_bits(packed_table<std::uint16_t>(cube), points);
+  expect_same_bits(corner_table(packed_table<float>(cube)), points);
+  expect_same_bits(packed_table<double>(rsid), points);
+  expect_same_bits(packed_table<float>(rsid), points);
+  expect_same_bits(packed_table<std::uint16_t>(rsid), points);
   const auto helix = test::bumpy_table<Usid>(1.5);
-  expect_same_bits(lane_table<double>(helix), points);
-  expect_same_bits(lane_table<float>(helix), points);
-  expect_same_bits(lane_table<std::uint16_t>(helix), points);
+  expect_same_bits(packed_table<double>(helix), points);
+  expect_same_bits(packed_table<float>(helix), points);
+  expect_same_bits(packed_table<std::uint16_t>(helix), points);
   const BallSocketPair pair = make_ball_socket_pair(1000);
   expect_same_bits(exact_cells(pair.ball, Layer::farthest), points);
   expect_same_bits(exact_cells(pair.socket, Layer::nearest), points);
 }
 
 TEST(InstructionSets, AnyNumberOfVertices) {
-  const auto table = lane_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
+  const auto table = packed_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
   const auto points = test::random_directions(40, 3);
-  const auto lanes = vertex_lanes<float>(points);
+  const auto lanes = packed_vertices<float>(points);
   std::vector<float> all(points.size());
   scan_gaps(table, {lanes, {}, Surface::ball}, all);
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     for (std::size_t count = 0; count <= points.size(); ++count) {
-      const auto some = vertex_lanes<float>(std::span(points).first(count));
+      const auto some = packed_vertices<float>(std::span(points).first(count));
       std::vector<float> gap(count + 1, 7.0F);
       scan_gaps(table, {some, {}, Surface::ball}, std::span(gap).first(count));
       for (std::size_t i = 0; i < count; ++i)
@@ -97,21 +97,21 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
                               {0, kNoSurface, 1}, {-infinite, infinite, 1},
                               {1, 1, -infinite},  {kNoSurface, kNoSurface, kNoSurface},
                               {huge, huge, huge}, {-0.0, 0, -0.0}};
-  const auto table = lane_table<std::uint16_t>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
+  const auto table = packed_table<std::uint16_t>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
   const auto corners =
-      corner_table(lane_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0))));
-  const auto grid = lane_table<double>(test::bumpy_table<Rsid>(3.0));
-  const auto helix = lane_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
+      corner_table(packed_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0))));
+  const auto grid = packed_table<double>(test::bumpy_table<Rsid>(3.0));
+  const auto helix = packed_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
-    scan_gaps(table, {vertex_lanes<float>(odd), {}, Surface::ball}, gap);
+    scan_gaps(table, {packed_vertices<float>(odd), {}, Surface::ball}, gap);
     std::vector<float> cornered(odd.size());
-    scan_gaps(corners, {vertex_lanes<float>(odd), {}, Surface::ball}, cornered);
+    scan_gaps(corners, {packed_vertices<float>(odd), {}, Surface::ball}, cornered);
     std::vector<double> wide(odd.size());
-    scan_gaps(grid, {vertex_lanes<double>(odd), {}, Surface::ball}, wide);
+    scan_gaps(grid, {packed_vertices<double>(odd), {}, Surface::ball}, wide);
     std::vector<double> wound(odd.size());
-    scan_gaps(helix, {vertex_lanes<double>(odd), {}, Surface::ball}, wound);
+    scan_gaps(helix, {packed_vertices<double>(odd), {}, Surface::ball}, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(cornered[i])) << set << " " << i;

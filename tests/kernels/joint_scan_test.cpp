@@ -40,8 +40,8 @@ TEST(JointScan, IsBothScansOfAPose) {
   const Rsid scheme = Rsid::with_precision(1.0);
   const auto ball_table = fill_exact(pair.ball, scheme, Layer::farthest);
   const auto socket_table = fill_exact(pair.socket, scheme, Layer::nearest);
-  const auto joint =
-      joint_lanes(lane_table<double>(ball_table), lane_table<double>(socket_table), pair.ball, pair.socket);
+  const auto joint = packed_joint(packed_table<double>(ball_table), packed_table<double>(socket_table),
+                                  pair.ball, pair.socket);
   Pose pose;
   pose.rotation = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   pose.translation = Vec3(0.3, -0.2, 0.4);
@@ -104,9 +104,9 @@ TEST(JointScan, BothScansOverCornersInAnyPose) {
   const auto ball = fill_exact(pair.ball, scheme, Layer::farthest);
   const auto socket = fill_exact(pair.socket, scheme, Layer::nearest);
   const auto corners = [](const RadialTable<CubeGnomonic>& radii) {
-    return corner_table(lane_table<float>(InverseDepthTable<CubeGnomonic>(radii)));
+    return corner_table(packed_table<float>(InverseDepthTable<CubeGnomonic>(radii)));
   };
-  const auto joint = joint_lanes(corners(ball), corners(socket), pair.ball, pair.socket);
+  const auto joint = packed_joint(corners(ball), corners(socket), pair.ball, pair.socket);
   const auto ball_stored = test::stored_radii(joint.ball_table, ball);
   const auto socket_stored = test::stored_radii(joint.socket_table, socket);
   std::vector<float> ball_gap(pair.ball.vertices.size());

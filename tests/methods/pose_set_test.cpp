@@ -8,7 +8,7 @@
 
 #include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
-#include "methods/detection_race.hpp"
+#include "methods/detection_benchmark.hpp"
 #include "methods/table_check.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
@@ -38,22 +38,22 @@ TEST(PoseSet, SaysSoWhenTheSurfacesAreNowhereNear) {
   EXPECT_THROW(pose_set(pair.ball, far.socket), std::runtime_error);
 }
 
-// A contender that is wrong whenever the surfaces touch.
-class Blind final : public Contender {
+// A method that is wrong whenever the surfaces touch.
+class Blind final : public TouchMethod {
  public:
   std::string_view name() const override { return "blind"; }
   bool gives_distance() const override { return false; }
   bool touches(const Pose& /*pose*/) override { return false; }
 };
 
-TEST(PoseSet, AWrongContenderIsNamedWithThePose) {
-  const DetectionRace race = make_detection_race(make_ball_socket_pair(300), 0.5);
-  for (const auto& contender : race.contenders)
-    EXPECT_NO_THROW(require_agreement(*contender, *race.oracle, race.poses));
+TEST(PoseSet, AWrongMethodIsNamedWithThePose) {
+  const DetectionBenchmark bench = make_detection_benchmark(make_ball_socket_pair(300), 0.5);
+  for (const auto& method : bench.methods)
+    EXPECT_NO_THROW(require_agreement(*method, *bench.oracle, bench.poses));
   Blind blind;
   try {
-    require_agreement(blind, *race.oracle, race.poses);
-    FAIL() << "a blind contender passed";
+    require_agreement(blind, *bench.oracle, bench.poses);
+    FAIL() << "a blind method passed";
   } catch (const std::runtime_error& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("blind disagrees with cgal_tree"), std::string::npos) << text;

@@ -38,14 +38,14 @@ namespace {
 constexpr double kFloat = 1e-5;    // mm, of rays and triangles in float
 constexpr double kDouble = 1e-11;  // mm
 
-RaceScene small_scene() {
-  RaceScene scene{"small", make_ball_socket_pair(300), {}};
+BenchmarkScene small_scene() {
+  BenchmarkScene scene{"small", make_ball_socket_pair(300), {}};
   scene.pose.rotation = Eigen::AngleAxisd(-40.0 * kDegree, Vec3::UnitY()).toRotationMatrix();
   return scene;
 }
 
 // Vertices of the ball, and points in random directions.
-std::vector<Vec3> points_of(const RaceScene& scene) {
+std::vector<Vec3> points_of(const BenchmarkScene& scene) {
   std::vector<Vec3> points = scene.queries();
   for (const Vec3& u : test::random_directions(500, 4)) points.push_back(23.0 * u);
   return points;
@@ -66,7 +66,7 @@ bool is_at_rim(const TriangleMesh& mesh, const Vec3& x) {
 }
 
 void expect_the_nearest_crossing(RadiusMethod& method, double tolerance) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const RayCaster caster(scene.surface());
   const std::vector<Vec3> points = points_of(scene);
   const std::vector<double> out = answers(method, points);
@@ -141,7 +141,7 @@ TEST(TriangleDistance, IsThatOfTheNearestPoint) {
 }
 
 TEST(EuclideanMethods, FindTheNearestPoint) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const std::vector<Vec3> points = points_of(scene);
   const auto embree = answers(*make_embree_closest(scene.surface()), points);
   const auto cgal = answers(*make_cgal_closest(scene.surface()), points);
@@ -155,7 +155,7 @@ TEST(EuclideanMethods, FindTheNearestPoint) {
 }
 
 TEST(DistanceGrid, KeepsItsBoundAndNotHalfOfIt) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const DistanceGridShape shape = grid_shape(scene, 24);
   const auto grid = make_distance_grid(scene.surface(), shape);
   EXPECT_EQ(grid->bytes(), 24.0 * 24.0 * 24.0 * 4.0);
@@ -177,7 +177,7 @@ TEST(DistanceGrid, KeepsItsBoundAndNotHalfOfIt) {
 }
 
 TEST(DistanceGrid, HasNoAnswerOutsideAndRefusesWhatIsNoGrid) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const auto grid = make_distance_grid(scene.surface(), {30.0, 4});
   EXPECT_TRUE(std::isnan(answers(*grid, {Vec3(0.0, 30.1, 0.0)}).front()));
   EXPECT_FALSE(std::isnan(answers(*grid, {Vec3(30.0, 30.0, 30.0)}).front()));
@@ -214,7 +214,7 @@ TEST(TriangleDistance, OfTwoTrianglesIsThatOfTheirNearestPoints) {
 
 // Contract: |answer - distance| <= sqrt(3)/2 voxel, and NaN where the answer would be above the reach.
 TEST(EuclideanMethods, AnswerNearTheSurfaceFromVoxels) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const std::vector<Vec3> points = points_of(scene);
   for (const VdbShape shape : {VdbShape{1.0, 4.0}, VdbShape{0.5, 6.0}}) {
     const double bound = vdb_distance_bound(shape) + kFloat;
@@ -240,7 +240,7 @@ TEST(EuclideanMethods, AnswerNearTheSurfaceFromVoxels) {
 
 // Over many poses FCL's smallest distance is not above that of any vertex, and 0 where a vertex is through.
 TEST(PoseMethods, AgreeWithTheDistancesOfTheVertices) {
-  RaceScene scene = small_scene();
+  BenchmarkScene scene = small_scene();
   for (const double moved : {0.0, 0.5, 3.0, 6.0}) {
     scene.pose.translation = Vec3(0.0, 0.0, moved);
     double least = std::numeric_limits<double>::infinity();
@@ -255,7 +255,7 @@ TEST(PoseMethods, AgreeWithTheDistancesOfTheVertices) {
 }
 
 TEST(TableMethod, AnswersAsTheTableAndCountsItsBytes) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const RadialTable<Rsid> table = fill_exact(scene.surface(), Rsid::with_precision(2.0), Layer::nearest);
   const std::vector<Vec3> points = points_of(scene);
   TableMethod<RadialTable<Rsid>> method(table);
@@ -275,7 +275,7 @@ TEST(TableMethod, AnswersAsTheTableAndCountsItsBytes) {
 
 // Libraries keep at least the triangles in float; a sanitizer's allocator does not count.
 TEST(Bytes, OfLibrariesAreThoseOfTheirTrees) {
-  const RaceScene scene = small_scene();
+  const BenchmarkScene scene = small_scene();
   const double least = 300.0 * 9.0 * 4.0 / 3.0;
   EXPECT_GT(make_embree_rays(scene.surface(), {})->bytes(), least);
   EXPECT_GT(make_embree_closest(scene.surface())->bytes(), least);

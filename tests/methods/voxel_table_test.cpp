@@ -115,7 +115,7 @@ TEST(HuVoxels, HitsOnlyWhereTheSurfacesAreNear) {
   int hits = 0;
   int near = 0;
   for (const double moved : {0.0, 1.5, 2.5, 3.0, 3.5, 4.5, 6.0}) {
-    RaceScene scene{"", pair, {}};
+    BenchmarkScene scene{"", pair, {}};
     scene.pose.rotation = Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 0.5).normalized()).toRotationMatrix();
     scene.pose.translation = Vec3(0.3, 0.2, 1.0).normalized() * moved;
     const double apart = surface_distance(scene);

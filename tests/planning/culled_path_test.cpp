@@ -196,18 +196,18 @@ TEST(Promises, AreKeptPoseByPose) {
   plan.same_as = {0, 1, 0};
   SceneAnswer answer;
   answer.touches = {true, false, true};
-  EXPECT_TRUE(keeps_promises(needs, plan, answer)) << "nothing was promised";
+  EXPECT_TRUE(is_as_planned(needs, plan, answer)) << "nothing was promised";
   plan.touches = {true, false};
-  EXPECT_TRUE(keeps_promises(needs, plan, answer));
+  EXPECT_TRUE(is_as_planned(needs, plan, answer));
   plan.touches = {false, true};
-  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+  EXPECT_FALSE(is_as_planned(needs, plan, answer));
   needs.question = Question::first_contact;
   plan.limit_mm = 0.5;
-  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+  EXPECT_FALSE(is_as_planned(needs, plan, answer));
   answer.smallest = SmallestGap{0.5, Surface::ball, 0, 0};
-  EXPECT_TRUE(keeps_promises(needs, plan, answer));
+  EXPECT_TRUE(is_as_planned(needs, plan, answer));
   answer.smallest->gap_mm = 0.6;
-  EXPECT_FALSE(keeps_promises(needs, plan, answer));
+  EXPECT_FALSE(is_as_planned(needs, plan, answer));
 }
 
 // A vertex may be proven to touch and yet have no answer, where a cell of a coarse table is at a rim that is

@@ -38,12 +38,12 @@ TEST(SchemeSavings, EqualGapsAreThoseOfTheSmallestTable) {
   for_each_scheme([&]<class S>() {
     const auto saving = saving_at_equal_gap(scheme_of_size<S>(rsid.size()), radius);
     ASSERT_TRUE(saving) << S::name;
-    SizeLadder<S> ladder(saving->entries);
-    const auto table = ladder.first_of(saving->entries);
+    SizeLevels<S> levels(saving->entries);
+    const auto table = levels.first_of(saving->entries);
     ASSERT_EQ(table->size(), saving->entries) << S::name;
     EXPECT_EQ(measured_covering_radius(*table), saving->measured_ratio * radius) << S::name;
     EXPECT_LE(saving->measured_ratio, 1.0) << S::name;
-    const auto smaller = ladder.smaller(saving->entries);
+    const auto smaller = levels.smaller(saving->entries);
     ASSERT_TRUE(smaller) << S::name;
     EXPECT_GT(measured_covering_radius(*smaller), radius) << S::name;
   });

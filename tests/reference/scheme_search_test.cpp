@@ -14,19 +14,19 @@
 namespace impinge {
 namespace {
 
-TEST(SchemeSearch, LadderClimbsAndDescendsThroughTheSameSizes) {
+TEST(SchemeSearch, LevelsClimbAndDescendsThroughTheSameSizes) {
   for_each_scheme([]<class S>() {
-    SizeLadder<S> ladder(5000);
-    auto scheme = ladder.first_of(4800);
+    SizeLevels<S> levels(5000);
+    auto scheme = levels.first_of(4800);
     ASSERT_TRUE(scheme) << S::name;
     std::vector<std::size_t> sizes;
-    for (; scheme && scheme->size() <= 5200; scheme = ladder.larger(scheme->size())) {
+    for (; scheme && scheme->size() <= 5200; scheme = levels.larger(scheme->size())) {
       EXPECT_GE(scheme->size(), sizes.empty() ? 4800 : sizes.back() + 1) << S::name;
       sizes.push_back(scheme->size());
     }
     ASSERT_FALSE(sizes.empty()) << S::name;
     for (std::size_t above = 5201; !sizes.empty(); above = sizes.back(), sizes.pop_back()) {
-      const auto smaller = ladder.smaller(above);
+      const auto smaller = levels.smaller(above);
       ASSERT_TRUE(smaller) << S::name;
       EXPECT_EQ(smaller->size(), sizes.back()) << S::name;
     }

@@ -42,7 +42,7 @@ TEST(StabilityFamilies, SayWhatTheyAreAboutBeforeTheyRun) {
   std::set<std::string> names;
   for (const StabilityFamily& family : stability_families()) {
     EXPECT_TRUE(names.insert(family.name).second) << family.name << " is there twice";
-    EXPECT_FALSE(family.knob.empty()) << family.name;
+    EXPECT_FALSE(family.parameter.empty()) << family.name;
     EXPECT_FALSE(family.unit.empty()) << family.name;
     EXPECT_FALSE(family.expected.empty()) << family.name;
     EXPECT_FALSE(family.derivation.empty()) << family.name;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/gap_kernels.hpp"
-#include "kernels/lane_fixture.hpp"
+#include "kernels/packed_fixture.hpp"
 #include "table/exact_raster.hpp"
 #include "table/table_bound.hpp"
 
@@ -31,7 +31,7 @@ std::vector<double> gaps_of(const Table& table, const std::vector<Vec3>& vertice
                             Surface scanned) {
   using Real = typename Table::Real;
   std::vector<Real> gap(vertices.size());
-  scan_gaps(table, {vertex_lanes<Real>(vertices), pose, scanned}, gap);
+  scan_gaps(table, {packed_vertices<Real>(vertices), pose, scanned}, gap);
   return {gap.begin(), gap.end()};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The knob of each family is what its shape really has.
+// The parameter of each family is what its shape really has.
 #include "stress/shapes.hpp"
 
 #include <algorithm>

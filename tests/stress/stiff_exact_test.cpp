@@ -28,7 +28,7 @@ constexpr double kExactShare = 0.38;
 
 std::vector<float> gaps_in(const ExactCells& cells, const std::vector<Vec3>& points, Surface scanned) {
   std::vector<float> gap(points.size());
-  scan_gaps(cells, {vertex_lanes<float>(points), {}, scanned}, gap);
+  scan_gaps(cells, {packed_vertices<float>(points), {}, scanned}, gap);
   return gap;
 }
 
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Families, StiffCertified, testing::ValuesIn(soon_bounde
 TEST_P(StiffCertified, IsOnTheSideOfTheExactCells) {
   const StiffSurface surface = GetParam().make();
   const auto points = test::stiff_points(surface);
-  const auto lanes = vertex_lanes<float>(points);
+  const auto lanes = packed_vertices<float>(points);
   const CertifiedTable table = certified_table(surface.mesh, surface.layer, 9);
   for (const Surface scanned : {Surface::ball, Surface::socket}) {
     const auto exact = gaps_in(table.exact, points, scanned);

@@ -26,9 +26,9 @@ struct StiffSurface {
   std::vector<Vec3> aims = {};   // directions of any length above zero
 };
 
-// One knob of a family. The name is also that of its test.
+// One parameter of a family. The name is also that of its test.
 struct StiffFamily {
-  const char* name;            // of the family, and its knob
+  const char* name;            // of the family, and its parameter
   StiffSurface (*make)();      // the surface
   bool slow_to_bound = false;  // does the search for a tight bound of a table take all of its budget?
 };

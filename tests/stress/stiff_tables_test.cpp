@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/lane_fixture.hpp"
+#include "kernels/packed_fixture.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/stiff_surfaces.hpp"
 #include "stress/table_kernels.hpp"

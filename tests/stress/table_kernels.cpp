@@ -20,15 +20,15 @@ double storage_bound(const auto& scalar) {
   }
 }
 
-// Rows of kernels/lane_table.hpp and of the helix; Scalar keeps the same numbers.
-template <class S, LaneValue Value, class Scalar>
+// Rows of kernels/packed_table.hpp and of the helix; Scalar keeps the same numbers.
+template <class S, PackedValue Value, class Scalar>
 class RowsKernel : public TableKernel {
  public:
   RowsKernel(std::string name, std::shared_ptr<const Filled<S>> from)
       : name_(std::move(name)),
         from_(std::move(from)),
         scalar_(from_->numbers),
-        table_(lane_table<Value>(from_->numbers)) {}
+        table_(packed_table<Value>(from_->numbers)) {}
 
   std::string name() const override { return name_; }
   double unit() const override { return sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53; }
@@ -50,12 +50,12 @@ class RowsKernel : public TableKernel {
   double bound() const override { return from_->bound_mm + storage_bound(scalar_); }
 
  private:
-  using Real = typename LaneTable<S, Value>::Real;
+  using Real = typename PackedTable<S, Value>::Real;
 
   std::string name_;
   std::shared_ptr<const Filled<S>> from_;
   Scalar scalar_;
-  LaneTable<S, Value> table_;
+  PackedTable<S, Value> table_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/vertex_lanes.hpp"
+#include "kernels/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/layer.hpp"
 

@@ -42,18 +42,18 @@ class KeptTable final : public SurfaceTable {
 template <SamplingScheme S, class Value>
 class KernelTable final : public SurfaceTable {
  public:
-  explicit KernelTable(LaneTable<S, Value> table) : table_(std::move(table)) {}
+  explicit KernelTable(PackedTable<S, Value> table) : table_(std::move(table)) {}
 
   void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
             std::span<double> gap) override {
     found_.resize(gap.size());
-    scan_gaps(table_, LaneScan<float>{vertices.lanes, pose, scanned}, found_);
+    scan_gaps(table_, PackedScan<float>{vertices.lanes, pose, scanned}, found_);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
   }
   std::size_t bytes() const override { return table_.bytes(); }
 
  private:
-  LaneTable<S, Value> table_;
+  PackedTable<S, Value> table_;
   std::vector<float> found_;
 };
 
@@ -65,7 +65,7 @@ std::unique_ptr<SurfaceTable> kept(Kept table) {
 template <class Value, class Filled>
 std::unique_ptr<SurfaceTable> kernel(const Filled& filled) {
   using S = std::remove_cvref_t<decltype(filled.scheme())>;
-  return std::make_unique<KernelTable<S, Value>>(lane_table<Value>(filled));
+  return std::make_unique<KernelTable<S, Value>>(packed_table<Value>(filled));
 }
 
 template <SamplingScheme S>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gap/pose.hpp"
-#include "kernels/vertex_lanes.hpp"
+#include "kernels/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/layer.hpp"
 #include "table/partial_table.hpp"
@@ -25,10 +25,10 @@ struct TableSettings {
 // Vertices that are scanned: in double for look-ups one by one, and as the kernels read them.
 struct ScannedVertices {
   explicit ScannedVertices(std::span<const Vec3> vertices)
-      : points(vertices.begin(), vertices.end()), lanes(vertex_lanes<float>(vertices)) {}
+      : points(vertices.begin(), vertices.end()), lanes(packed_vertices<float>(vertices)) {}
 
   std::vector<Vec3> points;
-  VertexLanes<float> lanes;
+  PackedVertices<float> lanes;
 };
 
 class SurfaceTable {

@@ -165,7 +165,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily conchoid_family() {
   StabilityFamily family;
   family.name = "conchoid";
-  family.knob = "a / b - 1 of the conchoid r = a + b cos(phi), whose cusp is where a = b";
+  family.parameter = "a / b - 1 of the conchoid r = a + b cos(phi), whose cusp is where a = b";
   family.unit = "1";
   family.expected =
       "radius, speed, length and area keep full relative accuracy up to the cusp and at it, whatever cancels "

@@ -66,7 +66,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily off_centre_origin_family() {
   StabilityFamily family;
   family.name = "off_centre_origin";
-  family.knob = "distance of the centre of rotation from the middle of a sphere, over its radius";
+  family.parameter = "distance of the centre of rotation from the middle of a sphere, over its radius";
   family.unit = "1";
   family.expected =
       "errors at entries grow with the condition alone, about 1 / (1 - offset), and look-ups stay below "

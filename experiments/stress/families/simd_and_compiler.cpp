@@ -51,7 +51,7 @@ std::vector<StabilityCase> run(const StabilityRun& /*options*/) {
 StabilityFamily simd_and_compiler_family() {
   StabilityFamily family;
   family.name = "simd_and_compiler";
-  family.knob = "-O0, -O1, -O2, -O3 as 0 to 3; 4 is -O3 with all vector instructions of this processor";
+  family.parameter = "-O0, -O1, -O2, -O3 as 0 to 3; 4 is -O3 with all vector instructions of this processor";
   family.unit = "-O";
   family.expected =
       "tables, look-ups and exact decisions are the same bit for bit: nothing is contracted to fused "

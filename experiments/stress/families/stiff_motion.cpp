@@ -85,7 +85,8 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily stiff_motion_family() {
   StabilityFamily family;
   family.name = "stiff_motion";
-  family.knob = "angle between the first contact of a vertex and the deepest point of its way, along a face";
+  family.parameter =
+      "angle between the first contact of a vertex and the deepest point of its way, along a face";
   family.unit = "degree";
   family.expected =
       "the angle of contact loses the digits that its condition says, 1 / angle^2, and the gap at the angle "

@@ -98,7 +98,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily threads_family() {
   StabilityFamily family;
   family.name = "threads";
-  family.knob = "threads that fill tables of their own and read a common one";
+  family.parameter = "threads that fill tables of their own and read a common one";
   family.unit = "1";
   family.expected =
       "the library is serial: it starts no thread and keeps no state that threads share, so that tables "

@@ -137,7 +137,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily tiny_step_family() {
   StabilityFamily family;
   family.name = "tiny_step";
-  family.knob = "precision of the scheme";
+  family.parameter = "precision of the scheme";
   family.unit = "degree";
   family.expected =
       "an entry is found where it stands whatever its number, 2^31 and 2^32 passed, and look-ups in a window "

@@ -112,7 +112,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
     StabilityMethod naive;
     naive.maker.name = "float_before_centre";
     naive.maker.kind = "brute";
-    naive.maker.make = [&rounded] { return make_pairwise_rays(rounded.mesh, RaceScene::kLayer); };
+    naive.maker.make = [&rounded] { return make_pairwise_rays(rounded.mesh, BenchmarkScene::kLayer); };
     naive.scalar = Scalar::float32;
     rows.push_back(against_the_joint(naive, rounded, distance, truths));
   }
@@ -124,7 +124,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily translation_family() {
   StabilityFamily family;
   family.name = "translation";
-  family.knob = "distance of the joint from the origin of its file, in radii of the joint";
+  family.parameter = "distance of the joint from the origin of its file, in radii of the joint";
   family.unit = "R";
   family.expected =
       "what the coordinates of the file have lost by their own rounding, u times the distance, and nothing "

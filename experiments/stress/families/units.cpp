@@ -104,7 +104,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
 StabilityFamily units_family() {
   StabilityFamily family;
   family.name = "units";
-  family.knob = "unit of length over a millimetre, a power of two";
+  family.parameter = "unit of length over a millimetre, a power of two";
   family.unit = "mm";
   family.expected =
       "from 2^-100 to 2^100 mm every radius is that in millimetres times the power of two, bit for bit; "

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "10_error_against_time/race_probes.hpp"
+#include "10_error_against_time/probes.hpp"
 #include "methods/radius_method.hpp"
 
 namespace impinge::lab {
 
 // Millimetres. Errors are answer minus truth wherever both are there; the rest is counted.
-struct RaceErrors {
+struct BenchmarkErrors {
   double max_over = 0.0;   // answer above the truth, at most
   double max_under = 0.0;  // below it
   // Over the uniform probes, so that every part of the surface counts by its solid angle.
@@ -38,14 +38,15 @@ struct AscentOptions {
 };
 
 // Not for Measure::pose.
-RaceErrors measure_errors(RadiusMethod& method, const RaceProbes& probes, const AscentOptions& ascent);
+BenchmarkErrors measure_errors(RadiusMethod& method, const BenchmarkProbes& probes,
+                               const AscentOptions& ascent);
 
 // A method that answers for a whole pose, beside the true smallest distance (mm). Where it says no more than
 // that the surfaces do not touch (NaN), a wrong answer is a miss or a false hit.
-RaceErrors measure_pose(RadiusMethod& method, double truth);
+BenchmarkErrors measure_pose(RadiusMethod& method, double truth);
 
 // An error above its bound. Truth and look-ups are worked out in double: that much is let pass.
-inline constexpr double kRaceRounding = 1e-10;  // mm
+inline constexpr double kBenchmarkRounding = 1e-10;  // mm
 // The point at which a bound does not hold, to look into.
 struct Violation {
   std::string scene;          // its name
@@ -59,6 +60,6 @@ struct Violation {
   std::string text() const;
 };
 // Without the names, which the caller knows. None where no bound is given.
-std::optional<Violation> find_violation(const RaceErrors& errors, const MethodBound& bound);
+std::optional<Violation> find_violation(const BenchmarkErrors& errors, const MethodBound& bound);
 
 }  // namespace impinge::lab

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "10_error_against_time/race_methods.hpp"
+#include "10_error_against_time/methods.hpp"
 #include "methods/cgal_distances.hpp"
 #include "methods/distance_grid.hpp"
 #include "methods/embree_closest.hpp"
@@ -24,7 +24,7 @@ MethodMaker maker_of(std::string name, std::string setting, Measure measure,
   return maker;
 }
 
-MethodMaker grid_maker(const RaceScene& scene, std::size_t nodes) {
+MethodMaker grid_maker(const BenchmarkScene& scene, std::size_t nodes) {
   const DistanceGridShape shape = grid_shape(scene, nodes);
   MethodMaker maker = maker_of("distance_grid", "grid " + std::to_string(nodes), Measure::euclidean,
                                [&mesh = scene.surface(), shape] { return make_distance_grid(mesh, shape); });
@@ -40,7 +40,8 @@ MethodMaker grid_maker(const RaceScene& scene, std::size_t nodes) {
 
 }  // namespace
 
-std::vector<MethodMaker> other_methods(const RaceScene& scene, const std::vector<std::size_t>& grid_nodes) {
+std::vector<MethodMaker> other_methods(const BenchmarkScene& scene,
+                                       const std::vector<std::size_t>& grid_nodes) {
   const TriangleMesh& mesh = scene.surface();
   std::vector<MethodMaker> makers;
   for (const auto& [quality, setting] :
@@ -62,7 +63,7 @@ std::vector<MethodMaker> other_methods(const RaceScene& scene, const std::vector
   makers.push_back(
       maker_of("fcl_distance", "", Measure::pose, [&scene] { return make_fcl_distance(scene); }));
   makers.push_back(maker_of("pairwise", "", Measure::radial,
-                            [&mesh] { return make_pairwise_rays(mesh, RaceScene::kLayer); }));
+                            [&mesh] { return make_pairwise_rays(mesh, BenchmarkScene::kLayer); }));
   makers.back().kind = "brute";
   for (const std::size_t nodes : grid_nodes) makers.push_back(grid_maker(scene, nodes));
   return makers;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "10_error_against_time/race_methods.hpp"
+#include "10_error_against_time/methods.hpp"
 #include "files/csv.hpp"
 #include "mesh/star_shape.hpp"
 #include "methods/resampled.hpp"
@@ -31,9 +31,9 @@ SharedBound once(std::function<MethodBound()> work) {
 
 // Of a table that was filled exactly from the surface of the scene.
 template <class Table>
-MethodBound bound_of(const RaceScene& scene, const Table& table, const TableRace& race) {
-  if (table.scheme().size() <= race.most_entries && scene.surface().faces.size() <= race.most_faces) {
-    const TableBound found = table_bound(scene.surface(), table, RaceScene::kLayer, race.search);
+MethodBound bound_of(const BenchmarkScene& scene, const Table& table, const TableBenchmark& bench) {
+  if (table.scheme().size() <= bench.most_entries && scene.surface().faces.size() <= bench.most_faces) {
+    const TableBound found = table_bound(scene.surface(), table, BenchmarkScene::kLayer, bench.search);
     return {found.bound_mm, found.attained_mm};
   }
   MethodBound bound;
@@ -43,8 +43,8 @@ MethodBound bound_of(const RaceScene& scene, const Table& table, const TableRace
 
 // What the makers of one table share.
 struct TableCase {
-  const RaceScene& scene;
-  TableRace race;
+  const BenchmarkScene& scene;
+  TableBenchmark bench;
   double precision = 0.0;
   std::string_view scheme;
   bool mesh_exact = false;
@@ -74,7 +74,7 @@ struct TableCase {
 
 template <SamplingScheme S>
 RadialTable<S> radii(const TriangleMesh& mesh, double precision) {
-  return fill_exact(mesh, S::with_precision(precision), RaceScene::kLayer);
+  return fill_exact(mesh, S::with_precision(precision), BenchmarkScene::kLayer);
 }
 
 template <PlaneExactScheme S>
@@ -84,8 +84,8 @@ InverseDepthTable<S> inverse_depths(const TriangleMesh& mesh, double precision) 
 
 template <class Table, class Float, class Uint16, class Source>
 void add_storages(std::vector<MethodMaker>& makers, TableCase now, const Source& fill) {
-  now.bound = once([&scene = now.scene, precision = now.precision, race = now.race, fill] {
-    return bound_of(scene, Table(fill(scene.surface(), precision)), race);
+  now.bound = once([&scene = now.scene, precision = now.precision, bench = now.bench, fill] {
+    return bound_of(scene, Table(fill(scene.surface(), precision)), bench);
   });
   makers.push_back(now.maker<Table>("double", fill));
   makers.push_back(now.maker<Float>(FloatValues::name, fill));
@@ -120,12 +120,12 @@ MethodMaker thesis_maker(const TableCase& now, RadialTable<S> (*fill)(const Tria
   maker.storage = "double";
   maker.make = [&mesh, precision, fill] {
     return std::make_unique<TableMethod<RadialTable<S>>>(
-        fill(mesh, S::with_precision(precision), RaceScene::kLayer));
+        fill(mesh, S::with_precision(precision), BenchmarkScene::kLayer));
   };
   maker.bound = [now, entry_bound = std::move(entry_bound)](const RadiusMethod& /*method*/) {
     const TriangleMesh& surface = now.scene.surface();
     if (!star_shape(surface).star_shaped) return MethodBound{};
-    MethodBound bound = bound_of(now.scene, radii<S>(surface, now.precision), now.race);
+    MethodBound bound = bound_of(now.scene, radii<S>(surface, now.precision), now.bench);
     bound.bound_mm += entry_bound();
     bound.attained_mm = MethodBound{}.attained_mm;  // by an exact filling, not by this one
     return bound;
@@ -135,21 +135,21 @@ MethodMaker thesis_maker(const TableCase& now, RadialTable<S> (*fill)(const Tria
 
 }  // namespace
 
-std::vector<MethodMaker> table_methods(const RaceScene& scene, const TableRace& race) {
+std::vector<MethodMaker> table_methods(const BenchmarkScene& scene, const TableBenchmark& bench) {
   std::vector<MethodMaker> makers;
   for_each_scheme([&]<class S>() {
-    for (const double precision : race.precisions) {
-      if (scheme_of_precision<S>(precision)) add_scheme<S>(makers, {scene, race, precision, {}, false, {}});
+    for (const double precision : bench.precisions) {
+      if (scheme_of_precision<S>(precision)) add_scheme<S>(makers, {scene, bench, precision, {}, false, {}});
     }
   });
   return makers;
 }
 
-std::vector<MethodMaker> thesis_methods(const RaceScene& scene, const TableRace& race) {
+std::vector<MethodMaker> thesis_methods(const BenchmarkScene& scene, const TableBenchmark& bench) {
   std::vector<MethodMaker> makers;
   const TriangleMesh& mesh = scene.surface();
-  for (const double precision : race.precisions) {
-    const TableCase now{scene, race, precision, {}, false, {}};
+  for (const double precision : bench.precisions) {
+    const TableCase now{scene, bench, precision, {}, false, {}};
     makers.push_back(thesis_maker<Rsid>(now, fill_thesis, [&mesh] { return thesis_raster_bound(mesh); }));
     makers.push_back(thesis_maker<Usid>(now, fill_resampled<Usid>,
                                         [&mesh, precision] { return resampling_bound(mesh, precision); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/race_probes.hpp"
+#include "10_error_against_time/probes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +81,8 @@ double least_distance(const TriangleMesh& mesh, const Vec3& x) {
   return std::sqrt(squared);
 }
 
-RaceProbes directions_of(const RaceScene& scene, const ProbeOptions& options) {
-  RaceProbes probes;
+BenchmarkProbes directions_of(const BenchmarkScene& scene, const ProbeOptions& options) {
+  BenchmarkProbes probes;
   probes.points = uniform_directions(options.uniform, options.seed);
   probes.uniform = options.uniform;
   const auto features = stratified_directions(scene.surface(), options.each_feature);
@@ -105,16 +105,17 @@ std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t ea
   return directions;
 }
 
-RaceProbes radial_probes(const RaceScene& scene, const ProbeOptions& options) {
-  RaceProbes probes = directions_of(scene, options);
+BenchmarkProbes radial_probes(const BenchmarkScene& scene, const ProbeOptions& options) {
+  BenchmarkProbes probes = directions_of(scene, options);
   const auto caster = std::make_shared<const RayCaster>(scene.surface());
-  probes.truth_at = [caster](const Vec3& x) { return caster->cast(x.normalized(), RaceScene::kLayer); };
-  probes.truth = cached_exact_radii(options.cache, scene.surface(), {probes.points, RaceScene::kLayer, {}});
+  probes.truth_at = [caster](const Vec3& x) { return caster->cast(x.normalized(), BenchmarkScene::kLayer); };
+  probes.truth =
+      cached_exact_radii(options.cache, scene.surface(), {probes.points, BenchmarkScene::kLayer, {}});
   return probes;
 }
 
-RaceProbes euclidean_probes(const RaceScene& scene, const ProbeOptions& options) {
-  RaceProbes probes = directions_of(scene, options);
+BenchmarkProbes euclidean_probes(const BenchmarkScene& scene, const ProbeOptions& options) {
+  BenchmarkProbes probes = directions_of(scene, options);
   const double radius = mean_radius(scene.pair.ball);
   for (Vec3& x : probes.points) x *= radius;
   probes.truth_at = [&mesh = scene.surface()](const Vec3& x) { return least_distance(mesh, x); };

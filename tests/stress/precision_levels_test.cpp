@@ -97,7 +97,7 @@ double error() {
   return std::sqrt(sum / static_cast<double>(asked.size()));
 }
 
-// The two steps of the ladder, in bits.
+// The two steps of the levels, in bits.
 template <class Shape>
 std::array<double, 2> steps() {
   const double in_float = error<Shape, float>();
@@ -110,7 +110,7 @@ bool shrinks_as_predicted(const std::array<double, 2>& steps) {
   return std::abs(steps[0] - 29.0) < 1.0 && std::abs(steps[1] - 11.0) < 1.0;
 }
 
-class PrecisionLadder : public testing::Test {
+class PrecisionLevels : public testing::Test {
  protected:
   void SetUp() override {
     if (std::numeric_limits<long double>::digits != 64)
@@ -118,7 +118,7 @@ class PrecisionLadder : public testing::Test {
   }
 };
 
-TEST_F(PrecisionLadder, ErrorsShrinkAsTheNumbersDo) {
+TEST_F(PrecisionLevels, ErrorsShrinkAsTheNumbersDo) {
   const auto found = steps<Kernel>();
   EXPECT_NEAR(found[0], 29.0, 1.0);
   EXPECT_NEAR(found[1], 11.0, 1.0);
@@ -126,7 +126,7 @@ TEST_F(PrecisionLadder, ErrorsShrinkAsTheNumbersDo) {
 }
 
 // 100 bits more change nothing, so that 200 are the truth.
-TEST_F(PrecisionLadder, TwoHundredBitsAreEnough) {
+TEST_F(PrecisionLevels, TwoHundredBitsAreEnough) {
   using Finer = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<91>,
                                               boost::multiprecision::et_off>;
   for (const Question& question : questions(50)) {
@@ -135,11 +135,11 @@ TEST_F(PrecisionLadder, TwoHundredBitsAreEnough) {
   }
 }
 
-TEST_F(PrecisionLadder, FindsAStrayFloatLiteral) {
+TEST_F(PrecisionLevels, FindsAStrayFloatLiteral) {
   EXPECT_FALSE(shrinks_as_predicted(steps<WithFloatLiteral>()));
 }
 
-TEST_F(PrecisionLadder, FindsAnArccosine) { EXPECT_FALSE(shrinks_as_predicted(steps<WithArccosine>())); }
+TEST_F(PrecisionLevels, FindsAnArccosine) { EXPECT_FALSE(shrinks_as_predicted(steps<WithArccosine>())); }
 
 TEST(PlaneRadius, IsTheKernelOfTheTables) {
   for (const Question& question : questions(2000)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint with the contenders of the thesis' Tables 4 and 9, the poses they are timed over and the oracle
+// One joint with the methods of the thesis' Tables 4 and 9, the poses they are timed over and the oracle
 // that each of them must agree with first.
 #pragma once
 
@@ -21,16 +21,16 @@ std::shared_ptr<const TablePair<S>> make_tables(const BallSocketPair& pair, doub
                                                            fill_exact(pair.socket, scheme, Layer::nearest)});
 }
 
-struct DetectionRace {
-  std::vector<NamedPose> poses;                        // that all of them are asked
-  std::unique_ptr<Contender> oracle;                   // exact predicates
-  std::vector<std::unique_ptr<Contender>> contenders;  // pairwise, fcl_obb, rsid, usid
+struct DetectionBenchmark {
+  std::vector<NamedPose> poses;                       // that all of them are asked
+  std::unique_ptr<TouchMethod> oracle;                // exact predicates
+  std::vector<std::unique_ptr<TouchMethod>> methods;  // pairwise, fcl_obb, rsid, usid
 
   // Throws std::out_of_range when nobody has this name.
-  Contender& contender(std::string_view name) const;
+  TouchMethod& method(std::string_view name) const;
 };
 
 // Meshes in their centre frames, mm; the precision is that of the tables of rsid and usid.
-DetectionRace make_detection_race(const BallSocketPair& pair, double precision_deg);
+DetectionBenchmark make_detection_benchmark(const BallSocketPair& pair, double precision_deg);
 
 }  // namespace impinge::lab

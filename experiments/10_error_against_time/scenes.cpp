@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/race_scenes.hpp"
+#include "10_error_against_time/scenes.hpp"
 
 #include <string>
 #include <utility>
@@ -16,14 +16,14 @@ constexpr double kTurn = 10.0;             // degrees
 
 }  // namespace
 
-RaceScene generated_scene(std::size_t faces) {
-  RaceScene scene{"generated_" + std::to_string(faces), make_ball_socket_pair(faces), {}};
+BenchmarkScene generated_scene(std::size_t faces) {
+  BenchmarkScene scene{"generated_" + std::to_string(faces), make_ball_socket_pair(faces), {}};
   scene.pose.rotation = Eigen::AngleAxisd(kUnderTheSocket * kDegree, Vec3::UnitY()).toRotationMatrix();
   return scene;
 }
 
-RaceScene real_scene(std::string name, BallSocketPair pair) {
-  RaceScene scene{std::move(name), std::move(pair), {}};
+BenchmarkScene real_scene(std::string name, BallSocketPair pair) {
+  BenchmarkScene scene{std::move(name), std::move(pair), {}};
   scene.pose.rotation = Eigen::AngleAxisd(kTurn * kDegree, Vec3::UnitX()).toRotationMatrix();
   return scene;
 }

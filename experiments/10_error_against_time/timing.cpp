@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/race_timing.hpp"
+#include "10_error_against_time/timing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ struct Runner {
   std::vector<double> out;
   double points = 0.0;  // that one batch answers for
   std::size_t repeats = 1;
-  RaceCosts costs;
+  BenchmarkCosts costs;
 };
 
 void flush(std::vector<char>& block) {
@@ -44,7 +44,7 @@ void flush(std::vector<char>& block) {
 
 // As many of the points as one batch has time for, evenly through all of them.
 void choose_batch(Runner& runner, RadiusMethod& method, const std::vector<Vec3>& all,
-                  const RaceTimingOptions& options) {
+                  const BenchmarkTimingOptions& options) {
   runner.points = static_cast<double>(all.size());
   runner.batch = all;
   runner.out.resize(all.size());
@@ -66,7 +66,7 @@ void ask(Runner& runner, RadiusMethod& method) {
   benchmark::ClobberMemory();
 }
 
-void run_round(Runner& runner, const std::vector<Vec3>& all, const RaceTimingOptions& options,
+void run_round(Runner& runner, const std::vector<Vec3>& all, const BenchmarkTimingOptions& options,
                std::vector<char>& block) {
   std::unique_ptr<RadiusMethod> method = std::move(runner.kept);
   if (!method) runner.costs.build_ms.push_back(milliseconds([&] { method = runner.maker->make(); }));
@@ -94,8 +94,8 @@ std::vector<double> half(std::span<const double> samples, std::size_t first) {
 
 }  // namespace
 
-std::vector<RaceCosts> time_methods(std::span<const MethodMaker> methods, const RaceScene& scene,
-                                    const RaceTimingOptions& options, Progress& progress) {
+std::vector<BenchmarkCosts> time_methods(std::span<const MethodMaker> methods, const BenchmarkScene& scene,
+                                         const BenchmarkTimingOptions& options, Progress& progress) {
   if (options.rounds < 2) throw std::invalid_argument("a control needs two rounds of timing or more");
   const std::vector<Vec3> all = scene.queries();
   std::vector<char> block(options.flush_bytes);
@@ -110,7 +110,7 @@ std::vector<RaceCosts> time_methods(std::span<const MethodMaker> methods, const 
     for (const std::size_t i : order) run_round(runners[i], all, options, block);
     progress.advance(1.0, scene.name);
   }
-  std::vector<RaceCosts> costs;
+  std::vector<BenchmarkCosts> costs;
   costs.reserve(runners.size());
   for (Runner& runner : runners) costs.push_back(std::move(runner.costs));
   return costs;

@@ -12,7 +12,7 @@
 
 namespace impinge::lab {
 
-struct RaceScene {
+struct BenchmarkScene {
   std::string name;     // in the results
   BallSocketPair pair;  // centre frames, mm
   Pose pose;            // of the ball, fixed

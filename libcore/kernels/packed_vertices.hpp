@@ -13,7 +13,7 @@ namespace impinge {
 
 /// Millimetres, in the frame of the mesh that they are of; all three of one size.
 template <class Real>
-struct VertexLanes {
+struct PackedVertices {
   std::vector<Real> x;  // of each vertex
   std::vector<Real> y;
   std::vector<Real> z;
@@ -23,8 +23,8 @@ struct VertexLanes {
 
 /// Each coordinate rounded once.
 template <class Real>
-VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
-  VertexLanes<Real> lanes;
+PackedVertices<Real> packed_vertices(std::span<const Vec3> vertices) {
+  PackedVertices<Real> lanes;
   for (auto* axis : {&lanes.x, &lanes.y, &lanes.z}) axis->reserve(vertices.size());
   for (const Vec3& v : vertices) {
     lanes.x.push_back(static_cast<Real>(v.x()));
@@ -36,21 +36,21 @@ VertexLanes<Real> vertex_lanes(std::span<const Vec3> vertices) {
 
 /// x = rotation v + translation takes the vertices of a scan to the frame of the table, mm.
 template <class Real>
-struct LaneTransform {
+struct PackedTransform {
   std::array<std::array<Real, 3>, 3> rotation{};  // rows
   std::array<Real, 3> translation{};              // mm
 };
 
 /// Worked out in double and rounded once.
 template <class Real>
-LaneTransform<Real> lane_transform(const Pose& pose, Surface scanned) {
+PackedTransform<Real> packed_transform(const Pose& pose, Surface scanned) {
   Eigen::Matrix3d rotation = pose.rotation;
   Vec3 translation = pose.translation;
   if (scanned == Surface::socket) {
     translation = to_ball(pose, Vec3::Zero());
     rotation.transposeInPlace();
   }
-  LaneTransform<Real> lanes;
+  PackedTransform<Real> lanes;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t k = 0; k < 3; ++k)

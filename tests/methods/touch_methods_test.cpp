@@ -16,7 +16,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
-#include "methods/detection_race.hpp"
+#include "methods/detection_benchmark.hpp"
 #include "methods/fcl_obb.hpp"
 #include "methods/pairwise.hpp"
 #include "methods/vtk_collision.hpp"
@@ -29,10 +29,10 @@ namespace {
 constexpr double kBall = 22.0;
 constexpr double kShell = 26.0;
 
-std::vector<std::unique_ptr<Contender>> all_contenders(const BallSocketPair& pair, double precision_deg) {
-  DetectionRace race = make_detection_race(pair, precision_deg);
-  std::vector<std::unique_ptr<Contender>> all = std::move(race.contenders);
-  all.push_back(std::move(race.oracle));
+std::vector<std::unique_ptr<TouchMethod>> all_methods(const BallSocketPair& pair, double precision_deg) {
+  DetectionBenchmark bench = make_detection_benchmark(pair, precision_deg);
+  std::vector<std::unique_ptr<TouchMethod>> all = std::move(bench.methods);
+  all.push_back(std::move(bench.oracle));
   all.push_back(make_vtk_collision(pair.ball, pair.socket));
   return all;
 }
@@ -61,56 +61,56 @@ double sag(const TriangleMesh& sphere) {
   return largest;
 }
 
-TEST(Contenders, AgreeWithTheKnownAnswerOfConcentricSpheres) {
+TEST(TouchMethods, AgreeWithTheKnownAnswerOfConcentricSpheres) {
   const BallSocketPair pair{radial_body(1000, [](const Vec3&) { return kBall; }),
                             radial_body(1000, [](const Vec3&) { return kShell; })};
   const double margin = sag(pair.ball) + sag(pair.socket);
   ASSERT_LT(margin, 1.0) << "too coarse to tell";
   std::mt19937_64 random(11);
-  for (const auto& contender : all_contenders(pair, 0.5)) {
+  for (const auto& method : all_methods(pair, 0.5)) {
     for (int i = 0; i < 12; ++i) {
       const Pose free = random_pose(random, kShell - kBall - margin);
       const Pose touching = random_pose(random, kShell - kBall + margin);
-      EXPECT_FALSE(contender->touches(free)) << contender->name() << " in pose " << i;
-      EXPECT_TRUE(contender->touches(touching)) << contender->name() << " in pose " << i;
+      EXPECT_FALSE(method->touches(free)) << method->name() << " in pose " << i;
+      EXPECT_TRUE(method->touches(touching)) << method->name() << " in pose " << i;
     }
   }
 }
 
-TEST(Contenders, ABallOutsideOfTheSocketIsFree) {
+TEST(TouchMethods, ABallOutsideOfTheSocketIsFree) {
   const BallSocketPair pair = make_ball_socket_pair(300);
   Pose away;
   away.translation = Vec3(0.0, 0.0, -100.0);
-  DetectionRace race = make_detection_race(pair, 1.0);
-  for (const auto& contender : race.contenders) {
+  DetectionBenchmark bench = make_detection_benchmark(pair, 1.0);
+  for (const auto& method : bench.methods) {
     // The scans see a socket from inside alone: the ball's vertices are not in front of it, but its own
     // vertices are within no direction of the ball that would be nearer than the ball's surface.
-    EXPECT_FALSE(contender->touches(away)) << contender->name();
+    EXPECT_FALSE(method->touches(away)) << method->name();
   }
 }
 
-// Over random poses of the generated pair, from free to deeply touching. The two exact contenders and the box
+// Over random poses of the generated pair, from free to deeply touching. The two exact methods and the box
 // trees have to agree always. The scans look at vertices alone, so they may differ where the smallest gap is
 // within the sag of the faces.
-TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
+TEST(TouchMethods, AgreeOverManyPosesOfTheGeneratedPair) {
   const PairShape shape = impinging_cam();
   const BallSocketPair pair = make_ball_socket_pair(1000, shape);
   const double margin = 2.0 * sag(make_ball_socket_pair(1000, PairShape{.cam_height = 0.0}).ball) + 0.1;
   ASSERT_LT(margin, 0.6);
-  DetectionRace race = make_detection_race(pair, 0.5);
+  DetectionBenchmark bench = make_detection_benchmark(pair, 0.5);
   const auto vtk = make_vtk_collision(pair.ball, pair.socket);
-  auto& rsid = dynamic_cast<TableScan<Rsid>&>(race.contender("rsid"));
-  auto& usid = dynamic_cast<TableScan<Usid>&>(race.contender("usid"));
+  auto& rsid = dynamic_cast<TableScan<Rsid>&>(bench.method("rsid"));
+  auto& usid = dynamic_cast<TableScan<Usid>&>(bench.method("usid"));
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> length(0.0, 6.0);
   int touching = 0;
   int compared = 0;
   for (int i = 0; i < 60; ++i) {
     const Pose pose = random_pose(random, length(random));
-    const bool truth = race.oracle->touches(pose);
+    const bool truth = bench.oracle->touches(pose);
     touching += truth ? 1 : 0;
-    EXPECT_EQ(race.contender("pairwise").touches(pose), truth) << "pose " << i;
-    EXPECT_EQ(race.contender("fcl_obb").touches(pose), truth) << "pose " << i;
+    EXPECT_EQ(bench.method("pairwise").touches(pose), truth) << "pose " << i;
+    EXPECT_EQ(bench.method("fcl_obb").touches(pose), truth) << "pose " << i;
     EXPECT_EQ(vtk->touches(pose), truth) << "pose " << i;
     for (const auto& [gap, touches] : {std::pair{rsid.smallest_gap(pose), rsid.touches(pose)},
                                        {usid.smallest_gap(pose), usid.touches(pose)}}) {
@@ -124,7 +124,7 @@ TEST(Contenders, AgreeOverManyPosesOfTheGeneratedPair) {
   EXPECT_GT(compared, 60);
 }
 
-TEST(Contenders, DegenerateFacesChangeNothing) {
+TEST(TouchMethods, DegenerateFacesChangeNothing) {
   BallSocketPair pair = make_ball_socket_pair(300);
   pair.ball.faces.push_back({0, 1, 1});
   pair.socket.faces.push_back({2, 2, 2});
@@ -139,14 +139,14 @@ TEST(Contenders, DegenerateFacesChangeNothing) {
   }
 }
 
-TEST(Contenders, OnlyTheScansGiveDistances) {
-  const DetectionRace race = make_detection_race(make_ball_socket_pair(300), 1.0);
-  ASSERT_EQ(race.contenders.size(), 4U);
-  EXPECT_FALSE(race.contender("pairwise").gives_distance());
-  EXPECT_FALSE(race.contender("fcl_obb").gives_distance());
-  EXPECT_TRUE(race.contender("rsid").gives_distance());
-  EXPECT_TRUE(race.contender("usid").gives_distance());
-  EXPECT_THROW(race.contender("rapid"), std::out_of_range);
+TEST(TouchMethods, OnlyTheScansGiveDistances) {
+  const DetectionBenchmark bench = make_detection_benchmark(make_ball_socket_pair(300), 1.0);
+  ASSERT_EQ(bench.methods.size(), 4U);
+  EXPECT_FALSE(bench.method("pairwise").gives_distance());
+  EXPECT_FALSE(bench.method("fcl_obb").gives_distance());
+  EXPECT_TRUE(bench.method("rsid").gives_distance());
+  EXPECT_TRUE(bench.method("usid").gives_distance());
+  EXPECT_THROW(bench.method("rapid"), std::out_of_range);
 }
 
 // Contract: the gap of a concentric pair is S - B at every vertex, up to the sag of the face on the other

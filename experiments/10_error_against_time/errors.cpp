@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/race_errors.hpp"
+#include "10_error_against_time/errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,13 +16,13 @@
 namespace impinge::lab {
 namespace {
 
-double error_at(RadiusMethod& method, const RaceProbes& probes, const Vec3& x) {
+double error_at(RadiusMethod& method, const BenchmarkProbes& probes, const Vec3& x) {
   double answer = 0.0;
   method.answer(std::span(&x, 1), std::span(&answer, 1));
   return answer - probes.truth_at(x);
 }
 
-void take(RaceErrors& errors, double error, const Vec3& x) {
+void take(BenchmarkErrors& errors, double error, const Vec3& x) {
   if (std::isnan(error)) return;
   if (std::abs(error) > errors.max()) errors.worst = x;
   errors.max_over = std::max(errors.max_over, error);
@@ -30,8 +30,8 @@ void take(RaceErrors& errors, double error, const Vec3& x) {
 }
 
 // Largest |error| that a start leads to, as far from the centre as the start.
-double climb(RadiusMethod& method, const RaceProbes& probes, const AscentOptions& ascent, Vec3 x,
-             RaceErrors& errors) {
+double climb(RadiusMethod& method, const BenchmarkProbes& probes, const AscentOptions& ascent, Vec3 x,
+             BenchmarkErrors& errors) {
   double best = std::abs(error_at(method, probes, x));
   double step = ascent.first_step;
   std::size_t asked = 0;
@@ -71,7 +71,7 @@ std::vector<std::size_t> worst_places(const std::vector<double>& error, std::siz
   return places;
 }
 
-void summarise_uniform(RaceErrors& errors, std::span<const double> error) {
+void summarise_uniform(BenchmarkErrors& errors, std::span<const double> error) {
   std::vector<double> sizes;
   double squares = 0.0;
   for (const double e : error) {
@@ -87,8 +87,9 @@ void summarise_uniform(RaceErrors& errors, std::span<const double> error) {
 
 }  // namespace
 
-RaceErrors measure_errors(RadiusMethod& method, const RaceProbes& probes, const AscentOptions& ascent) {
-  RaceErrors errors;
+BenchmarkErrors measure_errors(RadiusMethod& method, const BenchmarkProbes& probes,
+                               const AscentOptions& ascent) {
+  BenchmarkErrors errors;
   errors.directions = probes.points.size();
   std::vector<double> error(probes.points.size());
   method.answer(probes.points, error);
@@ -110,11 +111,11 @@ RaceErrors measure_errors(RadiusMethod& method, const RaceProbes& probes, const 
   return errors;
 }
 
-RaceErrors measure_pose(RadiusMethod& method, double truth) {
+BenchmarkErrors measure_pose(RadiusMethod& method, double truth) {
   double answer = 0.0;
   const Vec3 none = Vec3::Zero();
   method.answer(std::span(&none, 1), std::span(&answer, 1));
-  RaceErrors errors;
+  BenchmarkErrors errors;
   errors.directions = 1;
   errors.misses = truth == 0.0 && answer != 0.0 ? 1 : 0;
   errors.false_hits = answer == 0.0 && truth > 0.0 ? 1 : 0;
@@ -137,9 +138,9 @@ std::string Violation::text() const {
   return line.dump();
 }
 
-std::optional<Violation> find_violation(const RaceErrors& errors, const MethodBound& bound) {
+std::optional<Violation> find_violation(const BenchmarkErrors& errors, const MethodBound& bound) {
   const double largest = errors.max();
-  if (!(largest > bound.bound_mm + kRaceRounding)) return std::nullopt;  // a NaN promises nothing
+  if (!(largest > bound.bound_mm + kBenchmarkRounding)) return std::nullopt;  // a NaN promises nothing
   Violation violation;
   violation.error_mm = largest;
   violation.bound_mm = bound.bound_mm;

@@ -22,7 +22,7 @@
 namespace impinge::lab {
 
 // How often and how long everything is timed.
-struct RaceTimingOptions {
+struct BenchmarkTimingOptions {
   int rounds = 7;                      // 2 or more
   double warm_ms = 5.0;                // a warm measurement takes so long at least
   double batch_ms = 50.0;              // one batch of questions takes about so long at most
@@ -33,7 +33,7 @@ struct RaceTimingOptions {
 
 // Samples in the order of the rounds; ns are those of one point (of one vertex of the ball for
 // Measure::pose).
-struct RaceCosts {
+struct BenchmarkCosts {
   std::vector<double> build_ms;  // of building
   std::vector<double> cold_ns;   // of asking cold
   std::vector<double> warm_ns;   // of asking warm
@@ -42,8 +42,8 @@ struct RaceCosts {
 };
 
 // In the order of the methods. std::invalid_argument for fewer than two rounds.
-std::vector<RaceCosts> time_methods(std::span<const MethodMaker> methods, const RaceScene& scene,
-                                    const RaceTimingOptions& options, Progress& progress);
+std::vector<BenchmarkCosts> time_methods(std::span<const MethodMaker> methods, const BenchmarkScene& scene,
+                                         const BenchmarkTimingOptions& options, Progress& progress);
 
 // Median of the odd rounds over that of the even ones.
 double control_ratio(std::span<const double> samples);

@@ -8,12 +8,12 @@
 
 namespace impinge::lab {
 
-class Contender {
+class TouchMethod {
  public:
-  Contender() = default;
-  Contender(const Contender&) = delete;
-  Contender& operator=(const Contender&) = delete;
-  virtual ~Contender() = default;
+  TouchMethod() = default;
+  TouchMethod(const TouchMethod&) = delete;
+  TouchMethod& operator=(const TouchMethod&) = delete;
+  virtual ~TouchMethod() = default;
 
   // Method name of the results; begins with the name of the library where there is one.
   virtual std::string_view name() const = 0;
@@ -21,7 +21,7 @@ class Contender {
   // Does the work for one answer also yield the distance between the surfaces, everywhere?
   virtual bool gives_distance() const = 0;
 
-  // Do the surfaces meet in this pose? Not const: a contender may keep its scratch memory between poses.
+  // Do the surfaces meet in this pose? Not const: a method may keep its scratch memory between poses.
   virtual bool touches(const Pose& pose) = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/race_report.hpp"
+#include "10_error_against_time/report.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -17,8 +17,8 @@ std::vector<Column> with_key(const std::vector<Column>& more) {
 
 }  // namespace
 
-RaceTables make_race_tables() {
-  RaceTables tables;
+BenchmarkTables make_benchmark_tables() {
+  BenchmarkTables tables;
   tables.main.columns = with_key(
       {{"build_ms", "ms", "median time of everything that is done once for a surface"},
        {"query_ns", "ns", "median time of one vertex, warm; of a pose divided by the ball's vertices"},
@@ -59,8 +59,8 @@ RaceTables make_race_tables() {
   return tables;
 }
 
-RaceOptions quick_race() {
-  RaceOptions options;
+BenchmarkOptions quick_benchmark() {
+  BenchmarkOptions options;
   options.tables = {{2.0, 1.0}, 30000, 12000, {1.05, 2000}};
   options.grid_nodes = {16, 32};
   options.radial = {5000, 200, 1};
@@ -75,8 +75,8 @@ RaceOptions quick_race() {
   return options;
 }
 
-RaceOptions full_race() {
-  RaceOptions options;
+BenchmarkOptions full_benchmark() {
+  BenchmarkOptions options;
   options.tables = {{2.0, 1.0, 0.5, 0.2}, 110000, 12000, {1.05, 100000}};
   options.grid_nodes = {16, 32, 64, 128};
   options.radial = {240000, 4000, 1};

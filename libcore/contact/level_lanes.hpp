@@ -17,13 +17,13 @@ namespace impinge::lanes {
 /// A whole number of each node of a block.
 using WholeLanes = std::array<std::int32_t, CapBlock::kLanes>;
 
-/// Levels of the ladder for caps of these angles.
-inline WholeLanes levels_of(const CapLanes& angle, const CapLadder& ladder, float alone) {
+/// Levels of the levels for caps of these angles.
+inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels, float alone) {
   WholeLanes level;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
     const auto octave =
         static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(angle[k]) >> CapLimits::kQuarterOctave);
-    const std::int32_t of_cap = smaller(larger(CapLimits::kWidest - octave, 0), ladder.finest);
+    const std::int32_t of_cap = smaller(larger(CapLimits::kWidest - octave, 0), levels.finest);
     level[k] = of_cap + (angle[k] <= alone ? 1 : 0);
   }
   return level;
@@ -63,12 +63,12 @@ inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
 }
 
 /// Reaches of levels, radians.
-inline CapLanes reaches_of(const WholeLanes& level, const CapLadder& ladder) {
+inline CapLanes reaches_of(const WholeLanes& level, const CapLevels& levels) {
   CapLanes reach;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
     const std::int32_t end = CapLimits::kWidest + 1 - level[k];
     const auto of_cap = std::bit_cast<float>(static_cast<std::uint32_t>(end) << CapLimits::kQuarterOctave);
-    reach[k] = level[k] == 0 ? HUGE_VALF : level[k] > ladder.finest ? CapLimits::kAloneReach : of_cap;
+    reach[k] = level[k] == 0 ? HUGE_VALF : level[k] > levels.finest ? CapLimits::kAloneReach : of_cap;
   }
   return reach;
 }

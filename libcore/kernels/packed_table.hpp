@@ -32,12 +32,12 @@ namespace impinge {
 
 /// What the numbers of a table may be stored in.
 template <class Value>
-concept LaneValue =
+concept PackedValue =
     std::same_as<Value, double> || std::same_as<Value, float> || std::same_as<Value, std::uint16_t>;
 
 /// Plain data; make it with the functions below. Value is what is stored.
-template <SamplingScheme S, LaneValue Value>
-struct LaneTable {
+template <SamplingScheme S, PackedValue Value>
+struct PackedTable {
   /// Does a kernel work in double?
   static constexpr bool kDouble = std::same_as<Value, double> || std::same_as<S, Usid>;
   using Real = std::conditional_t<kDouble, double, float>;                 // that a kernel works in
@@ -55,18 +55,19 @@ struct LaneTable {
 };
 
 /// Most entries of a table: their offsets in bytes have to fit into 32 bits.
-inline constexpr std::size_t kMostLaneEntries = std::size_t{1} << 28;
+inline constexpr std::size_t kMostPackedEntries = std::size_t{1} << 28;
 
 /// std::invalid_argument for more than that.
-void require_lane_entries(std::size_t entries);
+void require_packed_entries(std::size_t entries);
 
-/// std::invalid_argument for more entries than kMostLaneEntries and for numbers that a float cannot hold; for
-/// a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in mesh/lengths.hpp.
-template <LaneValue Value>
-LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table);
-template <LaneValue Value>
-LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table);
-template <LaneValue Value>
-LaneTable<Usid, Value> lane_table(const RadialTable<Usid>& table);
+/// std::invalid_argument for more entries than kMostPackedEntries and for numbers that a float cannot hold;
+/// for a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in
+/// mesh/lengths.hpp.
+template <PackedValue Value>
+PackedTable<CubeGnomonic, Value> packed_table(const InverseDepthTable<CubeGnomonic>& table);
+template <PackedValue Value>
+PackedTable<Rsid, Value> packed_table(const RadialTable<Rsid>& table);
+template <PackedValue Value>
+PackedTable<Usid, Value> packed_table(const RadialTable<Usid>& table);
 
 }  // namespace impinge

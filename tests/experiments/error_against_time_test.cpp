@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes, probes, methods and costs of the race, on a small pair.
+// Scenes, probes, methods and costs of the benchmark, on a small pair.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "10_error_against_time/race_methods.hpp"
-#include "10_error_against_time/race_report.hpp"
-#include "10_error_against_time/race_scenes.hpp"
+#include "10_error_against_time/methods.hpp"
+#include "10_error_against_time/report.hpp"
+#include "10_error_against_time/scenes.hpp"
 #include "methods/surface_distance.hpp"
 #include "sphere/scheme_list.hpp"
 #include "table/pairwise.hpp"
@@ -19,14 +19,14 @@
 namespace impinge::lab {
 namespace {
 
-TEST(RaceScenes, TheGeneratedOneIsFreeWithItsCamUnderTheSocket) {
+TEST(BenchmarkScenes, TheGeneratedOneIsFreeWithItsCamUnderTheSocket) {
   const double distance = surface_distance(generated_scene(1000));
   EXPECT_GT(distance, 0.5);
   EXPECT_LT(distance, 1.5) << "the joint space is 4 mm without the cam";
 }
 
-TEST(RaceProbes, FeaturesAreWhereTheySay) {
-  const RaceScene scene = generated_scene(300);
+TEST(BenchmarkProbes, FeaturesAreWhereTheySay) {
+  const BenchmarkScene scene = generated_scene(300);
   constexpr std::size_t kEach = 60;
   const auto directions = stratified_directions(scene.surface(), kEach);
   ASSERT_EQ(directions.size(), 6 * kEach);
@@ -46,10 +46,10 @@ TEST(RaceProbes, FeaturesAreWhereTheySay) {
   EXPECT_LT(off, 3 * kEach / 4);
 }
 
-TEST(RaceProbes, TruthIsThatOfBruteForce) {
-  const RaceScene scene = generated_scene(300);
-  const RaceProbes radial = radial_probes(scene, {200, 20, 1});
-  const RaceProbes euclidean = euclidean_probes(scene, {200, 20, 1});
+TEST(BenchmarkProbes, TruthIsThatOfBruteForce) {
+  const BenchmarkScene scene = generated_scene(300);
+  const BenchmarkProbes radial = radial_probes(scene, {200, 20, 1});
+  const BenchmarkProbes euclidean = euclidean_probes(scene, {200, 20, 1});
   ASSERT_EQ(radial.points.size(), radial.truth.size());
   ASSERT_EQ(euclidean.points.size(), euclidean.truth.size());
   EXPECT_EQ(radial.uniform, 200U);
@@ -65,8 +65,8 @@ TEST(RaceProbes, TruthIsThatOfBruteForce) {
   }
 }
 
-TEST(RaceMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
-  const RaceScene scene = generated_scene(300);
+TEST(BenchmarkMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
+  const BenchmarkScene scene = generated_scene(300);
   std::set<std::string> schemes;
   std::set<std::string> mesh_exact;
   std::set<std::string> keys;
@@ -88,10 +88,10 @@ TEST(RaceMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
 }
 
 // One method of each kind on its own: fewer bytes for fewer bits, and bounds that hold.
-TEST(RaceMethods, KeepTheirBounds) {
-  const RaceScene scene = generated_scene(300);
-  const RaceProbes radial = radial_probes(scene, {1000, 50, 1});
-  const RaceProbes euclidean = euclidean_probes(scene, {100, 20, 1});
+TEST(BenchmarkMethods, KeepTheirBounds) {
+  const BenchmarkScene scene = generated_scene(300);
+  const BenchmarkProbes radial = radial_probes(scene, {1000, 50, 1});
+  const BenchmarkProbes euclidean = euclidean_probes(scene, {100, 20, 1});
   std::map<std::string, double> bytes;
   std::size_t bounded = 0;
   auto makers = table_methods(scene, {{4.0}, 100000, 1000, {}});
@@ -102,7 +102,7 @@ TEST(RaceMethods, KeepTheirBounds) {
     if (maker.kind == "ours" && maker.scheme != "rsid" && maker.scheme != "cube_gnomonic") continue;
     const auto method = maker.make();
     bytes[maker.name + '/' + maker.setting] = method->bytes();
-    const RaceErrors errors =
+    const BenchmarkErrors errors =
         measure_errors(*method, maker.measure == Measure::radial ? radial : euclidean, {.starts = 2});
     EXPECT_LT(errors.misses, errors.directions / 10) << maker.name;
     if (!maker.bound) continue;
@@ -117,13 +117,13 @@ TEST(RaceMethods, KeepTheirBounds) {
 }
 
 // Half of what is proven of a table does not hold: the bound is nearly attained, and the ascent gets there.
-TEST(RaceMethods, HalfOfATablesBoundIsViolated) {
-  const RaceScene scene = generated_scene(300);
-  const RaceProbes radial = radial_probes(scene, {2000, 200, 1});
+TEST(BenchmarkMethods, HalfOfATablesBoundIsViolated) {
+  const BenchmarkScene scene = generated_scene(300);
+  const BenchmarkProbes radial = radial_probes(scene, {2000, 200, 1});
   for (const MethodMaker& maker : table_methods(scene, {{4.0}, 100000, 1000, {}})) {
     if (maker.name != "cube_gnomonic" && maker.name != "cube_gnomonic_mesh_exact") continue;
     const auto method = maker.make();
-    const RaceErrors errors = measure_errors(*method, radial, {.starts = 4});
+    const BenchmarkErrors errors = measure_errors(*method, radial, {.starts = 4});
     MethodBound bound = maker.bound(*method);
     EXPECT_FALSE(find_violation(errors, bound)) << maker.name << ' ' << maker.setting;
     bound.bound_mm *= 0.5;
@@ -156,12 +156,12 @@ MethodMaker counting_maker(Tally& tally) {
   return maker;
 }
 
-TEST(RaceTiming, EveryRoundBuildsAsksColdAndAsksWarm) {
-  const RaceScene scene = generated_scene(300);
+TEST(BenchmarkTiming, EveryRoundBuildsAsksColdAndAsksWarm) {
+  const BenchmarkScene scene = generated_scene(300);
   Tally first;
   Tally second;
   const std::vector<MethodMaker> makers{counting_maker(first), counting_maker(second)};
-  RaceTimingOptions options;
+  BenchmarkTimingOptions options;
   options.rounds = 3;
   options.warm_ms = 0.0;
   options.flush_bytes = 4096;
@@ -184,7 +184,7 @@ TEST(RaceTiming, EveryRoundBuildsAsksColdAndAsksWarm) {
   EXPECT_THROW(time_methods(makers, scene, options, quiet), std::invalid_argument);
 }
 
-TEST(RaceTiming, ADifferenceCountsOnlyAboveTheControl) {
+TEST(BenchmarkTiming, ADifferenceCountsOnlyAboveTheControl) {
   const std::vector<double> steady{10.0, 10.1, 10.0, 10.1};
   const std::vector<double> unsteady{10.0, 13.0, 10.0, 13.0};
   const std::vector<double> slower{11.0, 11.0, 11.0, 11.0};
@@ -195,7 +195,7 @@ TEST(RaceTiming, ADifferenceCountsOnlyAboveTheControl) {
   EXPECT_STREQ(compare_times(steady, steady), "inconclusive");
 }
 
-TEST(RaceReport, ABoundThatDoesNotHoldEndsTheRun) {
+TEST(BenchmarkReport, ABoundThatDoesNotHoldEndsTheRun) {
   Violation violation;
   violation.method = "rsid";
   violation.error_mm = 2.0;

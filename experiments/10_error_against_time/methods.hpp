@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All methods of the race on one scene. The scene outlives them.
+// All methods of the benchmark on one scene. The scene outlives them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace impinge::lab {
 
 // Which tables run, and how tightly they are bounded.
-struct TableRace {
+struct TableBenchmark {
   std::vector<double> precisions;  // degrees
   // Tables of no more entries, of surfaces of no more faces, are bounded by branch and bound, see
   // table/table_bound.hpp; other tables of radii by the bound of first order, which costs little and is
@@ -23,12 +23,13 @@ struct TableRace {
 
 // Every scheme of every precision it can have, in double, float and 16 bits; those whose entries
 // lie on a solid also with inverse depths, as SCHEME_mesh_exact. Filled exactly.
-std::vector<MethodMaker> table_methods(const RaceScene& scene, const TableRace& race);
+std::vector<MethodMaker> table_methods(const BenchmarkScene& scene, const TableBenchmark& bench);
 
 // rsid_thesis and usid_thesis: the tables of the thesis, filled as the thesis does, in double.
-std::vector<MethodMaker> thesis_methods(const RaceScene& scene, const TableRace& race);
+std::vector<MethodMaker> thesis_methods(const BenchmarkScene& scene, const TableBenchmark& bench);
 
 // What libraries offer, brute force, and distance grids with so many nodes a side.
-std::vector<MethodMaker> other_methods(const RaceScene& scene, const std::vector<std::size_t>& grid_nodes);
+std::vector<MethodMaker> other_methods(const BenchmarkScene& scene,
+                                       const std::vector<std::size_t>& grid_nodes);
 
 }  // namespace impinge::lab

@@ -13,7 +13,7 @@
 namespace impinge::lab {
 
 // Points in the socket's frame, mm; the first `uniform` of them lie in directions uniform on the sphere.
-struct RaceProbes {
+struct BenchmarkProbes {
   std::vector<Vec3> points;   // those in uniform directions first
   std::size_t uniform = 0;    // number of them
   std::vector<double> truth;  // mm, NaN where there is no surface; by the exact reference
@@ -35,10 +35,10 @@ struct ProbeOptions {
 std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t each);
 
 // The truth is the nearest crossing of the ray, see reference/exact_radius.hpp; points are unit vectors.
-RaceProbes radial_probes(const RaceScene& scene, const ProbeOptions& options);
+BenchmarkProbes radial_probes(const BenchmarkScene& scene, const ProbeOptions& options);
 
 // The truth is the least distance from any triangle, see reference/closest_point.hpp. Points are as far from
 // the centre as the ball is in the mean, along the same directions.
-RaceProbes euclidean_probes(const RaceScene& scene, const ProbeOptions& options);
+BenchmarkProbes euclidean_probes(const BenchmarkScene& scene, const ProbeOptions& options);
 
 }  // namespace impinge::lab

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "kernels/lane_table.hpp"
-#include "kernels/vertex_lanes.hpp"
+#include "kernels/packed_table.hpp"
+#include "kernels/packed_vertices.hpp"
 #include "support/as_floats.hpp"
 #include "support/directions.hpp"
 

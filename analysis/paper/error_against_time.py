@@ -3,7 +3,7 @@
 # @depends   tables/matched-accuracy.csv
 """Numbers of the paper about error against run time, proven bounds, certified gaps and Euclidean distances.
 
-race:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);
+benchmark:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);
 tightness:least, :median and :most of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
 the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
 budget:STAGE:COLUMN of the generated pair at 1 degree;
@@ -24,19 +24,19 @@ from common import pareto
 
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
-    return race(results) | matched(results) | proven(results) | certified(results) | euclidean(results)
+    return benchmark(results) | matched(results) | proven(results) | certified(results) | euclidean(results)
 
 
-def race(results: Path) -> dict[str, str]:
+def benchmark(results: Path) -> dict[str, str]:
     """How many took part, and how tight the proven bounds are."""
     table = pareto.load(results)
     tightness = table.tightness[np.isfinite(table.attained_um)]  # of the bounds that were searched for
     return {
-        "race:methods": str(table.method.nunique()),
-        "race:scenes": str(table.scene.nunique()),
-        "race:settings": f"{len(table):,}",
-        "race:bounded": f"{np.isfinite(table.bound_um).sum():,}",
-        "race:searched": f"{len(tightness):,}",
+        "benchmark:methods": str(table.method.nunique()),
+        "benchmark:scenes": str(table.scene.nunique()),
+        "benchmark:settings": f"{len(table):,}",
+        "benchmark:bounded": f"{np.isfinite(table.bound_um).sum():,}",
+        "benchmark:searched": f"{len(tightness):,}",
         "tightness:least": common.digits(tightness.min(), 2),
         "tightness:median": common.digits(tightness.median(), 2),
         "tightness:most": common.digits(tightness.max(), 2),

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of methods that are wrong in a known way, and bounds that are held against them.
-#include "10_error_against_time/race_errors.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "10_error_against_time/race_scenes.hpp"
+#include "10_error_against_time/errors.hpp"
+#include "10_error_against_time/scenes.hpp"
 #include "methods/table_method.hpp"
 #include "sphere/quantised_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
@@ -35,8 +34,8 @@ class Formula final : public RadiusMethod {
 // The truth is 20 mm everywhere but below z = -0.5, where there is no surface.
 double truth_at(const Vec3& x) { return x.normalized().z() < -0.5 ? kNone : 20.0; }
 
-RaceProbes sphere_probes() {
-  RaceProbes probes;
+BenchmarkProbes sphere_probes() {
+  BenchmarkProbes probes;
   probes.points = uniform_directions(4000, 3);
   probes.uniform = 4000;
   probes.points.emplace_back(0.0, 0.0, 1.0);
@@ -45,10 +44,10 @@ RaceProbes sphere_probes() {
   return probes;
 }
 
-TEST(RaceErrors, AreSignedAndWeightedBySolidAngle) {
+TEST(BenchmarkErrors, AreSignedAndWeightedBySolidAngle) {
   // 0.01 mm above on the upper half, 0.02 mm below on the rest.
   Formula method([](const Vec3& x) { return truth_at(x) + (x.z() > 0.0 ? 0.01 : -0.02); });
-  const RaceErrors errors = measure_errors(method, sphere_probes(), {.starts = 0});
+  const BenchmarkErrors errors = measure_errors(method, sphere_probes(), {.starts = 0});
   EXPECT_NEAR(errors.max_over, 0.01, 1e-12);
   EXPECT_NEAR(errors.max_under, 0.02, 1e-12);
   EXPECT_NEAR(errors.max(), 0.02, 1e-12);
@@ -61,10 +60,10 @@ TEST(RaceErrors, AreSignedAndWeightedBySolidAngle) {
   EXPECT_EQ(errors.directions, 4001U);
 }
 
-TEST(RaceErrors, AbsentAnswersAreCountedAndNotDropped) {
+TEST(BenchmarkErrors, AbsentAnswersAreCountedAndNotDropped) {
   Formula method([](const Vec3& x) { return x.normalized().x() > 0.8 ? kNone : 20.0; });
-  const RaceProbes probes = sphere_probes();
-  const RaceErrors errors = measure_errors(method, probes, {});
+  const BenchmarkProbes probes = sphere_probes();
+  const BenchmarkErrors errors = measure_errors(method, probes, {});
   std::size_t misses = 0;
   std::size_t false_hits = 0;
   for (const Vec3& x : probes.points) {
@@ -79,12 +78,12 @@ TEST(RaceErrors, AbsentAnswersAreCountedAndNotDropped) {
 }
 
 // An error that peaks so sharply that no probe is on top of it; the ascent gets there.
-TEST(RaceErrors, TheAscentFindsThePeak) {
+TEST(BenchmarkErrors, TheAscentFindsThePeak) {
   const Vec3 top = Vec3(0.3, -0.4, 0.6).normalized();
   Formula method(
       [&](const Vec3& x) { return truth_at(x) + 0.1 * std::exp(-50.0 * (x.normalized() - top).norm()); });
-  const RaceErrors without = measure_errors(method, sphere_probes(), {.starts = 0});
-  const RaceErrors with = measure_errors(method, sphere_probes(), {.starts = 4, .steps = 200});
+  const BenchmarkErrors without = measure_errors(method, sphere_probes(), {.starts = 0});
+  const BenchmarkErrors with = measure_errors(method, sphere_probes(), {.starts = 4, .steps = 200});
   EXPECT_LT(without.max(), 0.09);
   EXPECT_NEAR(with.max(), 0.1, 1e-4);
   EXPECT_NEAR(with.adversarial_max, 0.1, 1e-4);
@@ -93,7 +92,7 @@ TEST(RaceErrors, TheAscentFindsThePeak) {
   EXPECT_GT(with.directions, without.directions + 4 * 200 - 1);
 }
 
-TEST(RaceErrors, OfAPoseAreThoseOfOneAnswer) {
+TEST(BenchmarkErrors, OfAPoseAreThoseOfOneAnswer) {
   Formula distance([](const Vec3&) { return 1.25; });
   EXPECT_NEAR(measure_pose(distance, 1.0).max_over, 0.25, 1e-15);
   Formula apart([](const Vec3&) { return kNone; });
@@ -105,7 +104,7 @@ TEST(RaceErrors, OfAPoseAreThoseOfOneAnswer) {
 }
 
 TEST(Violation, IsAnErrorAboveTheBound) {
-  RaceErrors errors;
+  BenchmarkErrors errors;
   errors.max_under = 0.002;
   errors.worst = Vec3(0.1, -0.2, 0.3);
   EXPECT_FALSE(find_violation(errors, {}));
@@ -127,14 +126,14 @@ TEST(Violation, AHalvedBoundIsFound) {
   for (std::size_t i = 0; i < table.scheme().size(); ++i)
     table.radii()[i] = radius(table.scheme().direction(i));
   TableMethod<Uint16Table<CubeGnomonic>> method{Uint16Table<CubeGnomonic>(table)};
-  RaceProbes probes;
+  BenchmarkProbes probes;
   probes.points = uniform_directions(5000, 9);
   probes.uniform = probes.points.size();
   for (std::size_t i = 0; i < table.scheme().size(); ++i)
     probes.points.push_back(table.scheme().direction(i));
   probes.truth_at = [&table](const Vec3& x) { return table.radius_at(x); };
   for (const Vec3& x : probes.points) probes.truth.push_back(probes.truth_at(x));
-  const RaceErrors errors = measure_errors(method, probes, {});
+  const BenchmarkErrors errors = measure_errors(method, probes, {});
   EXPECT_FALSE(find_violation(errors, {.bound_mm = method.storage_bound()}));
   EXPECT_TRUE(find_violation(errors, {.bound_mm = 0.5 * method.storage_bound()}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/lane_table.hpp"
+#include "kernels/packed_table.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -80,19 +80,19 @@ void require_float_radii(std::span<const double> radii) {
 
 }  // namespace
 
-void require_lane_entries(std::size_t entries) {
-  if (entries <= kMostLaneEntries) return;
-  throw std::invalid_argument("a kernel reads tables of up to " + std::to_string(kMostLaneEntries) +
+void require_packed_entries(std::size_t entries) {
+  if (entries <= kMostPackedEntries) return;
+  throw std::invalid_argument("a kernel reads tables of up to " + std::to_string(kMostPackedEntries) +
                               " entries, not of " + std::to_string(entries) + ": choose a coarser precision");
 }
 
-template <LaneValue Value>
-LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>& table) {
-  require_lane_entries(table.scheme().size());
+template <PackedValue Value>
+PackedTable<CubeGnomonic, Value> packed_table(const InverseDepthTable<CubeGnomonic>& table) {
+  require_packed_entries(table.scheme().size());
   const std::size_t n = table.scheme().divisions();
   const auto numbers = table.inverse_depths();
   const Rows rows{{numbers.begin(), numbers.end()}, n + 1};
-  LaneTable<CubeGnomonic, Value> lanes;
+  PackedTable<CubeGnomonic, Value> lanes;
   lanes.divisions = n;
   store(rows, lanes);
   const auto start_of = [n](std::size_t cell) {
@@ -103,11 +103,11 @@ LaneTable<CubeGnomonic, Value> lane_table(const InverseDepthTable<CubeGnomonic>&
   return lanes;
 }
 
-template <LaneValue Value>
-LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table) {
-  if constexpr (!LaneTable<Rsid, Value>::kDouble) require_float_radii(table.radii());
+template <PackedValue Value>
+PackedTable<Rsid, Value> packed_table(const RadialTable<Rsid>& table) {
+  if constexpr (!PackedTable<Rsid, Value>::kDouble) require_float_radii(table.radii());
   const std::size_t columns = table.scheme().columns();
-  require_lane_entries(table.scheme().size() + table.scheme().rows());
+  require_packed_entries(table.scheme().size() + table.scheme().rows());
   Rows rows{{}, columns + 1};
   const auto radii = table.radii();
   for (std::size_t first = 0; first < radii.size(); first += columns) {
@@ -115,7 +115,7 @@ LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table) {
     rows.numbers.insert(rows.numbers.end(), row.begin(), row.end());
     rows.numbers.push_back(row.front());
   }
-  LaneTable<Rsid, Value> lanes;
+  PackedTable<Rsid, Value> lanes;
   lanes.divisions = table.scheme().rows() - 1;
   store(rows, lanes);
   const auto start_of = [columns](std::size_t cell) {
@@ -125,10 +125,10 @@ LaneTable<Rsid, Value> lane_table(const RadialTable<Rsid>& table) {
   return lanes;
 }
 
-template LaneTable<CubeGnomonic, float> lane_table(const InverseDepthTable<CubeGnomonic>&);
-template LaneTable<CubeGnomonic, std::uint16_t> lane_table(const InverseDepthTable<CubeGnomonic>&);
-template LaneTable<Rsid, double> lane_table(const RadialTable<Rsid>&);
-template LaneTable<Rsid, float> lane_table(const RadialTable<Rsid>&);
-template LaneTable<Rsid, std::uint16_t> lane_table(const RadialTable<Rsid>&);
+template PackedTable<CubeGnomonic, float> packed_table(const InverseDepthTable<CubeGnomonic>&);
+template PackedTable<CubeGnomonic, std::uint16_t> packed_table(const InverseDepthTable<CubeGnomonic>&);
+template PackedTable<Rsid, double> packed_table(const RadialTable<Rsid>&);
+template PackedTable<Rsid, float> packed_table(const RadialTable<Rsid>&);
+template PackedTable<Rsid, std::uint16_t> packed_table(const RadialTable<Rsid>&);
 
 }  // namespace impinge
