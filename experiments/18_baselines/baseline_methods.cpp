@@ -29,19 +29,19 @@ constexpr double kRounding = 1e-9;  // mm, of a radius in double
 }
 
 BaselineMethod voxels(const BallSocketPair& joint, double size) {
-  auto method = std::make_unique<HuVoxels>(joint.ball, joint.socket, size);
+  auto touch = std::make_unique<HuVoxels>(joint.ball, joint.socket, size);
   Pose deep;  // somewhere, so that there are hits
   deep.translation = Vec3(0.0, 0.0, 5.0);
-  const auto hits = some_of(method->collided(deep), 50);
+  const auto hits = some_of(touch->collided(deep), 50);
   const auto apart = closest_distances(joint.socket, {hits});
   if (std::ranges::any_of(apart, [size](double d) { return d > std::numbers::sqrt3 * size; }))
     broken("hu_voxels", "a collided point is farther from the socket than the voxel is wide");
   BaselineMethod method;
-  method.name = method->name();
+  method.name = touch->name();
   method.setting = Cell(size).text() + " mm";
   method.size = size;
-  method.bytes = static_cast<double>(method->bytes());
-  method.method = std::move(method);
+  method.bytes = static_cast<double>(touch->bytes());
+  method.touch = std::move(touch);
   method.build = [&joint, size] { benchmark::DoNotOptimize(HuVoxels(joint.ball, joint.socket, size)); };
   return method;
 }
@@ -68,9 +68,9 @@ BaselineMethod triangles(const BallSocketPair& joint, std::size_t side, const Ba
       benchmark::DoNotOptimize(fill_triangles_pairwise(joint.ball, side, Layer::farthest));
     };
   }
-  auto method = std::make_unique<MacielTriangles>(joint.ball, joint.socket, std::move(table));
-  method.bytes = static_cast<double>(method->bytes());
-  method.method = std::move(method);
+  auto touch = std::make_unique<MacielTriangles>(joint.ball, joint.socket, std::move(table));
+  method.bytes = static_cast<double>(touch->bytes());
+  method.touch = std::move(touch);
   return method;
 }
 
@@ -91,7 +91,7 @@ BaselineMethod field(const BallSocketPair& joint, std::size_t nodes, const Basel
   method.size = static_cast<double>(nodes);
   method.answers = judge_answers(distance, points.distance);
   method.bytes = static_cast<double>(grid.bytes());
-  method.method = std::make_unique<CartesianField>(joint.ball, grid);
+  method.touch = std::make_unique<CartesianField>(joint.ball, grid);
   method.build = [&joint, shape] { benchmark::DoNotOptimize(make_signed_field(joint.socket, shape)); };
   return method;
 }
@@ -127,7 +127,7 @@ BaselineMethod table(const BallSocketPair& joint, double precision, const Baseli
   const std::size_t rims = tables->ball.rim_cells().bytes() + tables->socket.rim_cells().bytes();
   method.bytes = static_cast<double>(2 * RadialTable<Rsid>::bytes(tables->ball.scheme()) + rims);
   method.missed_faces = static_cast<double>(faces_without_entry(joint.ball, tables->ball.scheme()));
-  method.method = std::make_unique<TableScan<Rsid>>(joint.ball, joint.socket, tables);
+  method.touch = std::make_unique<TableScan<Rsid>>(joint.ball, joint.socket, tables);
   method.build = [&joint, precision] { benchmark::DoNotOptimize(make_tables<Rsid>(joint, precision)); };
   return method;
 }

@@ -27,11 +27,11 @@ struct BaselineSizes {
 
 // One method at one resolution, with what it takes and what it answered.
 struct BaselineMethod {
-  std::string name;                     // in the results
-  std::string setting;                  // the resolution in words
-  double size = 0.0;                    // mm of a voxel, rays or nodes a side, degrees
-  std::unique_ptr<TouchMethod> method;  // answers whether a pose touches
-  double bytes = 0.0;                   // kept for both surfaces
+  std::string name;                    // in the results
+  std::string setting;                 // the resolution in words
+  double size = 0.0;                   // mm of a voxel, rays or nodes a side, degrees
+  std::unique_ptr<TouchMethod> touch;  // answers whether a pose touches
+  double bytes = 0.0;                  // kept for both surfaces
   std::function<void()> build;  // everything done once for a joint; empty where it takes too long to be timed
   double work = 1.0;            // of build, by which its time grows
   double missed_faces = std::numeric_limits<double>::quiet_NaN();  // of the ball, that no entry samples

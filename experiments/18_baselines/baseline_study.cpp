@@ -27,7 +27,7 @@ Prepared prepare(const BaselineJoint& joint, Progress& progress) {
   prepared.poses = baseline_poses(joint.meshes, joint.ways);
   prepared.methods = baseline_methods(joint.meshes, joint.sizes, baseline_points(joint.meshes, joint.points));
   for (const BaselineMethod& method : prepared.methods)
-    prepared.verdicts.push_back(judge(*method.method, prepared.poses));
+    prepared.verdicts.push_back(judge(*method.touch, prepared.poses));
   progress.say("judged " + std::to_string(prepared.poses.size()) + " poses of " + joint.name);
   return prepared;
 }
@@ -57,8 +57,8 @@ TimedCase pose_case(const Prepared& prepared, const BaselineMethod& method, cons
   const std::size_t count = std::min(kPosesTimed, prepared.poses.size());
   timed.units = static_cast<double>(count);
   timed.rounds = options.pose_rounds;
-  timed.run = [&poses = prepared.poses, &method = *method.method, count] {
-    for (std::size_t i = 0; i < count; ++i) benchmark::DoNotOptimize(method.touches(poses[i].pose));
+  timed.run = [&poses = prepared.poses, &touch = *method.touch, count] {
+    for (std::size_t i = 0; i < count; ++i) benchmark::DoNotOptimize(touch.touches(poses[i].pose));
   };
   return timed;
 }
@@ -129,7 +129,7 @@ std::vector<Cell> row_of(const TimingRun& timing, const Prepared& prepared, std:
           verdicts.false_touches,
           verdicts.missed_touches,
           verdicts.wrong_within_mm,
-          method.method->gives_distance()};
+          method.touch->gives_distance()};
 }
 
 }  // namespace
