@@ -5,8 +5,8 @@
 #include <concepts>
 #include <utility>
 
-#include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/direction_bounds.hpp"
 #include "table/exact_raster.hpp"
 
@@ -58,7 +58,7 @@ std::unique_ptr<SurfaceBounds> bound_table(const TableSettings& settings, const 
       using Inverse = InverseDepthTable<S>;
       Inverse inverse(table);
       const double stored =
-          storage_bound<FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(inverse, settings.storage);
+          storage_bound<FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(table, settings.storage);
       bounds = std::make_unique<KeptBounds<Inverse, FlatDirectionBounds<S>>>(
           std::move(inverse), BoundSource{mesh, layer, stored});
     } else {

@@ -9,14 +9,14 @@
 
 #include "gap/gap_scan.hpp"
 #include "kernels/gap_kernels.hpp"
-#include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {
 
-// Vertex by vertex. Kept is RadialTable, InverseDepthTable or one of sphere/quantised_table.hpp.
+// Vertex by vertex. Kept is RadialTable, InverseDepthTable or one of sphere/stored_table.hpp.
 template <class Kept>
 class KeptTable final : public SurfaceTable {
  public:
@@ -47,7 +47,7 @@ class KernelTable final : public SurfaceTable {
   void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
             std::span<double> gap) override {
     found_.resize(gap.size());
-    scan_gaps(table_, PackedScan<float>{vertices.lanes, pose, scanned}, found_);
+    scan_gaps(table_, vertices.lanes, pose, scanned, found_);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
   }
   std::size_t bytes() const override { return table_.bytes(); }
@@ -71,9 +71,8 @@ std::unique_ptr<SurfaceTable> kernel(const Filled& filled) {
 template <SamplingScheme S>
 std::unique_ptr<SurfaceTable> stored(RadialTable<S> filled, Storage storage) {
   if constexpr (std::same_as<S, CubeGnomonic>) {
-    InverseDepthTable inverse(filled);
-    if (storage == Storage::double_precision) return kept(std::move(inverse));
-    return storage == Storage::sixteen_bits ? kernel<std::uint16_t>(inverse) : kernel<float>(inverse);
+    if (storage == Storage::double_precision) return kept(InverseDepthTable<S>(filled));
+    return storage == Storage::sixteen_bits ? kernel<std::uint16_t>(filled) : kernel<float>(filled);
   } else {
     if (storage == Storage::double_precision) return kept(std::move(filled));
     const bool sixteen = storage == Storage::sixteen_bits;
