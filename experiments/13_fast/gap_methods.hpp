@@ -144,7 +144,7 @@ class FloorScan final : public GapMethod {
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.floats.resize(asked.points.size());
-    floor_scan(table_, {asked.floats, pose, Surface::ball}, scratch.floats);
+    floor_scan(table_, asked.floats, pose, Surface::ball, scratch.floats);
   }
   double gap(const Scratch& /*scratch*/, std::size_t /*i*/) const override { return kNoSurface; }
   double bytes() const override { return static_cast<double>(sizeof(float) * table_.values.size()); }

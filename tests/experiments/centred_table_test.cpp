@@ -151,7 +151,7 @@ TEST(CentredTable, LeavesTheRimAlone) {
   auto filled = fill_exact(mesh, CubeGnomonic::with_precision(10.0), Layer::nearest);
   for (std::size_t cell = 0; cell < filled.scheme().cells(); ++cell) filled.mark_rim_cell(cell);
   const InverseDepthTable<CubeGnomonic> before(filled);
-  const auto after = centred_table(mesh, filled, Layer::nearest);
+  const InverseDepthTable<CubeGnomonic> after(centred_table(mesh, filled, Layer::nearest));
   for (std::size_t i = 0; i < filled.radii().size(); ++i)
     EXPECT_EQ(test::bits(after.values()[i]), test::bits(before.values()[i]));
   const Gnomonic socket(cup(26.0, 60.0, 300), 5.0, Layer::nearest);
