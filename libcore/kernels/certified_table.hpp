@@ -37,6 +37,7 @@ struct CertifiedTable {
 
 /// mesh in the centre frame; it must outlive the table. `divisions` cells along an edge of the cube.
 CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_t divisions);
+CertifiedTable certified_table(TriangleMesh&&, Layer, std::size_t) = delete;
 
 /// What is asked and answered; its memory is used again by the next scan.
 struct CertifiedGaps {

@@ -84,6 +84,7 @@ struct ExactCells {
 /// direction. Linear in faces to make; with fewer cells a face more of them are not smooth: less memory, more
 /// time. std::invalid_argument for lengths beyond those of floats in mesh/lengths.hpp.
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face = 4.0);
+ExactCells exact_cells(TriangleMesh&&, Layer, double = 4.0) = delete;
 
 /// Gap at x in the frame of the mesh, the faces of a cell that is not smooth met without rounding and the
 /// rest in double; NaN where none is met.

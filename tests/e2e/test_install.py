@@ -4,8 +4,9 @@
 
 from __future__ import annotations
 
-import csv
+import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -38,16 +39,20 @@ class Install(unittest.TestCase):
         build = self.folder / "build"
         self.configure(CONSUMER, build)
         run("cmake", "--build", build)
-        pair = self.folder / "pair"
-        run(os.environ["MAKE_PAIR"], "--faces", "3000", "--out", pair)
-        ball, socket = pair / "ball.ply", pair / "socket.ply"
-        gap = float(run(build / "consumer", ball, socket))
-        out = self.folder / "out"
-        asked = ["--centre", "0,0,0", "--surfaces", "ball", "--outputs", "gaps", "--precision", "0.1"]
-        run(os.environ["SCENE"], "--ball", ball, "--socket", socket, *asked, "--out", out)
-        with (out / "gaps.csv").open() as lines:
-            gaps = [float(row["gap_mm"]) for row in csv.DictReader(lines) if row["gap_mm"]]
-        self.assertAlmostEqual(gap, min(gaps), delta=0.05)
+        hip = self.folder / "hip"
+        run(os.environ["MAKE_PAIR"], "--hip", "cam", "--faces", "3000", "--out", hip)
+        meshes = ["--ball", hip / "ball.ply", "--socket", hip / "socket.ply", "--side", "right"]
+        said = run(build / "consumer", hip / "ball.ply", hip / "socket.ply").splitlines()
+        motion, low, high = said[1].split()
+        limit = self.folder / "limit"
+        run(os.environ["SCENE"], *meshes, "--question", "limit", "--motion", motion, "--pose", "flexion=90", "--out", limit)
+        found = json.loads((limit / "summary.json").read_text())["contact"][0]
+        self.assertEqual((low, high), (f"{found['low_deg']:.3f}", f"{found['high_deg']:.3f}"))
+
+        # Gaps are proven, so that the first pose in which a vertex of the ball impinges is not before that limit.
+        touching = int(re.search(r"in (\d+) of 500 poses", said[0]).group(1))
+        self.assertLessEqual(touching, sum(0.1 * k >= found["low_deg"] for k in range(500)))
+        self.assertGreater(touching, 100)
 
     def test_the_target_library_makes_all_that_is_installed(self):
         commands = run("ninja", "-C", os.environ["BUILD"], "-t", "commands", "library")

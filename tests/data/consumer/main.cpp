@@ -1,21 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// consumer BALL SOCKET: the smallest gap at a vertex of the ball, mm. Both meshes have the centre as their
-// origin.
-#include <algorithm>
+// consumer BALL SOCKET: a right hip from two scans as they come (mm, +x right, +y to the front, +z up).
 #include <cstdio>
+#include <utility>
 
-#include "kernels/gap_kernels.hpp"
+#include "hip/joint.hpp"
+#include "kernels/certified_table.hpp"
 #include "mesh/io.hpp"
-#include "table/exact_raster.hpp"
+#include "motion/turn_limit.hpp"
 
 int main(int, char** files) {
   using namespace impinge;
-  const TriangleMesh ball = read_mesh(files[1]);
-  const auto socket = fill_exact(read_mesh(files[2]), CubeGnomonic::with_precision(0.5), Layer::nearest);
-  const auto table = packed_table<float>(socket);
-  const auto vertices = packed_vertices<float>(ball.vertices);
-  std::vector<float> gap(vertices.size());
-  scan_gaps(table, vertices, Pose{}, Surface::ball, gap);
-  std::erase_if(gap, [](float g) { return g != g; });  // where the socket is not met
-  std::printf("%.3f\n", static_cast<double>(std::ranges::min(gap)));
+  // Frame and centre: both meshes about the centre of rotation, which is fitted to the ball.
+  JointInput input;
+  input.ball = {files[1], read_mesh(files[1])};
+  input.socket = {files[2], read_mesh(files[2])};
+  input.side = Side::right;
+  const Joint joint = assemble_joint(std::move(input));
+
+  // 500 poses of internal rotation at 90 degrees of flexion: each gap is proven to be on its side of 0.
+  const CertifiedTable table = certified_table(joint.socket.mesh, Layer::nearest, 180);
+  const auto vertices = packed_vertices<float>(joint.ball.mesh.vertices);
+  CertifiedGaps found;
+  std::size_t touching = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Motion motion{.flexion = 90.0, .internal_rotation = 0.1 * k};
+    const Pose pose{joint_rotation(motion, Side::right), Vec3::Zero()};
+    scan_gaps(table, vertices, pose, Surface::ball, found);
+    std::size_t impinged = 0;
+    for (const float gap : found.gap) impinged += gap <= 0.0F ? 1U : 0U;  // NaN faces no socket
+    touching += impinged > 0 ? 1U : 0U;
+  }
+  std::printf("a vertex of the ball impinges in %zu of 500 poses\n", touching);
+
+  // First contact of that motion, of the whole surfaces: none before `low`, contact at `high`.
+  const TurnLimits limits({joint.ball.mesh, joint.socket.mesh});
+  const JointTurn turn = joint_turn({.flexion = 90.0}, motion_name("internal_rotation"), Side::right);
+  const TurnLimit limit = limits.first_contact(turn, 90.0);
+  std::printf("internal_rotation %.3f %.3f\n", limit.low_deg, limit.high_deg);
 }
