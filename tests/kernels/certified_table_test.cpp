@@ -146,7 +146,8 @@ TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
 
 // A place that float takes for one in a cell that answers may be in the cell beside, which does not.
 TEST(CertifiedTableTest, CellsBesideOnesWithoutAnAnswerAreOpen) {
-  const CertifiedTable made = certified_table(make_ball_socket_pair(300).socket, Layer::nearest, 31);
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  const CertifiedTable made = certified_table(pair.socket, Layer::nearest, 31);
   const auto& table = made.table;
   const auto bit = [](const std::vector<std::uint32_t>& bits, std::size_t e) {
     return (bits[e / 32] >> (e % 32) & 1U) != 0U;

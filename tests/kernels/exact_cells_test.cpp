@@ -159,10 +159,12 @@ TEST(ExactCellsTest, NoPlaneOfASmoothCellIsSteepWhereAnotherFaceIs) {
 }
 
 TEST(ExactCellsTest, GrowWithTheFaces) {
-  const ExactCells few = exact_cells(sphere(20.0, 1000), Layer::nearest);
-  const ExactCells many = exact_cells(sphere(20.0, 8000), Layer::nearest);
-  EXPECT_LT(many.bytes(), 10 * few.bytes());
-  EXPECT_GT(many.bytes(), 6 * few.bytes());
+  const auto bytes = [](std::size_t faces) {
+    const TriangleMesh mesh = sphere(20.0, faces);
+    return exact_cells(mesh, Layer::nearest).bytes();
+  };
+  EXPECT_LT(bytes(8000), 10 * bytes(1000));
+  EXPECT_GT(bytes(8000), 6 * bytes(1000));
 }
 
 }  // namespace
