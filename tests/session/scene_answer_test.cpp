@@ -97,7 +97,7 @@ TEST(SceneAnswer, EveryOmissionAndAllOfThemKeepTheAnswer) {
     const SceneAnswer planned = answer(joint, needs, Omissions::all());
     EXPECT_TRUE(same_answer(planned, everything)) << static_cast<int>(needs.question);
     EXPECT_LT(planned.cost.entries, everything.cost.entries / 2);
-    EXPECT_LT(planned.cost.look_ups, everything.cost.look_ups);
+    EXPECT_LE(planned.cost.look_ups, everything.cost.look_ups);
     EXPECT_TRUE(has(planned, Omission::entries));
   }
 }
