@@ -21,7 +21,7 @@
 
 #include "files/csv.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {

@@ -10,9 +10,9 @@
 #include "mesh/star_shape.hpp"
 #include "methods/resampled.hpp"
 #include "methods/table_method.hpp"
-#include "sphere/quantised_table.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/scheme_precision.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {
@@ -77,11 +77,6 @@ RadialTable<S> radii(const TriangleMesh& mesh, double precision) {
   return fill_exact(mesh, S::with_precision(precision), BenchmarkScene::kLayer);
 }
 
-template <PlaneExactScheme S>
-InverseDepthTable<S> inverse_depths(const TriangleMesh& mesh, double precision) {
-  return InverseDepthTable<S>(radii<S>(mesh, precision));
-}
-
 template <class Table, class Float, class Uint16, class Source>
 void add_storages(std::vector<MethodMaker>& makers, TableCase now, const Source& fill) {
   now.bound = once([&scene = now.scene, precision = now.precision, bench = now.bench, fill] {
@@ -98,8 +93,8 @@ void add_scheme(std::vector<MethodMaker>& makers, TableCase now) {
   add_storages<RadialTable<S>, FloatTable<S>, Uint16Table<S>>(makers, now, radii<S>);
   if constexpr (PlaneExactScheme<S>) {
     now.mesh_exact = true;
-    add_storages<InverseDepthTable<S>, FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(
-        makers, now, inverse_depths<S>);
+    add_storages<InverseDepthTable<S>, FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(makers, now,
+                                                                                              radii<S>);
   }
 }
 

@@ -75,7 +75,7 @@ class ErrorRanges {
   double error_at(const Place& place) const {
     const Stencil stencil = table_.scheme().plane_stencil(place.on_cube);
     if (is_at_rim(table_.scheme(), table_.rim_cells(), stencil.cell, place.on_cube)) return kNoSurface;
-    return place.inverse_depth - interpolate(stencil, table_.inverse_depths());
+    return place.inverse_depth - interpolate(stencil, table_.values());
   }
 
   // Is another face of the layer there?
@@ -118,20 +118,19 @@ class ErrorRanges {
 }  // namespace
 
 template <PlaneExactScheme S>
-InverseDepthTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer) {
+RadialTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer) {
   const InverseDepthTable<S> exact(filled);
   const ErrorRanges<S> ranges(mesh, exact, layer);
   const auto radii = filled.radii();
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    const double inverse_depth = exact.inverse_depths()[i];
+    const double inverse_depth = exact.values()[i];
     const double shift = std::max(ranges.around(i).middle(), -kMostTaken * inverse_depth);
     if (shift != 0.0) radii[i] *= inverse_depth / (inverse_depth + shift);
   }
-  return InverseDepthTable<S>(filled);
+  return filled;
 }
 
-template InverseDepthTable<CubeEquiangular> centred_table(const TriangleMesh&, RadialTable<CubeEquiangular>,
-                                                          Layer);
-template InverseDepthTable<CubeGnomonic> centred_table(const TriangleMesh&, RadialTable<CubeGnomonic>, Layer);
+template RadialTable<CubeEquiangular> centred_table(const TriangleMesh&, RadialTable<CubeEquiangular>, Layer);
+template RadialTable<CubeGnomonic> centred_table(const TriangleMesh&, RadialTable<CubeGnomonic>, Layer);
 
 }  // namespace impinge::lab

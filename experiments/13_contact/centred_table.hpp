@@ -20,9 +20,9 @@
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_equiangular.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/layer.hpp"
 
 namespace impinge::lab {
@@ -32,6 +32,6 @@ namespace impinge::lab {
 // alike. Bounds that ask for exact entries (error_bound.hpp) do not hold any more; those of table_bound.hpp
 // do. O(faces + cells that edges run through).
 template <PlaneExactScheme S>
-InverseDepthTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer);
+RadialTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer);
 
 }  // namespace impinge::lab

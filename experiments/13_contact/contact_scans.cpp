@@ -107,10 +107,8 @@ bool any_at_most_zero(const JointGaps& gaps) {
 }
 
 ContactScans::ContactScans(const BallSocketPair& pair) {
-  const auto rows = [](const auto&... of) { return packed_table<std::uint16_t>(Flat(filled(of...))); };
-  const auto sampled = [](const auto&... of) {
-    return corner_table(packed_table<float>(Flat(filled(of...))));
-  };
+  const auto rows = [](const auto&... of) { return packed_table<std::uint16_t>(filled(of...)); };
+  const auto sampled = [](const auto&... of) { return corner_table(packed_table<float>(filled(of...))); };
   const auto centred = [](const TriangleMesh& mesh, std::size_t cells, Layer layer) {
     return corner_table(packed_table<float>(centred_table(mesh, filled(mesh, cells, layer), layer)));
   };

@@ -35,9 +35,9 @@ std::string trimmed(double value) {
 
 constexpr const char* kCubeName = "cube_gnomonic_mesh_exact";
 
-InverseDepthTable<CubeGnomonic> filled_cube(const AskedSurface& s, std::size_t cells) {
+RadialTable<CubeGnomonic> filled_cube(const AskedSurface& s, std::size_t cells) {
   const auto scheme = CubeGnomonic::with_precision(90.0 / static_cast<double>(cells));
-  return InverseDepthTable(fill_exact(s.mesh, scheme, s.layer));
+  return fill_exact(s.mesh, scheme, s.layer);
 }
 
 void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapMethodMaker>& makers) {

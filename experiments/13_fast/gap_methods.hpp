@@ -24,10 +24,10 @@ class KernelScan final : public GapMethod {
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     if constexpr (kFloats) {
       scratch.floats.resize(asked.points.size());
-      scan_gaps(table_, {asked.floats, pose, scanned_}, scratch.floats);
+      scan_gaps(table_, asked.floats, pose, scanned_, scratch.floats);
     } else {
       scratch.doubles.resize(asked.points.size());
-      scan_gaps(table_, {asked.doubles, pose, scanned_}, scratch.doubles);
+      scan_gaps(table_, asked.doubles, pose, scanned_, scratch.doubles);
     }
   }
   double gap(const Scratch& scratch, std::size_t i) const override {
@@ -48,7 +48,7 @@ class CertifiedScan final : public GapMethod {
   CertifiedScan(CertifiedTable table, Surface scanned) : table_(std::move(table)), scanned_(scanned) {}
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
-    scan_gaps(table_, {asked.floats, pose, scanned_}, scratch.certified);
+    scan_gaps(table_, asked.floats, pose, scanned_, scratch.certified);
   }
   double gap(const Scratch& scratch, std::size_t i) const override {
     return static_cast<double>(scratch.certified.gap[i]);
@@ -73,7 +73,7 @@ class ScalarScan final : public GapMethod {
     scan_gaps(table_, asked.points, pose, scanned_, scratch.doubles);
   }
   double gap(const Scratch& scratch, std::size_t i) const override { return scratch.doubles[i]; }
-  double bytes() const override { return static_cast<double>(table_bytes(table_)); }
+  double bytes() const override { return static_cast<double>(table_.bytes()); }
 
  private:
   RadialTable<S> table_;
@@ -144,7 +144,7 @@ class FloorScan final : public GapMethod {
 
   void scan(const AskedPoints& asked, const Pose& pose, Scratch& scratch) override {
     scratch.floats.resize(asked.points.size());
-    floor_scan(table_, {asked.floats, pose, Surface::ball}, scratch.floats);
+    floor_scan(table_, asked.floats, pose, Surface::ball, scratch.floats);
   }
   double gap(const Scratch& /*scratch*/, std::size_t /*i*/) const override { return kNoSurface; }
   double bytes() const override { return static_cast<double>(sizeof(float) * table_.values.size()); }

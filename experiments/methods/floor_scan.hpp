@@ -27,6 +27,7 @@ struct FloorTable {
 };
 
 // The vertices behind the last whole vector are left out.
-void floor_scan(const FloorTable& table, const PackedScan<float>& scan, std::span<float> out);
+void floor_scan(const FloorTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+                Surface scanned, std::span<float> out);
 
 }  // namespace impinge::lab

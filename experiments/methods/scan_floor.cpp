@@ -49,8 +49,9 @@ HWY_EXPORT(floor_lanes);
 
 }  // namespace
 
-void floor_scan(const FloorTable& table, const PackedScan<float>& scan, std::span<float> out) {
-  HWY_DYNAMIC_DISPATCH(floor_lanes)(table, raw_scan(scan, out));
+void floor_scan(const FloorTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+                Surface scanned, std::span<float> out) {
+  HWY_DYNAMIC_DISPATCH(floor_lanes)(table, raw_scan(vertices, pose, scanned, out));
 }
 
 }  // namespace impinge::lab

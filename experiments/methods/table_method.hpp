@@ -10,16 +10,6 @@
 
 namespace impinge::lab {
 
-// Bytes of entries and rim mask.
-template <class Table>
-std::size_t table_bytes(const Table& table) {
-  if constexpr (requires { table.bytes(); }) {
-    return table.bytes();
-  } else {
-    return Table::bytes(table.scheme()) + table.rim_cells().bytes();
-  }
-}
-
 // What a table keeps, entry by entry, in the order of its scheme.
 struct StoredRadii {
   std::vector<Vec3> directions;  // unit
@@ -38,18 +28,6 @@ class KeepsRadii {
   virtual StoredRadii stored() const = 0;  // every entry of the table
 };
 
-// Radius along direction(i), mm.
-template <class Table>
-double entry_radius(const Table& table, std::size_t i) {
-  if constexpr (requires { table.radii(); }) {
-    return table.radii()[i];
-  } else if constexpr (requires { table.inverse_depths(); }) {
-    return 1.0 / (table.inverse_depths()[i] * table.scheme().depth(table.scheme().direction(i)));
-  } else {
-    return table.entry_radius(i);
-  }
-}
-
 template <class Table>
 class TableMethod final : public RadiusMethod, public KeepsRadii {
  public:
@@ -59,7 +37,7 @@ class TableMethod final : public RadiusMethod, public KeepsRadii {
     for (std::size_t i = 0; i < points.size(); ++i) out[i] = table_.radius_at(points[i]);
   }
 
-  double bytes() const override { return static_cast<double>(table_bytes(table_)); }
+  double bytes() const override { return static_cast<double>(table_.bytes()); }
 
   double storage_bound() const override {
     if constexpr (requires { table_.storage_bound(); }) return table_.storage_bound();
@@ -71,7 +49,7 @@ class TableMethod final : public RadiusMethod, public KeepsRadii {
     stored.reach = table_.scheme().stencil_radius();
     for (std::size_t i = 0; i < table_.scheme().size(); ++i) {
       stored.directions.push_back(table_.scheme().direction(i));
-      stored.radii.push_back(entry_radius(table_, i));
+      stored.radii.push_back(table_.radius_of(i));
     }
     return stored;
   }

@@ -13,12 +13,13 @@
 #include <span>
 
 #include "gap/surface.hpp"
+#include "table/radius_source.hpp"
 
 namespace impinge {
 
 /// gap has the size of the vertices (mm, in the frame of their own surface); the query is of the other
 /// surface.
-template <class Query>
+template <RadialQuery Query>
 void scan_gaps(const Query& query, std::span<const Vec3> vertices, const Pose& pose, Surface of,
                std::span<double> gap) {
   assert(gap.size() == vertices.size());

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernels/open_cells.hpp"
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
 #include "table/table_bound.hpp"
 
@@ -48,7 +48,7 @@ StoredCells stored_cells(const Codes& table, const Uint16InverseDepthTable<CubeG
       const double number = table.smallest + table.step * table.values[corner];
       least = std::min(least, number);
       most = std::max(most, number);
-      found.largest = std::max(found.largest, stored.entry_radius(corner));
+      found.largest = std::max(found.largest, stored.radius_of(corner));
     }
     found.steepest = std::max(found.steepest, most / least);
   }
@@ -83,8 +83,8 @@ CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_
   const auto scheme = CubeGnomonic::with_precision(90.0 / static_cast<double>(divisions));
   const auto radii = fill_exact(mesh, scheme, layer);
   const InverseDepthTable<CubeGnomonic> depths(radii);
-  const Uint16InverseDepthTable<CubeGnomonic> stored(depths);
-  auto table = packed_table<std::uint16_t>(depths);
+  const Uint16InverseDepthTable<CubeGnomonic> stored(radii);
+  auto table = packed_table<std::uint16_t>(radii);
   const StoredCells cells = stored_cells(table, stored);
   const double range = table.smallest > 0.0 ? 1.0 + table.step / table.smallest * 65535.0 : 1.0;
   const double share =

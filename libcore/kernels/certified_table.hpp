@@ -5,7 +5,7 @@
 /// Asked is on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
 /// table in 16 bits is off from what the exact cells answer by at most
 ///   o + (R + o) e / (1 - e) + 28 u |x|,   o = bound + storage,  e = u (46 + 5 Q + 13 n (C - 1))
-/// bound that of table/table_bound.hpp, storage that of sphere/quantised_table.hpp, and the rest the
+/// bound that of table/table_bound.hpp, storage that of sphere/stored_table.hpp, and the rest the
 /// roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|): R is the largest radius of
 /// the table, so that no radius of the mesh or of what is stored is above R + o where the table answers, Q
 /// its largest number over the least, C the largest of these in one cell, n the cells of a quarter turn. A
@@ -47,6 +47,7 @@ struct CertifiedGaps {
   std::vector<float> answered;           // and their gaps
 };
 /// Every vertex of the scan, by the threshold in `found`.
-void scan_gaps(const CertifiedTable& table, const PackedScan<float>& scan, CertifiedGaps& found);
+void scan_gaps(const CertifiedTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, CertifiedGaps& found);
 
 }  // namespace impinge

@@ -42,6 +42,7 @@ CornerTable corner_table(const PackedTable<CubeGnomonic, float>& table);
 ///   u (20 (r + |x|) + 5 Q r + 13 m D) + 2^-15 D,   D = r (C - 1)
 /// in the letters used there: the share of a cell along its column is rounded to 14 bits, with which the sum
 /// of two codes is exact; along a whole cell r changes by D at most.
-void scan_gaps(const CornerTable& table, const PackedScan<float>& scan, std::span<float> gap);
+void scan_gaps(const CornerTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap);
 
 }  // namespace impinge

@@ -5,7 +5,7 @@
 /// of which is then stored in float or 16 bits. The memory of the table is touched once, by the thread that
 /// fills it. Bytes do not depend on the number of threads, on the instruction set or on the order of faces.
 ///
-/// Beside packed_table(InverseDepthTable(fill_exact(mesh, scheme, layer))), q being its number before it is
+/// Beside packed_table(fill_exact(mesh, scheme, layer)), q being its number before it is
 /// stored:
 ///   - the same entries have a surface, exactly: what float leaves in doubt is decided as there
 ///   - float       |stored - q| <= 41 u q                          u = 2^-24 (tile_triangle.hpp)

@@ -58,7 +58,7 @@ class CubeLanes {
             secant, depth};
   }
 
-  // r - |x| from an inverse depth, see sphere/inverse_depth_table.hpp. NaN at the centre, where a, b and what
+  // r - |x| from an inverse depth, see sphere/stored_table.hpp. NaN at the centre, where a, b and what
   // follows from them are.
   template <class D>
   HWY_INLINE hn::Vec<D> gap(D d, const Point<D>& /*p*/, const CubePlace<D>& place, hn::Vec<D> q) const {

@@ -90,6 +90,7 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
 double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surface scanned);
 
 /// As those of gap_kernels.hpp.
-void scan_gaps(const ExactCells& cells, const PackedScan<float>& scan, std::span<float> gap);
+void scan_gaps(const ExactCells& cells, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap);
 
 }  // namespace impinge

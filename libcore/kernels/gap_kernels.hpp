@@ -37,26 +37,22 @@
 
 namespace impinge {
 
-/// Vertices of one surface in a pose. The vertices outlive it.
-template <class Real>
-struct PackedScan {
-  const PackedVertices<Real>& vertices;  // in their own centre frame
-  Pose pose;                             // of the ball in the socket
-  Surface scanned;                       // whose vertices they are
-};
-
 /// gap has the size of the vertices; the table is that of the other surface.
-void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedScan<float>& scan,
-               std::span<float> gap);
-void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedScan<float>& scan,
-               std::span<float> gap);
-void scan_gaps(const PackedTable<Rsid, float>& table, const PackedScan<float>& scan, std::span<float> gap);
-void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedScan<float>& scan,
-               std::span<float> gap);
-void scan_gaps(const PackedTable<Rsid, double>& table, const PackedScan<double>& scan, std::span<double> gap);
-void scan_gaps(const PackedTable<Usid, float>& table, const PackedScan<double>& scan, std::span<double> gap);
-void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedScan<double>& scan,
-               std::span<double> gap);
-void scan_gaps(const PackedTable<Usid, double>& table, const PackedScan<double>& scan, std::span<double> gap);
+void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap);
+void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap);
+void scan_gaps(const PackedTable<Rsid, float>& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap);
+void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap);
+void scan_gaps(const PackedTable<Rsid, double>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, float>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap);
+void scan_gaps(const PackedTable<Usid, double>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap);
 
 }  // namespace impinge

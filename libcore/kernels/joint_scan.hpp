@@ -36,8 +36,8 @@ template <class Table>
 void scan_joint(const PackedJoint<Table>& joint, const Pose& pose,
                 std::span<typename PackedJoint<Table>::Real> ball_gap,
                 std::span<typename PackedJoint<Table>::Real> socket_gap) {
-  scan_gaps(joint.socket_table, {joint.ball, pose, Surface::ball}, ball_gap);
-  scan_gaps(joint.ball_table, {joint.socket, pose, Surface::socket}, socket_gap);
+  scan_gaps(joint.socket_table, joint.ball, pose, Surface::ball, ball_gap);
+  scan_gaps(joint.ball_table, joint.socket, pose, Surface::socket, socket_gap);
 }
 
 }  // namespace impinge

@@ -87,10 +87,11 @@ void require_packed_entries(std::size_t entries) {
 }
 
 template <PackedValue Value>
-PackedTable<CubeGnomonic, Value> packed_table(const InverseDepthTable<CubeGnomonic>& table) {
+PackedTable<CubeGnomonic, Value> packed_table(const RadialTable<CubeGnomonic>& filled) {
+  const InverseDepthTable<CubeGnomonic> table(filled);
   require_packed_entries(table.scheme().size());
   const std::size_t n = table.scheme().divisions();
-  const auto numbers = table.inverse_depths();
+  const auto numbers = table.values();
   const Rows rows{{numbers.begin(), numbers.end()}, n + 1};
   PackedTable<CubeGnomonic, Value> lanes;
   lanes.divisions = n;
@@ -125,8 +126,8 @@ PackedTable<Rsid, Value> packed_table(const RadialTable<Rsid>& table) {
   return lanes;
 }
 
-template PackedTable<CubeGnomonic, float> packed_table(const InverseDepthTable<CubeGnomonic>&);
-template PackedTable<CubeGnomonic, std::uint16_t> packed_table(const InverseDepthTable<CubeGnomonic>&);
+template PackedTable<CubeGnomonic, float> packed_table(const RadialTable<CubeGnomonic>&);
+template PackedTable<CubeGnomonic, std::uint16_t> packed_table(const RadialTable<CubeGnomonic>&);
 template PackedTable<Rsid, double> packed_table(const RadialTable<Rsid>&);
 template PackedTable<Rsid, float> packed_table(const RadialTable<Rsid>&);
 template PackedTable<Rsid, std::uint16_t> packed_table(const RadialTable<Rsid>&);

@@ -22,10 +22,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "sphere/stored_table.hpp"
 #include "sphere/table_memory.hpp"
 
 namespace impinge {
@@ -64,10 +64,10 @@ void require_packed_entries(std::size_t entries);
 /// for a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in
 /// mesh/lengths.hpp.
 template <PackedValue Value>
-PackedTable<CubeGnomonic, Value> packed_table(const InverseDepthTable<CubeGnomonic>& table);
+PackedTable<CubeGnomonic, Value> packed_table(const RadialTable<CubeGnomonic>& filled);
 template <PackedValue Value>
-PackedTable<Rsid, Value> packed_table(const RadialTable<Rsid>& table);
+PackedTable<Rsid, Value> packed_table(const RadialTable<Rsid>& filled);
 template <PackedValue Value>
-PackedTable<Usid, Value> packed_table(const RadialTable<Usid>& table);
+PackedTable<Usid, Value> packed_table(const RadialTable<Usid>& filled);
 
 }  // namespace impinge

@@ -24,14 +24,15 @@ struct RawScan {
 
 /// Borrows from both; gap has the size of the vertices.
 template <class Real>
-RawScan<Real> raw_scan(const PackedScan<Real>& scan, std::span<Real> gap) {
-  assert(gap.size() == scan.vertices.size());
-  return {scan.vertices.x.data(),
-          scan.vertices.y.data(),
-          scan.vertices.z.data(),
-          scan.vertices.size(),
-          packed_transform<Real>(scan.pose, scan.scanned),
-          gap_sign<Real>(scan.scanned),
+RawScan<Real> raw_scan(const PackedVertices<Real>& vertices, const Pose& pose, Surface scanned,
+                       std::span<Real> gap) {
+  assert(gap.size() == vertices.size());
+  return {vertices.x.data(),
+          vertices.y.data(),
+          vertices.z.data(),
+          vertices.size(),
+          packed_transform<Real>(pose, scanned),
+          gap_sign<Real>(scanned),
           gap.data()};
 }
 

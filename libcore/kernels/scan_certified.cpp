@@ -57,21 +57,22 @@ constexpr std::size_t kLongestVector = 64;
 
 }  // namespace
 
-void scan_gaps(const CertifiedTable& table, const PackedScan<float>& scan, CertifiedGaps& found) {
-  const PackedVertices<float>& all = scan.vertices;
-  found.gap.resize(all.size());
-  found.undecided.resize(all.size() + kLongestVector);
-  found.undecided.resize(HWY_DYNAMIC_DISPATCH(decide)(table, raw_scan(scan, std::span(found.gap)),
+void scan_gaps(const CertifiedTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, CertifiedGaps& found) {
+  found.gap.resize(vertices.size());
+  found.undecided.resize(vertices.size() + kLongestVector);
+  found.undecided.resize(HWY_DYNAMIC_DISPATCH(decide)(table,
+                                                      raw_scan(vertices, pose, scanned, std::span(found.gap)),
                                                       found.threshold, found.undecided.data()));
   PackedVertices<float>& asked = found.asked;
   for (auto* axis : {&asked.x, &asked.y, &asked.z}) axis->clear();
   for (const std::uint32_t i : found.undecided) {
-    asked.x.push_back(all.x[i]);
-    asked.y.push_back(all.y[i]);
-    asked.z.push_back(all.z[i]);
+    asked.x.push_back(vertices.x[i]);
+    asked.y.push_back(vertices.y[i]);
+    asked.z.push_back(vertices.z[i]);
   }
   found.answered.resize(asked.size());
-  scan_gaps(table.exact, {asked, scan.pose, scan.scanned}, found.answered);
+  scan_gaps(table.exact, asked, pose, scanned, found.answered);
   for (std::size_t k = 0; k < found.answered.size(); ++k) found.gap[found.undecided[k]] = found.answered[k];
 }
 

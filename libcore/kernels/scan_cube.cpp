@@ -39,18 +39,19 @@ HWY_EXPORT(scan_corners);
 
 }  // namespace
 
-void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedScan<float>& scan,
-               std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_float)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_float)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
-void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedScan<float>& scan,
-               std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_uint16)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_uint16)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
-void scan_gaps(const CornerTable& table, const PackedScan<float>& scan, std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_corners)(table, raw_scan(scan, gap));
+void scan_gaps(const CornerTable& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_corners)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
 }  // namespace impinge

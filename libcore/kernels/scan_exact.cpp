@@ -119,8 +119,9 @@ HWY_EXPORT(scan_exact);
 
 }  // namespace
 
-void scan_gaps(const ExactCells& cells, const PackedScan<float>& scan, std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_exact)(cells, raw_scan(scan, gap));
+void scan_gaps(const ExactCells& cells, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_exact)(cells, raw_scan(vertices, pose, scanned, gap));
 }
 
 }  // namespace impinge

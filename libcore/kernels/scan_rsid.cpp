@@ -78,19 +78,20 @@ HWY_EXPORT(scan_rsid_double);
 
 }  // namespace
 
-void scan_gaps(const PackedTable<Rsid, float>& table, const PackedScan<float>& scan, std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_rsid_float)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Rsid, float>& table, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_float)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
-void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedScan<float>& scan,
-               std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_rsid_uint16)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Rsid, std::uint16_t>& table, const PackedVertices<float>& vertices,
+               const Pose& pose, Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_uint16)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
 #if !defined(__wasm__)
-void scan_gaps(const PackedTable<Rsid, double>& table, const PackedScan<double>& scan,
-               std::span<double> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_rsid_double)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Rsid, double>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_rsid_double)(table, raw_scan(vertices, pose, scanned, gap));
 }
 #endif
 

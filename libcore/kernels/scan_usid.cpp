@@ -37,18 +37,19 @@ HWY_EXPORT(scan_usid_double);
 
 }  // namespace
 
-void scan_gaps(const PackedTable<Usid, float>& table, const PackedScan<double>& scan, std::span<double> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_usid_float)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Usid, float>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_float)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
-void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedScan<double>& scan,
-               std::span<double> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_usid_uint16)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Usid, std::uint16_t>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_uint16)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
-void scan_gaps(const PackedTable<Usid, double>& table, const PackedScan<double>& scan,
-               std::span<double> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_usid_double)(table, raw_scan(scan, gap));
+void scan_gaps(const PackedTable<Usid, double>& table, const PackedVertices<double>& vertices,
+               const Pose& pose, Surface scanned, std::span<double> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_usid_double)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
 }  // namespace impinge

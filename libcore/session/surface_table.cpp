@@ -4,104 +4,91 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 #include "gap/gap_scan.hpp"
 #include "kernels/gap_kernels.hpp"
-#include "sphere/quantised_table.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/direction_bounds.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {
 
-// What goes with a table in double: its forms in fewer bits, and what bounds it.
-template <class Exact>
-struct Forms;
-template <SamplingScheme S>
-struct Forms<RadialTable<S>> {
-  using Scheme = S;
-  using Single = FloatTable<S>;
-  using Sixteen = Uint16Table<S>;
+// The table in double of an interpolant, what bounds it, and whether a kernel scans it in fewer bits.
+template <class S, class Interpolant>
+struct Forms {
+  using Exact = RadialTable<S>;
   using Bounds = DirectionBounds<S>;
   static constexpr bool has_kernel = std::same_as<S, Rsid>;
 };
-template <SamplingScheme S>
-struct Forms<InverseDepthTable<S>> {
-  using Scheme = S;
-  using Single = FloatInverseDepthTable<S>;
-  using Sixteen = Uint16InverseDepthTable<S>;
+template <class S>
+struct Forms<S, MeshExact> {
+  using Exact = InverseDepthTable<S>;
   using Bounds = FlatDirectionBounds<S>;
   static constexpr bool has_kernel = std::same_as<S, CubeGnomonic>;
 };
 
-template <class Exact>
-std::shared_ptr<const Exact> exact_table(const TableSettings& settings, const TriangleMesh& mesh,
-                                         Layer layer) {
-  using S = typename Forms<Exact>::Scheme;
-  return std::make_shared<const Exact>(fill_exact(mesh, S::with_precision(settings.precision_deg), layer));
+template <SamplingScheme S>
+RadialTable<S> filled(const TableSettings& settings, const TriangleMesh& mesh, Layer layer) {
+  return fill_exact(mesh, S::with_precision(settings.precision_deg), layer);
 }
 
-template <class Exact>
+template <class S, class Interpolant>
 class BoundsOf final : public SurfaceBounds {
  public:
-  BoundsOf(std::shared_ptr<const Exact> table, const TableSettings& settings, const TriangleMesh& mesh,
+  using Exact = typename Forms<S, Interpolant>::Exact;
+
+  BoundsOf(std::shared_ptr<const Exact> table, double storage, std::size_t halvings, const TriangleMesh& mesh,
            Layer layer)
-      : table_(std::move(table)), bounds_(mesh, *table_, layer, {.budget = settings.halvings}) {
-    if (settings.storage == Storage::single_precision)
-      storage_ = typename Forms<Exact>::Single(*table_).storage_bound();
-    if (settings.storage == Storage::sixteen_bits)
-      storage_ = typename Forms<Exact>::Sixteen(*table_).storage_bound();
-  }
+      : table_(std::move(table)), bounds_(mesh, *table_, layer, {.budget = halvings}), storage_(storage) {}
 
   double at(const Vec3& x) const override { return bounds_.at(x) + storage_; }
   double everywhere() const override { return bounds_.everywhere() + storage_; }
 
  private:
   std::shared_ptr<const Exact> table_;
-  typename Forms<Exact>::Bounds bounds_;
-  double storage_ = 0.0;
+  typename Forms<S, Interpolant>::Bounds bounds_;
+  double storage_;
 };
 
-// Kept is Exact, one of its forms in fewer bits, or a table of the kernels.
-template <class Exact, class Kept>
+// Kept is the table in double, one in fewer bits, or one of the kernels.
+template <class S, class Interpolant, class Kept>
 class KeptTable final : public SurfaceTable {
  public:
-  KeptTable(std::shared_ptr<const Kept> kept, std::size_t entries)
-      : kept_(std::move(kept)), entries_(entries) {}
+  using Exact = typename Forms<S, Interpolant>::Exact;
+
+  KeptTable(Kept kept, std::size_t entries)
+      : kept_(std::make_shared<const Kept>(std::move(kept))), entries_(entries) {}
 
   void scan(const ScannedVertices& vertices, const Pose& pose, Surface scanned,
             std::span<double> gap) override {
-    [[maybe_unused]] const PackedScan<float> packed{vertices.packed, pose, scanned};
-    if constexpr (requires { scan_gaps(*kept_, packed, std::span<float>()); }) {
-      found_.resize(gap.size());
-      scan_gaps(*kept_, packed, found_);
-      for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
-    } else {
+    if constexpr (requires { kept_->radius_at(Vec3()); }) {
       scan_gaps(*kept_, vertices.points, pose, scanned, gap);
+    } else {
+      found_.resize(gap.size());
+      scan_gaps(*kept_, vertices.packed, pose, scanned, found_);
+      for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = static_cast<double>(found_[i]);
     }
   }
 
-  std::size_t bytes() const override {
-    if constexpr (requires { kept_->bytes(); }) {
-      return kept_->bytes();
-    } else {
-      return Kept::bytes(kept_->scheme()) + kept_->rim_cells().bytes();
-    }
-  }
+  std::size_t bytes() const override { return kept_->bytes(); }
   std::size_t entries() const override { return entries_; }
 
   std::unique_ptr<SurfaceBounds> bounds(const TableSettings& settings, const TriangleMesh& mesh,
                                         Layer layer) const override {
-    std::shared_ptr<const Exact> exact;
+    using Bounds = BoundsOf<S, Interpolant>;
     if constexpr (std::same_as<Exact, Kept>) {
-      exact = kept_;
+      return std::make_unique<Bounds>(kept_, 0.0, settings.halvings, mesh, layer);
     } else {
-      exact = exact_table<Exact>(settings, mesh, layer);
+      RadialTable<S> table = filled<S>(settings, mesh, layer);
+      const double storage = settings.storage == Storage::sixteen_bits
+                                 ? StoredTable<S, Interpolant, Uint16Values>(table).storage_bound()
+                                 : StoredTable<S, Interpolant, FloatValues>(table).storage_bound();
+      return std::make_unique<Bounds>(std::make_shared<const Exact>(std::move(table)), storage,
+                                      settings.halvings, mesh, layer);
     }
-    return std::make_unique<BoundsOf<Exact>>(std::move(exact), settings, mesh, layer);
   }
 
  private:
@@ -110,20 +97,22 @@ class KeptTable final : public SurfaceTable {
   std::vector<float> found_;
 };
 
-template <class Exact>
-std::unique_ptr<SurfaceTable> kept_table(std::shared_ptr<const Exact> exact, Storage storage) {
-  const std::size_t entries = exact->scheme().size();
-  const auto kept = [entries]<class Kept>(Kept table) -> std::unique_ptr<SurfaceTable> {
-    return std::make_unique<KeptTable<Exact, Kept>>(std::make_shared<const Kept>(std::move(table)), entries);
+template <class S, class Interpolant>
+std::unique_ptr<SurfaceTable> kept_table(const TableSettings& settings, const TriangleMesh& mesh,
+                                         Layer layer) {
+  RadialTable<S> table = filled<S>(settings, mesh, layer);
+  const std::size_t entries = table.scheme().size();
+  const auto kept = [entries]<class Kept>(Kept made) -> std::unique_ptr<SurfaceTable> {
+    return std::make_unique<KeptTable<S, Interpolant, Kept>>(std::move(made), entries);
   };
-  if (storage == Storage::double_precision)
-    return std::make_unique<KeptTable<Exact, Exact>>(std::move(exact), entries);
-  const bool sixteen = storage == Storage::sixteen_bits;
-  if constexpr (Forms<Exact>::has_kernel) {
-    return sixteen ? kept(packed_table<std::uint16_t>(*exact)) : kept(packed_table<float>(*exact));
+  using F = Forms<S, Interpolant>;
+  if (settings.storage == Storage::double_precision) return kept(typename F::Exact(std::move(table)));
+  const bool sixteen = settings.storage == Storage::sixteen_bits;
+  if constexpr (F::has_kernel) {
+    return sixteen ? kept(packed_table<std::uint16_t>(table)) : kept(packed_table<float>(table));
   } else {
-    return sixteen ? kept(typename Forms<Exact>::Sixteen(*exact))
-                   : kept(typename Forms<Exact>::Single(*exact));
+    return sixteen ? kept(StoredTable<S, Interpolant, Uint16Values>(table))
+                   : kept(StoredTable<S, Interpolant, FloatValues>(table));
   }
 }
 
@@ -135,11 +124,11 @@ std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const Tr
   with_scheme(settings.scheme, [&]<class S>() {
     if constexpr (std::same_as<S, CubeGnomonic>) {
       if (settings.flat_cube) {
-        table = kept_table(exact_table<InverseDepthTable<S>>(settings, mesh, layer), settings.storage);
+        table = kept_table<S, MeshExact>(settings, mesh, layer);
         return;
       }
     }
-    table = kept_table(exact_table<RadialTable<S>>(settings, mesh, layer), settings.storage);
+    table = kept_table<S, Smooth>(settings, mesh, layer);
   });
   return table;
 }
@@ -147,11 +136,11 @@ std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const Tr
 std::vector<float> sample_points(const TableSettings& settings, const TriangleMesh& mesh, Layer layer) {
   std::vector<float> points;
   with_scheme(settings.scheme, [&]<class S>() {
-    const auto table = exact_table<RadialTable<S>>(settings, mesh, layer);
-    for (std::size_t i = 0; i < table->scheme().size(); ++i) {
-      const double radius = table->radius_of(i);
+    const RadialTable<S> table = filled<S>(settings, mesh, layer);
+    for (std::size_t i = 0; i < table.scheme().size(); ++i) {
+      const double radius = table.radius_of(i);
       if (std::isnan(radius)) continue;
-      const Vec3 x = radius * table->scheme().direction(i);
+      const Vec3 x = radius * table.scheme().direction(i);
       for (const double coordinate : {x.x(), x.y(), x.z()}) points.push_back(static_cast<float>(coordinate));
     }
   });

@@ -46,7 +46,7 @@ class SurfaceBounds {
   virtual ~SurfaceBounds() = default;
 
   /// On the error of an answer along x, in the frame of the table, mm: of the interpolation there
-  /// (table/direction_bounds.hpp) and of the storage (sphere/quantised_table.hpp). The kernels' own
+  /// (table/direction_bounds.hpp) and of the storage (sphere/stored_table.hpp). The kernels' own
   /// roundings, below a micrometre, come on top (kernels/gap_kernels.hpp). NaN where there is no answer,
   /// infinite where nothing is proven.
   virtual double at(const Vec3& x) const = 0;

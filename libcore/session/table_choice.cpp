@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 
 namespace impinge {
 namespace {

@@ -41,6 +41,9 @@ class RadialTable {
   /// one bit a cell where a surface has a rim inside the reach of four entries.
   static std::size_t bytes(const S& scheme) { return scheme.size() * sizeof(double); }
 
+  /// Of radii and rim mask.
+  std::size_t bytes() const { return bytes(scheme_) + rim_.bytes(); }
+
   /// Interpolated radius along x (any length above zero), the `smooth` interpolant: linear in r, as in the
   /// thesis.
   double radius_at(const Vec3& x) const {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/rim.hpp"
 
 namespace impinge {

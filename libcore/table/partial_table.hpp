@@ -43,7 +43,7 @@ class PartialTable final : public RadiusSource {
 
   /// Keeps the radii in fewer bytes from now on; they must have been set before.
   void store(Storage storage);
-  /// Largest difference of an answer from that with 8 bytes, mm (sphere/quantised_table.hpp has the proof).
+  /// Largest difference of an answer from that with 8 bytes, mm (sphere/stored_table.hpp has the proof).
   double storage_bound() const { return storage_bound_; }
 
   double radius_at(const Vec3& x) const override;

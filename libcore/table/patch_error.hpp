@@ -33,7 +33,7 @@
 // Roundings are added. With u = 2^-53 and k the largest condition of the faces (kPlaneRoundings in
 // surface_plane.hpp), in shares of the largest radius r of the layer:
 //   21 u k   of an entry              21 u k   of the surface at a corner
-//   17 u     of a look-up (kSumRounding in sphere/quantised_table.hpp)
+//   17 u     of a look-up (kSumRounding in sphere/stored_table.hpp)
 //   40 u k   of q in |y''| and in the jumps: the bound is a multiple of them, no larger than r or of no use
 // together at most 4 kPlaneRoundings k. The formulas themselves are sums of terms above zero, of less than
 // 500 roundings: kOwnRounding. Directions are moved by `angle_doubt`; an error that is sampled a little aside

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Something that knows the radius of a surface along a direction, whatever it is made of.
+// What answers how far a surface reaches along a direction: a table, its faces, anything. scan_gaps()
+// (gap/gap_scan.hpp) takes any of them.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <utility>
 
@@ -9,6 +11,14 @@
 
 namespace impinge {
 
+/// radius_at(x): x of any length above zero; mm, kNoSurface where it has no answer. bytes(): of memory.
+template <class Q>
+concept RadialQuery = requires(const Q& query, const Vec3& x) {
+  { query.radius_at(x) } -> std::convertible_to<double>;
+  { query.bytes() } -> std::convertible_to<std::size_t>;
+};
+
+/// One that is chosen while the program runs.
 class RadiusSource {
  public:
   RadiusSource() = default;
@@ -16,7 +26,6 @@ class RadiusSource {
   RadiusSource& operator=(const RadiusSource&) = delete;
   virtual ~RadiusSource() = default;
 
-  /// x of any length above zero; mm, kNoSurface where it has no answer.
   virtual double radius_at(const Vec3& x) const = 0;
   virtual std::size_t bytes() const = 0;    // of memory
   virtual std::size_t entries() const = 0;  // that were worked out
@@ -30,10 +39,7 @@ class FullTable final : public RadiusSource {
   explicit FullTable(RadialTable<S> table) : table_(std::move(table)) {}
 
   double radius_at(const Vec3& x) const override { return table_.radius_at(x); }
-  /// Of radii and rim mask.
-  std::size_t bytes() const override {
-    return RadialTable<S>::bytes(table_.scheme()) + table_.rim_cells().bytes();
-  }
+  std::size_t bytes() const override { return table_.bytes(); }
   std::size_t entries() const override { return table_.scheme().size(); }
   const RadialTable<S>& table() const { return table_; }  // as it was given
 

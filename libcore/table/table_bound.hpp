@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/error_bound.hpp"
 #include "table/layer.hpp"
 #include "table/patch_error.hpp"
@@ -259,7 +259,7 @@ TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S
   const double beside = 1.0 - std::cos(reach);
   TableBound result;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    const double inverse = table.inverse_depths()[i];
+    const double inverse = table.values()[i];
     if (std::isnan(inverse)) continue;
     const double radius = 1.0 / (inverse * scheme.depth(scheme.direction(i)));
     result.bound_mm = std::max(result.bound_mm, radius * (first_order_share(slopes[i], reach) + beside));

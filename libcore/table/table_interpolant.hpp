@@ -9,8 +9,8 @@
 #include <limits>
 #include <span>
 
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/stored_table.hpp"
 
 namespace impinge {
 
@@ -93,11 +93,11 @@ class PlaneExactInterpolant {
     if constexpr (!S::kFlatCells) {
       if (table_.rim_cells().contains(table_.scheme().stencil(x).cell)) return kNoSurface;
     }
-    return interpolated(table_.scheme().plane_stencil(x), table_.inverse_depths());
+    return interpolated(table_.scheme().plane_stencil(x), table_.values());
   }
   /// As in SmoothInterpolant.
   void tap_range(const Vec3& x, double& least, double& largest) const {
-    range_of_taps(table_.scheme().plane_stencil(x), table_.inverse_depths(), least, largest);
+    range_of_taps(table_.scheme().plane_stencil(x), table_.values(), least, largest);
   }
 
  private:

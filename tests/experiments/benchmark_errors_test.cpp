@@ -9,8 +9,8 @@
 #include "10_error_against_time/errors.hpp"
 #include "10_error_against_time/scenes.hpp"
 #include "methods/table_method.hpp"
-#include "sphere/quantised_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/stored_table.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {

@@ -31,12 +31,11 @@ struct Asked {
 
 // Returns how many vertices went to the exact cells.
 std::size_t expect_sides(const Asked& asked, float threshold) {
-  const PackedScan<float> scan{asked.vertices, asked.pose, asked.scanned};
   std::vector<float> exact(asked.vertices.size());
-  scan_gaps(asked.table.exact, scan, exact);
+  scan_gaps(asked.table.exact, asked.vertices, asked.pose, asked.scanned, exact);
   CertifiedGaps found;
   found.threshold = threshold;
-  scan_gaps(asked.table, scan, found);
+  scan_gaps(asked.table, asked.vertices, asked.pose, asked.scanned, found);
   EXPECT_EQ(found.gap.size(), exact.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -87,9 +86,9 @@ TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
     const auto points = packed_vertices<float>(directions);
     CertifiedGaps far;
     far.threshold = -1e6F;
-    scan_gaps(table, {points, {}, Surface::ball}, far);
+    scan_gaps(table, points, {}, Surface::ball, far);
     std::vector<float> exact(points.size());
-    scan_gaps(table.exact, {points, {}, Surface::ball}, exact);
+    scan_gaps(table.exact, points, {}, Surface::ball, exact);
     std::size_t worst = 0;
     const auto error = [&](std::size_t i) { return std::abs(far.gap[i] - exact[i]); };
     for (std::size_t i = 0; i < exact.size(); ++i)
@@ -140,7 +139,7 @@ TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
     CertifiedGaps found;
     found.threshold = -1e6F;
     const auto beside = packed_vertices<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
-    scan_gaps(certified_table(mesh, Layer::nearest, 10), {beside, {}, Surface::ball}, found);
+    scan_gaps(certified_table(mesh, Layer::nearest, 10), beside, {}, Surface::ball, found);
     EXPECT_EQ(found.undecided.size(), width < 1e-6 ? 1U : 0U);
   }
 }

@@ -57,23 +57,23 @@ void expect_stored(const Rows& rows) {
 
 TEST(CornerTableTest, KeepsNumbersToHalfAStepAndTheCellsThatAnswer) {
   for (const double precision : {30.0, 3.0}) {
-    expect_stored(packed_table<float>(Cube(test::bumpy_table<CubeGnomonic>(precision))));
+    expect_stored(packed_table<float>(test::bumpy_table<CubeGnomonic>(precision)));
     const BallSocketPair pair = make_ball_socket_pair(1000);
     const auto scheme = CubeGnomonic::with_precision(precision);
-    expect_stored(packed_table<float>(Cube(fill_exact(pair.socket, scheme, Layer::nearest))));
-    expect_stored(packed_table<float>(Cube(fill_exact(pair.ball, scheme, Layer::farthest))));
+    expect_stored(packed_table<float>(fill_exact(pair.socket, scheme, Layer::nearest)));
+    expect_stored(packed_table<float>(fill_exact(pair.ball, scheme, Layer::farthest)));
   }
 }
 
 // One number everywhere, and no surface at all.
 TEST(CornerTableTest, HoldsANumberThatIsTheSameEverywhereAndNothing) {
-  Rows rows = packed_table<float>(Cube(test::bumpy_table<CubeGnomonic>(30.0)));
+  Rows rows = packed_table<float>(test::bumpy_table<CubeGnomonic>(30.0));
   for (float& value : rows.values) value = 0.05F;
   expect_stored(rows);
   rows.none.assign(rows.values.size() / 32 + 1, ~0U);
   const CornerTable nothing = corner_table(rows);
   std::vector<float> gap(3);
-  scan_gaps(nothing, {packed_vertices<float>(test::random_directions(3, 1)), {}, Surface::ball}, gap);
+  scan_gaps(nothing, packed_vertices<float>(test::random_directions(3, 1)), {}, Surface::ball, gap);
   for (const float value : gap) EXPECT_TRUE(std::isnan(value));
 }
 
@@ -86,12 +86,12 @@ bool said_close_by(const Cube& table, const Vec3& x, bool none) {
 TEST(CornerTableTest, AnswersAsTheScalarTable) {
   for (const double precision : {10.0, 1.5}) {
     const auto from = test::bumpy_table<CubeGnomonic>(precision);
-    const CornerTable table = corner_table(packed_table<float>(Cube(from)));
+    const CornerTable table = corner_table(packed_table<float>(from));
     const auto radii = stored_radii(table, from);
     const Cube scalar(radii);
     const auto points = test::float_points(radii.scheme());
     std::vector<float> gap(points.size());
-    scan_gaps(table, {packed_vertices<float>(points), {}, Surface::ball}, gap);
+    scan_gaps(table, packed_vertices<float>(points), {}, Surface::ball, gap);
     const double m = static_cast<double>(table.divisions);
     std::size_t none = 0;
     std::size_t otherwise = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract, beside packed_table(InverseDepthTable(fill_exact(mesh, scheme, layer))):
+// Contract, beside packed_table(fill_exact(mesh, scheme, layer)):
 //   an entry has a surface here if and only if it has one there
 //   |stored - q| <= 41 u q in float and <= 0.51 step + 41 u q in 16 bits, u = 2^-24
 //   a cell without an answer there has none here, and no other, but for jumps at the limit
@@ -54,9 +54,10 @@ void expect_numbers(const CubeFill& fill, const TriangleMesh& mesh, std::span<co
 
 void expect_as_exact(const TriangleMesh& mesh, std::size_t n, Layer layer) {
   const CubeFill fill{cells(n), layer, 1, {}};
-  const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, layer));
-  expect_numbers(fill, mesh, exact.inverse_depths());
-  const auto none = packed_table<float>(exact).none;
+  const auto radii = fill_exact(mesh, fill.scheme, layer);
+  const InverseDepthTable<CubeGnomonic> exact(radii);
+  expect_numbers(fill, mesh, exact.values());
+  const auto none = packed_table<float>(radii).none;
   EXPECT_EQ(filled<float>(mesh, fill).none, none);
   EXPECT_EQ(filled<std::uint16_t>(mesh, fill).none, none);
 }
@@ -119,10 +120,11 @@ TEST(CubeFill, SoupOfSteepAndThinFaces) {
   for (const unsigned seed : {1U, 2U}) {
     const TriangleMesh mesh = test::soup(30, seed);
     const CubeFill fill{cells(24), Layer::nearest, 1, {}};
-    const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, Layer::nearest));
-    expect_numbers(fill, mesh, exact.inverse_depths());
+    const auto radii = fill_exact(mesh, fill.scheme, Layer::nearest);
+    const InverseDepthTable<CubeGnomonic> exact(radii);
+    expect_numbers(fill, mesh, exact.values());
     const auto none = filled<float>(mesh, fill).none;
-    const auto expected = packed_table<float>(exact).none;
+    const auto expected = packed_table<float>(radii).none;
     ASSERT_EQ(none.size(), expected.size());
     for (std::size_t w = 0; w < none.size(); ++w) EXPECT_EQ(expected[w] & ~none[w], 0U);
   }
@@ -142,7 +144,7 @@ TEST(CubeFill, Slivers) {
   }
   const CubeFill fill{cells(200), Layer::farthest, 1, {}};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, fill.layer));
-  expect_numbers(fill, mesh, exact.inverse_depths());
+  expect_numbers(fill, mesh, exact.values());
 }
 
 // From near to far within a few cells, the far corner on an entry: the gradient in float would lose more
@@ -158,7 +160,7 @@ TEST(CubeFill, SteepFaces) {
   }
   const CubeFill fill{cells(200), Layer::farthest, 1, {}};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, fill.layer));
-  expect_numbers(fill, mesh, exact.inverse_depths());
+  expect_numbers(fill, mesh, exact.values());
 }
 
 TEST(CubeFill, NothingAtAll) {

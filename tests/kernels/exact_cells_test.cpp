@@ -45,7 +45,7 @@ std::vector<Vec3> probes(const TriangleMesh& mesh, std::size_t features) {
 std::vector<float> gaps(const ExactCells& cells, const std::vector<Vec3>& points, const Pose& pose,
                         Surface scanned) {
   std::vector<float> gap(points.size());
-  scan_gaps(cells, {packed_vertices<float>(points), pose, scanned}, gap);
+  scan_gaps(cells, packed_vertices<float>(points), pose, scanned, gap);
   return gap;
 }
 

@@ -53,7 +53,7 @@ std::size_t expect_exact_depths(const TriangleMesh& mesh, Layer layer) {
   const FloatCube table = guarded_table(mesh, fill);
   std::size_t filled = 0;
   for (std::size_t e = 0; e < table.values.size(); ++e) {
-    const double expected = exact.inverse_depths()[e];
+    const double expected = exact.values()[e];
     const auto found = static_cast<double>(table.values[e]);
     EXPECT_EQ(found == 1.0, std::isnan(expected)) << "entry " << e;  // 1 / mm: no surface
     if (std::isnan(expected)) continue;

@@ -16,7 +16,7 @@
 #include "gap/gap_scan.hpp"
 #include "kernels/packed_fixture.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "table/exact_raster.hpp"
 
@@ -52,14 +52,6 @@ struct Kind {
     return kUnit * (rounded(radius + x.norm(), radius, range) +
                     (place(table.scheme()) + 5.0 / m) * test::steps_at(table, x, 16.0 * kUnit, radius));
   }
-
-  static auto exact(const RadialTable<S>& table) {
-    if constexpr (kCube) {
-      return InverseDepthTable<S>(table);
-    } else {
-      return table;
-    }
-  }
 };
 using Kinds =
     testing::Types<Kind<CubeGnomonic, float, FloatInverseDepthTable<CubeGnomonic>>,
@@ -73,7 +65,7 @@ std::vector<typename K::Real> kernel_gaps(const typename K::Lanes& table, const 
                                           const Pose& pose, Surface scanned) {
   const auto lanes = packed_vertices<typename K::Real>(vertices);
   std::vector<typename K::Real> gap(vertices.size());
-  scan_gaps(table, {lanes, pose, scanned}, gap);
+  scan_gaps(table, lanes, pose, scanned, gap);
   return gap;
 }
 
@@ -107,9 +99,8 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTable) {
   using K = TypeParam;
   for (const double precision : {10.0, 1.5}) {
     const auto radii = test::bumpy_table<typename K::S>(precision);
-    const auto exact = K::exact(radii);
-    const typename K::Scalar scalar(exact);
-    const auto table = packed_table<typename K::Value>(exact);
+    const typename K::Scalar scalar(radii);
+    const auto table = packed_table<typename K::Value>(radii);
     const auto points = test::float_points(radii.scheme());
     const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     std::size_t none = 0;
@@ -146,9 +137,8 @@ TYPED_TEST(GapKernels, AnswerAsTheScalarTableInSteepCells) {
             radii.radii()[stencil.entry[static_cast<std::size_t>(same - stencil.weight.begin())]];
       }
     }
-    const auto exact = K::exact(radii);
-    const typename K::Scalar scalar(exact);
-    const auto table = packed_table<typename K::Value>(exact);
+    const typename K::Scalar scalar(radii);
+    const auto table = packed_table<typename K::Value>(radii);
     const auto points = test::float_points(radii.scheme());
     const auto gap = kernel_gaps<K>(table, points, {}, Surface::ball);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -169,9 +159,8 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
     const bool first = scanned == Surface::ball;
     const auto radii = first ? fill_exact(pair.socket, scheme, Layer::nearest)
                              : fill_exact(pair.ball, scheme, Layer::farthest);
-    const auto exact = K::exact(radii);
-    const typename K::Scalar scalar(exact);
-    const auto table = packed_table<typename K::Value>(exact);
+    const typename K::Scalar scalar(radii);
+    const auto table = packed_table<typename K::Value>(radii);
     const double slope = steps<K>(scheme, radii);  // mm a radian, no less
     for (int k = 0; k < 10; ++k) {
       Pose pose;
@@ -199,7 +188,7 @@ TYPED_TEST(GapKernels, BothScansOfARealPairInAnyPose) {
 TYPED_TEST(GapKernels, TakesTheBytesOfItsEntriesAndMask) {
   using K = TypeParam;
   const auto radii = test::bumpy_table<typename K::S>(3.0);
-  const auto table = packed_table<typename K::Value>(K::exact(radii));
+  const auto table = packed_table<typename K::Value>(radii);
   const std::size_t more = K::kCube ? 0 : K::kHelix ? 4 : radii.scheme().size() / 120;
   const std::size_t entries = radii.scheme().size() + more;
   const std::size_t cells = K::kHelix ? radii.scheme().cells() : entries;

@@ -34,7 +34,7 @@ std::vector<Pattern<typename Table::Real>> patterns(const Table& table, const st
   std::vector<Real> gap(vertices.size());
   std::vector<Pattern<Real>> bits;
   for (const Surface scanned : {Surface::ball, Surface::socket}) {
-    scan_gaps(table, {lanes, pose, scanned}, gap);
+    scan_gaps(table, lanes, pose, scanned, gap);
     for (const Real value : gap) bits.push_back(std::isnan(value) ? 0U : std::bit_cast<Pattern<Real>>(value));
   }
   return bits;
@@ -53,7 +53,7 @@ void expect_same_bits(const Table& table, const std::vector<Vec3>& vertices) {
 
 TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   const auto rsid = test::bumpy_table<Rsid>(1.5);
-  const InverseDepthTable<CubeGnomonic> cube(test::bumpy_table<CubeGnomonic>(1.5));
+  const auto cube = test::bumpy_table<CubeGnomonic>(1.5);
   const auto points = test::float_points(rsid.scheme());
   expect_same_bits(packed_table<float>(cube), points);
   expect_same_bits(packed_table<std::uint16_t>(cube), points);
@@ -71,17 +71,17 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
 }
 
 TEST(InstructionSets, AnyNumberOfVertices) {
-  const auto table = packed_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
+  const auto table = packed_table<float>(test::bumpy_table<CubeGnomonic>(3.0));
   const auto points = test::random_directions(40, 3);
   const auto lanes = packed_vertices<float>(points);
   std::vector<float> all(points.size());
-  scan_gaps(table, {lanes, {}, Surface::ball}, all);
+  scan_gaps(table, lanes, {}, Surface::ball, all);
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     for (std::size_t count = 0; count <= points.size(); ++count) {
       const auto some = packed_vertices<float>(std::span(points).first(count));
       std::vector<float> gap(count + 1, 7.0F);
-      scan_gaps(table, {some, {}, Surface::ball}, std::span(gap).first(count));
+      scan_gaps(table, some, {}, Surface::ball, std::span(gap).first(count));
       for (std::size_t i = 0; i < count; ++i)
         EXPECT_TRUE(gap[i] == all[i] || (std::isnan(gap[i]) && std::isnan(all[i])));
       EXPECT_EQ(gap.back(), 7.0F) << set << " wrote beyond " << count;
@@ -97,21 +97,20 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
                               {0, kNoSurface, 1}, {-infinite, infinite, 1},
                               {1, 1, -infinite},  {kNoSurface, kNoSurface, kNoSurface},
                               {huge, huge, huge}, {-0.0, 0, -0.0}};
-  const auto table = packed_table<std::uint16_t>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0)));
-  const auto corners =
-      corner_table(packed_table<float>(InverseDepthTable(test::bumpy_table<CubeGnomonic>(3.0))));
+  const auto table = packed_table<std::uint16_t>(test::bumpy_table<CubeGnomonic>(3.0));
+  const auto corners = corner_table(packed_table<float>(test::bumpy_table<CubeGnomonic>(3.0)));
   const auto grid = packed_table<double>(test::bumpy_table<Rsid>(3.0));
   const auto helix = packed_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
-    scan_gaps(table, {packed_vertices<float>(odd), {}, Surface::ball}, gap);
+    scan_gaps(table, packed_vertices<float>(odd), {}, Surface::ball, gap);
     std::vector<float> cornered(odd.size());
-    scan_gaps(corners, {packed_vertices<float>(odd), {}, Surface::ball}, cornered);
+    scan_gaps(corners, packed_vertices<float>(odd), {}, Surface::ball, cornered);
     std::vector<double> wide(odd.size());
-    scan_gaps(grid, {packed_vertices<double>(odd), {}, Surface::ball}, wide);
+    scan_gaps(grid, packed_vertices<double>(odd), {}, Surface::ball, wide);
     std::vector<double> wound(odd.size());
-    scan_gaps(helix, {packed_vertices<double>(odd), {}, Surface::ball}, wound);
+    scan_gaps(helix, packed_vertices<double>(odd), {}, Surface::ball, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(cornered[i])) << set << " " << i;

@@ -104,7 +104,7 @@ TEST(JointScan, BothScansOverCornersInAnyPose) {
   const auto ball = fill_exact(pair.ball, scheme, Layer::farthest);
   const auto socket = fill_exact(pair.socket, scheme, Layer::nearest);
   const auto corners = [](const RadialTable<CubeGnomonic>& radii) {
-    return corner_table(packed_table<float>(InverseDepthTable<CubeGnomonic>(radii)));
+    return corner_table(packed_table<float>(radii));
   };
   const auto joint = packed_joint(corners(ball), corners(socket), pair.ball, pair.socket);
   const auto ball_stored = test::stored_radii(joint.ball_table, ball);

@@ -2,8 +2,6 @@
 // The `mesh_exact` interpolant, for every scheme of the generated list that claims it:
 //   x / depth(x) = sum w_i u_i / depth(u_i),  r(x) = |x| / (depth(x) sum w_i / (r_i depth(u_i)))
 //   a plane is reproduced at any incidence angle;  R (1 - rho^2 / 2) <= r <= R for a sphere
-#include "sphere/inverse_depth_table.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sphere/scheme_list.hpp"
+#include "sphere/stored_table.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {

@@ -18,7 +18,7 @@ class CornerKernel : public TableKernel {
  public:
   explicit CornerKernel(const Filled<CubeGnomonic>& from)
       : bound_mm_(from.bound_mm),
-        table_(corner_table(packed_table<float>(from.numbers))),
+        table_(corner_table(packed_table<float>(from.radii))),
         stored_(stored_radii(table_, from.radii)),
         scalar_(stored_) {}
 

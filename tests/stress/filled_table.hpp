@@ -15,13 +15,13 @@
 
 namespace impinge::test {
 
-// What a table of the library keeps for the kernels of its scheme.
+// Proven of what the kernels of the scheme keep, before any search, mm.
 template <class S>
-auto numbers_of(const RadialTable<S>& radii) {
+double bound_of(const TriangleMesh& mesh, const RadialTable<S>& radii, Layer layer) {
   if constexpr (std::same_as<S, CubeGnomonic>) {
-    return InverseDepthTable<S>(radii);
+    return table_bound(mesh, InverseDepthTable<S>(radii), layer, {1.0, 0}).bound_mm;
   } else {
-    return radii;
+    return table_bound(mesh, radii, layer, {1.0, 0}).bound_mm;
   }
 }
 
@@ -31,15 +31,14 @@ std::vector<double> gaps_of(const Table& table, const std::vector<Vec3>& vertice
                             Surface scanned) {
   using Real = typename Table::Real;
   std::vector<Real> gap(vertices.size());
-  scan_gaps(table, {packed_vertices<Real>(vertices), pose, scanned}, gap);
+  scan_gaps(table, packed_vertices<Real>(vertices), pose, scanned, gap);
   return {gap.begin(), gap.end()};
 }
 
 // Of one scheme; shared by what it is stored as.
 template <class S>
 struct Filled {
-  RadialTable<S> radii;                                          // mm
-  decltype(numbers_of(std::declval<RadialTable<S>>())) numbers;  // radii or inverse depths
+  RadialTable<S> radii;   // mm
   double bound_mm = 0.0;  // proven, before any search; 0 if it was not asked for
 };
 
@@ -48,9 +47,8 @@ template <class S>
 std::shared_ptr<const Filled<S>> filled(const TriangleMesh& mesh, Layer layer, double precision_deg,
                                         bool bounded) {
   auto radii = fill_exact(mesh, S::with_precision(precision_deg), layer);
-  auto numbers = numbers_of(radii);
-  const double bound = bounded ? table_bound(mesh, numbers, layer, {1.0, 0}).bound_mm : 0.0;
-  return std::make_shared<const Filled<S>>(Filled<S>{std::move(radii), std::move(numbers), bound});
+  const double bound = bounded ? bound_of(mesh, radii, layer) : 0.0;
+  return std::make_shared<const Filled<S>>(Filled<S>{std::move(radii), bound});
 }
 
 }  // namespace impinge::test

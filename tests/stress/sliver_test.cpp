@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "reference/exact_radius.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/stored_table.hpp"
 #include "stress/aimed_faces.hpp"
 #include "stress/conditions.hpp"
 #include "stress/measure.hpp"
@@ -74,7 +74,7 @@ TEST_P(SliverAspects, AnswerAsAnyFaceInItsPlane) {
   const InverseDepthTable<CubeGnomonic> inverse(table);
   expect_right("inverse depths", [&](std::size_t k) {
     const double depth = slivers.scheme.depth(slivers.aims[k]);
-    return 1.0 / (inverse.inverse_depths()[slivers.entries[k]] * depth);
+    return 1.0 / (inverse.values()[slivers.entries[k]] * depth);
   });
   const SurfaceIndex index(mesh, Layer::nearest, 0.1);
   expect_right("surface index", [&](std::size_t k) { return index.radius(slivers.aims[k]); });

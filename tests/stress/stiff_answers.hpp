@@ -36,8 +36,8 @@ using Answers = std::vector<double>;
 // Of the exact cells.
 inline Answers exact_answers(const Questions& asked) {
   std::vector<float> gap(asked.points.size());
-  scan_gaps(exact_cells(asked.mesh, asked.layer),
-            {packed_vertices<float>(asked.points), asked.pose, Surface::socket}, gap);
+  scan_gaps(exact_cells(asked.mesh, asked.layer), packed_vertices<float>(asked.points), asked.pose,
+            Surface::socket, gap);
   return {gap.begin(), gap.end()};
 }
 
@@ -46,7 +46,7 @@ inline Answers certified_answers(const Questions& asked) {
   const CertifiedTable table = certified_table(asked.mesh, asked.layer, 5);
   CertifiedGaps found;
   found.threshold = static_cast<float>(1.5 * asked.unit);
-  scan_gaps(table, {packed_vertices<float>(asked.points), asked.pose, Surface::ball}, found);
+  scan_gaps(table, packed_vertices<float>(asked.points), asked.pose, Surface::ball, found);
   return {found.gap.begin(), found.gap.end()};
 }
 
@@ -65,7 +65,7 @@ inline Answers filled_answers(const Questions& asked) {
   PackedTable<CubeGnomonic, std::uint16_t> table;
   fill_cube(asked.mesh, {CubeGnomonic::with_precision(9.0), asked.layer, 2, {}}, table);
   std::vector<float> gap(asked.points.size());
-  scan_gaps(table, {packed_vertices<float>(asked.points), asked.pose, Surface::ball}, gap);
+  scan_gaps(table, packed_vertices<float>(asked.points), asked.pose, Surface::ball, gap);
   return {gap.begin(), gap.end()};
 }
 

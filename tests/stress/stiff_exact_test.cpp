@@ -28,7 +28,7 @@ constexpr double kExactShare = 0.38;
 
 std::vector<float> gaps_in(const ExactCells& cells, const std::vector<Vec3>& points, Surface scanned) {
   std::vector<float> gap(points.size());
-  scan_gaps(cells, {packed_vertices<float>(points), {}, scanned}, gap);
+  scan_gaps(cells, packed_vertices<float>(points), {}, scanned, gap);
   return gap;
 }
 
@@ -95,7 +95,7 @@ TEST_P(StiffCertified, IsOnTheSideOfTheExactCells) {
     CertifiedGaps found;
     for (const float threshold : thresholds_for(exact)) {
       found.threshold = threshold;
-      scan_gaps(table, {lanes, {}, scanned}, found);
+      scan_gaps(table, lanes, {}, scanned, found);
       std::size_t otherwise = 0;
       for (std::size_t i = 0; i < points.size(); ++i)
         otherwise += side_of(found.gap[i], threshold) != side_of(exact[i], threshold) ? 1U : 0U;

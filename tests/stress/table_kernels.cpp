@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sphere/quantised_table.hpp"
+#include "sphere/stored_table.hpp"
 #include "stress/corner_kernel.hpp"
 #include "stress/filled_table.hpp"
 
@@ -27,8 +27,8 @@ class RowsKernel : public TableKernel {
   RowsKernel(std::string name, std::shared_ptr<const Filled<S>> from)
       : name_(std::move(name)),
         from_(std::move(from)),
-        scalar_(from_->numbers),
-        table_(packed_table<Value>(from_->numbers)) {}
+        scalar_(from_->radii),
+        table_(packed_table<Value>(from_->radii)) {}
 
   std::string name() const override { return name_; }
   double unit() const override { return sizeof(Real) == 4 ? 0x1p-24 : 0x1p-53; }

@@ -61,7 +61,8 @@ std::vector<double> of_radii(const TriangleMesh& mesh) {
 }
 
 std::vector<double> of_inverse_depths(const TriangleMesh& mesh) {
-  const InverseDepthTable table(fill_exact(mesh, CubeGnomonic::with_precision(kSpacing), Layer::farthest));
+  const InverseDepthTable<CubeGnomonic> table(
+      fill_exact(mesh, CubeGnomonic::with_precision(kSpacing), Layer::farthest));
   return bounds_that_hold(mesh, table, FlatDirectionBounds(mesh, table, Layer::farthest));
 }
 

@@ -13,8 +13,8 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/scheme_list.hpp"
+#include "sphere/stored_table.hpp"
 #include "support/directions.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"

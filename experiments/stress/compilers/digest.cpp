@@ -15,10 +15,10 @@
 #include <Eigen/Geometry>
 
 #include "gap/gap_scan.hpp"
-#include "sphere/inverse_depth_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "sphere/stored_table.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "table/exact_raster.hpp"
 
@@ -81,7 +81,7 @@ void print_tables(const TriangleMesh& mesh, std::span<const Vec3> points) {
   if constexpr (PlaneExactScheme<S>) {
     const InverseDepthTable<S> depths(table);
     for (std::size_t i = 0; i < points.size(); ++i) gaps[i] = depths.radius_at(points[i]);
-    print(std::string(S::name) + "_mesh_exact", depths.inverse_depths(), gaps);
+    print(std::string(S::name) + "_mesh_exact", depths.values(), gaps);
   }
 }
 
