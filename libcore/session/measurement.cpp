@@ -8,6 +8,7 @@
 #include "files/machine.hpp"
 #include "files/stopwatch.hpp"
 #include "gap/formatted.hpp"
+#include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
@@ -18,23 +19,23 @@ constexpr const char* kWholeTables =
     "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
     "most that faster kernels could save";
 
-// The scheme that is asked for. std::runtime_error, one line with the bytes and the cure, where tables of
-// both surfaces do not fit in memory. Bytes in floating point, since entries by the 10^18 are asked for at
-// times.
-AnyScheme scheme_in_memory(const PoseQuestion& asked, double bytes_an_entry, const char* more) {
-  AnyScheme scheme(asked.scheme, asked.precision_deg);
-  const double bytes = 2.0 * bytes_an_entry * static_cast<double>(scheme.size());
+// std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
+// memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
+void require_memory(std::size_t entries, double precision_deg, double bytes_an_entry, const char* more) {
+  const double bytes = 2.0 * bytes_an_entry * static_cast<double>(entries);
   const auto free = static_cast<double>(available_memory());
-  if (bytes <= free) return scheme;
+  if (bytes <= free) return;
   throw std::runtime_error(
       formatted("tables of %zu entries at %g degrees would take %s%.0f bytes (%.1f GiB) and %.1f GiB of "
                 "memory are free; choose a coarser --precision",
-                scheme.size(), scheme.precision_deg(), more, bytes, bytes / 0x1p30, free / 0x1p30));
+                entries, precision_deg, more, bytes, bytes / 0x1p30, free / 0x1p30));
 }
 
 // A table that keeps few entries still has a directory of all of them.
 AnyScheme partly_kept(const PoseQuestion& asked) {
-  return scheme_in_memory(asked, 4.0 / 4096.0, "more than ");
+  AnyScheme scheme(asked.scheme, asked.precision_deg);
+  require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
+  return scheme;
 }
 
 SceneAnswer planned(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
@@ -45,7 +46,13 @@ SceneAnswer planned(const SessionJoint& joint, const PoseQuestion& asked, const 
 }
 
 Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
-  const AnyScheme scheme = scheme_in_memory(asked, sizeof(double) + sizeof(float), "");  // radius and slope
+  double precision_deg = 0.0;
+  with_scheme(asked.scheme, [&]<class S>() {
+    constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
+    const S scheme = S::with_precision(asked.precision_deg);
+    precision_deg = scheme.precision_deg();
+    require_memory(scheme.size(), asked.precision_deg, kEntry, "");
+  });
   fill_tables(session, {.scheme = asked.scheme,
                         .precision_deg = asked.precision_deg,
                         .storage = Storage::double_precision,
@@ -54,9 +61,9 @@ Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
   Measurement result;
   static_cast<PoseAnswer&>(result) = answer_pose(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
   result.way = kWholeTables;
-  result.precision_deg = scheme.precision_deg();
-  result.entries = scheme.size();
-  result.bytes = 2 * scheme.size() * sizeof(double);
+  result.precision_deg = precision_deg;
+  result.entries = session.tables.ball->entries();
+  result.bytes = 2 * result.entries * sizeof(double);
   result.fill_ms = session.tables.fill_ms;
   Stopwatch watch;
   bound_gaps(session, result);
