@@ -16,6 +16,7 @@
 
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
+#include "files/stopwatch.hpp"
 #include "scene/limit.hpp"
 #include "scene/question.hpp"
 #include "scene/report.hpp"
@@ -52,36 +53,41 @@ void say_what_was_written(const SceneOptions& options) {
 }
 
 // Writes all that was asked for and says what it found.
-void run_all_gaps(const Joint& joint, const SceneOptions& options) {
-  const Measurement measurement = measure(joint, options);
-  const nlohmann::json report = summary(options, joint, measurement);
-  write_scene(options, joint, measurement, report);
-  std::cout << describe_scene(report);
-  if (options.explain) std::cout << describe_way(report["way"]) << describe_left_out(report["left_out"]);
-  say_what_was_written(options);
+void run_all_gaps(Session& session, const SceneOptions& options) {
+  const SessionJoint& joint = *session.joint;
+  const Measurement found = measure(session, options);
+  write_scene(options, joint, found, summary(options, joint, found));
+  std::cout << describe_scene(options, joint, found);
+  if (options.explain) std::cout << describe_way(found.way, found.left_out, edge_on_faces(joint.joint));
 }
 
-void run_question(const Joint& joint, const SceneOptions& options) {
-  const nlohmann::json report = question_summary(options, joint, answer_question(joint, options));
-  write_if_changed(options.out / "summary.json", json_text(report));
-  std::cout << describe_question(report);
-  if (options.explain) std::cout << describe_way(report["way"]) << describe_left_out(report["left_out"]);
-  say_what_was_written(options);
+void run_question(const Session& session, const SceneOptions& options) {
+  const QuestionAnswer found = answer_question(*session.joint, options);
+  write_if_changed(options.out / "summary.json", json_text(question_summary(options, *session.joint, found)));
+  std::cout << describe_question(options, found);
+  if (options.explain) std::cout << describe_way(found.answer.way, found.answer.left_out);
 }
 
-void run_limit(const Joint& joint, const SceneOptions& options) {
-  const nlohmann::json report = limit_summary(options, joint);
-  write_if_changed(options.out / "summary.json", json_text(report));
-  std::cout << describe_limits(report);
-  say_what_was_written(options);
+void run_limit(Session& session, const SceneOptions& options) {
+  Stopwatch watch;
+  const LimitAnswers found = answer_limits(session, limit_request(options));
+  write_if_changed(options.out / "summary.json",
+                   json_text(limit_summary(options, *session.joint, found, watch.lap_ms())));
+  std::cout << describe_limits(options, found);
 }
 
 void run(const SceneOptions& options) {
-  const Joint joint = load_joint(options);
-  for (const std::string& warning : joint.warnings)
+  Session session = load_joint(options);
+  for (const std::string& warning : session.joint->joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
-  if (options.limit != nullptr) return run_limit(joint, options);
-  options.question == Question::all_gaps ? run_all_gaps(joint, options) : run_question(joint, options);
+  if (options.limit != nullptr) {
+    run_limit(session, options);
+  } else if (options.question == Question::all_gaps) {
+    run_all_gaps(session, options);
+  } else {
+    run_question(session, options);
+  }
+  say_what_was_written(options);
 }
 
 }  // namespace

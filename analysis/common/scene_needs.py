@@ -13,7 +13,6 @@ QUESTIONS = {
     "all gaps": "all gaps, one pose",
     "smallest gap": "smallest gap, one pose",
     "touch in a motion": "touch, 19 poses",
-    "touch in small steps": "touch, 721 poses",
     "gaps in a motion": "all gaps to 0.05 mm, 181 poses",
     "local change": "table after a local change",
 }

@@ -15,8 +15,6 @@ OMISSIONS = {
     "vertices": "vertices",
     "entries": "entries",
     "second_scan": "second scan",
-    "equal_poses": "equal poses",
-    "single_vertices": "single vertices",
     "fine_table": "fine table",
     "all": "all together",
 }

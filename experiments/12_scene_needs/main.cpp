@@ -4,11 +4,11 @@
 // @bones     yes
 // @timing    yes
 // @seconds   40 380
-// @links     harness real_joints methods scene answer_difference
+// @links     harness real_joints methods session answer_difference
 //
-// Everything is done with RSID tables at 0.1 degrees, for five questions about each joint: all gaps in one
-// pose, the smallest gap in it, touch along a motion there and back in 19 poses and in 721, and all gaps
-// along the motion within 0.05 mm. Each omission runs by itself and all of them together; every answer is
+// Everything is done with RSID tables at 0.1 degrees, for four questions about each joint: all gaps in one
+// pose, the smallest gap in it, touch along a motion there and back in 19 poses, and all gaps along it in 181
+// within 0.05 mm. Each omission runs by itself and all of them together; every answer is
 // compared before anything is timed, and one that is not the same fails the run.
 
 #include <algorithm>

@@ -10,8 +10,7 @@ constexpr double kOnePose = 30.0;  // degrees
 constexpr double kFarthest = 90.0;
 constexpr double kStep = 10.0;  // between the poses of a motion
 constexpr double kFineStep = 1.0;
-constexpr double kFinestStep = 0.25;  // 361 poses and back: enough for caps of vertices to pay
-constexpr double kAccuracy = 0.05;    // mm
+constexpr double kAccuracy = 0.05;  // mm
 
 Pose turned(const Vec3& axis, double degrees) {
   return {Eigen::AngleAxisd(degrees * kDegree, axis).toRotationMatrix(), Vec3::Zero()};
@@ -36,15 +35,12 @@ std::vector<NeedsScene> scenes_of(const std::string& name, const BallSocketPair&
   SceneNeeds touch;
   touch.question = Question::touch;
   touch.poses = there_and_back(axis, kStep);
-  SceneNeeds fine_touch = touch;
-  fine_touch.poses = there_and_back(axis, kFinestStep);
   SceneNeeds accurate;
   accurate.poses = there_and_back(axis, kFineStep);
   accurate.accuracy_mm = kAccuracy;
   return {{name + " all gaps", shared, pose},
           {name + " smallest gap", shared, smallest},
           {name + " touch in a motion", shared, touch},
-          {name + " touch in small steps", shared, fine_touch},
           {name + " gaps in a motion", shared, accurate}};
 }
 

@@ -15,7 +15,7 @@
 #include "gap/gap_scan.hpp"
 #include "harness/answer_difference.hpp"
 #include "methods/heap_use.hpp"
-#include "scene/certificate.hpp"
+#include "session/certificate.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/error_bound.hpp"
 #include "table/local_refill.hpp"
@@ -24,20 +24,11 @@
 namespace impinge::lab {
 namespace {
 
-FillFull rsid_filler(double precision_deg) {
-  return [scheme = Rsid::with_precision(precision_deg)](const TriangleMesh& mesh, Layer layer) {
-    return std::make_unique<FullTable<Rsid>>(fill_exact(mesh, scheme, layer));
-  };
-}
-
 // Those of the plan's omissions that can matter to the scene.
 std::vector<Omission> omissions_of(const SceneNeeds& needs) {
-  if (needs.accuracy_mm) return {Omission::equal_poses, Omission::fine_table};
-  constexpr std::size_t kLongPath = 300;  // poses from which caps of vertices may pay
-  if (needs.poses.size() > kLongPath) return {Omission::single_vertices};
+  if (needs.accuracy_mm) return {Omission::fine_table};
   std::vector<Omission> found{Omission::vertices, Omission::entries};
   if (needs.question != Question::all_gaps) found.push_back(Omission::second_scan);
-  if (needs.poses.size() > 1) found.push_back(Omission::equal_poses);
   return found;
 }
 
@@ -69,7 +60,7 @@ std::vector<PoseGaps> truth_of(const NeedsScene& scene) {
 double difference_from(const std::vector<PoseGaps>& truth, const SceneAnswer& answer) {
   double largest = 0.0;
   for (std::size_t k = 0; k < truth.size(); ++k)
-    largest = std::max(largest, gap_difference(truth[k], answer.gaps[answer.gaps_of[k * kEveryPose]]));
+    largest = std::max(largest, gap_difference(truth[k], answer.gaps[k * kEveryPose]));
   return largest;
 }
 
@@ -78,17 +69,15 @@ NeedsCase case_of(const NeedsScene& scene, const NeedsOptions& options, std::str
   NeedsCase made;
   made.scene = scene.name;
   made.left_out = std::move(left_out);
-  made.run = [scene, omissions, given = AnyScheme(Rsid::name, options.precision_deg),
-              filler = rsid_filler(options.precision_deg)] {
-    const SceneAnswer answer = answer_scene(*scene.joint, scene.needs, given, omissions, filler);
+  made.run = [scene, omissions, given = AnyScheme(Rsid::name, options.precision_deg)] {
+    const SceneAnswer answer = answer_scene(*scene.joint, scene.needs, given, omissions);
     benchmark::DoNotOptimize(answer.cost.look_ups);
   };
   return made;
 }
 
 SceneAnswer answer_of(const NeedsScene& scene, const NeedsOptions& options, Omissions omissions) {
-  return answer_scene(*scene.joint, scene.needs, AnyScheme(Rsid::name, options.precision_deg), omissions,
-                      rsid_filler(options.precision_deg));
+  return answer_scene(*scene.joint, scene.needs, AnyScheme(Rsid::name, options.precision_deg), omissions);
 }
 
 std::string name_of(Omission omission) {
@@ -154,7 +143,6 @@ std::vector<NeedsCase> cases_of(const NeedsScene& scene, const NeedsOptions& opt
   const auto add = [&](std::string name, Omissions omissions) {
     NeedsCase made = case_of(scene, options, std::move(name), omissions);
     const SceneAnswer answer = answer_of(scene, options, omissions);
-    made.culled = answer.path.culled;
     made.bytes = static_cast<double>(answer.cost.bytes);
     if (scene.needs.accuracy_mm && omissions.has(Omission::fine_table)) {
       made.difference_mm = difference_from(truth, answer);

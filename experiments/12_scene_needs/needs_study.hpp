@@ -11,7 +11,7 @@
 
 #include "files/csv.hpp"
 #include "harness/timing.hpp"
-#include "planning/scene_answer.hpp"
+#include "session/scene_answer.hpp"
 
 namespace impinge::lab {
 
@@ -35,12 +35,11 @@ struct NeedsCase {
   std::function<void()> run;   // what is timed
   double bytes = 0.0;          // of memory, of one run
   bool identical = true;       // its answer to that of the case that leaves nothing out, see cases_of()
-  bool culled = false;         // were whole caps of vertices decided at once?
   double difference_mm = 0.0;  // largest, of a gap, from the answer it is compared with
 };
 
 // The questions of one joint that turns about the axis: all gaps in one pose, the smallest gap in it, touch
-// along a motion there and back in few poses and in many, all gaps along the motion within an accuracy.
+// along a motion there and back, all gaps along the motion within an accuracy.
 std::vector<NeedsScene> scenes_of(const std::string& name, const BallSocketPair& joint, const Vec3& axis);
 
 // Cases of a scene: nothing left out first, then one omission after the other by itself, then all together.

@@ -34,8 +34,7 @@ Table needs_table() {
        {"time_saved_us", "us",
         "median of the time, against leaving nothing out; below 0 where it takes longer"},
        {"identical", "",
-        "yes: the answer is the same bit for bit, or within the stated accuracy of the exact one"},
-       {"culled", "", "yes: whole caps of vertices are decided at once, since there are many poses"}},
+        "yes: the answer is the same bit for bit, or within the stated accuracy of the exact one"}},
       {}};
 }
 
@@ -52,8 +51,7 @@ Table totals_table() {
            {"tables_bytes_ratio", "1", "tables to plan"},
            {"tables_time_ratio", "1", "tables to plan"},
            {"difference_mm", "mm", "largest of a gap from the answer it is compared with"},
-           {"identical", "", "as in scene_needs"},
-           {"culled", "", "as in scene_needs, of the plan"}},
+           {"identical", "", "as in scene_needs"}},
           {}};
 }
 
@@ -85,20 +83,20 @@ NeedsTables time_needs(const std::vector<NeedsCase>& cases, const NeedsOptions& 
   for (const NeedsCase& work : cases) {
     if (work.left_out == "nothing") continue;
     if (is_output(work)) {
-      made.needs.add_row({work.scene, work.left_out, work.bytes, us(work), work.identical, work.culled});
+      made.needs.add_row({work.scene, work.left_out, work.bytes, us(work), work.identical});
       continue;
     }
     const NeedsCase& full = *everything.at(work.scene);
     const bool all = work.left_out == "all";
     const Extra more = all ? extra[work.scene] : Extra{};
     made.needs.add_row({work.scene, work.left_out, full.bytes + more.bytes - work.bytes,
-                        us(full) + more.us - us(work), work.identical, work.culled});
+                        us(full) + more.us - us(work), work.identical});
     if (!all) continue;
     const double all_bytes = full.bytes + more.bytes;
     const double all_us = us(full) + more.us;
     made.totals.add_row({work.scene, all_bytes, all_us, full.bytes, us(full), work.bytes, us(work),
                          all_bytes / work.bytes, all_us / us(work), full.bytes / work.bytes,
-                         us(full) / us(work), work.difference_mm, work.identical, work.culled});
+                         us(full) / us(work), work.difference_mm, work.identical});
   }
   return made;
 }

@@ -38,12 +38,9 @@ bool same_bits(const PoseGaps& a, const PoseGaps& b) {
 }  // namespace
 
 bool same_answer(const SceneAnswer& a, const SceneAnswer& b) {
-  if (a.touches != b.touches || a.smallest != b.smallest || a.gaps_of.size() != b.gaps_of.size())
-    return false;
-  for (std::size_t p = 0; p < a.gaps_of.size(); ++p) {
-    if (!same_bits(a.gaps[a.gaps_of[p]], b.gaps[b.gaps_of[p]])) return false;
-  }
-  return true;
+  return a.touches == b.touches && a.smallest == b.smallest &&
+         std::ranges::equal(a.gaps, b.gaps,
+                            [](const PoseGaps& one, const PoseGaps& two) { return same_bits(one, two); });
 }
 
 double gap_difference(const PoseGaps& a, const PoseGaps& b) {
@@ -51,12 +48,11 @@ double gap_difference(const PoseGaps& a, const PoseGaps& b) {
 }
 
 double answer_difference(const SceneAnswer& a, const SceneAnswer& b) {
-  if (a.touches != b.touches || a.gaps_of.size() != b.gaps_of.size() || !a.smallest != !b.smallest)
+  if (a.touches != b.touches || a.gaps.size() != b.gaps.size() || !a.smallest != !b.smallest)
     return kInfinity;
   double largest = a.smallest ? difference(a.smallest->gap_mm, b.smallest->gap_mm) : 0.0;
-  for (std::size_t p = 0; p < a.gaps_of.size(); ++p) {
-    largest = std::max(largest, gap_difference(a.gaps[a.gaps_of[p]], b.gaps[b.gaps_of[p]]));
-  }
+  for (std::size_t p = 0; p < a.gaps.size(); ++p)
+    largest = std::max(largest, gap_difference(a.gaps[p], b.gaps[p]));
   return largest;
 }
 

@@ -2,7 +2,7 @@
 // How much two answers to one scene differ.
 #pragma once
 
-#include "planning/scene_answer.hpp"
+#include "session/scene_answer.hpp"
 
 namespace impinge::lab {
 

@@ -4,11 +4,7 @@
 namespace impinge {
 VerdictCount count_verdicts(std::span<const CertifiedGap> gaps) {
   VerdictCount count;
-  for (const CertifiedGap& gap : gaps) {
-    count.clear += gap.verdict == Verdict::clear ? 1U : 0U;
-    count.impinged += gap.verdict == Verdict::impinged ? 1U : 0U;
-    count.undecided += gap.verdict == Verdict::undecided ? 1U : 0U;
-  }
+  for (const CertifiedGap& gap : gaps) count.add(gap.verdict);
   return count;
 }
 

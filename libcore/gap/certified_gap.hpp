@@ -76,6 +76,11 @@ struct VerdictCount {
   std::size_t impinged = 0;   // proven to have one
   std::size_t undecided = 0;  // neither
 
+  /// One more.
+  void add(Verdict verdict) {
+    ++(verdict == Verdict::clear ? clear : verdict == Verdict::impinged ? impinged : undecided);
+  }
+
   /// Adds those of another scan.
   VerdictCount& operator+=(const VerdictCount& other) {
     clear += other.clear;

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/joint.hpp"
+#include "hip/joint.hpp"
 #include "scene/options.hpp"
 
 namespace impinge {

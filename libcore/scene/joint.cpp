@@ -27,7 +27,7 @@ void require_other_folder(const SceneOptions& options) {
 
 }  // namespace
 
-Joint load_joint(const SceneOptions& options) {
+Session load_joint(const SceneOptions& options) {
   require_other_folder(options);
   JointInput input;
   input.ball = {options.ball.string(), read_mesh(options.ball)};
@@ -37,7 +37,7 @@ Joint load_joint(const SceneOptions& options) {
   input.axes = options.axes;
   Joint joint = assemble_joint(std::move(input));
   if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
-  return joint;
+  return {std::move(joint), options.side, options.axes};
 }
 
 }  // namespace impinge

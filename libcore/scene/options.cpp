@@ -158,7 +158,7 @@ void set_outputs(const Typed& typed, SceneOptions& options) {
 // Both surfaces are in the outputs that compare them.
 void require_both_surfaces(const Typed& typed, const SceneOptions& options) {
   if (typed.surfaces == "both" || options.question != Question::all_gaps) return;
-  const SceneOutputs& outputs = options.outputs;
+  const PoseOutputs& outputs = options.outputs;
   if (!typed.outputs.empty() && !outputs.bounds && !outputs.distances && !outputs.verdicts) return;
   refuse("--surfaces", typed.surfaces,
          "leaves out what bounds, distances and verdicts need; add --outputs gaps");

@@ -21,13 +21,12 @@ std::string size_text(double bytes) {
   return formatted("%.0f bytes", size);
 }
 
-json smallest_json(const SmallestGap& smallest, const Joint& joint, const Pose& pose) {
-  const bool ball = smallest.scanned == Surface::ball;
-  const Vec3& vertex = (ball ? joint.ball : joint.socket).mesh.vertices[smallest.vertex];
+json smallest_json(const SmallestGap& smallest, const SessionJoint& joint, const Pose& pose) {
+  const Vec3 place = posed_places(joint, pose, smallest.scanned)[smallest.vertex];
   return {{"gap_mm", smallest.gap_mm},
           {"surface", name(smallest.scanned)},
           {"vertex", smallest.vertex},
-          {"position", point_json((ball ? to_socket(pose, vertex) : vertex) + joint.centre)}};
+          {"position", point_json(place + joint.joint.centre)}};
 }
 
 }  // namespace
@@ -44,41 +43,41 @@ json left_out_json(const std::vector<LeftOut>& left_out) {
   return items;
 }
 
-std::string describe_left_out(const json& left_out) {
-  if (left_out.empty()) return "left out            nothing\n";
-  std::string text;
-  for (const json& item : left_out) {
-    text += text.empty() ? "left out            " : "                    ";
-    if (item.is_string()) {
-      text += item.get<std::string>() + "\n";
-      continue;
-    }
-    text += item["meaning"].get<std::string>() + ": " + item["reason"].get<std::string>();
-    if (!item["bytes_saved"].is_null()) {
-      const double bytes = item["bytes_saved"];
-      text += (bytes > 0.0 ? "; saves " : "; takes ") + size_text(bytes) + (bytes > 0.0 ? "" : " more");
-    }
-    text += "\n";
+std::string describe_way(const std::string& way, const std::vector<LeftOut>& left_out, bool edge_on) {
+  std::string items;
+  const auto add = [&items](const std::string& item) {
+    items += (items.empty() ? "left out            " : "                    ") + item + "\n";
+  };
+  for (const LeftOut& item : left_out) {
+    const bool saves = item.bytes_saved > 0.0;
+    const std::string bytes =
+        (saves ? "; saves " : "; takes ") + size_text(item.bytes_saved) + (saves ? "" : " more");
+    add(std::string(kOmissions[static_cast<std::size_t>(item.what)].meaning) + ": " + item.reason +
+        (item.bytes_saved == 0.0 ? "" : bytes));
   }
-  return text;
+  if (edge_on) add(kEdgeOnLeftOut);
+  if (items.empty()) add("nothing");
+  return "way                 " + way + "\n" + items;
 }
 
-std::string describe_way(const json& way) { return "way                 " + way.get<std::string>() + "\n"; }
+bool edge_on_faces(const Joint& joint) {
+  return joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0;
+}
 
 std::string json_text(const json& summary) {
   return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-json question_summary(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found) {
+json question_summary(const SceneOptions& options, const SessionJoint& joint, const QuestionAnswer& found) {
   const SceneAnswer& answer = found.answer;
   const bool touch = options.question == Question::touch;
-  json report = asked_json(options, joint);
+  json report = asked_json(options, joint.joint);
   report["units"]["memory"] = "bytes";
   report.update(
       {{"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
        {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
-       {"way", answer.path.reason},
-       {"left_out", left_out_json(found.left_out)},
+       {"way", answer.way},
+       {"left_out", left_out_json(answer.left_out)},
        {"table_bytes", answer.cost.bytes},
        {"entries_filled", answer.cost.entries},
        {"look_ups", answer.cost.look_ups},
@@ -86,13 +85,13 @@ json question_summary(const SceneOptions& options, const Joint& joint, const Que
   return report;
 }
 
-std::string describe_question(const json& summary) {
-  if (summary["question"] == "touch")
-    return std::string("touch               ") + (summary["touch"].get<bool>() ? "yes" : "no") + "\n";
-  const json& smallest = summary["smallest_gap"];
-  if (smallest.is_null()) return "smallest gap        none: the surfaces do not face each other\n";
-  return formatted("smallest gap        %.3f mm at %s vertex %zu\n", smallest["gap_mm"].get<double>(),
-                   smallest["surface"].get<std::string>().c_str(), smallest["vertex"].get<std::size_t>());
+std::string describe_question(const SceneOptions& options, const QuestionAnswer& found) {
+  if (options.question == Question::touch)
+    return std::string("touch               ") + (found.answer.touches.front() ? "yes" : "no") + "\n";
+  const auto& smallest = found.answer.smallest;
+  if (!smallest) return "smallest gap        none: the surfaces do not face each other\n";
+  return formatted("smallest gap        %.3f mm at %s vertex %zu\n", smallest->gap_mm,
+                   name(smallest->scanned).data(), smallest->vertex);
 }
 
 }  // namespace impinge

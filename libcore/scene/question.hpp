@@ -7,27 +7,29 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/joint.hpp"
-#include "scene/planned_answer.hpp"
+#include "scene/options.hpp"
+#include "session/measurement.hpp"
 
 namespace impinge {
 
 /// Of each omission its name, meaning, reason and the bytes that it saved.
 nlohmann::json left_out_json(const std::vector<LeftOut>& left_out);
 
-/// The same as lines of text.
-std::string describe_left_out(const nlohmann::json& left_out);
+/// How the answer was found and what was left out, as lines of text; `edge_on` if faces were.
+std::string describe_way(const std::string& way, const std::vector<LeftOut>& left_out, bool edge_on = false);
 
-/// How the answer was found, a line of text of a summary's "way".
-std::string describe_way(const nlohmann::json& way);
+/// Has the joint faces whose plane holds the centre? They are left out of all gaps.
+bool edge_on_faces(const Joint& joint);
+inline constexpr const char* kEdgeOnLeftOut = "faces whose plane holds the centre: they cover no direction";
 
 /// The text of a summary. Names of files may hold any bytes; what is no UTF-8 becomes U+FFFD.
 std::string json_text(const nlohmann::json& summary);
 
 /// The contents of summary.json for the question: lengths in mm, times in ms.
-nlohmann::json question_summary(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found);
+nlohmann::json question_summary(const SceneOptions& options, const SessionJoint& joint,
+                                const QuestionAnswer& found);
 
 /// The same for a reader at a terminal.
-std::string describe_question(const nlohmann::json& summary);
+std::string describe_question(const SceneOptions& options, const QuestionAnswer& found);
 
 }  // namespace impinge

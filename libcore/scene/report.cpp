@@ -1,71 +1,110 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/report.hpp"
 
-#include <vector>
-
-#include "files/csv.hpp"
 #include "files/file_set.hpp"
-#include "hip/gap_files.hpp"
-#include "mesh/ply_writer.hpp"
+#include "gap/formatted.hpp"
+#include "scene/proof_json.hpp"
 #include "scene/question.hpp"
-#include "scene/reported_surface.hpp"
+#include "session/joint_files.hpp"
 
 namespace impinge {
 namespace {
 
-using nlohmann::json;
-
-std::string csv_of(const ReportedSurface& ball, const ReportedSurface& socket, const Vec3& centre) {
-  const auto in_input_frame = [&centre](std::vector<Vec3> places) {
-    for (Vec3& x : places) x += centre;
-    return places;
-  };
-  const std::vector<Vec3> ball_places = in_input_frame(ball.posed);
-  const std::vector<Vec3> socket_places = in_input_frame(socket.posed);
-  return gaps_csv({ball.surface, ball_places, ball.gaps.gap},
-                  {socket.surface, socket_places, socket.gaps.gap});
-}
-
-std::string distances_csv(const ReportedSurface& ball, const ReportedSurface& socket) {
-  Table table;
-  table.columns = {{"surface", "", "ball or socket"},
-                   {"vertex", "1", "index in the input mesh after welding"},
-                   {"gap_mm", "mm", "radial, as in gaps.csv"},
-                   {"distance_lower_mm", "mm", "Euclidean distance from the other surface, lower end"},
-                   {"distance_upper_mm", "mm", "upper end"}};
-  for (const ReportedSurface* v : {&ball, &socket}) {
-    for (std::size_t i = 0; i < v->posed.size(); ++i) {
-      const DistanceBracket& distance = v->gaps.distance[i];
-      table.add_row({name(v->surface), i, v->gaps.gap[i], distance.lower_mm, distance.upper_mm});
-    }
+std::string describe_centre(const Joint& joint) {
+  std::string text = formatted("centre of rotation  %.3f %.3f %.3f mm, %s", joint.centre.x(),
+                               joint.centre.y(), joint.centre.z(), joint.fit ? "fitted" : "given");
+  if (joint.fit) {
+    text += formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", joint.fit->radius,
+                      joint.fit->rms, joint.fit->points);
   }
-  return to_csv(table);
+  return text + "\n";
 }
 
-std::string part_ply(const ReportedSurface& v, const Vec3& centre) {
-  TriangleMesh mesh{v.posed, v.part.mesh.faces};
-  for (Vec3& x : mesh.vertices) x += centre;
-  const auto levels = gap_levels(v.surface, v.touching);
-  std::vector<Rgb> colours;
-  for (const double gap : v.against_cartilage) colours.push_back(gap_colour(gap, levels));
-  return ply_bytes(mesh, "gap", v.gaps.gap, colours);
+std::string describe_table(const SceneOptions& options, const Measurement& found) {
+  if (!options.max_error_mm) {
+    return formatted("table               %s at %g degrees, %zu entries a surface\n", options.scheme.c_str(),
+                     found.precision_deg, found.entries);
+  }
+  const double error = *options.max_error_mm;
+  if (found.entries == 0)
+    return formatted("table               none: gaps within %g mm, of the faces\n", error);
+  return formatted("table               %zu entries in both, and the faces: gaps within %g mm\n",
+                   found.entries, error);
+}
+
+std::string describe_certificate(const std::optional<Certificate>& found) {
+  if (!found) return "";
+  std::string text = std::string("bone on bone        surfaces ") + verdict_name(found->surfaces_impinged);
+  if (found->deepest) {
+    text += ", by up to " + rounded_up(found->deepest->depth, 3) + " mm at a " + name(found->deepest->kind);
+  }
+  return text + "; vertices " + verdict_name(found->vertices_impinged()) + " (both decided exactly)\n";
+}
+
+std::string describe_smallest(const SmallestOfPose& smallest, const SurfaceAnswer& of) {
+  const std::size_t i = smallest.vertex;
+  std::string text = formatted("smallest gap        %.3f mm at %s vertex %zu", smallest.gap_mm,
+                               name(smallest.surface).data(), i);
+  if (smallest.hours) text += ", " + clock_text(*smallest.hours) + " o'clock";
+  if (!of.bound.empty() && std::isfinite(of.bound[i]))
+    text += " (error of this gap by the table at most " + rounded_up(of.bound[i], 3) + " mm)";
+  if (!of.distance.empty()) {
+    text += "\nEuclidean distance  " + rounded_down(of.distance[i].lower_mm, 3) + " to " +
+            rounded_up(of.distance[i].upper_mm, 3) + " mm there";
+  }
+  return text;
+}
+
+std::string describe_zones(const SessionJoint& joint, const std::vector<ClockZone>& zones) {
+  if (!joint.dial) return "no clock positions: the socket looks straight up, down, forward or back";
+  std::string text;
+  for (const ClockZone& zone : zones) {
+    const std::string from = clock_text(zone.from);
+    const std::string to = clock_text(zone.to);
+    if (from == to) return "all round the clock";
+    text += (text.empty() ? "" : ", ") + from + "-" + to;
+  }
+  return text.empty() ? "nowhere" : "at " + text + " o'clock";
+}
+
+std::string describe_level(const SessionJoint& joint, const Measurement& found, bool bone) {
+  std::string text = !bone && joint.joint.cartilage
+                         ? std::string("\ncartilage touches   ")
+                         : formatted("\nimpinged at %3g mm   ", bone ? 0.0 : found.ball.touching);
+  const GapSummary& ball = bone ? found.ball.bone : found.ball.cartilage;
+  const GapSummary& socket = bone ? found.socket.bone : found.socket.cartilage;
+  if (ball.impinged + socket.impinged == 0) return text + "nowhere";
+  const auto& ball_zones = bone ? found.ball.bone_zones : found.ball.cartilage_zones;
+  const auto& socket_zones = bone ? found.socket.bone_zones : found.socket.cartilage_zones;
+  return text + formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s", ball.impinged_area,
+                          describe_zones(joint, ball_zones).c_str(), socket.impinged_area,
+                          describe_zones(joint, socket_zones).c_str());
 }
 
 }  // namespace
 
-void write_scene(const SceneOptions& options, const Joint& joint, const Measurement& measurement,
+std::string describe_scene(const SceneOptions& options, const SessionJoint& joint, const Measurement& found) {
+  std::string text =
+      describe_centre(joint.joint) + describe_table(options, found) + describe_certificate(found.certificate);
+  if (!found.smallest) return text + "smallest gap        none: the surfaces do not face each other\n";
+  text += describe_smallest(*found.smallest, found.of(found.smallest->surface));
+  text += describe_level(joint, found, true);
+  if (found.ball.touching > 0.0) text += describe_level(joint, found, false);
+  return text + "\n";
+}
+
+void write_scene(const SceneOptions& options, const SessionJoint& joint, const Measurement& measurement,
                  const nlohmann::json& summary) {
-  const ReportedSurface ball = reported(Surface::ball, options, joint, measurement);
-  const ReportedSurface socket = reported(Surface::socket, options, joint, measurement);
   FileSet files;
   if (options.outputs.gaps) {
-    for (const ReportedSurface* v : {&ball, &socket}) {
-      if (v->gaps.gap.empty()) continue;
-      files.add(options.out / (std::string(name(v->surface)) + ".ply"), part_ply(*v, joint.centre));
+    for (const Surface surface : kSurfaces) {
+      if (measurement.of(surface).gap.empty()) continue;
+      files.add(options.out / (std::string(name(surface)) + ".ply"),
+                surface_ply(joint, measurement, surface));
     }
-    files.add(options.out / "gaps.csv", csv_of(ball, socket, joint.centre));
+    files.add(options.out / "gaps.csv", gaps_csv(joint, measurement));
   }
-  if (options.outputs.distances) files.add(options.out / "distances.csv", distances_csv(ball, socket));
+  if (options.outputs.distances) files.add(options.out / "distances.csv", distances_csv(measurement));
   files.add(options.out / "summary.json", json_text(summary));
   files.commit();
 }

@@ -22,7 +22,8 @@ std::vector<std::string> scene_files(const SceneOptions& options) {
 std::vector<std::string> older_files(const SceneOptions& options) {
   std::vector<std::string> older;
   const std::vector<std::string> written = scene_files(options);
-  for (const std::string& name : scene_files({})) {
+  const SceneOptions everything;
+  for (const std::string& name : scene_files(everything)) {
     std::error_code unreadable;  // then nothing is known of it
     if (std::ranges::find(written, name) == written.end() &&
         std::filesystem::exists(options.out / name, unreadable))

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "gap/gap_histogram.hpp"
-#include "gap/gap_summary.hpp"
+#include "hip/gap_levels.hpp"
 #include "scene/asked.hpp"
-#include "scene/impingement_json.hpp"
 #include "scene/json_values.hpp"
 #include "scene/proof_json.hpp"
 #include "scene/question.hpp"
@@ -15,10 +13,10 @@ namespace {
 
 using nlohmann::json;
 
-json part_json(const ReportedSurface& v) {
-  const MeshReport& mesh = v.part.validation;
-  const StarShapeReport& star = v.part.star_shape;
-  return {{"file", v.file.string()},
+json part_json(const std::filesystem::path& file, const JointPart& part, const SurfaceAnswer& found) {
+  const MeshReport& mesh = part.validation;
+  const StarShapeReport& star = part.star_shape;
+  return {{"file", file.string()},
           {"vertices", mesh.vertices},
           {"faces", mesh.faces},
           {"boundary_edges", mesh.boundary_edges},
@@ -30,10 +28,10 @@ json part_json(const ReportedSurface& v) {
           {"star_shaped", star.star_shaped},
           {"directions_covered", star.covered},
           {"directions_met_more_than_once", star.violating},
-          {"vertices_that_meet_the_other_surface", summarise(v.gaps.gap, v.area, 0.0).met}};
+          {"vertices_that_meet_the_other_surface", found.all.met}};
 }
 
-json outputs_json(const SceneOutputs& outputs) {
+json outputs_json(const PoseOutputs& outputs) {
   json names = json::array();
   if (outputs.gaps) names.push_back("gaps");
   if (outputs.bounds) names.push_back("bounds");
@@ -41,9 +39,6 @@ json outputs_json(const SceneOutputs& outputs) {
   if (outputs.verdicts) names.push_back("verdicts");
   return names;
 }
-
-// null for 0: with an accuracy asked for, each gap has what is cheapest.
-json positive_json(double value) { return value > 0.0 ? json(value) : json(nullptr); }
 
 json cartilage_json(const SceneOptions& options, const Joint& joint) {
   if (!joint.cartilage) return nullptr;
@@ -54,11 +49,79 @@ json cartilage_json(const SceneOptions& options, const Joint& joint) {
           {"thickest_mm", most}};
 }
 
+// Unit vectors of the joint frame.
+json dial_json(const std::optional<ClockFace>& dial) {
+  if (!dial) return nullptr;
+  const auto vector = [](const Vec3& x) { return json::array({x.x(), x.y(), x.z()}); };
+  return {{"twelve", vector(dial->twelve)}, {"three", vector(dial->three)}};
+}
+
+json smallest_json(const SessionJoint& joint, const PoseAnswer& found) {
+  if (!found.smallest) return nullptr;
+  const SmallestOfPose& smallest = *found.smallest;
+  const SurfaceAnswer& of = found.of(smallest.surface);
+  const std::size_t i = smallest.vertex;
+  json distance;
+  if (!of.distance.empty()) distance = interval_json(of.distance[i].lower_mm, of.distance[i].upper_mm);
+  return {{"gap_mm", smallest.gap_mm},
+          {"error_bound_mm", of.bound.empty() ? json(nullptr) : number_json(of.bound[i])},
+          {"euclidean_distance_mm", distance},
+          {"surface", name(smallest.surface)},
+          {"vertex", i},
+          {"position", point_json(smallest.place + joint.joint.centre)},
+          {"clock", smallest.hours ? json(clock_text(*smallest.hours)) : json(nullptr)}};
+}
+
+// Area by gap; null if the surface was not scanned.
+json histogram_json(const SurfaceAnswer& found) {
+  if (found.gap.empty()) return nullptr;
+  return {{"area_mm2", found.histogram.area},
+          {"below_mm2", found.histogram.below},
+          {"beyond_mm2", found.histogram.beyond},
+          {"without_gap_mm2", found.histogram.without}};
+}
+
+json impinged_json(const SessionJoint& joint, const GapSummary& found, const std::vector<ClockZone>& zones) {
+  json clock_zones;
+  if (joint.dial) clock_zones = json::array();
+  for (const ClockZone& zone : zones)
+    clock_zones.push_back(
+        {{"from", clock_text(zone.from)}, {"to", clock_text(zone.to)}, {"area_mm2", zone.area}});
+  return {{"vertices", found.impinged}, {"area_mm2", found.impinged_area}, {"clock_zones", clock_zones}};
+}
+
+// Vertices, area and stretches of the dial with bone on bone, and where the layers of cartilage touch.
+json impingement_json(const SessionJoint& joint, const PoseAnswer& found) {
+  const SurfaceAnswer& ball = found.ball;
+  const SurfaceAnswer& socket = found.socket;
+  json levels = json::array({{{"gap_up_to_mm", 0.0},
+                              {"meaning", "bone on bone"},
+                              {"ball", impinged_json(joint, ball.bone, ball.bone_zones)},
+                              {"socket", impinged_json(joint, socket.bone, socket.bone_zones)}}});
+  if (ball.touching == 0.0) return levels;
+  levels.push_back({{"gap_up_to_mm", joint.joint.cartilage ? json(nullptr) : json(ball.touching)},
+                    {"meaning", "cartilage on cartilage"},
+                    {"ball", impinged_json(joint, ball.cartilage, ball.cartilage_zones)},
+                    {"socket", impinged_json(joint, socket.cartilage, socket.cartilage_zones)}});
+  return levels;
+}
+
+// Colours and where they end: of a map as shares of its thickness.
+json levels_json(Surface surface, const SurfaceAnswer& found, bool map) {
+  json levels = json::array();
+  for (const GapLevel& level : gap_levels(surface, found.touching)) {
+    levels.push_back({{map ? "up_to_share_of_cartilage" : "up_to_mm", number_json(level.up_to_mm)},
+                      {"meaning", level.meaning},
+                      {"rgb", level.colour}});
+  }
+  return levels;
+}
+
 // In the pose of the scan no bone is in another one.
-json warnings_json(const Joint& joint, const Measurement& measurement, const json& smallest) {
+json warnings_json(const Joint& joint, const Measurement& found) {
   json warnings = joint.warnings;
-  const bool as_scanned = measurement.pose.rotation == Eigen::Matrix3d::Identity();
-  if (as_scanned && !smallest.is_null() && smallest["gap_mm"] < 0.0) {
+  const bool as_scanned = found.pose.rotation == Eigen::Matrix3d::Identity();
+  if (as_scanned && found.smallest && found.smallest->gap_mm < 0.0) {
     warnings.push_back(
         "the bones overlap as scanned, where none can; check the centre, the frame and the "
         "segmentation of both meshes");
@@ -69,68 +132,53 @@ json warnings_json(const Joint& joint, const Measurement& measurement, const jso
 // Work that this scene did not need, and why.
 json left_out(const Joint& joint, const std::vector<LeftOut>& planned) {
   json items = left_out_json(planned);
-  if (joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0) {
-    items.push_back("faces whose plane holds the centre: they cover no direction");
-  }
+  if (edge_on_faces(joint)) items.push_back(kEdgeOnLeftOut);
   return items;
+}
+
+json times_json(const Measurement& found) {
+  return {{"fill_tables", found.fill_ms},
+          {"scan", found.scan_ms},
+          {"error_bounds", found.bound_ms},
+          {"euclidean_distances", found.distance_ms},
+          {"certificate", found.certificate ? json(1000.0 * found.certificate->seconds) : json(nullptr)}};
 }
 
 }  // namespace
 
-nlohmann::json summary(const SceneOptions& options, const Joint& joint, const Measurement& measurement) {
-  const ReportedSurface ball = reported(Surface::ball, options, joint, measurement);
-  const ReportedSurface socket = reported(Surface::socket, options, joint, measurement);
-  const Eigen::Matrix3d axes = input_to_joint(options.axes);
-  TriangleMesh in_joint_frame = joint.socket.mesh;
-  for (Vec3& x : in_joint_frame.vertices) x = axes * x;
-  const Whereabouts where{joint.centre, clock_face(in_joint_frame), axes};
-
-  nlohmann::json thresholds = nlohmann::json::array();
-  for (const double threshold : {0.0, ball.touching}) {
-    if (threshold == 0.0 && !thresholds.empty()) continue;
-    const bool by_map = joint.cartilage && threshold > 0.0;
-    thresholds.push_back({{"gap_up_to_mm", by_map ? nlohmann::json(nullptr) : nlohmann::json(threshold)},
-                          {"meaning", threshold == 0.0 ? "bone on bone" : "cartilage on cartilage"},
-                          {"ball", impingement_json(ball, threshold, where)},
-                          {"socket", impingement_json(socket, threshold, where)}});
-  }
-  const nlohmann::json smallest = smaller(smallest_json(ball, where), smallest_json(socket, where));
+nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, const Measurement& found) {
+  const Joint& read = joint.joint;
+  const bool map = read.cartilage.has_value();
   const GapHistogram bins;
-  json report = asked_json(options, joint);
-  report.update(
-      {{"ball", part_json(ball)},
-       {"socket", part_json(socket)},
-       {"outputs", outputs_json(options.outputs)},
-       {"precision_deg", positive_json(measurement.precision_deg)},
-       {"entries_per_table", measurement.entries},
-       {"table_bytes", measurement.bytes},
-       {"cartilage_mm", joint.cartilage ? nlohmann::json(nullptr) : nlohmann::json(options.cartilage_mm)},
-       {"cartilage_map", cartilage_json(options, joint)},
-       {"dial", dial_json(where.dial)},
-       {"smallest_gap", smallest},
-       {"gap_histogram",
-        {{"first_mm", bins.first},
-         {"bin_mm", bins.width},
-         {"ball", histogram_json(ball)},
-         {"socket", histogram_json(socket)}}},
-       {"impingement", thresholds},
-       {"error_bound_mm", bounds_json(ball, socket, measurement.smallest)},
-       {"euclidean_distance_mm", distances_json(ball, socket)},
-       {"certificate", certificate_json(measurement.certificate)},
-       {"colours",
-        {{"ball", levels_json(ball, joint.cartilage.has_value())},
-         {"socket", levels_json(socket, joint.cartilage.has_value())},
-         {"no_gap_rgb", kNoGapColour}}},
-       {"way", measurement.way},
-       {"left_out", left_out(joint, measurement.left_out)},
-       {"warnings", warnings_json(joint, measurement, smallest)},
-       {"times_ms",
-        {{"fill_tables", measurement.fill_ms},
-         {"scan", measurement.scan_ms},
-         {"error_bounds", measurement.bound_ms},
-         {"euclidean_distances", measurement.distance_ms},
-         {"certificate", measurement.certificate ? nlohmann::json(1000.0 * measurement.certificate->seconds)
-                                                 : nlohmann::json(nullptr)}}}});
+  json report = asked_json(options, read);
+  report.update({{"ball", part_json(options.ball, read.ball, found.ball)},
+                 {"socket", part_json(options.socket, read.socket, found.socket)},
+                 {"outputs", outputs_json(options.outputs)},
+                 // null for 0: with an accuracy asked for, each gap has what is cheapest.
+                 {"precision_deg", found.precision_deg > 0.0 ? json(found.precision_deg) : json(nullptr)},
+                 {"entries_per_table", found.entries},
+                 {"table_bytes", found.bytes},
+                 {"cartilage_mm", map ? json(nullptr) : json(options.cartilage_mm)},
+                 {"cartilage_map", cartilage_json(options, read)},
+                 {"dial", dial_json(joint.dial)},
+                 {"smallest_gap", smallest_json(joint, found)},
+                 {"gap_histogram",
+                  {{"first_mm", bins.first},
+                   {"bin_mm", bins.width},
+                   {"ball", histogram_json(found.ball)},
+                   {"socket", histogram_json(found.socket)}}},
+                 {"impingement", impingement_json(joint, found)},
+                 {"error_bound_mm", bounds_json(found.proven)},
+                 {"euclidean_distance_mm", distances_json(found)},
+                 {"certificate", certificate_json(found.certificate)},
+                 {"colours",
+                  {{"ball", levels_json(Surface::ball, found.ball, map)},
+                   {"socket", levels_json(Surface::socket, found.socket, map)},
+                   {"no_gap_rgb", kNoGapColour}}},
+                 {"way", found.way},
+                 {"left_out", left_out(read, found.left_out)},
+                 {"warnings", warnings_json(read, found)},
+                 {"times_ms", times_json(found)}});
   return report;
 }
 

@@ -16,7 +16,7 @@ using test::require;
 
 // What is asked about, and what is written of it, go together.
 void require_consistent_question(const SceneOptions& options) {
-  const SceneOutputs& outputs = options.outputs;
+  const PoseOutputs& outputs = options.outputs;
   const bool any = outputs.gaps || outputs.bounds || outputs.distances || outputs.verdicts;
   require(any == (options.question == Question::all_gaps), "all gaps have outputs, other questions none");
   require(options.limit == nullptr || !any, "a limit has no outputs of tables");

@@ -15,7 +15,8 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "verdicts.hpp"
+#include "session/joint_files.hpp"
+#include "session/limits.hpp"
 
 namespace {
 
@@ -118,20 +119,22 @@ void answer_poses(Session& session, const TableCase& table, const fs::path& fold
   }
 }
 
-json limit(Session& session, const char* growing) {
-  json limits = json::array();
-  for (const SweepLimit& found : answer_sweep(session, {{}, growing, 150.0, 5.0}).limits) {
-    const TurnLimit& limit = found.told.limit;
-    const auto& half = found.told.half_mm_gap_deg;
-    limits.push_back({{"about", found.about},
-                      {"threshold_mm", found.told.threshold_mm},
-                      {"state", name(limit.state)},
-                      {"low_deg", limit.low_deg},
-                      {"high_deg", limit.high_deg},
-                      {"half_mm_gap_deg", half ? json(*half) : json(nullptr)},
-                      {"clock", found.hours ? json(clock_text(*found.hours)) : json(nullptr)}});
-  }
-  return {{"motion", growing}, {"limits", limits}};
+json limit_json(const LimitAnswer& found) {
+  const TurnLimit& limit = found.told.limit;
+  const auto& half = found.told.half_mm_gap_deg;
+  return {{"about", found.about},
+          {"threshold_mm", found.told.threshold_mm},
+          {"state", name(limit.state)},
+          {"low_deg", limit.low_deg},
+          {"high_deg", limit.high_deg},
+          {"half_mm_gap_deg", half ? json(*half) : json(nullptr)},
+          {"clock", found.hours ? json(clock_text(*found.hours)) : json(nullptr)}};
+}
+
+json limits_json(Session& session, const char* growing) {
+  const LimitAnswers found = answer_limits(session, {.start = {}, .growing = growing, .largest_deg = 150.0});
+  return {{"motion", growing},
+          {"limits", {limit_json(found.contact), limit_json(*found.socket), limit_json(found.cartilage)}}};
 }
 
 // Of the deepest of the poses.
@@ -168,8 +171,8 @@ json hip_json(const std::string& name, const fs::path& folder) {
           {"side", parameters.side == Side::left ? "left" : "right"},
           {"bound_mm", whole_bound(session.tables)},
           {"verdicts", verdicts_json(session)},
-          {"csv", gaps_csv(session, {})},
-          {"limits", {limit(session, "flexion"), limit(session, "internal_rotation")}},
+          {"csv", gaps_csv(*session.joint, answer_pose(session, {}))},
+          {"limits", {limits_json(session, "flexion"), limits_json(session, "internal_rotation")}},
           {"scenes", scenes}};
 }
 

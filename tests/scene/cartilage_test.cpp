@@ -133,9 +133,10 @@ TEST_F(Cartilage, GapsOfAHipAreInTheHistogram) {
 // Stated behaviour of joints that are not as they should be.
 TEST_F(Cartilage, TheWrongSideIsWarnedOf) {
   SceneOptions options = hip(hip_preset("patient_b"));
-  EXPECT_TRUE(load_joint(options).warnings.empty());
+  EXPECT_TRUE(load_joint(options).joint->joint.warnings.empty());
   options.side = Side::right;
-  const Joint joint = load_joint(options);
+  const Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
   ASSERT_FALSE(joint.warnings.empty());
   EXPECT_NE(joint.warnings[0].find("--side"), std::string::npos) << joint.warnings[0];
 }

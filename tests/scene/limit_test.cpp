@@ -3,6 +3,7 @@
 #include "scene/limit.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -37,8 +38,21 @@ SceneOptions abducted() {
   return options;
 }
 
+// An answer, and what is said of it.
+struct Told {
+  LimitAnswers found;
+  nlohmann::json summary;
+  std::string text;
+};
+
+Told told_of(const SceneOptions& options, Joint joint) {
+  Session session(std::move(joint), options.side, options.axes);
+  const LimitAnswers found = answer_limits(session, limit_request(options));
+  return {found, limit_summary(options, *session.joint, found, 0.0), describe_limits(options, found)};
+}
+
 TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
-  const auto summary = limit_summary(abducted(), scanned_joint(impinging_cam()));
+  const auto [found, summary, text] = told_of(abducted(), scanned_joint(impinging_cam()));
   const TurnLimits limits(make_ball_socket_pair(800, impinging_cam()));
   const JointTurn turn = joint_turn({}, motion_name("abduction"), Side::right);
   const TurnLimit expected = limits.first_contact(turn, 180.0);
@@ -64,7 +78,6 @@ TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
   EXPECT_EQ(summary["centre"]["x"], kAt.x());
   EXPECT_NEAR(summary["cartilage"]["low_deg"].get<double>(), limits.gap_of(turn, 2.0, 180.0).low_deg, 1e-9);
   EXPECT_NEAR(summary["contact"][1]["low_deg"].get<double>(), expected.low_deg, 0.5) << "one centre, fitted";
-  const std::string text = describe_limits(summary);
   EXPECT_NE(text.find("of abduction"), std::string::npos) << text;
   EXPECT_NE(text.find("\ngap of 2 mm         between "), std::string::npos) << text;  // as wide as the others
 }
@@ -72,11 +85,10 @@ TEST(SceneLimit, IsThatOfTheLibraryInTheFrameOfTheFiles) {
 TEST(SceneLimit, SaysFreeAndBlocked) {
   SceneOptions options = abducted();
   options.cartilage_mm = 5.0;  // above the joint space
-  const auto summary = limit_summary(options, scanned_joint({}));
+  const auto [found, summary, text] = told_of(options, scanned_joint({}));
   EXPECT_EQ(summary["contact"][0]["state"], "free");
   EXPECT_EQ(summary["contact"][0]["high_deg"], 180.0);
   EXPECT_EQ(summary["cartilage"]["state"], "blocked");
-  const std::string text = describe_limits(summary);
   EXPECT_NE(text.find("none up to 180"), std::string::npos) << text;
   EXPECT_NE(text.find("before it begins"), std::string::npos) << text;
 }
@@ -85,15 +97,14 @@ TEST(SceneLimit, SaysFreeAndBlocked) {
 TEST(SceneLimit, FlagsWhatHangsOnLessThanHalfAMillimetre) {
   PairShape grazing;  // the cam passes under the socket's rim less than 0.1 mm away from it
   grazing.cam_height = 3.95;
-  const auto summary = limit_summary(abducted(), scanned_joint(grazing));
+  const auto [found, summary, text] = told_of(abducted(), scanned_joint(grazing));
   const auto& contact = summary["contact"][0];
   EXPECT_EQ(contact["state"], "free");
   EXPECT_LT(contact["half_mm_gap_deg"].get<double>(), 60.0);
   EXPECT_TRUE(contact["hangs_on_less_than_half_mm"].get<bool>());
-  const std::string text = describe_limits(summary);
   EXPECT_NE(text.find("hangs on less than 0.5 mm"), std::string::npos) << text;
   grazing.cam_height = 3.0;  // a whole millimetre
-  const auto clear = limit_summary(abducted(), scanned_joint(grazing));
+  const auto clear = told_of(abducted(), scanned_joint(grazing)).summary;
   EXPECT_TRUE(clear["contact"][0]["half_mm_gap_deg"].is_null());
   EXPECT_FALSE(clear["contact"][0]["hangs_on_less_than_half_mm"].get<bool>());
 }
@@ -103,11 +114,10 @@ TEST(SceneLimit, SaysWhereTheBallsMeshEnds) {
   Joint joint = scanned_joint({});
   TriangleMesh& ball = joint.ball.mesh;
   std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).z() < -6.0; });
-  const auto summary = limit_summary(abducted(), joint);
+  const auto [found, summary, text] = told_of(abducted(), joint);
   const auto& contact = summary["contact"][0];
   EXPECT_EQ(contact["state"], "unknown");
   EXPECT_EQ(contact["low_deg"], contact["leaves_ball_mesh_deg"]);
-  const std::string text = describe_limits(summary);
   EXPECT_NE(text.find("leaves the ball's mesh at "), std::string::npos) << text;
   EXPECT_NE(text.find("unknown beyond"), std::string::npos) << text;
 }
@@ -116,39 +126,38 @@ TEST(SceneLimit, SaysWhereTheBallsMeshEnds) {
 TEST(SceneLimit, SaysThatWhatIsMissingMayComeFirst) {
   const char* said = "degrees on: what is missing may come first";
   Joint joint = scanned_joint(impinging_cam());
-  EXPECT_EQ(describe_limits(limit_summary(abducted(), joint)).find(said), std::string::npos);
+  EXPECT_EQ(told_of(abducted(), joint).text.find(said), std::string::npos);
   TriangleMesh& ball = joint.ball.mesh;
   std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).z() < -8.0; });
-  const auto summary = limit_summary(abducted(), joint);
+  const auto [found, summary, text] = told_of(abducted(), joint);
   const auto& cartilage = summary["cartilage"];
   EXPECT_EQ(cartilage["state"], "limited");
   EXPECT_LT(cartilage["leaves_ball_mesh_deg"], cartilage["low_deg"]);
-  const std::string text = describe_limits(summary);
   EXPECT_NE(text.find(said), std::string::npos) << text;
 }
 
 // Ends of what is proven are no higher, or no lower, than they are: 53.56 is "not before 53.5".
 TEST(SceneLimit, IsToldOutward) {
-  auto summary = limit_summary(abducted(), scanned_joint(impinging_cam()));
-  auto& contact = summary["contact"][0];
-  contact.update({{"low_deg", 53.56789},
-                  {"high_deg", 53.56791},
-                  {"centre_low_deg", 40.06},
-                  {"centre_high_deg", 60.04},
-                  {"play_low_deg", 41.06},
-                  {"play_high_deg", nullptr},
-                  {"half_mm_gap_deg", 42.06},
-                  {"leaves_ball_mesh_deg", 43.06}});
-  std::string text = describe_limits(summary);
+  const SceneOptions options = abducted();
+  LimitAnswers found = told_of(options, scanned_joint(impinging_cam())).found;
+  ToldLimit& told = found.contact.told;
+  told.limit.low_deg = 53.56789;
+  told.limit.high_deg = 53.56791;
+  told.common = {40.06, 60.04, true};
+  told.play = {41.06, 0.0, false};
+  told.half_mm_gap_deg = 42.06;
+  told.limit.leaves_mesh_deg = 43.06;
+  std::string text = describe_limits(options, found);
   for (const char* said : {"between 53.5678 and 53.5680 degrees", ": 40.0 to 60.1 degrees",
                            "none before 41.0 degrees", "0.5 mm at 42.0 degrees", "from 43.0 degrees on"})
     EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
-  contact["state"] = "unknown";
-  EXPECT_NE(describe_limits(summary).find("leaves the ball's mesh at 53.5 degrees"), std::string::npos);
-  contact["leaves_ball_mesh_deg"] = nullptr;
-  EXPECT_NE(describe_limits(summary).find("none up to 53.5 degrees, where"), std::string::npos);
-  contact["state"] = "free";
-  EXPECT_NE(describe_limits(summary).find("none up to 53.5 degrees,"), std::string::npos);
+  told.limit.state = LimitState::unknown;
+  EXPECT_NE(describe_limits(options, found).find("leaves the ball's mesh at 53.5 degrees"),
+            std::string::npos);
+  told.limit.leaves_mesh_deg.reset();
+  EXPECT_NE(describe_limits(options, found).find("none up to 53.5 degrees, where"), std::string::npos);
+  told.limit.state = LimitState::free;
+  EXPECT_NE(describe_limits(options, found).find("none up to 53.5 degrees,"), std::string::npos);
 }
 
 }  // namespace

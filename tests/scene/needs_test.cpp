@@ -6,24 +6,22 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
-#include "scene/planned_answer.hpp"
 #include "scene/question.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {
 
-Joint joint() {
+Session hip() {
   const BallSocketPair pair = make_ball_socket_pair(800, impinging_cam());
   Joint joint;
   joint.ball.mesh = pair.ball;
   joint.socket.mesh = pair.socket;
-  return joint;
+  return {std::move(joint), std::nullopt, "ALS"};
 }
 
 SceneOptions flexed(const char* angle) {
   SceneOptions options;
-  options.axes = "ALS";
   options.precision_deg = 2.0;  // bounds of finer tables take a while
   options.motion = parse_motion(std::string("flexion=") + angle);
   return options;
@@ -36,13 +34,13 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 TEST(SceneNeeds, GapsAloneAreTheGaps) {
-  const Joint hip = joint();
+  Session session = hip();
   SceneOptions options = flexed("60");
-  const Measurement everything = measure(hip, options);
+  const Measurement everything = measure(session, options);
   EXPECT_TRUE(everything.left_out.empty());
   ASSERT_TRUE(everything.certificate);
   options.outputs = {true, false, false, false};
-  const Measurement gaps = measure(hip, options);
+  const Measurement gaps = measure(session, options);
   expect_same(gaps.ball.gap, everything.ball.gap);
   expect_same(gaps.socket.gap, everything.socket.gap);
   EXPECT_TRUE(gaps.ball.bound.empty() && gaps.ball.distance.empty() && !gaps.certificate);
@@ -50,33 +48,33 @@ TEST(SceneNeeds, GapsAloneAreTheGaps) {
 }
 
 TEST(SceneNeeds, AQuestionIsAnsweredAsAllGapsAnswerIt) {
-  const Joint hip = joint();
+  Session session = hip();
   for (const char* angle : {"0", "30", "60"}) {
     SceneOptions options = flexed(angle);
     options.outputs = {true, false, false, false};
-    const Measurement gaps = measure(hip, options);
+    const Measurement gaps = measure(session, options);
     double smallest = HUGE_VAL;
     for (const double g : gaps.ball.gap) smallest = std::fmin(smallest, g);
     for (const double g : gaps.socket.gap) smallest = std::fmin(smallest, g);
     options.question = Question::first_contact;
-    const QuestionAnswer contact = answer_question(hip, options);
+    const QuestionAnswer contact = answer_question(*session.joint, options);
     EXPECT_EQ(contact.answer.smallest->gap_mm, smallest);
-    EXPECT_EQ(question_summary(options, hip, contact)["smallest_gap"]["gap_mm"], smallest);
+    EXPECT_EQ(question_summary(options, *session.joint, contact)["smallest_gap"]["gap_mm"], smallest);
     options.question = Question::touch;
-    EXPECT_EQ(answer_question(hip, options).answer.touches, std::vector<bool>{smallest <= 0.0});
+    EXPECT_EQ(answer_question(*session.joint, options).answer.touches, std::vector<bool>{smallest <= 0.0});
   }
 }
 
 // On the faces where no table is proven to be that accurate: any accuracy can be promised.
 TEST(SceneNeeds, AnAccuracyThatNoTablePromisesIsKept) {
-  const Joint hip = joint();
+  Session session = hip();
   SceneOptions options = flexed("60");
   options.max_error_mm = 1e-9;
   options.outputs = {true, false, false, false};
-  const Measurement gaps = measure(hip, options);
-  const RayCaster socket(hip.socket.mesh);
+  const Measurement gaps = measure(session, options);
+  const RayCaster socket(session.joint->joint.socket.mesh);
   for (std::size_t i = 0; i < gaps.ball.gap.size(); i += 7) {
-    const Vec3 x = to_socket(gaps.pose, hip.ball.mesh.vertices[i]);
+    const Vec3 x = to_socket(gaps.pose, session.joint->joint.ball.mesh.vertices[i]);
     const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
     ASSERT_EQ(std::isnan(gap), std::isnan(gaps.ball.gap[i]));
     if (!std::isnan(gap)) {
@@ -86,30 +84,29 @@ TEST(SceneNeeds, AnAccuracyThatNoTablePromisesIsKept) {
 }
 
 TEST(SceneNeeds, WhatIsLeftOutIsSaidWithWhatItSaves) {
-  const Joint hip = joint();
+  Session session = hip();
   SceneOptions options = flexed("0");
   options.question = Question::touch;
   options.precision_deg = 0.1;
-  const auto summary = question_summary(options, hip, answer_question(hip, options));
-  const std::string text = describe_left_out(summary["left_out"]);
+  const SceneAnswer found = answer_question(*session.joint, options).answer;
+  const std::string text = describe_way(found.way, found.left_out);
   EXPECT_NE(text.find("left out"), std::string::npos);
   EXPECT_NE(text.find("saves"), std::string::npos) << text;
-  EXPECT_EQ(describe_left_out(nlohmann::json::array()), "left out            nothing\n");
+  EXPECT_NE(describe_way("", {}).find("left out            nothing\n"), std::string::npos);
 }
 
 // Which way, why, and from how many poses on the other one would pay; of whole tables, which of the times
 // faster kernels could save.
 TEST(SceneNeeds, TheWayIsSaidWithItsReason) {
-  const Joint hip = joint();
+  Session session = hip();
   SceneOptions options = flexed("0");
-  const std::string whole = measure(hip, options).way;
+  const std::string whole = measure(session, options).way;
   EXPECT_NE(whole.find("whole tables"), std::string::npos) << whole;
   EXPECT_NE(whole.find("fill_tables and scan in times_ms"), std::string::npos) << whole;
   options.outputs = {true, false, false, false};
-  EXPECT_EQ(measure(hip, options).way, "each vertex is looked at: the gaps of all are asked for");
+  EXPECT_EQ(measure(session, options).way, "each vertex is looked at: the gaps of all are asked for");
   options.question = Question::touch;
-  const auto summary = question_summary(options, hip, answer_question(hip, options));
-  const std::string touch = describe_way(summary["way"]);
+  const std::string touch = describe_way(answer_question(*session.joint, options).answer.way, {});
   EXPECT_EQ(touch.rfind("way                 each vertex is looked at: caps of them would pay from ", 0), 0U)
       << touch;
   EXPECT_NE(touch.find(" poses on, and there is 1\n"), std::string::npos) << touch;

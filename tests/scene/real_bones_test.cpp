@@ -47,11 +47,12 @@ TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
   for (const fs::path& hip : hips()) {
     const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
     const SceneOptions options = options_of(hip);
-    const Joint joint = load_joint(options);
+    Session session = load_joint(options);
+    const Joint& joint = session.joint->joint;
     const auto& centre = subject["center_of_rotation_mm"];
     EXPECT_LT((joint.centre - Vec3(centre[0], centre[1], centre[2])).norm(), 0.35) << hip;
     EXPECT_NEAR(joint.fit->radius, subject["radius_mm"].get<double>(), 0.12) << hip;
-    const auto report = summary(options, joint, measure(joint, options));
+    const auto report = summary(options, *session.joint, measure(session, options));
     const double distance = subject["pose"]["min_gap_regions_mm"];
     EXPECT_NEAR(report["smallest_gap"]["gap_mm"], distance, 0.15) << hip;
     EXPECT_EQ(report["impingement"][0]["ball"]["vertices"], 0) << hip << ": no bone touches another";
@@ -79,10 +80,11 @@ TEST(RealBones, DistancesHoldTheExactOnes) {
     SceneOptions options = options_of(hip);
     options.side = hip.string().ends_with("left") ? Side::left : Side::right;
     options.precision_deg = 5.0;
-    const Joint joint = load_joint(options);
+    Session session = load_joint(options);
+    const Joint& joint = session.joint->joint;
     for (const char* motion : {"flexion=0", "flexion=90,internal_rotation=20"}) {
       options.motion = parse_motion(motion);
-      const Measurement found = measure(joint, options);
+      const Measurement found = measure(session, options);
       std::vector<Vec3> points;
       for (std::size_t i = 0; i < joint.socket.mesh.vertices.size(); i += kStride)
         points.push_back(to_ball(found.pose, joint.socket.mesh.vertices[i]));
@@ -102,7 +104,8 @@ TEST(RealBones, CoverageIsThatOfTheDescription) {
     SceneOptions options = options_of(hip);
     const auto& centre = subject["center_of_rotation_mm"];
     options.centre = Vec3(centre[0], centre[1], centre[2]);
-    const Joint joint = load_joint(options);
+    Session session = load_joint(options);
+    const Joint& joint = session.joint->joint;
     const auto& star = subject["star_shape"];
     EXPECT_NEAR(joint.socket.star_shape.covered, star["socket_facing"]["fraction_hit"].get<double>(), 0.005)
         << hip;

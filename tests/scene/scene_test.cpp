@@ -91,10 +91,11 @@ TEST_F(Scene, GapsKeepTheirBounds) {
   const BallSocketPair pair = make_ball_socket_pair(3000);
   SceneOptions options = joint_of(pair.ball, pair.socket);
   options.centre = kScanned;
-  const Joint joint = load_joint(options);
+  Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
   for (const double precision : {5.0, 1.0}) {
     options.precision_deg = precision;
-    const Measurement found = measure(joint, options);
+    const Measurement found = measure(session, options);
     const RayCaster socket(joint.socket.mesh);
     for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
       if (std::isnan(found.ball.gap[i])) continue;
@@ -116,8 +117,9 @@ TEST_F(Scene, DistancesHoldTheExactOnes) {
   SceneOptions options = joint_of(pair.ball, pair.socket);
   options.axes = "ALS";
   options.motion = parse_motion("flexion=60");
-  const Joint joint = load_joint(options);
-  const Measurement found = measure(joint, options);
+  Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
+  const Measurement found = measure(session, options);
   std::vector<Vec3> points;
   for (const Vec3& v : joint.ball.mesh.vertices) points.push_back(to_socket(found.pose, v));
   const std::vector<double> distance = closest_distances(joint.socket.mesh, {.points = points});
@@ -145,8 +147,9 @@ TEST_F(Scene, BoundsOfTheSocketAreThoseOfThePosedBall) {
   options.centre = kScanned;
   options.precision_deg = 5.0;
   options.motion = parse_motion("flexion=90");
-  const Joint joint = load_joint(options);
-  const Measurement found = measure(joint, options);
+  Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
+  const Measurement found = measure(session, options);
   const RayCaster oracle(joint.ball.mesh);
   double largest = 0.0;
   double least_bound = HUGE_VAL;
@@ -170,11 +173,12 @@ TEST_F(Scene, AnAccuracyIsKeptAndProvenAtEveryVertex) {
   options.centre = kScanned;
   options.axes = "ALS";
   options.motion = parse_motion("flexion=60");
-  const Joint joint = load_joint(options);
+  Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
   const RayCaster socket(joint.socket.mesh);
   for (const double accuracy : {1.0, 0.01, 1e-9}) {
     options.max_error_mm = accuracy;
-    const Measurement found = measure(joint, options);
+    const Measurement found = measure(session, options);
     std::size_t gaps = 0;
     for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
       const Vec3 x = to_socket(found.pose, joint.ball.mesh.vertices[i]);
@@ -186,14 +190,14 @@ TEST_F(Scene, AnAccuracyIsKeptAndProvenAtEveryVertex) {
       EXPECT_LE(std::abs(gap - found.ball.gap[i]), found.ball.bound[i] + 1e-11);
     }
     EXPECT_GT(gaps, 100U);
-    EXPECT_LE(found.smallest.high - found.smallest.low, 1e-9);
-    const auto report = summary(options, joint, found);
+    EXPECT_LE(found.proven->smallest.high - found.proven->smallest.low, 1e-9);
+    const auto report = summary(options, *session.joint, found);
     EXPECT_LE(report["error_bound_mm"]["largest"].get<double>(), accuracy);
     EXPECT_EQ(report["certificate"]["ball"]["bounds_refuted"], 0);
     EXPECT_TRUE(report["precision_deg"].is_null());
   }
   options.max_error_mm = 1e-15;
-  EXPECT_THROW(measure(joint, options), std::runtime_error);
+  EXPECT_THROW(measure(session, options), std::runtime_error);
 }
 
 // Cells that look along a steep flank have bounds of millimetres, or none. The faces decide.
@@ -203,8 +207,9 @@ TEST_F(Scene, TheSmallestGapIsProvenWhereBoundsSayNothing) {
   SceneOptions options = joint_of(ball, cup(44.0, 170.0, 3000));
   options.centre = kScanned;
   options.precision_deg = 2.0;
-  const Joint joint = load_joint(options);
-  const Measurement found = measure(joint, options);
+  Session session = load_joint(options);
+  const Joint& joint = session.joint->joint;
+  const Measurement found = measure(session, options);
   EXPECT_GT(std::ranges::count_if(found.socket.bound, [](double bound) { return bound > 1.0; }), 20);
   const RayCaster oracle(joint.ball.mesh);
   double smallest = HUGE_VAL;
@@ -213,9 +218,9 @@ TEST_F(Scene, TheSmallestGapIsProvenWhereBoundsSayNothing) {
   const RayCaster socket(joint.socket.mesh);
   for (const Vec3& x : joint.ball.mesh.vertices)
     smallest = std::fmin(smallest, socket.cast(x.normalized(), Layer::nearest) - x.norm());
-  EXPECT_NEAR(found.smallest.low, smallest, 1e-9);
-  EXPECT_NEAR(found.smallest.high, smallest, 1e-9);
-  EXPECT_GT(found.smallest.measured, 20U);
+  EXPECT_NEAR(found.proven->smallest.low, smallest, 1e-9);
+  EXPECT_NEAR(found.proven->smallest.high, smallest, 1e-9);
+  EXPECT_GT(found.proven->smallest.measured, 20U);
 }
 
 TEST_F(Scene, WritesTheFilesOfTheContract) {
@@ -244,7 +249,8 @@ TEST_F(Scene, WhatCannotWorkIsSaidInOneLine) {
   const TriangleMesh socket = cup(25.0, 80.0, 300);
   const auto message_of = [](const SceneOptions& options) -> std::string {
     try {
-      measure(load_joint(options), options);
+      Session session = load_joint(options);
+      measure(session, options);
     } catch (const std::exception& error) {
       return error.what();
     }

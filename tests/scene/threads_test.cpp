@@ -40,8 +40,9 @@ TEST(Threads, ScenesAtTheSameTimeWriteTheSameFiles) {
   write_mesh(options.socket, pair.socket);
   std::array<nlohmann::json, kThreads + 1> found;
   const auto run = [&](std::size_t k) {
-    const Joint joint = load_joint(options);
-    found[k] = summary(options, joint, measure(joint, options));
+    Session session = load_joint(options);
+    const Measurement measured = measure(session, options);
+    found[k] = summary(options, *session.joint, measured);
     found[k].erase("times_ms");
   };
   run(kThreads);

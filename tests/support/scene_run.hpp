@@ -9,11 +9,11 @@ namespace impinge::test {
 
 // Measures what the options ask for, writes all files and returns the summary.
 inline nlohmann::json run_scene(const SceneOptions& options) {
-  const Joint joint = load_joint(options);
-  const Measurement measurement = measure(joint, options);
-  nlohmann::json report = summary(options, joint, measurement);
+  Session session = load_joint(options);
+  const Measurement measurement = measure(session, options);
+  nlohmann::json report = summary(options, *session.joint, measurement);
   require_writable_folder(options.out);
-  write_scene(options, joint, measurement, report);
+  write_scene(options, *session.joint, measurement, report);
   return report;
 }
 

@@ -12,6 +12,7 @@
 #include "files/one_line.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
+#include "session/joint_files.hpp"
 
 namespace impinge {
 namespace {
@@ -67,16 +68,20 @@ val ask_pose(const val& request) {
 
 val ask_sweep(const val& request) {
   require_joint();
-  return sweep_reply(answer_sweep(session(), sweep_request(request)));
+  const LimitRequest limits = limit_request(request);
+  const double step_deg = step_request(request);
+  const Sweep found = sweep(session(), limits, step_deg);
+  return sweep_reply(limits, found, answer_limits(session(), limits));
 }
 
 val ask_export(const val& request) {
   require_joint();
-  const PoseRequest pose = pose_request(request["pose"]);
+  const PoseAnswer found = answer_pose(session(), pose_request(request["pose"]));
+  const SessionJoint& joint = *session().joint;
   const bool csv = request["format"].as<std::string>() == "csv";
   const bool ball = csv || request["surface"].as<std::string>() == "ball";
   const std::string bytes =
-      csv ? gaps_csv(session(), pose) : surface_ply(session(), pose, ball ? Surface::ball : Surface::socket);
+      csv ? gaps_csv(joint, found) : surface_ply(joint, found, ball ? Surface::ball : Surface::socket);
   const char* name = csv ? "gaps.csv" : ball ? "ball.ply" : "socket.ply";
   return object(std::pair("name", name),
                 std::pair("bytes", typed_array(std::vector<std::uint8_t>(bytes.begin(), bytes.end()))));

@@ -2,6 +2,7 @@
 #include "replies.hpp"
 
 #include "catalogue.hpp"
+#include "hip/gap_levels.hpp"
 #include "hip/rim_line.hpp"
 #include "requests.hpp"
 
@@ -68,7 +69,7 @@ val levels_value(Surface surface, double cartilage_mm) {
 val surface_value(const SurfaceAnswer& answer) {
   return object(std::pair("bone", impinged_value(answer.bone, answer.bone_zones)),
                 std::pair("cartilage", impinged_value(answer.cartilage, answer.cartilage_zones)),
-                std::pair("met", static_cast<double>(answer.bone.met)));
+                std::pair("met", static_cast<double>(answer.all.met)));
 }
 
 val smallest_value(const SessionJoint& joint, const std::optional<SmallestOfPose>& smallest) {
@@ -96,7 +97,7 @@ val end_or_null(const CentreInterval& interval) {
   return interval.limited ? val(interval.high_deg) : val::null();
 }
 
-val limit_value(const SweepLimit& found) {
+val limit_value(const LimitAnswer& found) {
   const ToldLimit& told = found.told;
   return object(std::pair("about", found.about), std::pair("threshold_mm", told.threshold_mm),
                 std::pair("state", text(name(told.limit.state))), std::pair("low_deg", told.limit.low_deg),
@@ -146,7 +147,7 @@ val tables_reply(const SessionTables& tables) {
   const double bytes = static_cast<double>(tables.ball->bytes() + tables.socket->bytes());
   return object(std::pair("scheme", settings.scheme), std::pair("precision_deg", settings.precision_deg),
                 std::pair("storage", text(storage_name(settings.storage))),
-                std::pair("entries", static_cast<double>(tables.ball->entries)), std::pair("bytes", bytes),
+                std::pair("entries", static_cast<double>(tables.ball->entries())), std::pair("bytes", bytes),
                 std::pair("fill_ms", tables.fill_ms), std::pair("error_mm", or_null(tables.error_mm)));
 }
 
@@ -154,7 +155,7 @@ val points_reply(const Session& session) {
   const TableSettings& settings = session.tables.settings;
   const Joint& joint = session.joint->joint;
   return object(
-      std::pair("entries", static_cast<double>(session.tables.ball->entries)),
+      std::pair("entries", static_cast<double>(session.tables.ball->entries())),
       std::pair("ball", typed_array(sample_points(settings, joint.ball.mesh, Layer::farthest))),
       std::pair("socket", typed_array(in_socket(sample_points(settings, session.joint->seen, Layer::nearest),
                                                 session.joint->shift))));
@@ -189,10 +190,13 @@ val pose_reply(const SessionJoint& joint, const PoseRequest& request, const Pose
   return reply;
 }
 
-val sweep_reply(const SweepAnswer& found) {
+val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits) {
+  val told = val::array();
+  told.call<void>("push", limit_value(limits.contact));
+  if (limits.socket) told.call<void>("push", limit_value(*limits.socket));
+  if (request.cartilage_mm > 0.0) told.call<void>("push", limit_value(limits.cartilage));
   return object(std::pair("angles", float_array(found.angles)),
-                std::pair("smallest", float_array(found.smallest)),
-                std::pair("limits", list(found.limits, limit_value)));
+                std::pair("smallest", float_array(found.smallest)), std::pair("limits", told));
 }
 
 }  // namespace impinge

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "js_values.hpp"
-#include "verdicts.hpp"
+#include "session/limits.hpp"
 
 namespace impinge {
 
@@ -12,6 +12,6 @@ val tables_reply(const SessionTables& tables);
 val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found);
 val points_reply(const Session& session);
 val verdicts_reply(const PoseVerdicts& found);
-val sweep_reply(const SweepAnswer& found);
+val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits);
 
 }  // namespace impinge

@@ -55,6 +55,10 @@ Motion motion_request(const val& value) {
   return {angle_of(value, "flexion"), angle_of(value, "abduction"), angle_of(value, "internal_rotation")};
 }
 
+[[noreturn]] void refuse_sweep() {
+  throw std::invalid_argument("a sweep has steps of 0.1 degrees or more, up to an angle above 0");
+}
+
 }  // namespace
 
 HipParameters hip_request(const val& request) {
@@ -108,23 +112,27 @@ PoseRequest pose_request(const val& request) {
   return pose;
 }
 
-SweepRequest sweep_request(const val& request) {
-  SweepRequest sweep;
+LimitRequest limit_request(const val& request) {
+  LimitRequest limit;
   const auto name = request["motion"].as<std::string>();
-  sweep.growing = name;
+  limit.growing = name;
   for (const NamedMotion& motion : named_motions()) {
     if (motion.name != name) continue;
-    sweep.growing = motion.growing;
-    sweep.start = motion.start;
+    limit.growing = motion.growing;
+    limit.start = motion.start;
   }
-  if (is_given(request["pose"])) sweep.start = motion_request(request["pose"]);
-  sweep.largest_deg = number_of(request, "largest_deg", sweep.largest_deg);
-  sweep.step_deg = number_of(request, "step_deg", sweep.step_deg);
-  if (is_given(request["translation"])) sweep.translation = vector_request(request["translation"]);
-  sweep.cartilage_mm = cartilage_of(request);
-  if (!(sweep.step_deg >= 0.1) || !(sweep.largest_deg > 0.0))
-    throw std::invalid_argument("a sweep has steps of 0.1 degrees or more, up to an angle above 0");
-  return sweep;
+  if (is_given(request["pose"])) limit.start = motion_request(request["pose"]);
+  limit.largest_deg = number_of(request, "largest_deg", 150.0);
+  if (is_given(request["translation"])) limit.translation = vector_request(request["translation"]);
+  limit.cartilage_mm = cartilage_of(request);
+  if (!(limit.largest_deg > 0.0)) refuse_sweep();
+  return limit;
+}
+
+double step_request(const val& request) {
+  const double step_deg = number_of(request, "step_deg", 1.0);
+  if (!(step_deg >= 0.1)) refuse_sweep();
+  return step_deg;
 }
 
 }  // namespace impinge

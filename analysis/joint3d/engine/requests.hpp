@@ -3,7 +3,7 @@
 #pragma once
 
 #include "js_values.hpp"
-#include "pose_answer.hpp"
+#include "session/limits.hpp"
 
 namespace impinge {
 
@@ -11,7 +11,8 @@ HipParameters hip_request(const val& request);
 JointInput meshes_request(const val& request);
 TableSettings table_request(const val& request);
 PoseRequest pose_request(const val& request);
-SweepRequest sweep_request(const val& request);
+LimitRequest limit_request(const val& request);
+double step_request(const val& request);  // of a sweep, degrees
 
 // "uint16", "float" or "double".
 std::string_view storage_name(Storage storage);

@@ -7,7 +7,7 @@
 
 #include "hip/sphere_fit.hpp"
 #include "mesh/generated_pair.hpp"
-#include "planning/scene_answer.hpp"
+#include "session/scene_answer.hpp"
 
 int main() {
   using namespace impinge;

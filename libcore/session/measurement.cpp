@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/measurement.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "files/machine.hpp"
+#include "files/stopwatch.hpp"
+#include "gap/formatted.hpp"
+#include "sphere/scheme_choice.hpp"
+
+namespace impinge {
+namespace {
+
+// How the gaps were found. Without times, which are in a summary's times_ms: the rest of it is the same in
+// every run.
+constexpr const char* kWholeTables =
+    "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
+    "most that faster kernels could save";
+
+// std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
+// memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
+void require_memory(std::size_t entries, double precision_deg, double bytes_an_entry, const char* more) {
+  const double bytes = 2.0 * bytes_an_entry * static_cast<double>(entries);
+  const auto free = static_cast<double>(available_memory());
+  if (bytes <= free) return;
+  throw std::runtime_error(
+      formatted("tables of %zu entries at %g degrees would take %s%.0f bytes (%.1f GiB) and %.1f GiB of "
+                "memory are free; choose a coarser --precision",
+                entries, precision_deg, more, bytes, bytes / 0x1p30, free / 0x1p30));
+}
+
+// A table that keeps few entries still has a directory of all of them.
+AnyScheme partly_kept(const PoseQuestion& asked) {
+  AnyScheme scheme(asked.scheme, asked.precision_deg);
+  require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
+  return scheme;
+}
+
+SceneAnswer planned(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+                    const AnyScheme& scheme) {
+  return answer_scene({joint.mesh(Surface::ball), joint.mesh(Surface::socket)},
+                      {asked.question, asked.scan_ball, asked.scan_socket, {pose}, asked.max_error_mm},
+                      scheme);
+}
+
+Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
+  double precision_deg = 0.0;
+  with_scheme(asked.scheme, [&]<class S>() {
+    constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
+    const S scheme = S::with_precision(asked.precision_deg);
+    precision_deg = scheme.precision_deg();
+    require_memory(scheme.size(), asked.precision_deg, kEntry, "");
+  });
+  fill_tables(session, {.scheme = asked.scheme,
+                        .precision_deg = asked.precision_deg,
+                        .storage = Storage::double_precision,
+                        .flat_cube = false,
+                        .halvings = 1'000'000});
+  Measurement result;
+  static_cast<PoseAnswer&>(result) = answer_pose(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
+  result.way = kWholeTables;
+  result.precision_deg = precision_deg;
+  result.entries = session.tables.ball->entries();
+  result.bytes = 2 * result.entries * sizeof(double);
+  result.fill_ms = session.tables.fill_ms;
+  Stopwatch watch;
+  bound_gaps(session, result);
+  result.bound_ms = watch.lap_ms();
+  return result;
+}
+
+Measurement by_plan(const SessionJoint& joint, const PoseQuestion& asked) {
+  Stopwatch watch;
+  const Pose pose = pose_of(joint, asked.motion);
+  const AnyScheme scheme = partly_kept(asked);
+  SceneAnswer answer = planned(joint, asked, pose, scheme);
+  const double scan_ms = watch.lap_ms();
+  PoseGaps& gaps = answer.gaps.front();
+  Measurement result;
+  static_cast<PoseAnswer&>(result) =
+      answer_of_gaps(joint, pose, std::move(gaps.ball), std::move(gaps.socket), asked.cartilage_mm);
+  result.scan_ms = scan_ms;
+  result.precision_deg = asked.max_error_mm ? 0.0 : scheme.precision_deg();
+  result.entries = asked.max_error_mm ? answer.cost.entries : scheme.size();
+  result.bytes = answer.cost.bytes;
+  result.way = std::move(answer.way);
+  result.left_out = std::move(answer.left_out);
+  return result;
+}
+
+// The bound of each gap is how far it can be from that of the faces. std::runtime_error where that is above
+// what was promised.
+void bound_on_faces(SessionJoint& joint, double promised, Measurement& result) {
+  Stopwatch watch;
+  for (const Surface of : kSurfaces) {
+    const NearFaces& faces = joint.faces(other(of));
+    const std::vector<Vec3> places = places_in_other(joint, result.pose, of);
+    SurfaceAnswer& scan = result.of(of);
+    for (std::size_t i = 0; i < scan.gap.size(); ++i) {
+      const CertifiedGap exact = measured_gap(of, faces, places[i]);
+      scan.bound.push_back(std::max(scan.gap[i] - exact.low, exact.high - scan.gap[i]));
+      if (!(scan.bound.back() > promised)) continue;
+      throw std::runtime_error(formatted(
+          "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
+          "for a larger error",
+          promised, name(of).data(), i, scan.bound.back()));
+    }
+  }
+  result.bound_ms = watch.lap_ms();
+}
+
+// They are those of the meshes, whatever the table.
+void bracket_distances(const SessionJoint& joint, Measurement& result) {
+  Stopwatch watch;
+  for (const Surface of : kSurfaces) {
+    const EuclideanBracket bracket(joint.mesh(other(of)));
+    for (const Vec3& x : places_in_other(joint, result.pose, of))
+      result.of(of).distance.push_back(bracket.at(x));
+  }
+  result.distance_ms = watch.lap_ms();
+}
+
+// What was not asked for, in words.
+void say_left_out(const PoseOutputs& outputs, Measurement& result) {
+  if (!outputs.bounds && !outputs.verdicts)
+    result.left_out.push_back({Omission::error_bounds, "not asked for", 0.0});
+  if (!outputs.distances) result.left_out.push_back({Omission::distances, "not asked for", 0.0});
+  if (!outputs.verdicts) result.left_out.push_back({Omission::exact_verdicts, "not asked for", 0.0});
+}
+
+}  // namespace
+
+Measurement measure(Session& session, const PoseQuestion& asked) {
+  SessionJoint& joint = *session.joint;
+  const PoseOutputs& outputs = asked.outputs;
+  const bool bounds = outputs.bounds || outputs.verdicts;
+  const bool whole = bounds && !asked.max_error_mm;
+  Measurement result = whole ? by_whole_tables(session, asked) : by_plan(joint, asked);
+  if (bounds && !whole) bound_on_faces(joint, *asked.max_error_mm, result);
+  if (bounds) result.proven = verdicts_of(joint, result);
+  if (outputs.distances) bracket_distances(joint, result);
+  if (outputs.verdicts) {
+    result.certificate =
+        certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,
+                {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
+  }
+  say_left_out(outputs, result);
+  return result;
+}
+
+QuestionAnswer answer_question(const SessionJoint& joint, const PoseQuestion& asked) {
+  QuestionAnswer found;
+  found.pose = pose_of(joint, asked.motion);
+  Stopwatch watch;
+  found.answer = planned(joint, asked, found.pose, partly_kept(asked));
+  found.milliseconds = watch.lap_ms();
+  return found;
+}
+
+}  // namespace impinge

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of a joint in one pose.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hip/motion.hpp"
+#include "session/needs.hpp"
+
+namespace impinge {
+
+/// What is worked out besides the answer to the question.
+struct PoseOutputs {
+  bool gaps = true;       // of every vertex
+  bool bounds = true;     // proven, of the error of every gap
+  bool distances = true;  // brackets of Euclidean distances
+  bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
+};
+
+/// Lengths in mm, angles in degrees.
+struct PoseQuestion {
+  std::string scheme = "rsid";             // name of the sampling scheme
+  double precision_deg = 0.5;              // of the tables
+  std::optional<double> max_error_mm;      // chooses the precision instead
+  Motion motion;                           // of the femur from the pose of the scan
+  double cartilage_mm = 4.0;               // both layers together; the thesis' value
+  Question question = Question::all_gaps;  // what is asked of the pose
+  bool scan_ball = true;                   // the first scan: vertices of the ball against the socket
+  bool scan_socket = true;                 // the second scan
+  PoseOutputs outputs;                     // with all_gaps
+};
+
+}  // namespace impinge

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "files/stopwatch.hpp"
+#include "hip/hip.hpp"
+#include "mesh/surface_vertices.hpp"
+#include "table/probe_directions.hpp"
+#include "table/surface_index.hpp"
+
+namespace impinge {
+namespace {
+
+std::optional<ClockFace> dial_of(TriangleMesh socket, const Eigen::Matrix3d& axes) {
+  for (Vec3& x : socket.vertices) x = axes * x;
+  return clock_face(socket);
+}
+
+std::unique_ptr<const ScannedVertices> probes_of(const TriangleMesh& mesh, Layer layer) {
+  constexpr double kReach = 1e-3;  // no cap is asked for
+  const SurfaceIndex surface(mesh, layer, kReach);
+  std::vector<Vec3> points;
+  for (const Vec3& u : feature_directions(mesh)) {
+    const double radius = surface.radius(u);
+    if (!std::isnan(radius)) points.emplace_back(radius * u);
+  }
+  return std::make_unique<const ScannedVertices>(points);
+}
+
+// The gap of a point of the surface from the table of the same surface is the error of the table.
+double measured_error(const ScannedVertices& probes, SurfaceTable& table) {
+  std::vector<double> error(probes.points.size());
+  table.scan(probes, Pose{}, Surface::ball, error);
+  double largest = 0.0;
+  for (const double e : error) largest = std::isnan(e) ? largest : std::max(largest, std::abs(e));
+  return largest;
+}
+
+SessionTables filled(const SessionJoint& joint, const TableSettings& settings) {
+  SessionTables tables;
+  tables.settings = settings;
+  Stopwatch watch;
+  tables.ball = fill_table(settings, joint.mesh(Surface::ball), Layer::farthest);
+  tables.socket = fill_table(settings, joint.mesh(Surface::socket), Layer::nearest);
+  tables.fill_ms = watch.lap_ms();
+  return tables;
+}
+
+// All of it is made before anything of the session changes.
+void use(Session& session, std::unique_ptr<SessionJoint> joint) {
+  session.tables = filled(*joint, session.tables.settings);
+  session.joint = std::move(joint);
+  session.limits.reset();
+  session.socket_limits.reset();
+}
+
+}  // namespace
+
+SessionPart::SessionPart(const TriangleMesh& mesh)
+    : vertices(mesh.vertices), area(vertex_areas(mesh)), used(on_surface(mesh)) {}
+
+SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code)
+    : joint(std::move(put_together)),
+      side(of),
+      axes(input_to_joint(axis_code)),
+      dial(dial_of(joint.socket.mesh, axes)),
+      ball(joint.ball.mesh),
+      seen(joint.socket.mesh),
+      socket(seen) {}
+
+void SessionJoint::shift_to(const Vec3& to) {
+  TriangleMesh moved = relative_to(joint.socket.mesh, to);
+  socket = SessionPart(moved);
+  faces_[1].reset();
+  probes[1].reset();
+  seen = std::move(moved);
+  shift = to;
+}
+
+const NearFaces& SessionJoint::faces(Surface of) {
+  auto& made = faces_[of == Surface::ball ? 0 : 1];
+  if (!made) made = std::make_unique<NearFaces>(mesh(of), 0.0);
+  return *made;
+}
+
+void shift_ball(Session& session, const Vec3& shift) {
+  SessionJoint& joint = *session.joint;
+  if (shift == joint.shift) return;
+  SessionTables& tables = session.tables;
+  auto socket = fill_table(tables.settings, relative_to(joint.joint.socket.mesh, shift), Layer::nearest);
+  joint.shift_to(shift);
+  tables.socket = std::move(socket);
+  tables.socket_bounds.reset();
+  session.limits.reset();
+}
+
+void use_hip(Session& session, const HipParameters& parameters) {
+  Hip hip = make_hip(parameters);
+  JointInput input;
+  input.ball = {"ball", std::move(hip.ball)};
+  input.socket = {"socket", std::move(hip.socket)};
+  input.centre = Vec3::Zero();
+  input.side = parameters.side;
+  auto joint = std::make_unique<SessionJoint>(assemble_joint(std::move(input)), parameters.side, "RAS");
+  joint->parameters = parameters;
+  use(session, std::move(joint));
+}
+
+void use_meshes(Session& session, JointInput input) {
+  const std::optional<Side> side = input.side;
+  const std::string axes = input.axes;
+  use(session, std::make_unique<SessionJoint>(assemble_joint(std::move(input)), side, axes));
+}
+
+void fill_tables(Session& session, const TableSettings& settings) {
+  session.tables = filled(*session.joint, settings);
+}
+
+void measure_tables(Session& session) {
+  SessionJoint& joint = *session.joint;
+  auto& [ball, socket] = joint.probes;
+  if (!ball) ball = probes_of(joint.mesh(Surface::ball), Layer::farthest);
+  if (!socket) socket = probes_of(joint.mesh(Surface::socket), Layer::nearest);
+  session.tables.error_mm =
+      std::max(measured_error(*ball, *session.tables.ball), measured_error(*socket, *session.tables.socket));
+}
+
+void bound_tables(Session& session) {
+  SessionTables& tables = session.tables;
+  const SessionJoint& joint = *session.joint;
+  if (!tables.ball_bounds)
+    tables.ball_bounds = tables.ball->bounds(tables.settings, joint.mesh(Surface::ball), Layer::farthest);
+  if (!tables.socket_bounds)
+    tables.socket_bounds =
+        tables.socket->bounds(tables.settings, joint.mesh(Surface::socket), Layer::nearest);
+}
+
+double whole_bound(const SessionTables& tables) {
+  return std::max(tables.ball_bounds->everywhere(), tables.socket_bounds->everywhere());
+}
+
+}  // namespace impinge
