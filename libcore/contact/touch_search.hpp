@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does an item of either scan, a vertex or a face, touch the other surface? Whole caps of items are decided
-// at once; what is left over is asked item by item, of whoever is given. The answer is that of asking all
-// items.
+// Does an item of either scan, a vertex or a face, touch the other surface, and which are as near to it as it
+// matters? Whole caps of items are decided at once; what is left over is asked item by item, of whoever is
+// given. The answer is that of asking all items.
 //
 // Whoever is asked must keep to the limits: its radii are those of the mesh, or means of radii within the
 // margin of the direction (see contact/cap_limits.hpp).
@@ -10,11 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
-#include "contact/cap_limits.hpp"
-#include "contact/cap_move.hpp"
-#include "contact/cap_tree.hpp"
+#include "contact/gap_bounds.hpp"
 
 namespace impinge {
 
@@ -33,25 +32,14 @@ struct ScannedItem {
   std::uint32_t item;  // place in the order of its tree
 };
 
-/// Who is asked about single items: a function object that is borrowed.
-class ItemQuestion {
- public:
-  /// asked(item) says whether it touches: a gap of 0 or less.
-  template <class Asked>
-  explicit ItemQuestion(const Asked& asked)
-      : asked_(&asked), call_([](const void* self, const ScannedItem& at) {
-          return static_cast<bool>((*static_cast<const Asked*>(self))(at));
-        }) {}
+/// Among all items of both scans: one that touches, if one does. touches(item) says whether it has a gap of 0
+/// or less.
+std::optional<ScannedItem> touching_item(const PosedTrees& posed,
+                                         const std::function<bool(const ScannedItem&)>& touches);
 
-  /// The answer.
-  bool operator()(const ScannedItem& at) const { return call_(asked_, at); }
-
- private:
-  const void* asked_;
-  bool (*call_)(const void*, const ScannedItem&);
-};
-
-/// Among all items of both scans: one that touches, if one does.
-std::optional<ScannedItem> touching_item(const PosedTrees& posed, const ItemQuestion& touches);
+/// Shows every item of the tree whose gap may be `gap` mm or less, in any order, each once. visit(item)
+/// returns the gap in mm that matters from then on; -infinity ends the search. An item that is not shown has
+/// a larger gap than that, and than all that the visitor returned, or none.
+void visit_near(const PosedTree& posed, double gap, const std::function<double(std::uint32_t)>& visit);
 
 }  // namespace impinge

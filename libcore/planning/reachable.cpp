@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contact/culled_scan.hpp"
-#include "contact/near_items.hpp"
+#include "contact/touch_search.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 
@@ -91,7 +91,7 @@ class ReachSearch {
       return reach_.touches[p] ? -kInfinity : reach_.limit_mm;
     };
     const PosedTree posed{culled.tree(), culled.limits(), CapMove(culled.scanned(), pose(p))};
-    visit_near(posed, reach_.limit_mm, ItemVisitor(visit));
+    visit_near(posed, reach_.limit_mm, visit);
     std::ranges::sort(found, {}, &Reachable::vertex);
   }
 

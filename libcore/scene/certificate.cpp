@@ -38,11 +38,11 @@ Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvid
   Stopwatch watch;
   Certificate certificate;
   certificate.ball = decide(joint.ball(), ball, [&](std::size_t i) {
-    return exactly_impinged(Surface::ball, joint.socket(), joint.socket_index(),
+    return exactly_impinged(Surface::ball, joint.faces(Surface::socket),
                             to_socket(pose, joint.ball().vertices[i]));
   });
   certificate.socket = decide(joint.socket(), socket, [&](std::size_t i) {
-    return exactly_impinged(Surface::socket, joint.ball(), joint.ball_index(),
+    return exactly_impinged(Surface::socket, joint.faces(Surface::ball),
                             to_ball(pose, joint.socket().vertices[i]));
   });
   certificate.deepest = joint.deepest(pose);

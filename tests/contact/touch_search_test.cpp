@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every vertex whose gap is at the limit or less is shown, once; most of the others are not.
-#include "contact/near_items.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/culled_joint.hpp"
+#include "contact/touch_search.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/poses.hpp"
 
@@ -45,7 +44,7 @@ TEST_F(NearItems, AreAllThatAreWithinTheLimit) {
           ++times[item];
           return limit;
         };
-        visit_near(posed(scan, pose), limit, ItemVisitor(visit));
+        visit_near(posed(scan, pose), limit, visit);
         for (std::uint32_t item = 0; item < items(scan); ++item) {
           EXPECT_LE(times[item], 1);
           if (gap(scan, pose, item) <= limit) {
@@ -71,7 +70,7 @@ TEST_F(NearItems, HoldTheLeastGapWhileTheLimitFalls) {
       ++shown;
       return found = std::fmin(found, gap(0, pose, item));
     };
-    visit_near(posed(0, pose), found, ItemVisitor(visit));
+    visit_near(posed(0, pose), found, visit);
     EXPECT_EQ(found, least);
     EXPECT_LT(shown, items(0));
   }
@@ -83,7 +82,7 @@ TEST_F(NearItems, EndWhereNothingMattersAnyMore) {
     ++shown;
     return -HUGE_VAL;
   };
-  visit_near(posed(0, Pose{}), 100.0, ItemVisitor(visit));
+  visit_near(posed(0, Pose{}), 100.0, visit);
   EXPECT_EQ(shown, 1U);
 }
 
