@@ -51,7 +51,7 @@ std::size_t count_wrong(const Scan& scan) {
   return wrong;
 }
 
-const BallSocketPair& joint() {
+const BallSocketPair& bumpy_joint() {
   static const BallSocketPair pair = make_ball_socket_pair(400, impinging_cam());
   return pair;
 }
@@ -62,14 +62,14 @@ using Schemes = ::testing::Types<Rsid, Usid, IcosahedralGnomonic>;
 TYPED_TEST_SUITE(CertifiedScanOf, Schemes);
 
 TYPED_TEST(CertifiedScanOf, IsNeverWrongAndResolvesTheRest) {
-  const NearFaces ball_faces(joint().ball, 0.0);
-  const NearFaces socket_faces(joint().socket, 0.0);
+  const NearFaces ball_faces(bumpy_joint().ball, 0.0);
+  const NearFaces socket_faces(bumpy_joint().socket, 0.0);
   VerdictCount found;
   for (const double precision : {4.0, 1.0}) {
-    const auto ball = fill_ranges(joint().ball, TypeParam::with_precision(precision));
-    const auto socket = fill_ranges(joint().socket, TypeParam::with_precision(precision));
+    const auto ball = fill_ranges(bumpy_joint().ball, TypeParam::with_precision(precision));
+    const auto socket = fill_ranges(bumpy_joint().socket, TypeParam::with_precision(precision));
     for (const Pose& pose : test::random_poses(60, 3.0, 5.0, 7)) {
-      auto scans = scan(joint(), ball, socket, pose);
+      auto scans = scan(bumpy_joint(), ball, socket, pose);
       for (const Scan& one : scans) {
         ASSERT_EQ(count_wrong(one), 0U);
         const VerdictCount count = count_verdicts(one.gaps);
@@ -78,8 +78,8 @@ TYPED_TEST(CertifiedScanOf, IsNeverWrongAndResolvesTheRest) {
         found.undecided += count.undecided;
       }
       const std::size_t left = count_verdicts(scans[0].gaps).undecided;
-      EXPECT_EQ(resolve(Surface::ball, socket_faces, joint().ball.vertices, pose, scans[0].gaps), left);
-      resolve(Surface::socket, ball_faces, joint().socket.vertices, pose, scans[1].gaps);
+      EXPECT_EQ(resolve(Surface::ball, socket_faces, bumpy_joint().ball.vertices, pose, scans[0].gaps), left);
+      resolve(Surface::socket, ball_faces, bumpy_joint().socket.vertices, pose, scans[1].gaps);
       for (const Scan& one : scans) {
         ASSERT_EQ(count_wrong(one), 0U);
         EXPECT_EQ(count_verdicts(one.gaps).undecided, 0U);
@@ -92,14 +92,14 @@ TYPED_TEST(CertifiedScanOf, IsNeverWrongAndResolvesTheRest) {
 }
 
 TEST(CertifiedScan, HoldsTheGapToTheMesh) {
-  const auto ball = fill_ranges(joint().ball, Rsid::with_precision(2.0));
-  const auto socket = fill_ranges(joint().socket, Rsid::with_precision(2.0));
-  const RayCaster ball_rays(joint().ball);
-  const RayCaster socket_rays(joint().socket);
+  const auto ball = fill_ranges(bumpy_joint().ball, Rsid::with_precision(2.0));
+  const auto socket = fill_ranges(bumpy_joint().socket, Rsid::with_precision(2.0));
+  const RayCaster ball_rays(bumpy_joint().ball);
+  const RayCaster socket_rays(bumpy_joint().socket);
   for (const Pose& pose : test::random_poses(20, 3.0, 3.0, 8)) {
-    const auto scans = scan(joint(), ball, socket, pose);
+    const auto scans = scan(bumpy_joint(), ball, socket, pose);
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto& vertices = k == 0 ? joint().ball.vertices : joint().socket.vertices;
+      const auto& vertices = k == 0 ? bumpy_joint().ball.vertices : bumpy_joint().socket.vertices;
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         const CertifiedGap& gap = scans[k].gaps[i];
         const Vec3 x = k == 0 ? to_socket(pose, vertices[i]) : to_ball(pose, vertices[i]);
@@ -122,8 +122,8 @@ TEST(CertifiedScan, HoldsTheGapToTheMesh) {
 // Points beside the ball by a millionth: whoever trusts a range that is too narrow by a tenth at both ends is
 // wrong about some of them.
 TEST(CertifiedScan, ARangeThatIsTooNarrowIsCaught) {
-  const auto ball = fill_ranges(joint().ball, Rsid::with_precision(5.0));
-  const RayCaster rays(joint().ball);
+  const auto ball = fill_ranges(bumpy_joint().ball, Rsid::with_precision(5.0));
+  const RayCaster rays(bumpy_joint().ball);
   std::size_t wrong = 0;
   std::size_t wrong_if_narrow = 0;
   for (const Vec3& u : test::random_directions(5000, 9)) {
