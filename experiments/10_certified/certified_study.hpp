@@ -10,13 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "10_certified/certified_scan.hpp"
 #include "files/csv.hpp"
 #include "files/stopwatch.hpp"
-#include "gap/certified_gap.hpp"
 #include "gap/overlay.hpp"
 #include "harness/contact_poses.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "table/cell_range.hpp"
 
 namespace impinge::lab {
 
@@ -102,8 +101,8 @@ SchemeVerdicts judge_scheme(CertifiedStudy& study, const CertifiedJoint& joint, 
     found.vertices += count_verdicts(ball_gaps);
     found.vertices += count_verdicts(socket_gaps);
     watch.lap_s();  // the counting is not of the method
-    resolve(Surface::ball, socket, joint.overlay.socket_index(), ball.vertices, pose, ball_gaps);
-    resolve(Surface::socket, ball, joint.overlay.ball_index(), socket.vertices, pose, socket_gaps);
+    resolve(Surface::ball, joint.overlay.faces(Surface::socket), ball.vertices, pose, ball_gaps);
+    resolve(Surface::socket, joint.overlay.faces(Surface::ball), socket.vertices, pose, socket_gaps);
     found.seconds += watch.lap_s();
     found.wrong += count_wrong(study, joint, judged, ball_gaps, socket_gaps);
   }

@@ -71,11 +71,11 @@ std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const Contac
 bool vertices_impinged(const SurfaceOverlay& joint, const Pose& pose) {
   return std::ranges::any_of(joint.ball().vertices,
                              [&](const Vec3& x) {
-                               return exactly_impinged(Surface::ball, joint.socket(), joint.socket_index(),
+                               return exactly_impinged(Surface::ball, joint.faces(Surface::socket),
                                                        to_socket(pose, x));
                              }) ||
          std::ranges::any_of(joint.socket().vertices, [&](const Vec3& y) {
-           return exactly_impinged(Surface::socket, joint.ball(), joint.ball_index(), to_ball(pose, y));
+           return exactly_impinged(Surface::socket, joint.faces(Surface::ball), to_ball(pose, y));
          });
 }
 

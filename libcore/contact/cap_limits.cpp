@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "contact/cap_search.hpp"
-#include "contact/cube_place.hpp"
+#include "sphere/cube_faces.hpp"
 
 namespace impinge {
 namespace {

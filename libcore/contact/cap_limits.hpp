@@ -69,7 +69,7 @@ class CapLimits {
   std::size_t bytes() const;  // of memory
 
  private:
-  /// At the entry nearest to x; see cube_place.hpp.
+  /// At the entry nearest to x; see sphere/cube_faces.hpp.
   Limit look_up(int level, const Vec3& x) const;
   float reach(int level) const;
 

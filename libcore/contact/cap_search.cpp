@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/face_item.hpp"
-
 namespace impinge {
 namespace {
 
@@ -15,7 +13,7 @@ std::vector<CapItem> items_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
   items.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) {
-    if (const auto item = face_item(mesh, face)) items.push_back(*item);
+    if (const auto item = cap_item(mesh, face)) items.push_back(*item);
   }
   return items;
 }

@@ -2,15 +2,84 @@
 #include "contact/cap_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
-#include "contact/cap_summary.hpp"
+#include "contact/cube_cell.hpp"
+#include "sphere/lists.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr std::size_t kLanes = CapBlock::kLanes;
 constexpr std::size_t kFew = kLanes * kLanes;  // items that are split into runs, and no longer into cells
+
+constexpr double kQuarter = 0.5 * kPi;
+
+float above(double number) { return std::nextafter(static_cast<float>(number), HUGE_VALF); }
+float below(double number) { return std::nextafter(static_cast<float>(number), 0.0F); }
+
+// What a node of a tree is made of, in double.
+struct CapSummary {
+  DirectionCap cap;     // holds the directions of all parts
+  RadiusRange range;    // holds their radii, mm
+  double widest = 0.0;  // cap of a part, radians
+};
+
+// A node, before it is written into its block.
+struct SummarisedNode {
+  CapSummary summary;       // of its parts
+  std::uint32_t first = 0;  // see CapBlock
+  std::uint32_t items = 0;
+};
+
+// The caps and ranges of several in one. The axis is as exact as a float.
+CapSummary summary_of(std::span<const CapSummary> parts) {
+  CapSummary all;
+  all.cap.axis = Vec3::Zero();
+  for (const CapSummary& part : parts) {
+    all.cap.axis += part.cap.axis;
+    all.range.include(part.range.low);
+    all.range.include(part.range.high);
+    all.widest = std::max(all.widest, part.widest);
+  }
+  if (all.cap.axis.norm() < 1e-3) all.cap.axis = Vec3::UnitZ();
+  all.cap.axis = all.cap.axis.normalized().cast<float>().cast<double>();
+  for (const CapSummary& part : parts)
+    all.cap.radius = std::max(all.cap.radius, angle_between(all.cap.axis, part.cap.axis) + part.cap.radius);
+  return all;
+}
+
+// Narrows the cap to what parts whose axes are in the cell can have.
+void keep_to(const CubeCell& cell, CapSummary& summary) {
+  double widest = 0.0;
+  for (const Vec3& corner : cell_corners(cell))
+    widest = std::max(widest, angle_between(summary.cap.axis, corner));
+  if (widest < kQuarter) summary.cap.radius = std::min(summary.cap.radius, widest + summary.widest);
+}
+
+// Into a lane, rounded outwards.
+void write(const SummarisedNode& node, std::size_t lane, CapBlock& block) {
+  const CapSummary& summary = node.summary;
+  const Eigen::Vector3f axis = summary.cap.axis.cast<float>();
+  block.x[lane] = axis.x();
+  block.y[lane] = axis.y();
+  block.z[lane] = axis.z();
+  block.angle[lane] = above(std::min(summary.cap.radius, kPi) + kNodeSlack);
+  block.low[lane] = below(summary.range.low * (1.0 - kNodeSlack));
+  block.high[lane] = above(summary.range.high * (1.0 + kNodeSlack));
+  const double low = block.low[lane];
+  const double high = block.high[lane];
+  block.mean[lane] = low > 0.0 ? static_cast<float>(2.0 * low * high / (low + high)) : 0.0F;
+  block.spread[lane] = high > 0.0 ? above((high - low) / (2.0 * high) + kNodeSlack) : 0.0F;
+  block.first[lane] = node.first;
+  block.items[lane] = node.items;
+}
+
+// So many items beside each other in the order of a tree.
+struct ItemRun {
+  std::uint32_t first;  // place of the first of them
+  std::uint32_t count;  // number of them
+};
 
 class CapTreeBuilder {
  public:
@@ -30,22 +99,17 @@ class CapTreeBuilder {
   }
 
  private:
-  // Counting sort by the cells of the last level.
+  // By the cells of the last level.
   void sort() {
-    std::vector<std::uint32_t> cell(items_.size());
-    start_.assign((std::size_t{6} << (3 * levels_)) + 2, 0);
-    for (std::size_t k = 0; k < items_.size(); ++k) {
-      cell[k] = static_cast<std::uint32_t>(cell_of(items_[k].cap.axis, levels_));
-      ++start_[cell[k] + 2];
-    }
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    order_.resize(items_.size());
-    for (std::size_t k = 0; k < items_.size(); ++k)
-      order_[start_[cell[k] + 1]++] = static_cast<std::uint32_t>(k);
+    std::vector<Lists::Pair> pairs;
+    for (std::uint32_t k = 0; k < items_.size(); ++k)
+      pairs.push_back({static_cast<std::uint32_t>(cell_of(items_[k].cap.axis, levels_)), k});
+    in_cell_ = Lists(std::size_t{6} << (3 * levels_), pairs);
+    order_ = in_cell_.numbers();
   }
 
   std::uint32_t begin(const CubeCell& cell) const {
-    return start_[cell.prefix << (3 * (levels_ - cell.level))];
+    return in_cell_.first(cell.prefix << (3 * (levels_ - cell.level)));
   }
   ItemRun run(const CubeCell& cell) const {
     return {begin(cell), begin({cell.level, cell.prefix + 1}) - begin(cell)};
@@ -116,10 +180,19 @@ class CapTreeBuilder {
   std::vector<CapBlock>& blocks_;
   std::vector<std::uint32_t>& order_;
   std::size_t levels_ = 0;
-  std::vector<std::uint32_t> start_;  // of each cell of the last level
+  Lists in_cell_;  // items of each cell of the last level
 };
 
 }  // namespace
+
+std::optional<CapItem> cap_item(const TriangleMesh& mesh, const Face& face) {
+  const TriangleCone cone = cone_of(mesh, face);
+  if (cone.edge_on()) return std::nullopt;
+  FaceCap seen = face_cap(cone.corners());
+  if (!(cone.largest_slope() <= kSteepSlope)) seen.range.low = 0.0;
+  if (!seen.small()) seen.cap.radius = kPi;
+  return CapItem{seen.cap, seen.range};
+}
 
 CapTree::CapTree(std::span<const CapItem> items) {
   if (!items.empty()) CapTreeBuilder(items, blocks_, order_).build();

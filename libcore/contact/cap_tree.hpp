@@ -19,11 +19,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
-#include "table/cap_range.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 
@@ -32,6 +34,10 @@ struct CapItem {
   DirectionCap cap;   // its directions
   RadiusRange range;  // mm
 };
+
+/// A face as an item: any direction for one of a quarter turn and more, any radius below its largest for one
+/// that is almost edge-on. None for one whose plane holds the centre of the mesh, which covers no direction.
+std::optional<CapItem> cap_item(const TriangleMesh& mesh, const Face& face);
 
 inline constexpr double kNodeSlack = 1e-5;  // of a radius; radians
 
@@ -60,12 +66,6 @@ struct alignas(64) CapBlock {
 struct CapNode {
   std::uint32_t block;  // place among the blocks
   std::uint32_t lane;   // place in the block
-};
-
-/// So many items beside each other in the order of a tree.
-struct ItemRun {
-  std::uint32_t first;  // place of the first of them
-  std::uint32_t count;  // number of them
 };
 
 class CapTree {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/gap_bounds.hpp"
 #include "sphere/infinity.hpp"
 
 namespace impinge {

@@ -20,8 +20,8 @@
 #include <optional>
 #include <vector>
 
-#include "contact/cap_move.hpp"
 #include "contact/culled_joint.hpp"
+#include "contact/gap_bounds.hpp"
 
 namespace impinge {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "contact/cube_place.hpp"
+#include "sphere/cube_faces.hpp"
 
 namespace impinge {
 namespace {

@@ -104,7 +104,7 @@ std::optional<ScannedVertex> CulledJoint::impinged(const Pose& pose) const {
     const CulledScan& scan = scans_[at.scan];
     return exactly_impinged(scan.scanned(), posed[at.scan].move.place(scan.position(at.item)));
   };
-  const auto found = touching_item(posed, ItemQuestion(touches));
+  const auto found = touching_item(posed, touches);
   if (!found) return std::nullopt;
   return ScannedVertex{scans_[found->scan].scanned(), scans_[found->scan].vertex(found->item)};
 }

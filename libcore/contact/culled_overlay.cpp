@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/face_item.hpp"
 #include "contact/touch_search.hpp"
 #include "gap/face_overlay.hpp"
 #include "sphere/orientation.hpp"
-#include "table/face_index.hpp"
 
 namespace impinge {
 namespace {
@@ -16,7 +14,7 @@ namespace {
 // A moved face and the tree of the other surface.
 struct OverlayReach {
   const CapTree& tree;
-  const FaceIndex::SeenFace& seen;
+  const FaceCap& seen;
   bool of_ball;  // that is moved: it reaches what is no farther than it is
 };
 
@@ -25,7 +23,7 @@ struct OverlayReach {
 template <class Visit>
 bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& visit) {
   const CapBlock& block = reach.tree.blocks()[at];
-  const double wide = reach.seen.cap.radius < 0.5 * kPi ? reach.seen.cap.radius : kPi;
+  const double wide = reach.seen.small() ? reach.seen.cap.radius : kPi;
   for (std::size_t k = 0; k < block.nodes; ++k) {
     if (reach.of_ball ? reach.seen.range.high < block.low[k] : reach.seen.range.low > block.high[k]) continue;
     const Vec3 axis(block.x[k], block.y[k], block.z[k]);
@@ -47,7 +45,7 @@ CulledOverlay::Faces CulledOverlay::faces_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
   std::vector<Face> kept;
   for (const Face& face : mesh.faces) {
-    const auto item = face_item(mesh, face);
+    const auto item = cap_item(mesh, face);
     if (!item) continue;
     items.push_back(*item);
     kept.push_back(face);
@@ -71,7 +69,7 @@ const TriangleMesh& CulledOverlay::moved(std::size_t scan) const {
 bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Face& face) const {
   OverlayFace moving;
   for (std::size_t k = 0; k < 3; ++k) moving.corner[k] = move.place(corner(moved(scan), face, k));
-  const FaceIndex::SeenFace seen = see_face(moving.corner);
+  const FaceCap seen = face_cap(moving.corner);
   moving.side = seen.side;
   const Faces& rest = surfaces_[1 - scan];
   if (rest.faces.empty()) return false;
@@ -90,7 +88,7 @@ bool CulledOverlay::impinged(const Pose& pose) const {
   const auto touches = [&](const ScannedItem& at) {
     return reaches_any(at.scan, posed[at.scan].move, surfaces_[at.scan].faces[at.item]);
   };
-  return joint_.impinged(pose) || touching_item(posed, ItemQuestion(touches));
+  return joint_.impinged(pose) || touching_item(posed, touches);
 }
 
 std::size_t CulledOverlay::bytes() const {

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/cap_move.hpp"
 #include "contact/culled_joint.hpp"
+#include "contact/gap_bounds.hpp"
 
 namespace impinge {
 

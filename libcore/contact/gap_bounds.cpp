@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "contact/level_lanes.hpp"
-#include "contact/moved_lanes.hpp"
+#include "contact/cap_lanes.hpp"
 #include "sphere/vector_clones.hpp"
 
 namespace impinge {
@@ -77,6 +76,20 @@ inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLev
 }
 
 }  // namespace
+
+CapMove::CapMove(Surface surface, const Pose& at)
+    : scanned(surface), pose(at), shift(static_cast<float>(at.translation.norm())) {
+  const Vec3 in_ball_frame = at.rotation.transpose() * at.translation;
+  const bool ball = scanned == Surface::ball;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto row = static_cast<std::size_t>(k);
+    for (Eigen::Index l = 0; l < 3; ++l)
+      rotation[row][static_cast<std::size_t>(l)] =
+          static_cast<float>(ball ? at.rotation(k, l) : at.rotation(l, k));
+    translation[row] = static_cast<float>(ball ? at.translation[k] : -in_ball_frame[k]);
+    own[row] = static_cast<float>(ball ? in_ball_frame[k] : -at.translation[k]);
+  }
+}
 
 MovedCaps moved(const CapBlock& block, const CapMove& move) {
   return move.scanned == Surface::ball ? moved_lanes<Surface::ball>(block, move)

@@ -1,40 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/touch_search.hpp"
 
-#include "contact/gap_bounds.hpp"
-#include "contact/pending_nodes.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
 
 namespace impinge {
 namespace {
 
-std::optional<ScannedItem> ask_leaf(std::size_t scan, const ItemRun& run, const ItemQuestion& touches) {
-  for (std::uint32_t item = run.first; item < run.first + run.count; ++item) {
-    if (touches({scan, item})) return ScannedItem{scan, item};
+// Nodes that a search still has to open. Of those found last the one where a touch is likeliest is opened
+// first.
+class PendingNodes {
+ public:
+  struct Pending {
+    std::uint32_t scan;  // 0 of the ball's vertices, 1 of the socket's
+    CapNode node;        // of its tree
+  };
+
+  bool empty() const { return count_ == 0; }
+  Pending pop() { return nodes_[--count_]; }
+
+  // Takes in the open nodes of a block, the likeliest of them as the last.
+  void push_open(std::uint32_t scan, std::uint32_t block, const GapBounds& bounds) {
+    const std::size_t first = count_;
+    std::size_t likeliest = first;
+    float least = HUGE_VALF;
+    for (std::uint32_t open = bounds.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
+      nodes_[count_] = {scan, {block, lane}};
+      likeliest = bounds.likely[lane] < least ? count_ : likeliest;
+      least = std::min(least, bounds.likely[lane]);
+      ++count_;
+    }
+    if (count_ > first) std::swap(nodes_[likeliest], nodes_[count_ - 1]);
   }
-  return std::nullopt;
-}
+
+ private:
+  std::array<Pending, 2 * CapTree::kMostPending> nodes_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
-// Both roots are looked at first, at about the same time; then the ball's caps before the socket's.
-std::optional<ScannedItem> touching_item(const PosedTrees& posed, const ItemQuestion& touches) {
+// The last root is looked at first, right after the others; then the first scan's caps before the second's.
+std::optional<ScannedItem> touching_item(const PosedTrees& posed,
+                                         const std::function<bool(const ScannedItem&)>& touches) {
   PendingNodes pending;
   const auto test = [&](std::uint32_t scan, std::uint32_t block) {
     const PosedTree& of = posed[scan];
-    pending.push_open(scan, block, gap_bounds(of.tree.blocks()[block], of.move, of.limits, {}));
+    pending.push_open(scan, block, gap_bounds(of.tree.blocks()[block], of.move, of.limits, {0.0F}));
   };
-  for (const std::uint32_t scan : {1U, 0U}) {
-    if (!posed[scan].tree.blocks().empty()) test(scan, 0);
-  }
+  for (std::size_t scan = posed.size(); scan-- > 0;)
+    if (!posed[scan].tree.blocks().empty()) test(static_cast<std::uint32_t>(scan), 0);
   while (!pending.empty()) {
-    const PendingNode next = pending.pop();
-    const CapBlock& block = posed[next.scan].tree.blocks()[next.node.block];
-    const std::uint32_t first = block.first[next.node.lane];
-    if (!block.leaf(next.node.lane)) {
-      test(next.scan, first);
-    } else if (const auto item = ask_leaf(next.scan, {first, block.items[next.node.lane]}, touches)) {
-      return item;
-    }
+    const auto [scan, node] = pending.pop();
+    const CapBlock& block = posed[scan].tree.blocks()[node.block];
+    const std::uint32_t first = block.first[node.lane];
+    if (!block.leaf(node.lane)) test(scan, first);
+    for (std::uint32_t item = first; item < first + block.items[node.lane]; ++item)
+      if (touches({scan, item})) return ScannedItem{scan, item};
   }
   return std::nullopt;
 }

@@ -10,11 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
-#include "contact/cap_limits.hpp"
-#include "contact/cap_move.hpp"
-#include "contact/cap_tree.hpp"
+#include "contact/gap_bounds.hpp"
 
 namespace impinge {
 
@@ -33,25 +32,9 @@ struct ScannedItem {
   std::uint32_t item;  // place in the order of its tree
 };
 
-/// Who is asked about single items: a function object that is borrowed.
-class ItemQuestion {
- public:
-  /// asked(item) says whether it touches: a gap of 0 or less.
-  template <class Asked>
-  explicit ItemQuestion(const Asked& asked)
-      : asked_(&asked), call_([](const void* self, const ScannedItem& at) {
-          return static_cast<bool>((*static_cast<const Asked*>(self))(at));
-        }) {}
-
-  /// The answer.
-  bool operator()(const ScannedItem& at) const { return call_(asked_, at); }
-
- private:
-  const void* asked_;
-  bool (*call_)(const void*, const ScannedItem&);
-};
-
-/// Among all items of both scans: one that touches, if one does.
-std::optional<ScannedItem> touching_item(const PosedTrees& posed, const ItemQuestion& touches);
+/// Among all items of both scans: one that touches, if one does. touches(item) says whether it has a gap of 0
+/// or less.
+std::optional<ScannedItem> touching_item(const PosedTrees& posed,
+                                         const std::function<bool(const ScannedItem&)>& touches);
 
 }  // namespace impinge

@@ -10,14 +10,14 @@
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "sphere/infinity.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kGridPrecision = 1.0;  // degrees
-constexpr double kFarthest = 0.45;      // of |x|: no lower end for a distance beyond it
-constexpr double kAngleSlack = 1e-9;    // radians, for rounding
-constexpr double kSteep = 1e4;          // tan psi beyond which rounding of a radius may reach the allowance
+constexpr double kGridPrecision = 1.0;     // degrees
+constexpr double kFarthest = 0.45;         // of |x|: no lower end for a distance beyond it
+constexpr double kAngleSlack = 1e-9;       // radians, for rounding
 constexpr double kRestRounding = 0x1p-49;  // of 1 - q^2 tan^2 psi: 5 roundings of at most 1, and to spare
 constexpr int kHalvings = 8;               // of the range of D
 
@@ -56,15 +56,16 @@ double stretch(const auto& slopes, double length, double D) {
 
 EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
     : mesh_(std::move(mesh)),
-      grid_(CubeGnomonic::with_precision(kGridPrecision)),
-      walker_(grid_.walker()),
-      near_(grid_.size()) {
+      index_(CubeGnomonic::with_precision(kGridPrecision)),
+      listed_within_(index_.grid().covering_radius() + kAngleSlack),
+      near_(index_.grid().size()) {
   if (mesh_.faces.empty()) {
     throw std::invalid_argument("mesh: it has no faces, so there is no distance to it; read another file");
   }
   for (const JumpEdge& edge : jump_edges(mesh_))
     jumps_.push_back({mesh_.vertices[edge.from], mesh_.vertices[edge.to]});
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) list_face(f);
+  index_.sort();
 }
 
 void EuclideanBracket::list_face(std::size_t f) {
@@ -79,16 +80,14 @@ void EuclideanBracket::list_face(std::size_t f) {
     return;
   }
   const double slope = steepest(cone);
-  walker_.visit_near(cone, grid_.covering_radius() + kAngleSlack, [&](const DirectionRun& run) {
-    for (std::size_t k = 0; k < run.count; ++k) {
-      Near& near = near_[run.first + k];
-      near.faces.push_back(static_cast<std::uint32_t>(f));
-      near.slope = std::max(near.slope, slope);
-      near.radius = std::max(near.radius, radius);
-      if (slope > kSteep || !cone.contains(run[k])) continue;
-      near.nearest = std::min(near.nearest, cone.radius(run[k]));
-      near.farthest = std::max(near.farthest, cone.radius(run[k]));
-    }
+  index_.add(f, cone, listed_within_, [&](std::size_t entry, const Vec3& u) {
+    Near& near = near_[entry];
+    near.slope = std::max(near.slope, slope);
+    near.radius = std::max(near.radius, radius);
+    if (slope > kSteepSlope || !cone.contains(u)) return true;
+    near.nearest = std::min(near.nearest, cone.radius(u));
+    near.farthest = std::max(near.farthest, cone.radius(u));
+    return true;
   });
 }
 
@@ -96,13 +95,10 @@ void EuclideanBracket::list_face(std::size_t f) {
 // them lists any face that is seen within the angle.
 template <class Visit>
 void EuclideanBracket::for_each_within(const Vec3& u, double angle, Visit&& visit) const {
-  const double wide = angle + grid_.covering_radius() + kAngleSlack;
+  const double wide = angle + listed_within_;
   const double least = std::cos(wide + kAngleSlack);
-  walker_.visit_near(TriangleCone(u, u, u), wide, [&](const DirectionRun& run) {
-    for (std::size_t k = 0; k < run.count; ++k) {
-      const Vec3 direction = run[k];
-      if (direction.dot(u) >= least) visit(run.first + k, direction);
-    }
+  index_.for_each_near(TriangleCone(u, u, u), wide, [&](std::size_t entry, const Vec3& direction) {
+    if (direction.dot(u) >= least) visit(entry, direction);
   });
 }
 
@@ -123,7 +119,7 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
   DistanceBracket found;
   found.upper_mm = kInfinity;
   const Vec3& exact_direction = x.isZero(0.0) ? u : x;
-  for (const std::uint32_t f : near_[entry_next_to(u)].faces) {
+  for (const std::uint32_t f : index_[entry_next_to(u)]) {
     const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
     if (place_in_cone(cone.corners(), cone.side(), exact_direction) < 0) continue;
     const double gap = std::abs(x.norm() - cone.radius(u));
@@ -131,7 +127,7 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
       found.gap_mm = gap;
       found.slope = slope_along(cone, u);
     }
-    if (cone.largest_slope() <= kSteep) found.upper_mm = std::min(found.upper_mm, gap);
+    if (cone.largest_slope() <= kSteepSlope) found.upper_mm = std::min(found.upper_mm, gap);
     for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
   }
   for (const auto& [from, to] : jumps_)
@@ -157,14 +153,13 @@ double EuclideanBracket::shortened(const Vec3& x, double upper) const {
 std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x, double farthest) const {
   const double length = x.norm();
   const Vec3 axis = x / length;
-  const double listed_within = grid_.covering_radius() + kAngleSlack;
-  const double sine = std::sin(listed_within);
-  const double cosine = std::cos(listed_within);
+  const double sine = std::sin(listed_within_);
+  const double cosine = std::cos(listed_within_);
   std::vector<Slope> slopes;
   for_each_within(axis, std::asin(farthest / length), [&](std::size_t i, const Vec3& u) {
-    if (near_[i].faces.empty()) return;
+    if (index_[i].empty()) return;
     const double from =
-        axis.cross(u).norm() * cosine - axis.dot(u) * sine;  // of the angle less listed_within
+        axis.cross(u).norm() * cosine - axis.dot(u) * sine;  // of the angle less listed_within_
     slopes.push_back({length * std::max(from, 0.0), near_[i].slope, near_[i].radius});
   });
   for (const Ball& ball : edge_on_)

@@ -30,12 +30,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/direction_index.hpp"
 
 namespace impinge {
 
@@ -77,7 +76,6 @@ class EuclideanBracket {
   };
   /// Of the faces within the covering radius of an entry. Lengths in mm.
   struct Near {
-    std::vector<std::uint32_t> faces;
     double slope = 0.0;   // largest tan psi
     double radius = 0.0;  // largest
     /// Of the crossings along the entry itself.
@@ -103,8 +101,8 @@ class EuclideanBracket {
 
   TriangleMesh mesh_;
   double farthest_corner_ = 0.0;  // mm
-  CubeGnomonic grid_;
-  CubeGnomonic::Walker walker_;
+  DirectionIndex index_;
+  double listed_within_;        // radians
   std::vector<Near> near_;      // of each entry of the grid
   std::vector<Segment> jumps_;  // jump edges
   std::vector<Ball> edge_on_;   // round the faces whose plane holds the centre

@@ -9,7 +9,6 @@
 #pragma once
 
 #include "gap/surface.hpp"
-#include "table/face_index.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
@@ -17,9 +16,6 @@ namespace impinge {
 /// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged: a gap of zero
 /// or less? For one of the ball: is it on a face of the socket or beyond; never at the centre. For one of the
 /// socket: is it on a face of the ball or before it; always at the centre, if a face counts.
-bool exactly_impinged(Surface of, const TriangleMesh& met, const FaceIndex& index, const Vec3& x);
-
-/// The same with an index that is made sooner and looks at fewer faces.
 bool exactly_impinged(Surface of, const NearFaces& met, const Vec3& x);
 
 }  // namespace impinge

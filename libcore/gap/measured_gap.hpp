@@ -14,6 +14,7 @@
 #include <span>
 
 #include "gap/certified_gap.hpp"
+#include "gap/surface.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {

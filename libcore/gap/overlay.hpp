@@ -31,13 +31,14 @@
 // corners of each over the other and at the crossings of their edges, which no scan of vertices sees.
 #pragma once
 
-#include <cstddef>
+#include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "gap/face_overlay.hpp"
-#include "gap/pose.hpp"
-#include "mesh/triangle_mesh.hpp"
-#include "table/face_index.hpp"
+#include "gap/surface.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 
@@ -59,16 +60,25 @@ class SurfaceOverlay {
   /// The deepest of all places of (1) and (2) that are impinged; none exactly if none is.
   std::optional<OverlayContact> deepest(const Pose& pose) const;
 
-  const TriangleMesh& ball() const { return ball_; }               // in its centre frame
-  const TriangleMesh& socket() const { return socket_; }           // in its centre frame
-  const FaceIndex& ball_index() const { return ball_index_; }      // of the ball's faces by direction
-  const FaceIndex& socket_index() const { return socket_index_; }  // of the socket's faces by direction
+  const TriangleMesh& ball() const { return sides_[0]->mesh; }    // in its centre frame
+  const TriangleMesh& socket() const { return sides_[1]->mesh; }  // in its centre frame
+  /// The faces of that surface by direction.
+  const NearFaces& faces(Surface of) const { return sides_[of == Surface::ball ? 0 : 1]->near; }
 
  private:
-  TriangleMesh ball_;
-  TriangleMesh socket_;
-  FaceIndex ball_index_;
-  FaceIndex socket_index_;
+  /// A surface at rest.
+  struct Side {
+    explicit Side(TriangleMesh of);
+    TriangleMesh mesh;
+    std::vector<FaceCap> caps;  // of its faces
+    NearFaces near;  // with a margin of about a face, for most of them to be looked up in one piece
+  };
+  template <class Visit>
+  bool visit_pairs(Surface moved, const Pose& pose, const Visit& visit) const;
+  template <class Visit>
+  bool visit_both(const Pose& pose, const Visit& visit) const;
+
+  std::array<std::unique_ptr<const Side>, 2> sides_;  // ball, socket
 };
 
 }  // namespace impinge

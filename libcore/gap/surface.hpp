@@ -9,7 +9,7 @@
 
 #include "gap/pose.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "table/cap_range.hpp"
+#include "table/face_cap.hpp"
 #include "table/layer.hpp"
 
 namespace impinge {

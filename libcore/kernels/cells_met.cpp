@@ -7,14 +7,12 @@
 #include <limits>
 #include <span>
 
-#include "sphere/cone_polygon.hpp"
+#include "sphere/cube_faces.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kWiden = 1e-6;       // of a face of the cube, for places that rounding moves over its edge
-constexpr double kLeastDepth = 1e-3;  // of a clipped corner, for its place to be accurate
-constexpr std::size_t kMostCorners = 16;
+constexpr double kWiden = 1e-6;  // of a face of the cube, for places that rounding moves over its edge
 
 // In cells from the corner of a face of the cube.
 struct GridPoint {
@@ -22,38 +20,19 @@ struct GridPoint {
   double b;
 };
 
-// What of a cone one face of the cube sees; everything where its places are not accurate.
+// What of a cone one face of the cube sees.
 struct Outline {
-  std::array<GridPoint, kMostCorners> corner{};
+  std::array<GridPoint, ConePolygon::kMostCorners> corner{};
   std::size_t count = 0;
   bool everything = false;
 };
 
-// Depth, and the two others, of face 2 k and 2 k + 1 as in sphere/cube.hpp.
-constexpr std::array<std::array<Eigen::Index, 3>, 3> kAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
-
-Outline outline_on(std::size_t face, ConePolygon polygon, double divisions) {
-  const auto [depth_axis, a_axis, b_axis] = kAxes[face / 2];
-  const double sign = face % 2 == 0 ? 1.0 : -1.0;
+Outline outline_on(std::size_t face, const ConePolygon& polygon, double divisions) {
+  const CubeOutline seen(polygon, face, 1.0 + kWiden);
   Outline outline;
-  for (const Eigen::Index axis : {a_axis, b_axis}) {
-    for (const double side : {1.0, -1.0}) {
-      Vec3 plane = Vec3::Zero();
-      plane[depth_axis] = sign * (1.0 + kWiden);
-      plane[axis] = side;
-      polygon.clip(plane);
-      if (polygon.empty()) return outline;
-    }
-  }
-  for (const Vec3& x : polygon.corners()) {
-    const double depth = sign * x[depth_axis];
-    if (!(depth > kLeastDepth)) {  // an edge of the triangle passes close to the centre
-      outline.everything = true;
-      return outline;
-    }
-    outline.corner[outline.count++] = {0.5 * divisions * (x[a_axis] / depth + 1.0),
-                                       0.5 * divisions * (x[b_axis] / depth + 1.0)};
-  }
+  outline.everything = seen.everything();
+  for (const auto& [a, b] : seen.corners())
+    outline.corner[outline.count++] = {0.5 * divisions * (a + 1.0), 0.5 * divisions * (b + 1.0)};
   return outline;
 }
 

@@ -113,15 +113,9 @@ template <PackedValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   StoredRim<Value> rim(task);
   std::vector<DoubtfulRim> doubtful;
-  for (const JumpEdge& edge : edges) {
-    RimLine line{task.mesh.vertices[edge.from], task.mesh.vertices[edge.to]};
-    const Vec3 normal = across(line.from, line.to);
-    if (normal.isZero(0.0)) continue;  // seen as a point
-    for (const double side : {-kBesideEdge, kBesideEdge}) {
-      line.aside = side * normal;
-      follow(edge, line, task.layer, rim, doubtful);
-    }
-  }
+  for_each_side(edges, task.mesh, [&](const JumpEdge& edge, const RimLine& line) {
+    follow(edge, line, task.layer, rim, doubtful);
+  });
   rim.drop_marked(doubtful);
   mask_doubtful(task.mesh, doubtful, rim);
 }

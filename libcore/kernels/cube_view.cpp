@@ -4,31 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sphere/cube_faces.hpp"
+
 namespace impinge {
 namespace {
 
 constexpr double kLeastShare = 0.125;  // of the largest coordinate, for a corner to be projected
 
-struct FaceAxes {
-  Eigen::Index depth, a, b;
-};
-constexpr std::array<FaceAxes, 3> kFaceAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
-
-double depth_through(const Vec3& v, std::size_t face) {
-  const double depth = v[kFaceAxes[face / 2].depth];
-  return face % 2 == 0 ? depth : -depth;
-}
+double depth_through(const Vec3& v, std::size_t face) { return cube_sign(face) * v[cube_axes(face).depth]; }
 
 SeenCorner project(const Vec3& v, std::size_t face, double half) {
   const double q = 1.0 / depth_through(v, face);
-  const FaceAxes& axes = kFaceAxes[face / 2];
+  const CubeAxes& axes = cube_axes(face);
   return {(v[axes.a] * q + 1.0) * half, (v[axes.b] * q + 1.0) * half, q, static_cast<std::uint32_t>(face)};
-}
-
-std::size_t face_before(const Vec3& v) {
-  Eigen::Index axis = 0;
-  v.cwiseAbs().maxCoeff(&axis);
-  return 2 * static_cast<std::size_t>(axis) + (v[axis] < 0.0 ? 1U : 0U);
 }
 
 // Bit 6 f + g: v lies beyond the plane that separates what is seen through face f of the cube from face g, by
@@ -49,7 +37,7 @@ std::uint64_t beyond(const Vec3& v, double share) {
 }  // namespace
 
 SeenCorner seen_corner(const Vec3& v, std::size_t divisions) {
-  return project(v, face_before(v), 0.5 * static_cast<double>(divisions));
+  return project(v, cube_face(v), 0.5 * static_cast<double>(divisions));
 }
 
 CubeView::CubeView(const TriangleMesh& mesh, std::size_t divisions)
@@ -63,7 +51,7 @@ void CubeView::see(std::size_t first_vertex, std::size_t end_vertex) {
   const auto inside = [&](double x) { return x > kLeastReach && x < 2.0 * half - kLeastReach; };
   for (std::size_t v = first_vertex; v < end_vertex; ++v) {
     const Vec3& x = mesh_->vertices[v];
-    const std::size_t face = face_before(x);
+    const std::size_t face = cube_face(x);
     const SeenCorner& seen = corners_[v] = project(x, face, half);
     if (inside(seen.x) && inside(seen.y) && seen.q < kMostInverse)
       margin_face_[v] = static_cast<std::uint8_t>(face);

@@ -12,6 +12,7 @@
 #include "kernels/open_cells.hpp"
 #include "kernels/seen_planes.hpp"
 #include "mesh/lengths.hpp"
+#include "sphere/lists.hpp"
 
 namespace impinge {
 namespace {
@@ -36,34 +37,16 @@ std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
   return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
 }
 
-// Faces of each cell, as places in the order of the blocks: those of cell c are place[first[c]] ...
-// place[first[c + 1] - 1], rising.
-struct CellFaces {
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint32_t> place;
-
-  std::span<const std::uint32_t> of(std::size_t cell) const {
-    return std::span(place).subspan(first[cell], first[cell + 1] - first[cell]);
-  }
-};
-
-CellFaces faces_of_cells(const ExactCells& made, const CellGrid& grid) {
+// Faces of each cell, as places in the order of the blocks, rising.
+Lists faces_of_cells(const ExactCells& made, const CellGrid& grid) {
   std::vector<std::uint32_t> met;
-  std::vector<std::size_t> end;  // of the cells of each face
-  for (const std::uint32_t f : made.face) {
-    add_cells_met(grid, cone_of(made.mesh, made.mesh.faces[f]), met);
-    end.push_back(met.size());
+  std::vector<Lists::Pair> pairs;
+  for (std::uint32_t place = 0; place < made.face.size(); ++place) {
+    met.clear();
+    add_cells_met(grid, cone_of(made.mesh, made.mesh.faces[made.face[place]]), met);
+    for (const std::uint32_t cell : met) pairs.push_back({cell, place});
   }
-  CellFaces faces;
-  faces.first.resize(made.cells.size() + 1);
-  for (const std::uint32_t cell : met) ++faces.first[cell + 1];
-  for (std::size_t c = 1; c < faces.first.size(); ++c) faces.first[c] += faces.first[c - 1];
-  std::vector<std::uint32_t> next(faces.first.begin(), faces.first.end() - 1);
-  faces.place.resize(met.size());
-  std::size_t k = 0;
-  for (std::uint32_t place = 0; place < end.size(); ++place)
-    for (; k < end[place]; ++k) faces.place[next[met[k]]++] = place;
-  return faces;
+  return Lists(made.cells.size(), pairs);
 }
 
 void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
@@ -97,11 +80,11 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
   const std::vector<Vec3> planes = seen_planes(mesh);
   made.blocks = face_blocks({mesh, planes}, made.face, layer);
   const CellGrid grid = float_grid(made.divisions);
-  const CellFaces faces = faces_of_cells(made, grid);
+  const Lists faces = faces_of_cells(made, grid);
   const std::vector<bool> open = open_cells(mesh, grid);
   std::vector<std::uint32_t> few;
   for (std::size_t c = 0; c < made.cells.size(); ++c) {
-    const auto places = faces.of(c);
+    const auto places = faces[c];
     if (places.empty()) continue;
     few.clear();
     if (places.size() <= ExactCell::kPlanes && !open[c])

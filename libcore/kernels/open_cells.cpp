@@ -18,10 +18,7 @@ constexpr double kSteepestInDouble = 1e8;
 std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid) {
   grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
   std::vector<std::uint32_t> met;
-  for (const JumpEdge& edge : jump_edges(mesh)) {
-    const Vec3& to = mesh.vertices[edge.to];
-    add_cells_met(grid, TriangleCone(mesh.vertices[edge.from], to, to), met);
-  }
+  for (const JumpEdge& edge : jump_edges(mesh)) add_cells_met(grid, cone_of(mesh, edge), met);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on() || cone.largest_slope() > kSteepestInDouble) add_cells_met(grid, cone, met);

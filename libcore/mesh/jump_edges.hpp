@@ -17,6 +17,11 @@ struct JumpEdge {
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
+/// The edge as a cone without a width.
+inline TriangleCone cone_of(const TriangleMesh& mesh, const JumpEdge& edge) {
+  return {mesh.vertices[edge.from], mesh.vertices[edge.to], mesh.vertices[edge.to]};
+}
+
 /// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. Sorted by the
 /// smaller of the two ends, then by the larger one.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);

@@ -11,6 +11,7 @@
 
 #include "mesh/lengths.hpp"
 #include "sphere/entries_inside.hpp"
+#include "sphere/lists.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/triangle_cone.hpp"
 
@@ -60,18 +61,17 @@ bool caps_meet(const Cap& a, const Cap& b) {
 
 // Faces near each entry of a grid whose cells are about as large as a face: two faces with a common direction
 // are both near the entry that is nearest to it.
-std::vector<std::vector<std::uint32_t>> bucket_faces(const std::vector<TriangleCone>& cones) {
+Lists bucket_faces(const std::vector<TriangleCone>& cones) {
   const double size_deg = std::sqrt(4.0 * kPi / static_cast<double>(cones.size() + 1)) / kDegree;
   const Rsid grid = Rsid::with_precision(180.0 / std::round(180.0 / std::clamp(size_deg, 0.5, 30.0)));
   const Rsid::Walker walker = grid.walker();
-  std::vector<std::vector<std::uint32_t>> buckets(grid.size());
-  for (std::size_t f = 0; f < cones.size(); ++f) {
-    walker.visit_near(cones[f], grid.covering_radius(), [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k)
-        buckets[run.first + k].push_back(static_cast<std::uint32_t>(f));
+  std::vector<Lists::Pair> near;
+  for (std::uint32_t f = 0; f < cones.size(); ++f) {
+    for_each_entry_near(walker, cones[f], grid.covering_radius(), [&](std::size_t entry, const Vec3&) {
+      near.push_back({static_cast<std::uint32_t>(entry), f});
     });
   }
-  return buckets;
+  return Lists(grid.size(), near);
 }
 
 // Pairs that overlap; none if some bucket holds so many faces that trying all of its pairs would take long,
@@ -81,7 +81,9 @@ std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCon
   caps.reserve(cones.size());
   for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
-  for (const auto& bucket : bucket_faces(cones)) {
+  const Lists buckets = bucket_faces(cones);
+  for (std::size_t entry = 0; entry < buckets.size(); ++entry) {
+    const auto bucket = buckets[entry];
     if (bucket.size() > kMostInBucket) return std::nullopt;
     for (std::size_t i = 0; i < bucket.size(); ++i) {
       for (std::size_t k = i + 1; k < bucket.size(); ++k) {

@@ -28,6 +28,11 @@ inline const Vec3& corner(const TriangleMesh& mesh, const Face& face, std::size_
   return mesh.vertices[face[k]];
 }
 
+/// All three.
+inline std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, const Face& face) {
+  return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
+}
+
 /// A face of a mesh in the centre frame, as the centre sees it.
 inline TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
   return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};

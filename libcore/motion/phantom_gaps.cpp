@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
+#include "contact/culled_joint.hpp"
 #include "gap/gap_scan.hpp"
 #include "mesh/bodies.hpp"
 #include "motion/phantom.hpp"
-#include "motion/vertex_gap.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 #include "table/table_bound.hpp"
@@ -65,7 +65,8 @@ void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
       "eccentric spheres by " + std::to_string(std::lround(spheres.centre.norm())) + " mm";
   const double ball_depth = depth_of_faces(spheres.ball, kInner, spheres.centre);
   const double socket_depth = depth_of_faces(spheres.socket, kOuter, Vec3::Zero());
-  const double smallest = VertexGaps(spheres.ball, spheres.socket).smallest({})->gap_mm;
+  const BallSocketPair joint{spheres.ball, spheres.socket};
+  const double smallest = CulledJoint(joint).least_gap({})->gap_mm;
   const double closed = kOuter - kInner - spheres.centre.norm();
   rows.push_back({name, "smallest gap of a vertex on faces, mm", closed, smallest, smallest - closed,
                   std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed}), true});

@@ -51,21 +51,16 @@ ProfileIndex::ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& with
     : boxes_(std::move(boxes)), bounds_(bounds_of(boxes_)) {
   bounds_ = {std::max(bounds_.z_low, within.z_low), std::min(bounds_.z_high, within.z_high),
              std::max(bounds_.r_low, within.r_low), std::min(bounds_.r_high, within.r_high)};
-  first_.assign(kCells * kCells + 1, 0);
-  const auto for_each_cell = [&](const auto& action) {
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      if (!bounds_.overlaps(boxes_[i])) continue;
-      const Cells cells = cells_of(boxes_[i]);
-      for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
-        for (std::size_t r = cells.r_low; r <= cells.r_high; ++r) action(z * kCells + r, i);
-      }
+  std::vector<Lists::Pair> pairs;
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    if (!bounds_.overlaps(boxes_[i])) continue;
+    const Cells cells = cells_of(boxes_[i]);
+    for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
+      for (std::size_t r = cells.r_low; r <= cells.r_high; ++r)
+        pairs.push_back({static_cast<std::uint32_t>(z * kCells + r), i});
     }
-  };
-  for_each_cell([&](std::size_t c, std::size_t) { ++first_[c + 1]; });
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  listed_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for_each_cell([&](std::size_t c, std::size_t i) { listed_[next[c]++] = static_cast<std::uint32_t>(i); });
+  }
+  in_cell_ = Lists(kCells * kCells, pairs);
 }
 
 ProfileIndex::Cells ProfileIndex::cells_of(const ProfileBox& box) const {

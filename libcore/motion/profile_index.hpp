@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sphere/direction.hpp"
+#include "sphere/lists.hpp"
 
 namespace impinge {
 
@@ -49,8 +50,7 @@ class ProfileIndex {
     const Cells cells = cells_of(box);
     for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
       for (std::size_t r = cells.r_low; r <= cells.r_high; ++r) {
-        for (std::size_t k = first_[z * kCells + r]; k < first_[z * kCells + r + 1]; ++k) {
-          const std::uint32_t i = listed_[k];
+        for (const std::uint32_t i : in_cell_[z * kCells + r]) {
           const Cells own = cells_of(boxes_[i]);
           // In the first cell that both are in, so that no pair comes twice.
           if (z != std::max(own.z_low, cells.z_low) || r != std::max(own.r_low, cells.r_low)) continue;
@@ -69,8 +69,7 @@ class ProfileIndex {
 
   std::vector<ProfileBox> boxes_;
   ProfileBox bounds_;
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> listed_;
+  Lists in_cell_;  // boxes
 };
 
 }  // namespace impinge

@@ -64,17 +64,6 @@ bool TurnLimits::impinged(const JointTurn& turn, double angle_deg) const {
   return answers_->surfaces.impinged(pose_at(turn, angle_deg * kDegree));
 }
 
-std::optional<VertexGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
-  const Pose pose = pose_at(turn, angle_deg * kDegree);
-  const auto least = answers_->vertices.least_gap(pose);
-  if (!least) return std::nullopt;
-  const BallSocketPair& meshes = answers_->meshes;
-  const std::size_t v = least->at.vertex;
-  const bool ball = least->at.scanned == Surface::ball;
-  return VertexGap{least->gap_mm,
-                   ball ? to_socket(pose, meshes.ball.vertices[v]) : meshes.socket.vertices[v]};
-}
-
 // An angle that is reached, asked for in steps; next to it, within kPast, is one that is not.
 template <class Reached>
 static std::optional<double> first_reached(double from, double to, const Reached& reached) {

@@ -38,7 +38,6 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "motion/centre_interval.hpp"
 #include "motion/turn_contact.hpp"
-#include "motion/vertex_gap.hpp"
 
 namespace impinge {
 
@@ -82,9 +81,6 @@ class TurnLimits {
   /// Where the limit, one of the above, may be for another centre.
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                  const CentreQuestion& question) const;
-
-  /// Smallest gap of a vertex with the turn at that angle.
-  std::optional<VertexGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
   /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
   bool impinged(const JointTurn& turn, double angle_deg) const;

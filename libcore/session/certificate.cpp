@@ -19,8 +19,6 @@ VertexVerdicts decide(const SurfaceOverlay& joint, const Pose& pose, Surface of,
                       const GapEvidence& evidence) {
   const bool ball = of == Surface::ball;
   const TriangleMesh& mesh = ball ? joint.ball() : joint.socket();
-  const TriangleMesh& met = ball ? joint.socket() : joint.ball();
-  const FaceIndex& index = ball ? joint.socket_index() : joint.ball_index();
   const std::vector<bool> used = on_surface(mesh);
   VertexVerdicts verdicts;
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -31,7 +29,7 @@ VertexVerdicts decide(const SurfaceOverlay& joint, const Pose& pose, Surface of,
     } else {
       verdicts.by_bound.add(verdict);
     }
-    const bool impinged = exactly_impinged(of, met, index, to_other(of, pose, mesh.vertices[i]));
+    const bool impinged = exactly_impinged(of, joint.faces(other(of)), to_other(of, pose, mesh.vertices[i]));
     const Verdict truth = impinged ? Verdict::impinged : Verdict::clear;
     verdicts.impinged += impinged ? 1U : 0U;
     verdicts.refuted += verdict != Verdict::undecided && verdict != truth ? 1U : 0U;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "gap/certified_gap.hpp"
+#include "gap/exact_side.hpp"
 #include "gap/overlay.hpp"
 
 namespace impinge {

@@ -22,6 +22,8 @@ class ConePolygon {
   /// What clipping has left, in order; valid until the next clip().
   std::span<const Vec3> corners() const { return {corner_.data(), count_}; }
   bool empty() const { return count_ == 0; }  // nothing is left
+  /// Half as many again for each of at most four planes, were rounding to make a polygon as bad as can be.
+  static constexpr std::size_t kMostCorners = 14;
 
   /// Keeps what is on the side plane . x >= 0 (Sutherland and Hodgman 1974: a spherical polygon is clipped as
   /// the flat one). Rounding is of the order of 1e-15 of the corners, which have length one at first.
@@ -47,9 +49,6 @@ class ConePolygon {
   }
 
  private:
-  /// Half as many again for each of at most four planes, were rounding to make a polygon as bad as can be.
-  static constexpr std::size_t kMostCorners = 14;
-
   std::array<Vec3, kMostCorners> corner_;
   std::size_t count_;
 };

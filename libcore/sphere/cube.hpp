@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cube maps: the sphere seen through the six faces of the cube [-1, 1]^3, each a grid of (n + 1)^2 entries.
 //
-// Entry (i, j) of a face lies in the direction of (+-1, a_i, a_j), the +-1 on the axis of the face and a_i,
-// a_j on the other two in the order x, y, z, where a_k = warp(-1 + 2 k / n). Lookup is bilinear in the
-// unwarped coordinate. Grid lines are great circles whatever the warp. Entries on the edges of the cube are
-// repeated on each of its faces, bit for bit, so that no lookup crosses a seam: 6 (n + 1)^2 entries of which
-// 6 n^2 + 2 differ. The cells are rectangles in (a, b), whatever the warp, so that plane_stencil() is
-// bilinear in it.
+// Entry (i, j) of a face is at (a_i, a_j) of it (sphere/cube_faces.hpp), a_k = warp(-1 + 2 k / n). Lookup is
+// bilinear in the unwarped coordinate. Grid lines are great circles whatever the warp. Entries on the edges
+// of the cube are repeated on each of its faces, bit for bit, so that no lookup crosses a seam: 6 (n + 1)^2
+// entries of which 6 n^2 + 2 differ. The cells are rectangles in (a, b), whatever the warp, so that
+// plane_stencil() is bilinear in it.
 //
 // Precision is 90 / n degrees: 4 n entries stand round the equator.
 #pragma once
@@ -18,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sphere/cone_polygon.hpp"
+#include "sphere/cube_faces.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
 #include "sphere/scheme.hpp"
@@ -52,7 +51,9 @@ class CubeMap {
 
   Vec3 direction(std::size_t entry) const {
     const std::size_t row = entry / (n_ + 1);
-    return on_face(row / (n_ + 1), node(entry % (n_ + 1)), node(row % (n_ + 1)));
+    const double a = node(entry % (n_ + 1));
+    const double b = node(row % (n_ + 1));
+    return cube_point(row / (n_ + 1), a, b, shrink(a, b));
   }
 
   Stencil stencil(const Vec3& x) const {
@@ -73,12 +74,6 @@ class CubeMap {
   friend bool operator==(const CubeMap&, const CubeMap&) = default;
 
  private:
-  /// Face 2 k looks along the k-th axis, face 2 k + 1 against it.
-  struct Axes {
-    Eigen::Index depth, a, b;
-  };
-  static constexpr std::array<Axes, 3> kAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
-
   /// Grid line below a coordinate and the share of the cell that is left of it.
   struct Place {
     std::size_t line;
@@ -86,12 +81,6 @@ class CubeMap {
   };
 
   explicit CubeMap(std::size_t n) : n_(n) {}
-
-  static std::size_t face_of(const Vec3& x) {
-    const Vec3 size = x.cwiseAbs();
-    const std::size_t axis = size.x() >= size.y() && size.x() >= size.z() ? 0 : size.y() >= size.z() ? 1 : 2;
-    return 2 * axis + (x[kAxes[axis].depth] < 0.0 ? 1U : 0U);
-  }
 
   double grid_position(double a) const { return (Warp::coordinate(a) + 1.0) * 0.5 * static_cast<double>(n_); }
 
@@ -110,17 +99,15 @@ class CubeMap {
 
   template <class PlaceOf>
   Stencil bilinear(const Vec3& x, PlaceOf&& place_of) const {
-    const std::size_t face = face_of(x);
-    const Axes& axes = kAxes[face / 2];
-    const double depth = std::abs(x[axes.depth]);
-    const auto [i, a] = place_of(x[axes.a] / depth);
-    const auto [j, b] = place_of(x[axes.b] / depth);
-    const std::size_t low = (face * (n_ + 1) + j) * (n_ + 1) + i;
+    const CubePlace at = cube_place(x);
+    const auto [i, a] = place_of(at.a);
+    const auto [j, b] = place_of(at.b);
+    const std::size_t low = (at.face * (n_ + 1) + j) * (n_ + 1) + i;
     const std::size_t high = low + n_ + 1;
     return {{low, low + 1, high, high + 1},
             {(1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b},
             4,
-            (face * n_ + j) * n_ + i};
+            (at.face * n_ + j) * n_ + i};
   }
 
   /// Whole numbers make the grid symmetric bit for bit.
@@ -130,16 +117,6 @@ class CubeMap {
 
   /// 1 / |(1, a, b)|, the same for (1, b, a) and, on an edge of the cube, for both of its faces.
   static double shrink(double a, double b) { return 1.0 / std::sqrt(1.0 + (a * a + b * b)); }
-
-  static Vec3 on_face(std::size_t face, double a, double b) {
-    const Axes& axes = kAxes[face / 2];
-    const double s = shrink(a, b);
-    Vec3 u;
-    u[axes.depth] = face % 2 == 0 ? s : -s;
-    u[axes.a] = s * a;
-    u[axes.b] = s * b;
-    return u;
-  }
 
   std::size_t n_ = 90;
 };
@@ -179,7 +156,6 @@ class CubeMap<Warp>::Walker {
   static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
   static constexpr double kSlack = 1e-6;         // of a spacing
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
-  static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its a and b to be accurate
 
   /// Grid lines first, first + 1, ... end - 1.
   struct Lines {
@@ -214,28 +190,18 @@ class CubeMap<Warp>::Walker {
   }
 
   /// Where on a face the entries within the margin of a triangle can be.
-  Window window(ConePolygon polygon, std::size_t face, const Spread& spread) const {
+  Window window(const ConePolygon& triangle, std::size_t face, const Spread& spread) const {
     const Window everything{{0, node_.size()}, {0, node_.size()}};
     if (spread.all) return everything;
-    const Axes& axes = kAxes[face / 2];
-    const double sign = face % 2 == 0 ? 1.0 : -1.0;
-    for (const Eigen::Index axis : {axes.a, axes.b}) {
-      for (const double side : {1.0, -1.0}) {
-        Vec3 plane = Vec3::Zero();
-        plane[axes.depth] = sign * spread.pyramid();
-        plane[axis] = side;
-        polygon.clip(plane);
-        if (polygon.empty()) return {{0, 0}, {0, 0}};
-      }
-    }
+    const CubeOutline outline(triangle, face, spread.pyramid());
+    if (outline.everything()) return everything;
+    if (outline.corners().empty()) return {{0, 0}, {0, 0}};
     double a_low = HUGE_VAL, a_high = -HUGE_VAL, b_low = HUGE_VAL, b_high = -HUGE_VAL;
-    for (const Vec3& x : polygon.corners()) {
-      const double depth = sign * x[axes.depth];
-      if (!(depth > kLeastDepth)) return everything;  // an edge of the triangle passes close to the centre
-      a_low = std::min(a_low, x[axes.a] / depth);
-      a_high = std::max(a_high, x[axes.a] / depth);
-      b_low = std::min(b_low, x[axes.b] / depth);
-      b_high = std::max(b_high, x[axes.b] / depth);
+    for (const auto& [a, b] : outline.corners()) {
+      a_low = std::min(a_low, a);
+      a_high = std::max(a_high, a);
+      b_low = std::min(b_low, b);
+      b_high = std::max(b_high, b);
     }
     return {lines(-spread.above(-a_low), spread.above(a_high)),
             lines(-spread.above(-b_low), spread.above(b_high))};
@@ -244,7 +210,7 @@ class CubeMap<Warp>::Walker {
   template <class Visit>
   void visit_row(std::size_t face, std::size_t j, const Lines& columns, Visit&& visit) const {
     DirectionRun run;
-    const Axes& axes = kAxes[face / 2];
+    const CubeAxes& axes = cube_axes(face);
     const std::array<double*, 3> coordinate{run.x.data(), run.y.data(), run.z.data()};
     double* const along_depth = coordinate[static_cast<std::size_t>(axes.depth)];
     double* const along_a = coordinate[static_cast<std::size_t>(axes.a)];
@@ -256,7 +222,7 @@ class CubeMap<Warp>::Walker {
       for (std::size_t k = 0; k < run.count; ++k) {
         const double a = node_[i + k];
         const double s = shrink(a, b);
-        along_depth[k] = face % 2 == 0 ? s : -s;
+        along_depth[k] = cube_sign(face) * s;
         along_a[k] = s * a;
         along_b[k] = s * b;
       }

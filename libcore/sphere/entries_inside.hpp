@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The entries of a scheme inside a spherical triangle, exactly.
+// The entries of a scheme inside a spherical triangle, exactly, and those near it.
 #pragma once
 
 #include <array>
@@ -8,6 +8,15 @@
 #include "sphere/scheme.hpp"
 
 namespace impinge {
+
+/// Calls visit(entry, direction) once for every entry inside the cone or within `margin` radians of it, and
+/// perhaps some outside.
+template <class Walker, class Visit>
+void for_each_entry_near(const Walker& walker, const TriangleCone& cone, double margin, Visit&& visit) {
+  walker.visit_near(cone, margin, [&](const DirectionRun& run) {
+    for (std::size_t k = 0; k < run.count; ++k) visit(run.first + k, run[k]);
+  });
+}
 
 /// Calls visit(entry, direction) once for every entry whose direction the cone contains, boundary included.
 /// The tests of a run are computed together, which the compiler turns into vector instructions; those in

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -54,9 +55,8 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
     // A float may round down; one step up keeps the bound.
     const float safe = std::nextafter(static_cast<float>(slope), std::numeric_limits<float>::infinity());
-    walker.visit_near(cone, scheme.stencil_radius(), [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k)
-        slopes[run.first + k] = std::max(slopes[run.first + k], safe);
+    for_each_entry_near(walker, cone, scheme.stencil_radius(), [&](std::size_t entry, const Vec3&) {
+      slopes[entry] = std::max(slopes[entry], safe);
     });
   }
   return slopes;

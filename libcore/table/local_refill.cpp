@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace impinge {
-namespace {
-
-bool is_small(const DirectionCap& cap) { return cap.radius < 0.5 * kPi; }
-
-}  // namespace
-
 std::vector<std::size_t> changed_faces(const TriangleMesh& before, const TriangleMesh& after) {
   if (before.faces != after.faces || before.vertices.size() != after.vertices.size()) {
     throw std::invalid_argument(
@@ -31,11 +25,10 @@ DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
   Vec3 sum = Vec3::Zero();
   for (const TriangleMesh* mesh : {&before, &after}) {
     for (const std::size_t f : faces) {
-      caps.push_back(see_face({corner(*mesh, mesh->faces[f], 0), corner(*mesh, mesh->faces[f], 1),
-                               corner(*mesh, mesh->faces[f], 2)})
-                         .cap);
-      if (!is_small(caps.back())) return everywhere;
-      sum += caps.back().axis;
+      const FaceCap seen = face_cap(corners_of(*mesh, mesh->faces[f]));
+      if (!seen.small()) return everywhere;
+      caps.push_back(seen.cap);
+      sum += seen.cap.axis;
     }
   }
   if (sum.norm() == 0.0) return everywhere;
@@ -46,9 +39,8 @@ DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
 }
 
 bool surely_outside(const TriangleMesh& mesh, const Face& face, const DirectionCap& cap) {
-  const DirectionCap own =
-      see_face({corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)}).cap;
-  return is_small(own) && angle_between(own.axis, cap.axis) > own.radius + cap.radius + kCapSlack;
+  const FaceCap own = face_cap(corners_of(mesh, face));
+  return own.small() && angle_between(own.cap.axis, cap.axis) > own.cap.radius + cap.radius + kCapSlack;
 }
 
 }  // namespace impinge

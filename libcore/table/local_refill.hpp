@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "sphere/entry_set.hpp"
-#include "table/cap_range.hpp"
 #include "table/exact_raster.hpp"
-#include "table/face_index.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a surface is near a direction, made in a few milliseconds: its faces, and what they prove about any
 // table of the surface without there being one. For looking up few directions, where a table of all of them
-// costs more than it saves; table/face_index.hpp knows tighter ranges and takes longer to make.
+// costs more than it saves.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/schemes/cube_gnomonic.hpp"
-#include "table/cap_range.hpp"
+#include "table/direction_index.hpp"
+#include "table/face_cap.hpp"
 #include "table/layer.hpp"
 
 namespace impinge {
@@ -50,7 +49,7 @@ class NearFaces {
   template <class Test>
   bool any_met(const Vec3& x, Test&& test) const {
     const Vec3 u = x.stableNormalized();
-    for (const std::uint32_t f : listed(grid_.stencil(u))) {
+    for (const std::uint32_t f : index_.shortest(index_.grid().stencil(u))) {
       const Cap& cap = caps_[f];
       if (cap.axis.dot(u) >= cap.cosine && test(f, cap.side)) return true;
     }
@@ -58,7 +57,7 @@ class NearFaces {
   }
 
   const TriangleMesh& mesh() const { return mesh_; }             // that the faces are of
-  bool empty() const { return faces_.empty(); }                  // no face covers a direction
+  bool empty() const { return index_.empty(); }                  // no face covers a direction
   double margin() const { return margin_; }                      // radians
   const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
 
@@ -82,21 +81,14 @@ class NearFaces {
     float slope = 0.0F;
     bool rim = false;
   };
-  using Listed = std::pair<std::uint32_t, std::uint32_t>;  // entry of the grid, face
-
-  void see(std::size_t f, const CubeGnomonic::Walker& walker, std::vector<Listed>& listed);
-  void sort(const std::vector<Listed>& listed);
-  /// The faces of that entry of the stencil which has the fewest: none that is met there is missing.
-  std::span<const std::uint32_t> listed(const Stencil& stencil) const;
+  void see(std::size_t f);
 
   const TriangleMesh& mesh_;
   double margin_;
-  CubeGnomonic grid_;
+  DirectionIndex index_;
   double reach_;  // radians: of the summary of an entry
   std::vector<Cap> caps_;
   std::vector<Summary> summaries_;
-  std::vector<std::uint32_t> first_;  // faces of entry i: faces_[first_[i]] .. faces_[first_[i + 1] - 1]
-  std::vector<std::uint32_t> faces_;
   std::vector<JumpEdge> jumps_;
 };
 

@@ -23,6 +23,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/jump_edges.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
 #include "table/layer.hpp"
 
@@ -198,11 +199,9 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
     if (slope < least) continue;
-    walker.visit_near(cone, scheme.stencil_radius(), [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k) {
-        const auto tap = slopes.find(run.first + k);
-        if (tap != slopes.end()) tap->second = std::max(tap->second, slope);
-      }
+    for_each_entry_near(walker, cone, scheme.stencil_radius(), [&](std::size_t entry, const Vec3&) {
+      const auto tap = slopes.find(entry);
+      if (tap != slopes.end()) tap->second = std::max(tap->second, slope);
     });
   }
   for (const DoubtfulRim& rim : doubtful) {
@@ -226,10 +225,8 @@ void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh,
   const auto& walker = table.scheme().walker();
   const double reach = table.scheme().stencil_radius() + kBesideEdge;
   for (const JumpEdge& edge : edges) {
-    const Vec3& to = mesh.vertices[edge.to];
-    walker.visit_near(TriangleCone(mesh.vertices[edge.from], to, to), reach, [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k) table.forget(run.first + k);
-    });
+    for_each_entry_near(walker, cone_of(mesh, edge), reach,
+                        [&](std::size_t entry, const Vec3&) { table.forget(entry); });
   }
 }
 
@@ -252,19 +249,27 @@ void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& t
   });
 }
 
+/// Calls visit(edge, line) for either side of each edge, but for those that the centre sees as a point.
+template <class Visit>
+void for_each_side(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Visit&& visit) {
+  for (const JumpEdge& edge : edges) {
+    RimLine line{mesh.vertices[edge.from], mesh.vertices[edge.to]};
+    const Vec3 normal = across(line.from, line.to);
+    if (normal.isZero(0.0)) continue;
+    for (const double side : {-kBesideEdge, kBesideEdge}) {
+      line.aside = side * normal;
+      visit(edge, line);
+    }
+  }
+}
+
 /// Marks the cells that these edges part and those that read across them.
 template <class Table>
 void mask_crossed(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
   std::vector<DoubtfulRim> doubtful;
-  for (const JumpEdge& edge : edges) {
-    RimLine line{mesh.vertices[edge.from], mesh.vertices[edge.to]};
-    const Vec3 normal = across(line.from, line.to);
-    if (normal.isZero(0.0)) continue;  // seen as a point
-    for (const double side : {-kBesideEdge, kBesideEdge}) {
-      line.aside = side * normal;
-      mask_along(edge, line, layer, table, doubtful);
-    }
-  }
+  for_each_side(edges, mesh, [&](const JumpEdge& edge, const RimLine& line) {
+    mask_along(edge, line, layer, table, doubtful);
+  });
   std::erase_if(doubtful, [&table](const DoubtfulRim& rim) { return table.is_rim_cell(rim.reader.cell); });
   mask_doubtful(mesh, doubtful, table);
 }

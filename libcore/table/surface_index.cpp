@@ -27,19 +27,6 @@ SurfaceIndex::SurfaceIndex(const TriangleMesh& mesh, Layer layer, double reach)
   find_overlaps();
 }
 
-// Values of each key in the order in which they come.
-SurfaceIndex::Lists SurfaceIndex::gather(std::size_t count,
-                                         const std::vector<std::array<std::uint32_t, 2>>& pairs) {
-  Lists lists;
-  lists.first.assign(count + 1, 0);
-  lists.value.resize(pairs.size());
-  for (const auto& pair : pairs) ++lists.first[pair[0] + 1];
-  for (std::size_t k = 0; k < count; ++k) lists.first[k + 1] += lists.first[k];
-  std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
-  for (const auto& [key, value] : pairs) lists.value[next[key]++] = value;
-  return lists;
-}
-
 void SurfaceIndex::find_planes(const TriangleMesh& mesh) {
   planes_.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) planes_.push_back(surface_plane(cone_of(mesh, face)));
@@ -48,18 +35,12 @@ void SurfaceIndex::find_planes(const TriangleMesh& mesh) {
 // Bins as wide as the caps.
 SurfaceIndex::Level SurfaceIndex::make_level(double reach) const {
   const double divisions = std::clamp(std::round(2.0 / reach), 2.0, kMostBins);
-  Level level{CubeGnomonic::with_precision(90.0 / divisions), reach, {}};
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  const auto& walker = level.bins.walker();
-  // A direction's bin is its nearest tap, within the stencil radius of it.
-  const double margin = (level.bins.stencil_radius() + reach) * (1.0 + 1e-9);
-  for (std::size_t f = 0; f < planes_.size(); ++f) {
-    walker.visit_near(planes_[f].cone, margin, [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k)
-        pairs.push_back({static_cast<std::uint32_t>(run.first + k), static_cast<std::uint32_t>(f)});
-    });
-  }
-  level.faces = gather(level.bins.size(), pairs);
+  Level level{DirectionIndex(CubeGnomonic::with_precision(90.0 / divisions)), reach};
+  // A direction's bin is its heaviest tap, within the stencil radius of it.
+  const double margin = (level.bins.grid().stencil_radius() + reach) * (1.0 + 1e-9);
+  for (std::size_t f = 0; f < planes_.size(); ++f)
+    level.bins.add(f, planes_[f].cone, margin, [](std::size_t, const Vec3&) { return true; });
+  level.bins.sort();
   return level;
 }
 
@@ -91,7 +72,7 @@ Vec3 SurfaceIndex::largest_jump(std::span<const HalfEdge> sides) const {
 }
 
 void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<Lists::Pair> pairs;
   const EdgeList list = edges(mesh);
   for (std::size_t e = 0; e < list.size(); ++e) {
     const auto sides = list[e];
@@ -103,14 +84,13 @@ void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
         {static_cast<std::uint32_t>(sides.front().face), static_cast<std::uint32_t>(kinks_.size())});
     kinks_.push_back(*kink);
   }
-  kinks_of_face_ = gather(planes_.size(), pairs);
+  kinks_of_face_ = Lists(planes_.size(), pairs);
 }
 
 // Two faces with a common direction are both in the bin of it.
 void SurfaceIndex::find_overlaps() {
-  const Level& level = levels_.back();
-  const auto& walker = level.bins.walker();
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const DirectionIndex& bins = levels_.back().bins;
+  std::vector<Lists::Pair> pairs;
   std::vector<std::uint32_t> tried(planes_.size(), 0);  // the last face that this one was tried with
   const auto try_pair = [&](std::uint32_t a, std::uint32_t b) {
     if (b >= a || tried[b] == a) return;
@@ -121,31 +101,16 @@ void SurfaceIndex::find_overlaps() {
     pairs.push_back({b, a});
   };
   for (std::uint32_t a = 1; a < planes_.size(); ++a) {
-    walker.visit_near(planes_[a].cone, level.bins.stencil_radius(), [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k) {
-        for (const std::uint32_t b : level.faces[run.first + k]) try_pair(a, b);
-      }
+    bins.for_each_near(planes_[a].cone, bins.grid().stencil_radius(), [&](std::size_t entry, const Vec3&) {
+      for (const std::uint32_t b : bins[entry]) try_pair(a, b);
     });
   }
-  overlaps_of_face_ = gather(planes_.size(), pairs);
-}
-
-std::span<const std::uint32_t> SurfaceIndex::Level::near(const Vec3& u) const {
-  const Stencil stencil = bins.stencil(u);
-  const auto heaviest = std::ranges::max_element(stencil.weight);
-  return faces[stencil.entry[static_cast<std::size_t>(heaviest - stencil.weight.begin())]];
-}
-
-std::span<const std::uint32_t> SurfaceIndex::kinks_of(std::uint32_t face) const {
-  return kinks_of_face_[face];
-}
-std::span<const std::uint32_t> SurfaceIndex::overlaps_of(std::uint32_t face) const {
-  return overlaps_of_face_[face];
+  overlaps_of_face_ = Lists(planes_.size(), pairs);
 }
 
 double SurfaceIndex::radius(const Vec3& u) const {
   double radius = kNoSurface;
-  for (const std::uint32_t f : levels_.back().near(u)) {
+  for (const std::uint32_t f : levels_.back().bins.at_heaviest_tap(u)) {
     const TriangleCone& cone = planes_[f].cone;
     if (cone.edge_on() || cone.least_edge_distance(u.x(), u.y(), u.z()) < -cone.doubt()) continue;
     if (cone.contains(u)) keep(radius, cone.radius(u), layer_);
@@ -156,7 +121,7 @@ double SurfaceIndex::radius(const Vec3& u) const {
 void SurfaceIndex::faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const {
   found.clear();
   const double outside = -std::sin(std::min(cap.radius, 0.5 * kPi)) - kDirectionSlack;
-  for (const std::uint32_t f : level_for(cap.radius).near(cap.axis)) {
+  for (const std::uint32_t f : level_for(cap.radius).bins.at_heaviest_tap(cap.axis)) {
     const auto& inward = planes_[f].inward;
     if (inward[0].dot(cap.axis) < outside || inward[1].dot(cap.axis) < outside ||
         inward[2].dot(cap.axis) < outside) {

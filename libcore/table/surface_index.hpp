@@ -2,14 +2,13 @@
 // The faces and edges of a surface that a small cap of directions can meet, and what bends it there.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mesh/edges.hpp"
-#include "sphere/schemes/cube_gnomonic.hpp"
+#include "table/direction_index.hpp"
 #include "table/layer.hpp"
 #include "table/surface_kink.hpp"
 #include "table/surface_plane.hpp"
@@ -26,31 +25,20 @@ class SurfaceIndex {
 
   /// Faces that may meet a cap, and edges. Not fewer than do; cap.radius <= reach.
   void faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const;
-  std::span<const std::uint32_t> kinks_of(std::uint32_t face) const;  // edges of a face, which kink() has
+  /// Edges of a face, which kink() has.
+  std::span<const std::uint32_t> kinks_of(std::uint32_t face) const { return kinks_of_face_[face]; }
   /// Faces that share directions with this one, so that a layer may change between them off their edges.
-  std::span<const std::uint32_t> overlaps_of(std::uint32_t face) const;
+  std::span<const std::uint32_t> overlaps_of(std::uint32_t face) const { return overlaps_of_face_[face]; }
 
   const SurfacePlane& plane(std::uint32_t face) const { return planes_[face]; }  // face `face` of the mesh
   const SurfaceKink& kink(std::uint32_t kink) const { return kinks_[kink]; }     // edge `kink`
   double reach() const { return reach_; }  // largest angle of a cap that may be asked for, radians
 
  private:
-  /// Lists of numbers, one after the other.
-  struct Lists {
-    std::vector<std::size_t> first{0};
-    std::vector<std::uint32_t> value;
-    std::span<const std::uint32_t> operator[](std::size_t k) const {
-      return std::span(value).subspan(first[k], first[k + 1] - first[k]);
-    }
-  };
-  static Lists gather(std::size_t count, const std::vector<std::array<std::uint32_t, 2>>& pairs);
-
   /// Faces by the entry of a cube map that is nearest to a direction: all within `reach` of the direction.
   struct Level {
-    CubeGnomonic bins;
+    DirectionIndex bins;
     double reach;
-    Lists faces;
-    std::span<const std::uint32_t> near(const Vec3& u) const;
   };
   const Level& level_for(double angle) const;
   Level make_level(double reach) const;

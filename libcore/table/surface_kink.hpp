@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "table/direction_cap.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "sphere/triangle_cone.hpp"
-#include "table/direction_cap.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 

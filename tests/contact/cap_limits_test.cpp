@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/level_lanes.hpp"
+#include "contact/cap_lanes.hpp"
 #include "mesh/bodies.hpp"
 #include "support/cap_nodes.hpp"
 #include "support/directions.hpp"

@@ -84,9 +84,9 @@ TEST(Overlay, SeesACrossingOfEdgesThatNoVertexShows) {
   EXPECT_EQ(deepest->kind, OverlayKind::crossing);
   EXPECT_NEAR(deepest->depth, Vec3(0, 1, 21).norm() * (1.0 - 20.0 / 21.0), 1e-12);
   for (const Vec3& x : ball.vertices)
-    EXPECT_FALSE(exactly_impinged(Surface::ball, socket, overlay.socket_index(), x));
+    EXPECT_FALSE(exactly_impinged(Surface::ball, overlay.faces(Surface::socket), x));
   for (const Vec3& y : socket.vertices)
-    EXPECT_FALSE(exactly_impinged(Surface::socket, ball, overlay.ball_index(), y));
+    EXPECT_FALSE(exactly_impinged(Surface::socket, overlay.faces(Surface::ball), y));
   Pose up;
   up.translation.z() = -1.5;
   EXPECT_FALSE(overlay.impinged(up));

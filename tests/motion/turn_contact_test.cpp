@@ -15,8 +15,8 @@
 #include "gap/overlay.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "motion/vertex_gap.hpp"
 #include "support/directions.hpp"
+#include "support/every_vertex.hpp"
 
 namespace impinge {
 namespace {
@@ -104,19 +104,19 @@ TEST(TurnContact, TheFirstGapOfAThreshold) {
   constexpr double kGap = 1.5;
   int found = 0;
   for (const Scene& scene : scenes()) {
-    const VertexGaps gaps(scene.joint.ball, scene.joint.socket);
+    const test::EveryVertex gaps(scene.joint);
     for (const Vec3& axis : test::random_directions(3, 4)) {
       const Turning turning{scene.joint, axis};
-      const auto start = gaps.smallest({});
+      const auto start = gaps.least_gap({});
       if (start && start->gap_mm <= kGap) continue;
       const auto first = turning.contacts(kGap).first_gap(kGap, {0.0, kFarthest});
       for (const double angle : angles_before(first ? first->angle : kFarthest)) {
-        const auto smallest = gaps.smallest(turning.at(angle));
+        const auto smallest = gaps.least_gap(turning.at(angle));
         ASSERT_TRUE(!smallest || smallest->gap_mm > kGap) << scene.name << " " << angle;
       }
       if (!first) continue;
       ++found;
-      EXPECT_LE(gaps.smallest(turning.at(first->angle + kBeyond))->gap_mm, kGap) << scene.name;
+      EXPECT_LE(gaps.least_gap(turning.at(first->angle + kBeyond))->gap_mm, kGap) << scene.name;
     }
   }
   EXPECT_GT(found, 5);

@@ -9,6 +9,7 @@
 
 #include "contact/culled_joint.hpp"
 #include "gap/exact_side.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 #include "table/near_faces.hpp"
 
@@ -18,20 +19,11 @@ class EveryVertex {
  public:
   explicit EveryVertex(const BallSocketPair& joint)
       : joint_(joint),
-        index_{FaceIndex(joint.ball), FaceIndex(joint.socket)},
-        near_{NearFaces(joint.ball, 0.0), NearFaces(joint.socket, 0.0)} {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const TriangleMesh& mesh = k == 0 ? joint.ball : joint.socket;
-      used_[k].resize(mesh.vertices.size());
-      for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        for (const VertexIndex v : mesh.faces[f]) used_[k][v] = used_[k][v] || index_[k].face(f).side != 0;
-      }
-    }
-  }
+        near_{NearFaces(joint.ball, 0.01), NearFaces(joint.socket, 0.01)},  // not those of CulledJoint
+        used_{on_surface(joint.ball), on_surface(joint.socket)} {}
 
   bool impinged(const ScannedVertex& at, const Vec3& x) const {
-    return exactly_impinged(at.scanned, mesh_of(joint_, other(at.scanned)),
-                            index_[at.scanned == Surface::ball ? 1 : 0], x);
+    return exactly_impinged(at.scanned, near_[at.scanned == Surface::ball ? 1 : 0], x);
   }
   bool impinged(const Pose& pose) const {
     bool found = false;
@@ -65,7 +57,6 @@ class EveryVertex {
   }
 
   const BallSocketPair& joint_;
-  std::array<FaceIndex, 2> index_;
   std::array<NearFaces, 2> near_;
   std::array<std::vector<bool>, 2> used_;
 };

@@ -2,12 +2,11 @@
 // Contract: rounding takes nothing from what a bound is made of, at the ends of ranges and where digits
 // cancel. Held against long double:
 //   tan psi within a cap <= range_within().slope, radii within [least, largest]
-//   an edge that enters a cap meets() it, and a face that does has a range in it
+//   an edge that enters a cap meets() it
 // And a bound above the radius of the surface is none. An entry is moved by rounding as far as
 // direction_doubt() says, and bounds hold from there.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -15,9 +14,9 @@
 #include "mesh/bodies.hpp"
 #include "sphere/scheme_list.hpp"
 #include "support/bound_probes.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 #include "support/wrapped_scheme.hpp"
-#include "table/cap_range.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/patch_error.hpp"
@@ -30,20 +29,7 @@ namespace impinge {
 namespace {
 
 using Exact = Eigen::Matrix<long double, 3, 1>;
-
-class Dice {
- public:
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(engine_), normal(engine_), normal(engine_)).normalized();
-  }
-  double power(double from, double to) {
-    return std::pow(10.0, std::uniform_real_distribution<double>(from, to)(engine_));
-  }
-
- private:
-  std::mt19937_64 engine_{19};
-};
+using test::Dice;
 
 // A face round a direction u, square to it but for 1e-12 to 1e-2 radians, and a cap about as small beside u.
 TEST(BoundRoundingAttack, APlaneSeenAtARightAngleHasItsSlope) {
@@ -99,24 +85,6 @@ TEST(BoundRoundingAttack, AShortEdgeMeetsACapThatItEnters) {
         std::atan2(axis.cast<long double>().cross(middle).norm(), axis.cast<long double>().dot(middle));
     ASSERT_TRUE(meets(*kink, {axis, static_cast<double>(distance * (1.0L + 1e-15L))}))
         << (to - from).norm() << ' ' << static_cast<double>(aside);
-  }
-}
-
-// A corner of a face in the very middle of a cap, both as small as they come.
-TEST(BoundRoundingAttack, AFaceInASmallCapHasARange) {
-  Dice dice;
-  for (std::size_t k = 0; k < random_cases(); ++k) {
-    const Vec3 a = 20.0 * dice.direction();
-    const double size = dice.power(-8.0, -2.0);
-    const TriangleCone cone(a, a + size * dice.direction(), a + size * dice.direction());
-    if (cone.edge_on()) continue;
-    const double reach = dice.power(-10.0, -3.0);
-    const Vec3 u = a.normalized();
-    const DirectionCap cap{(u + 0.99 * reach * u.unitOrthogonal()).normalized(), reach};
-    const auto part = FaceRange(cone).in_cap(cap);
-    ASSERT_TRUE(part.has_value()) << size << ' ' << reach;
-    ASSERT_LE(part->range.low, a.norm());
-    ASSERT_GE(part->range.high, a.norm());
   }
 }
 

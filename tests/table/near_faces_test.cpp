@@ -2,6 +2,7 @@
 // What NearFaces says of a cap of directions is true of every direction in it: each is asked of every face.
 #include "table/near_faces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -26,8 +27,11 @@ Vec3 beside(const Vec3& u, const Vec3& way, double angle) {
 void expect_true_of(const TriangleMesh& mesh) {
   const NearFaces faces(mesh, kMargin);
   const RayCaster oracle(mesh);
-  const auto directions = test::random_directions(400, 5);
-  const auto ways = test::random_directions(400 * 8, 6);
+  auto directions = test::random_directions(400, 5);
+  for (const Vec3& u : test::feature_directions(mesh)) directions.push_back(u);
+  directions.resize(std::min<std::size_t>(directions.size(), 1200));
+  for (const Vec3& x : test::special_directions()) directions.push_back(x.normalized());
+  const auto ways = test::random_directions(directions.size() * 8, 6);
   std::size_t met = 0;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const NearFaces::Near near = faces.near(30.0 * directions[i]);
@@ -56,7 +60,43 @@ void expect_true_of(const TriangleMesh& mesh) {
 
 TEST(NearFaces, KnowsAClosedBall) { expect_true_of(make_ball_socket_pair(1200).ball); }
 TEST(NearFaces, KnowsAnOpenSocket) { expect_true_of(make_ball_socket_pair(1200).socket); }
-TEST(NearFaces, KnowsFewLargeFaces) { expect_true_of(octahedron(20.0)); }
+TEST(NearFaces, KnowsFewLargeFaces) {
+  expect_true_of(octahedron(20.0));
+  expect_true_of(cone());
+}
+
+TEST(NearFaces, ListsFewFacesADirection) {
+  const TriangleMesh ball = make_ball_socket_pair(3000).ball;
+  const NearFaces faces(ball, 0.0);
+  double listed = 0.0;
+  const auto directions = test::random_directions(1000, 71);
+  for (const Vec3& u : directions) listed += static_cast<double>(faces.near(u).faces.size());
+  EXPECT_LT(listed / static_cast<double>(directions.size()), 80.0);
+  EXPECT_LT(faces.bytes(), 3000U * 2000U);
+}
+
+TEST(NearFaces, OfNoFacesListsNone) {
+  const TriangleMesh none;
+  const NearFaces faces(none, 0.0);
+  EXPECT_TRUE(faces.near(Vec3::UnitX()).faces.empty());
+  EXPECT_TRUE(faces.near(Vec3::UnitX()).nothing());
+}
+
+TEST(FaceCap, HoldsDirectionsAndRadiiOfItsFace) {
+  for (const TriangleMesh& mesh : {make_ball_socket_pair(1000).socket, octahedron(20.0), cone()}) {
+    for (const Face& face : mesh.faces) {
+      const TriangleCone cone = cone_of(mesh, face);
+      const FaceCap seen = face_cap(cone.corners());
+      if (cone.edge_on()) continue;
+      for (const Vec3& u : test::feature_directions({mesh.vertices, {face}})) {
+        if (!cone.contains(u)) continue;
+        ASSERT_LE(angle_between(seen.cap.axis, u), seen.cap.radius);
+        ASSERT_GE(cone.radius(u), seen.range.low);
+        ASSERT_LE(cone.radius(u), seen.range.high);
+      }
+    }
+  }
+}
 
 TEST(NearFaces, TheSlopeIsThatOfTheSteepestFaceNear) {
   const TriangleMesh mesh = make_ball_socket_pair(600, impinging_cam()).ball;

@@ -9,7 +9,7 @@
 // lost.
 //
 // Whether there is a surface at all is told as well. A cap that no jump edge enters and whose axis meets the
-// surface is covered whole (mesh/jump_sides.hpp); one that no face enters is not covered anywhere.
+// surface is covered whole (jump_sides()); one that no face enters is not covered anywhere.
 //
 // Where the surface has several layers the range holds all of them.
 #pragma once
@@ -20,17 +20,13 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/jump_sides.hpp"
+#include "10_certified/face_range.hpp"
 #include "mesh/lengths.hpp"
 #include "sphere/cell_mask.hpp"
-#include "sphere/scheme.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/table_size.hpp"
-#include "table/cap_range.hpp"
 
-namespace impinge {
-
-/// How much of a set of directions the surface covers.
-enum class Cover { none, part, whole };
+namespace impinge::lab {
 
 /// Every radius of the surface along a direction is within `range`; there is none with Cover::none, at least
 /// one with Cover::whole.
@@ -101,6 +97,12 @@ void include_face(RangeTable<S>& table, std::size_t entry, const FaceInCap& part
   }
 }
 
+/// For each face, whether its side from corner k to corner k + 1 is one of jump_edges(). Where no such side
+/// is near, the surface goes on: a set of directions that is connected, meets the surface and no jump edge is
+/// covered by it whole. For were it not, the surface would end in it at an edge of a face, or at a corner
+/// round which the faces do not close. mesh in the centre frame.
+std::vector<std::array<bool, 3>> jump_sides(const TriangleMesh& mesh);
+
 /// mesh in the centre frame; faces whose plane holds the centre cover no direction and are left out, as in a
 /// radial table.
 template <SamplingScheme S>
@@ -114,17 +116,15 @@ RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
     const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
     if (cone.edge_on()) continue;
     const FaceRange face(cone);
-    walker.visit_near(cone, reach * (1.0 + 2.0 * kCapShare) + 2.0 * kCapSlack, [&](const DirectionRun& run) {
-      for (std::size_t k = 0; k < run.count; ++k) {
-        const Vec3 u = run[k];
-        const auto part = face.in_cap({u, reach});
-        if (!part) continue;
-        include_face(table, run.first + k, *part, jumps[f]);
-        if (cone.contains(u)) table.mark_met(run.first + k);
-      }
+    const double margin = reach * (1.0 + 2.0 * kCapShare) + 2.0 * kCapSlack;
+    for_each_entry_near(walker, cone, margin, [&](std::size_t entry, const Vec3& u) {
+      const auto part = face.in_cap({u, reach});
+      if (!part) return;
+      include_face(table, entry, *part, jumps[f]);
+      if (cone.contains(u)) table.mark_met(entry);
     });
   }
   return table;
 }
 
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/jump_sides.hpp"
+#include "10_certified/range_table.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "mesh/edges.hpp"
 #include "mesh/jump_edges.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 Edge sorted(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
@@ -28,4 +27,4 @@ std::vector<std::array<bool, 3>> jump_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // low <= radius along u <= high, for every direction u and every layer of the mesh; no surface along u where
 // the cover is `none`, and one where it is `whole`.
-#include "table/cell_range.hpp"
+#include "10_certified/range_table.hpp"
 
 #include <cmath>
 
@@ -11,10 +11,12 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "sphere/scheme_list.hpp"
+#include "support/dice.hpp"
 #include "support/directions.hpp"
+#include "support/random_cases.hpp"
 #include "table/pairwise.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 struct Truth {
@@ -60,7 +62,7 @@ Findings examine(const std::vector<Truth>& truths, const RangeTable<S>& table, d
   return found;
 }
 
-TriangleMesh turned(TriangleMesh mesh) {
+TriangleMesh tilted(TriangleMesh mesh) {
   for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
   return mesh;
 }
@@ -68,16 +70,16 @@ TriangleMesh turned(TriangleMesh mesh) {
 // Two spheres, one in the other: two layers everywhere.
 TriangleMesh two_layers() {
   TriangleMesh mesh = sphere(20.0, 60);
-  const TriangleMesh outer = turned(sphere(24.0, 100, {1.0, 0.0, 0.0}));
+  const TriangleMesh outer = tilted(sphere(24.0, 100, {1.0, 0.0, 0.0}));
   const auto first = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), outer.vertices.begin(), outer.vertices.end());
   for (const Face& f : outer.faces) mesh.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
   return mesh;
 }
 
-TEST(CellRange, HoldsTheSurfaceWithEveryScheme) {
+TEST(RangeTable, HoldsTheSurfaceWithEveryScheme) {
   const BallSocketPair pair = make_ball_socket_pair(100);
-  for (const TriangleMesh& mesh : {pair.ball, turned(pair.socket)}) {
+  for (const TriangleMesh& mesh : {pair.ball, tilted(pair.socket)}) {
     const auto truths = truth_of(mesh, 300);
     for_each_scheme([&]<class S>() {
       for (const double precision : {10.0, 3.0}) {
@@ -88,8 +90,8 @@ TEST(CellRange, HoldsTheSurfaceWithEveryScheme) {
   }
 }
 
-TEST(CellRange, HoldsTheSurfaceOfBodiesOfAllKinds) {
-  const std::vector<TriangleMesh> meshes{make_ball_socket_pair(300).socket, turned(octahedron(20.0)),
+TEST(RangeTable, HoldsTheSurfaceOfBodiesOfAllKinds) {
+  const std::vector<TriangleMesh> meshes{make_ball_socket_pair(300).socket, tilted(octahedron(20.0)),
                                          cone({.sides = 24}), two_layers(),
                                          sphere(22.0, 100, {12.0, 3.0, -9.0})};
   for (const TriangleMesh& mesh : meshes) {
@@ -101,8 +103,8 @@ TEST(CellRange, HoldsTheSurfaceOfBodiesOfAllKinds) {
   }
 }
 
-TEST(CellRange, SaysWhereTheSurfaceEnds) {
-  const TriangleMesh socket = turned(cup(26.0, 80.0, 2000));
+TEST(RangeTable, SaysWhereTheSurfaceEnds) {
+  const TriangleMesh socket = tilted(cup(26.0, 80.0, 2000));
   const auto truths = truth_of(socket, 20000);
   const auto found = examine(truths, fill_ranges(socket, Rsid::with_precision(1.0)));
   EXPECT_EQ(found.wrong, 0U);
@@ -114,7 +116,7 @@ TEST(CellRange, SaysWhereTheSurfaceEnds) {
 }
 
 // A range that is a little too narrow must be noticed.
-TEST(CellRange, ARangeThatIsTooNarrowIsCaught) {
+TEST(RangeTable, ARangeThatIsTooNarrowIsCaught) {
   const TriangleMesh ball = make_ball_socket_pair(1000).ball;
   const auto truths = truth_of(ball, 20000);
   const auto table = fill_ranges(ball, CubeGnomonic::with_precision(1.0));
@@ -124,7 +126,7 @@ TEST(CellRange, ARangeThatIsTooNarrowIsCaught) {
 }
 
 // The width is of first order in the spacing, so that halving the precision halves it.
-TEST(CellRange, NarrowsWithThePrecision) {
+TEST(RangeTable, NarrowsWithThePrecision) {
   const TriangleMesh ball = sphere(22.0, 2000, {3.0, 2.0, -4.0});
   const auto truths = truth_of(ball, 2000);
   double last = examine(truths, fill_ranges(ball, IcosahedralGnomonic::with_precision(2.0))).mean_width;
@@ -138,7 +140,7 @@ TEST(CellRange, NarrowsWithThePrecision) {
 
 // n.u = 1 / r on one large face: the range of a cap is known in closed form, r / cos of the incidence at its
 // ends.
-TEST(CellRange, IsThatOfTheCapOnALargeFace) {
+TEST(RangeTable, IsThatOfTheCapOnALargeFace) {
   const TriangleCone cone({-12, -12, 10}, {12, -12, 10}, {0, 18, 10});
   const FaceRange face(cone);
   for (const double psi : {0.0, 0.01, 0.3, 0.5}) {
@@ -157,5 +159,23 @@ TEST(CellRange, IsThatOfTheCapOnALargeFace) {
   EXPECT_NEAR(all->range.high, std::hypot(10.0, 18.0), 1e-6);
 }
 
+// A corner of a face in the very middle of a cap, both as small as they come.
+TEST(RangeTableAttack, AFaceInASmallCapHasARange) {
+  test::Dice dice;
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const Vec3 a = 20.0 * dice.direction();
+    const double size = dice.power(-8.0, -2.0);
+    const TriangleCone cone(a, a + size * dice.direction(), a + size * dice.direction());
+    if (cone.edge_on()) continue;
+    const double reach = dice.power(-10.0, -3.0);
+    const Vec3 u = a.normalized();
+    const DirectionCap cap{(u + 0.99 * reach * u.unitOrthogonal()).normalized(), reach};
+    const auto part = FaceRange(cone).in_cap(cap);
+    ASSERT_TRUE(part.has_value()) << size << ' ' << reach;
+    ASSERT_LE(part->range.low, a.norm());
+    ASSERT_GE(part->range.high, a.norm());
+  }
+}
+
 }  // namespace
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "table/cap_range.hpp"
+#include "10_certified/face_range.hpp"
 
 #include <cmath>
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 constexpr double kLeastDepth = 0.05;  // of a corner along the axis, as a share of its distance
@@ -123,4 +123,4 @@ void FaceRange::include_inside(const DirectionCap& cap, double tangent, FaceInCa
   if (depth > 0.0 && off <= tangent * depth) include(normal_);
 }
 
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -13,28 +13,13 @@
 // and the cap is a disc.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
 #include "sphere/triangle_cone.hpp"
-#include "table/direction_cap.hpp"
+#include "table/face_cap.hpp"
 
-namespace impinge {
-
-/// mm; low > high where there is nothing.
-struct RadiusRange {
-  double low = std::numeric_limits<double>::infinity();    // the least radius
-  double high = -std::numeric_limits<double>::infinity();  // the largest radius
-
-  /// Widens the range to hold a radius, mm.
-  void include(double radius) {
-    low = std::min(low, radius);
-    high = std::max(high, radius);
-  }
-  bool empty() const { return low > high; }  // nothing has been included
-};
+namespace impinge::lab {
 
 /// What of a face lies in a cap.
 struct FaceInCap {
@@ -42,17 +27,15 @@ struct FaceInCap {
   std::array<bool, 3> side_inside;  // may the side from corner k to k + 1 pass through the cap?
 };
 
-/// Ranges are wider than the truth by this share of the radius, and caps by that of their own radius and
-/// kCapSlack radians more. Rounding stays below both, u = 2^-53:
+/// Ranges are wider than the truth by kRangeSlack of the radius, and caps by this share of their own radius
+/// and kCapSlack radians more. Rounding stays below both, u = 2^-53:
 ///   a radius p / (n . x)  21 u k by kPlaneRoundings (surface_plane.hpp); a face with a condition k above
 ///                         1e-10 / kPlaneTestError = 4.5e4 is taken whole: 1.1e-10; tables in double have
 ///                         as much
 ///   a point of the disc   coordinates up to 1 / kLeastDepth = 20 with 10 roundings: 2e-14 of kCapSlack
 ///   the cap of a face     |axis - axis'| with 4 roundings: 1e-15 of kCapSlack
 /// and the lengths that are compared with a range have 4 roundings.
-inline constexpr double kRangeSlack = 1e-9;
-inline constexpr double kCapShare = 1e-7;   // of the radius of a cap
-inline constexpr double kCapSlack = 1e-10;  // radians
+inline constexpr double kCapShare = 1e-7;  // of the radius of a cap
 
 /// A face that is asked about many caps.
 class FaceRange {
@@ -78,4 +61,4 @@ class FaceRange {
   RadiusRange whole_;
 };
 
-}  // namespace impinge
+}  // namespace impinge::lab

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The faces of the cube [-1, 1]^3 round the centre, as everything numbers them that looks through them.
+//
+// Face 2 k looks along the k-th axis, face 2 k + 1 against it. A direction is at (a, b) on its face: the
+// other two coordinates, in the order x, y, z, over the size of the largest one, the depth.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "sphere/cone_polygon.hpp"
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+/// Which coordinate is what on a face.
+struct CubeAxes {
+  Eigen::Index depth, a, b;
+};
+inline constexpr std::array<CubeAxes, 3> kCubeAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
+
+/// Those of a face.
+constexpr const CubeAxes& cube_axes(std::size_t face) { return kCubeAxes[face / 2]; }
+/// +1 for a face that looks along its axis, -1 against it.
+constexpr double cube_sign(std::size_t face) { return face % 2 == 0 ? 1.0 : -1.0; }
+
+/// The face that the direction of x passes through; face 0 for the centre.
+inline std::size_t cube_face(const Vec3& x) {
+  const Vec3 size = x.cwiseAbs();
+  const std::size_t axis = size.x() >= size.y() && size.x() >= size.z() ? 0 : size.y() >= size.z() ? 1 : 2;
+  return 2 * axis + (x[kCubeAxes[axis].depth] < 0.0 ? 1U : 0U);
+}
+
+/// Where a direction is: -1 <= a, b <= 1 but for rounding. depth, in the unit of the point, is 0 at the
+/// centre alone, where there is no direction.
+struct CubePlace {
+  std::size_t face;
+  double a;
+  double b;
+  double depth;
+};
+inline CubePlace cube_place(const Vec3& x) {  // of the direction of x
+  const std::size_t face = cube_face(x);
+  const CubeAxes& axes = cube_axes(face);
+  const double depth = std::abs(x[axes.depth]);
+  return {face, x[axes.a] / depth, x[axes.b] / depth, depth};
+}
+
+/// The point at (a, b) of a face, times `size`.
+inline Vec3 cube_point(std::size_t face, double a, double b, double size = 1.0) {
+  const CubeAxes& axes = cube_axes(face);
+  Vec3 x;
+  x[axes.depth] = cube_sign(face) * size;
+  x[axes.a] = size * a;
+  x[axes.b] = size * b;
+  return x;
+}
+
+/// What of a cone one face of the cube sees: a convex polygon.
+class CubeOutline {
+ public:
+  /// Of a face that is wider than its own by the factor `widened`.
+  CubeOutline(ConePolygon cone, std::size_t face, double widened) {
+    const CubeAxes& axes = cube_axes(face);
+    const double sign = cube_sign(face);
+    for (const Eigen::Index axis : {axes.a, axes.b}) {
+      for (const double side : {1.0, -1.0}) {
+        Vec3 plane = Vec3::Zero();
+        plane[axes.depth] = sign * widened;
+        plane[axis] = side;
+        cone.clip(plane);
+        if (cone.empty()) return;
+      }
+    }
+    for (const Vec3& x : cone.corners()) {
+      const double depth = sign * x[axes.depth];
+      everything_ = everything_ || !(depth > kLeastDepth);
+      corner_[count_++] = {x[axes.a] / depth, x[axes.b] / depth};
+    }
+  }
+
+  /// An edge of the triangle passes close to the centre, so that corners are not accurate: it may be seen
+  /// anywhere.
+  bool everything() const { return everything_; }
+  std::span<const std::array<double, 2>> corners() const { return {corner_.data(), count_}; }  // (a, b)
+
+ private:
+  static constexpr double kLeastDepth = 1e-3;  // of a clipped corner, for its place to be accurate
+
+  std::array<std::array<double, 2>, ConePolygon::kMostCorners> corner_;
+  std::size_t count_ = 0;
+  bool everything_ = false;
+};
+
+}  // namespace impinge

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Caps of directions and ranges of radii, and those of a face.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+/// All directions within `radius` radians of a unit axis.
+struct DirectionCap {
+  Vec3 axis;            // unit vector
+  double radius = 0.0;  // radians
+};
+
+/// mm; low > high where there is nothing.
+struct RadiusRange {
+  double low = std::numeric_limits<double>::infinity();    // the least radius
+  double high = -std::numeric_limits<double>::infinity();  // the largest radius
+
+  /// Widens the range to hold a radius, mm.
+  void include(double radius) {
+    low = std::min(low, radius);
+    high = std::max(high, radius);
+  }
+  bool empty() const { return low > high; }  // nothing has been included
+};
+
+/// How much of a set of directions the surface covers.
+enum class Cover { none, part, whole };
+
+/// Of unit vectors, their products and the angles between them (angle_between()), whose rounding is below
+/// 16 2^-53 = 1.8e-15.
+inline constexpr double kDirectionSlack = 1e-12;
+
+/// Ranges are wider than the truth by kRangeSlack of the radius, and caps by kCapSlack radians. A radius has
+/// 84 2^-53 (1 + tan psi) of rounding (error_bound.hpp), 1e-10 up to tan psi = kSteepSlope: a steeper face
+/// may be anywhere before its farthest corner.
+inline constexpr double kRangeSlack = 1e-9;
+inline constexpr double kCapSlack = 1e-10;
+inline constexpr double kSteepSlope = 1e4;
+
+/// A face as seen from the centre.
+struct FaceCap {
+  DirectionCap cap;   // holds its directions if less than a quarter turn wide
+  RadiusRange range;  // holds its radii, mm
+  int side = 0;       // orientation of its corners; 0 for a face that covers no direction
+
+  bool small() const { return cap.radius < 0.5 * kPi; }  // does the cap hold the directions?
+};
+
+/// Of the face with these corners, rounded outwards. A corner in the centre has any direction.
+FaceCap face_cap(const std::array<Vec3, 3>& corners);
+
+}  // namespace impinge
