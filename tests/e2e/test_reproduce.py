@@ -80,7 +80,7 @@ PROMISED = [
 def command(*options: str) -> list[str]:
     """The command with the test's results folder."""
     bones = ["--bones", BONES] if BONES else []
-    return [str(ROOT / "experiments" / "reproduce"), "--quick", "--results", str(RESULTS), *bones, *options]
+    return [str(ROOT / "experiments" / "reproduce"), "--results", str(RESULTS), *bones, *options]
 
 
 def recheck(archive: Path, *arguments: str) -> subprocess.CompletedProcess:
@@ -170,6 +170,7 @@ class Reproduce(unittest.TestCase):
             wait_for(lambda: (RESULTS / stage).exists() or process.poll() is not None, 1200)
             process.send_signal(signal.SIGKILL)
             process.wait()
+        self.assertIn("Not finished: ", (RESULTS / "report.html").read_text())
         before = bytes_of("data/lut_memory.*")
         done = reproduce()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -178,6 +179,7 @@ class Reproduce(unittest.TestCase):
         for file in PROMISED:
             self.assertTrue((RESULTS / file).is_file() and (RESULTS / file).stat().st_size, file)
         self.assertIn("report.html", done.stdout)
+        self.assertNotIn("Not finished: ", (RESULTS / "report.html").read_text())
         self.assertRegex(done.stdout, r"verdicts \d+ ")
 
     def test_c_second_run_does_nothing_and_says_so(self):
@@ -309,7 +311,7 @@ class Reproduce(unittest.TestCase):
         code = (
             "import pathlib, sys, run_graph as r; build, results, name = map(pathlib.Path, sys.argv[1:]); "
             "jobs = r.load_jobs(build, 'quick'); "
-            "print(*r.programs_behind(r.find(jobs, str(name)), jobs, build, results))"
+            "print(*r.programs_behind(r.find(jobs, str(name), ''), jobs, build, results))"
         )
         for name, programs in (
             ("scheme-comparison", "program-08_scheme_savings program-08_schemes program-09_lookup_time"),
