@@ -260,7 +260,7 @@ class Draft:
                 self.staging.mkdir(parents=True, exist_ok=True)
                 done = subprocess.run(self.command, cwd=SOURCE, capture_output=True, check=False)
                 with self.publishing, contextlib.suppress(OSError):
-                    if done.returncode == 0 and not self.ended.is_set():  # a CSV may be half there: then a minute later
+                    if done.returncode == 0 and not self.ended.is_set():  # else, say, a CSV is half there
                         os.replace(self.staging / "report.html", self.page)
             return time.monotonic() - begin
 

@@ -133,7 +133,8 @@ def live_parts(results: Path, jobs: list[Job], kept: Path, missing: set[str]) ->
     """
 
     def joint() -> str:
-        return turn.section(results, picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides"))
+        front = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
+        return turn.section(results, front)
 
     choices = [
         ("verdicts-title", "Verdicts", ["verdicts"], lambda: judged_part(results, jobs, kept), "report.js"),
@@ -162,7 +163,8 @@ def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
             *(artefact(results, job, kept, missing) for job in jobs if job.kind == kind),
         ]
     style = (HERE / "report.css").read_text()
-    again = '<meta http-equiv="refresh" content="60">' if missing else ""  # run_graph.py knows an unfinished report by it
+    # run_graph.py knows an unfinished report by it.
+    again = '<meta http-equiv="refresh" content="60">' if missing else ""
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8">{again}'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A first look at experiments/reproduce, in a minute: one table and one figure, made once, and the report while it is not
-finished. test_reproduce.py has the whole run.
+"""A first look at experiments/reproduce, in a minute: one table and one figure, and the report while it is not finished.
+test_reproduce.py has the whole run.
 """
 
 from __future__ import annotations
