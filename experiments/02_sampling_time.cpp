@@ -2,7 +2,7 @@
 // @question  How long does filling the two tables of a joint take? (Tables 3 and 8)
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
-// @seconds   140 330
+// @seconds   130 330
 // @links     harness methods
 //
 // The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.

@@ -2,7 +2,7 @@
 // @question  How well does each scheme cover the sphere, and how well does it interpolate?
 // @writes    schemes scheme_covering scheme_errors
 // @timing    no
-// @seconds   6 20
+// @seconds   5 20
 // @links     harness reference
 //
 // Every scheme of the list, with about as many entries as RSID has at 1 degree. Everything is measured on the

@@ -2,7 +2,7 @@
 // @question  How long does one look-up take with each scheme?
 // @writes    lookup_time lookup_time_samples
 // @timing    yes
-// @seconds   12 40
+// @seconds   10 40
 // @links     harness reference
 //
 // Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random

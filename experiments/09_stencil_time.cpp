@@ -2,7 +2,7 @@
 // @question  Does finding the entries of a look-up take longer the more of them there are? (Section 4.5)
 // @writes    stencil_time stencil_time_samples
 // @timing    yes
-// @seconds   8 25
+// @seconds   10 25
 // @links     harness reference
 //
 // The thesis says that polyhedra need a search, O(n log n) for n look-ups. Only the stencil is computed here,

@@ -6,7 +6,7 @@
 # made again), and so that nothing else runs beside a timing.
 
 set(IMPINGE_RESULTS_DIR "${PROJECT_SOURCE_DIR}/results" CACHE PATH "Where tables, figures, report and paper go")
-set(IMPINGE_PROFILE "full" CACHE STRING "Size of the experiments: quick or full")
+set(IMPINGE_PROFILE "quick" CACHE STRING "Size of the experiments: quick or full")
 set(IMPINGE_BONES "" CACHE PATH "Folder with one sub-folder a real joint; empty for the generated pair alone")
 set(IMPINGE_LAUNCHER "" CACHE STRING "Prefix of every program that makes data, as srun on a Slurm cluster")
 set_property(CACHE IMPINGE_PROFILE PROPERTY STRINGS quick full)
@@ -59,7 +59,7 @@ endfunction()
 #   DEPENDS file...        absolute, or relative to the results folder
 #   COMMAND word...        runs in a fresh folder laid out as the results folder, and writes there
 #   TIMING                 runs alone on the machine; TALKS: what it prints is progress that the user sees
-#   SECONDS quick full     expected on two cores; refined by the times of earlier runs
+#   SECONDS quick full     what it may take on two cores; a run that takes longer says so
 #   QUESTION text)
 function(impinge_job)
   cmake_parse_arguments(job "TIMING;TALKS" "NAME;KIND;QUESTION" "OUTPUTS;DEPENDS;COMMAND;SECONDS;ARTEFACTS" ${ARGN})
@@ -102,18 +102,23 @@ function(impinge_job)
   endforeach()
   set_property(GLOBAL APPEND PROPERTY IMPINGE_ARTEFACTS ${job_ARTEFACTS})
 
-  string(COMPARE EQUAL ${IMPINGE_PROFILE} full column)
-  list(GET job_SECONDS ${column} seconds)
+  list(JOIN job_SECONDS ", " budget)
   string(TOLOWER ${job_TIMING} timing)
   string(REPLACE "\"" "\\\"" question "${job_QUESTION}")
   foreach(list IN ITEMS ARTEFACTS OUTPUTS DEPENDS COMMAND)
     list(JOIN job_${list} [[", "]] ${list})
   endforeach()
-  string(CONFIGURE [[{"name": "@job_NAME@", "kind": "@job_KIND@", "seconds": @seconds@, "timing": @timing@, "question": "@question@",
+  string(CONFIGURE [[{"name": "@job_NAME@", "kind": "@job_KIND@", "budget": [@budget@], "timing": @timing@, "question": "@question@",
  "artefacts": ["@ARTEFACTS@"], "outputs": ["@OUTPUTS@"], "depends": ["@DEPENDS@"], "command": ["@COMMAND@"]}]] job @ONLY)
   string(REPLACE "${PROJECT_SOURCE_DIR}/" "" job "${job}")
   set_property(GLOBAL APPEND PROPERTY IMPINGE_JOBS "${job}")
   set_property(GLOBAL APPEND PROPERTY IMPINGE_OUTPUTS ${job_OUTPUTS})
+endfunction()
+
+# impinge_left_out(PART WHAT): experiments/packages has a list of PART's packages, and not all are installed. Said in one line.
+function(impinge_left_out part what)
+  set_property(GLOBAL APPEND PROPERTY IMPINGE_LEFT_OUT
+               "${what} is left out: experiments/reproduce --only ${part} installs its packages and makes it")
 endfunction()
 
 # Called once, after the last job of the last folder.
@@ -124,5 +129,9 @@ function(impinge_write_graph)
   # The same graph for asking only: with build.ninja itself, a dry run stops at "would configure again".
   file(WRITE "${IMPINGE_GRAPH_DIR}/ask.ninja" "include build.ninja\n")
   file(WRITE "${IMPINGE_GRAPH_DIR}/settings"
-       "${IMPINGE_RESULTS_DIR}\n${IMPINGE_PROFILE}\n${IMPINGE_BONES}\n")
+       "${IMPINGE_RESULTS_DIR}\n${IMPINGE_PROFILE}\n${IMPINGE_BONES}\n${IMPINGE_PARTS}\n")
+  get_property(left_out GLOBAL PROPERTY IMPINGE_LEFT_OUT)
+  list(TRANSFORM left_out APPEND "\n")
+  list(JOIN left_out "" left_out)
+  file(WRITE "${IMPINGE_GRAPH_DIR}/left_out" "${left_out}")
 endfunction()

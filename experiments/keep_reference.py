@@ -38,7 +38,7 @@ def outputs_of(build: Path, results: Path) -> list[str]:
     if Path(folder).resolve() != results:
         raise Refused(f"{build} makes {folder}, not {results}: give --results and --build of one run")
     if profile != "full":
-        raise Refused(f"{results} is of the {profile} profile: run experiments/reproduce without --{profile}")
+        raise Refused(f"{results} is of the {profile} profile: run experiments/reproduce --full")
     return [output for job in made for output in job.outputs]
 
 
@@ -115,7 +115,7 @@ def main() -> int:
         missing = [output for output in outputs if not (results / output).is_file()]
         if missing:
             more = f" and {len(missing) - 1} more are" if len(missing) > 1 else " is"
-            raise Refused(f"{results / missing[0]}{more} not there: run experiments/reproduce to its end")
+            raise Refused(f"{results / missing[0]}{more} not there: run experiments/reproduce --full to its end")
         is_csv = [output for output in outputs if output.endswith(".csv")]
         run = run_of([results / output for output in is_csv if output.startswith("data/")])
         check_verdicts(results / "verdicts.csv")

@@ -11,13 +11,17 @@ from __future__ import annotations
 
 import argparse
 import collections
+import contextlib
 import csv
 import dataclasses
+import fcntl
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -36,17 +40,17 @@ def names(job: Job) -> set[str]:
 
 
 def load_jobs(build: Path, profile: str) -> dict[str, Job]:
-    """All jobs by name, with the time that each took before, or else the declared one."""
+    """All jobs by name, with the time that each took before, or else its budget."""
     found = {}
     for job in load(build / "graph" / "jobs.json"):
         measured = build / "graph" / profile / job.name
-        seconds = float(measured.read_text()) if measured.is_file() else job.seconds
+        seconds = float(measured.read_text()) if measured.is_file() else job.budget[profile == "full"]
         found[job.name] = dataclasses.replace(job, seconds=seconds)
     return found
 
 
-def find(jobs: dict[str, Job], name: str) -> Job:
-    """The job of that name, or that makes the artefact or file of that name."""
+def find(jobs: dict[str, Job], name: str, left_out: str) -> Job:
+    """The job of that name, or that makes the artefact or file of that name; left_out: what cannot be made here."""
     for job in jobs.values():
         if name == job.name:
             return job
@@ -57,6 +61,7 @@ def find(jobs: dict[str, Job], name: str) -> Job:
         sorted({job.name for job in jobs.values()} | {a for job in jobs.values() for a in job.artefacts})
     )
     print(f"reproduce: there is no '{name}'. These can be made: {known}", file=sys.stderr)
+    print(left_out, end="", file=sys.stderr)
     sys.exit(2)
 
 
@@ -174,9 +179,11 @@ def why(build: Path, results: Path, job: Job) -> None:
 class Progress:
     """Follows the jobs and estimates the time left from the times of earlier runs."""
 
-    def __init__(self, planned: list[Job], parallel: int):
+    def __init__(self, planned: list[Job], parallel: int, profile: str):
         self.left = {job.name: job for job in planned}
         self.running: dict[str, float] = {}  # name to when it started
+        self.over: list[str] = []  # experiments that took more than their budget, in words
+        self.profile = profile
         self.total = len(planned)
         self.parallel = parallel
 
@@ -205,9 +212,68 @@ class Progress:
         elif kind == "end":
             job = self.left.pop(name)
             took = time.monotonic() - self.running.pop(name)
+            budget = job.budget[self.profile == "full"]
+            if job.kind == "data" and took > 1.2 * budget + 1:
+                self.over.append(f"{name} took {words(took)}, and has {words(budget)}")
             done = f"[{self.total - len(self.left)}/{self.total}] "
             rest = f"; {words(self.seconds_left())} left" if self.left else ""
             print(f"{done:8}{name} done in {words(took)}{rest}", flush=True)
+
+
+class Draft:
+    """results/report.html while a run goes on, once a minute: what is made is in it, what is not says so. Where a finished
+    report of an earlier run is, that one stays.
+    """
+
+    MARK = 'http-equiv="refresh"'  # near the beginning of a report that is not finished
+    EVERY = 60.0  # seconds, and never more than a twentieth of the run's time
+
+    def __init__(self, build: Path, results: Path, report: Job):
+        self.page = results / "report.html"
+        self.staging = results / ".staging" / "draft"
+        self.lock = build / "graph" / "machine.lock"
+        self.command = [*report.command, "--out", str(self.staging)]
+        self.thread = threading.Thread(target=self.follow, daemon=True)
+        self.ended = threading.Event()
+        self.publishing = threading.Lock()
+        self.clear()
+        self.wanted = not self.page.is_file()
+
+    def clear(self) -> None:
+        """Removes what is not finished: Ninja must see that the report is not there."""
+        if self.page.is_file() and self.MARK in self.page.read_text(errors="replace")[:1000]:
+            self.page.unlink()
+        self.tidy()
+
+    def tidy(self) -> None:
+        """Leaves nothing beside the results."""
+        shutil.rmtree(self.staging, ignore_errors=True)
+        with contextlib.suppress(OSError):
+            self.staging.parent.rmdir()
+
+    def write(self) -> float:
+        """Once, unless the report itself is being made; the seconds that it took. Never beside a timing."""
+        with self.lock.open("a") as file:
+            fcntl.flock(file, fcntl.LOCK_SH)
+            begin = time.monotonic()
+            if not self.ended.is_set():
+                self.staging.mkdir(parents=True, exist_ok=True)
+                done = subprocess.run(self.command, cwd=SOURCE, capture_output=True, check=False)
+                with self.publishing, contextlib.suppress(OSError):
+                    if done.returncode == 0 and not self.ended.is_set():  # else, say, a CSV is half there
+                        os.replace(self.staging / "report.html", self.page)
+            return time.monotonic() - begin
+
+    def follow(self) -> None:
+        """Until the report itself is being made."""
+        pause = 5.0
+        while not self.ended.wait(pause):
+            pause = max(self.EVERY, 20 * self.write())
+
+    def end(self) -> None:
+        """From now on nothing is put in the report's place."""
+        with self.publishing:
+            self.ended.set()
 
 
 def refresh(build: Path) -> None:
@@ -255,9 +321,8 @@ def planned_jobs(build: Path, target: str, jobs: dict[str, Job]) -> list[Job]:
     return [jobs[name] for name in names]
 
 
-def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int:
+def run_jobs(build: Path, target: str, progress: Progress, parallel: int, draft: Draft | None) -> int:
     """Runs the graph and tells what the jobs tell; Ninja's own output is kept for a failure."""
-    progress = Progress(planned, parallel)
     read, write = os.pipe()
     os.set_inheritable(write, True)
     log = build / "graph" / "ninja.log"
@@ -270,10 +335,18 @@ def run_jobs(build: Path, target: str, planned: list[Job], parallel: int) -> int
             IMPINGE_EVENTS=str(write),
         )
     os.close(write)
+    if draft:
+        draft.thread.start()
     with os.fdopen(read, errors="replace") as events:
         for event in events:
+            if draft and event == "start report\n":
+                draft.end()
             progress.hear(event)
     code = process.wait()
+    if draft:
+        draft.end()
+        draft.thread.join(timeout=60)
+        draft.tidy()
     if code != 0:
         _, _, failure = log.read_text(errors="replace").partition("FAILED: ")
         print("\n".join(failure.splitlines()[2:42]), file=sys.stderr)
@@ -302,9 +375,8 @@ def closing(results: Path, job: Job | None) -> None:
         print("verdicts " + ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()))
 
 
-def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, parallel: int) -> int:
-    """Builds, then runs what is not up to date."""
-    job = find(jobs, name) if name else None
+def run(build: Path, results: Path, jobs: dict[str, Job], job: Job | None, profile: str, parallel: int) -> int:
+    """Builds, then runs what is not up to date: one job and what it needs, or all."""
     target = f"result-{job.name}" if job else "results"
     try:
         results.mkdir(parents=True, exist_ok=True)
@@ -312,22 +384,29 @@ def run(build: Path, results: Path, jobs: dict[str, Job], name: str | None, para
         print(f"reproduce: --results {results}: {error.strerror}", file=sys.stderr)
         return 2
     begin = time.monotonic()
+    draft = None if job else Draft(build, results, jobs["report"])
+    if draft and draft.wanted:
+        draft.write()
     programs = programs_behind(job, jobs, build, results) if job else ["programs"]
     if programs:
         build_programs(build, parallel, programs)
+    if draft:
+        draft.clear()
     planned = planned_jobs(build, target, jobs)
     if not planned:
-        print(f"nothing to do: {name or 'every result'} is up to date in {results}")
+        print(f"nothing to do: {job.name if job else 'every result'} is up to date in {results}")
         closing(results, job)
         return 0
-    expected = words(Progress(planned, parallel).seconds_left())
-    print(f"{len(planned)} of {len(jobs)} jobs to run, about {expected}", flush=True)
-    if run_jobs(build, target, planned, parallel) != 0:
+    progress = Progress(planned, parallel, profile)
+    print(f"{len(planned)} of {len(jobs)} jobs to run, about {words(progress.seconds_left())}", flush=True)
+    if run_jobs(build, target, progress, parallel, draft if draft and draft.wanted else None) != 0:
         print(
             "reproduce: a job failed, see above; the next run goes on from what is done",
             file=sys.stderr,
         )
         return 1
+    for line in progress.over:
+        print(f"over its budget: {line}")
     print(f"done in {words(time.monotonic() - begin)}")
     closing(results, job)
     return 0
@@ -370,12 +449,15 @@ def main() -> int:
     if not options.as_it_is:
         refresh(options.build)
     jobs = load_jobs(options.build, options.profile)
+    left_out = (options.build / "graph" / "left_out").read_text()
     if options.action == "list":
         show_list(jobs)
     elif options.action == "why":
-        why(options.build, options.results, find(jobs, options.name))
+        why(options.build, options.results, find(jobs, options.name, left_out))
     else:
-        code = run(options.build, options.results, jobs, options.name, options.jobs)
+        job = find(jobs, options.name, left_out) if options.name else None
+        print("" if job else left_out, end="", flush=True)
+        code = run(options.build, options.results, jobs, job, options.profile, options.jobs)
         if code == 0 and options.archive:
             pack(options.build, options.results, jobs)
         return code

@@ -16,13 +16,14 @@ class Job:
 
     name: str
     kind: str  # see experiments/graph.cmake
-    seconds: float  # expected
+    budget: list[float]  # seconds that it may take in the quick and the full profile
     timing: bool  # it has the machine to itself
     artefacts: list[str]
     outputs: list[str]
     depends: list[str]
     command: list[str]
     question: str
+    seconds: float = 0.0  # expected
 
     @property
     def data(self) -> list[str]:

@@ -5,7 +5,7 @@
 # @depends   data/head_maps/patient_a.ply scenes/patient_a{,-flexion}/{ball.ply,socket.ply,summary.json}
 # @options   --joint patient_a --motion flexion
 # @outputs   png svg pdf
-# @seconds   4 4
+# @seconds   3 3
 """Figure 1: the steps of planning a hip operation, each with a picture of what this framework makes of it."""
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 # @data      diagram_chart
 # @depends   data/diagrams/socket_table.pgm
 # @outputs   png svg pdf
-# @seconds   8 8
+# @seconds   5 5
 """Figure 31: all triangles of a socket on the chart, and the table that they fill at 0.1 degrees."""
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
 # @options   --joint JOINT --name NAME
-# @seconds   3 3
+# @seconds   2 2
 # @name      figure-36
 # @for       JOINT in patient_a
 # @question  The joint of a stand-in for patient A, anterior view (Figure 36 of the thesis).

@@ -3,7 +3,7 @@
 # @question  From slices to a surface of 12,000 triangles a model (Figure 37 of the thesis).
 # @data      slices_to_surface_image slices_to_surface_mesh
 # @outputs   png svg pdf
-# @seconds   8 8
+# @seconds   3 3
 """From slices to a surface (Figure 37): a slice, the contours of all of them, the mesh."""
 
 import matplotlib.pyplot as plt

@@ -3,7 +3,7 @@
 # @depends   data/head_maps/JOINT.ply
 # @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
 # @options   --joint JOINT --name NAME
-# @seconds   3 3
+# @seconds   2 2
 # @name      figure-39
 # @for       JOINT in patient_a
 # @question  How far the head of a stand-in for patient A is from the sphere fitted to it (Figure 39 of the thesis).

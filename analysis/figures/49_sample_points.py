@@ -4,7 +4,7 @@
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
 # @options   --joint JOINT
 # @outputs   png svg pdf
-# @seconds   8 8
+# @seconds   4 4
 # @name      figure-49
 # @for       JOINT in generated
 # @data      sample_points

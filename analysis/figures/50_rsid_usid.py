@@ -3,7 +3,7 @@
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
 # @options   --joint JOINT
 # @outputs   png svg pdf
-# @seconds   8 8
+# @seconds   3 3
 # @name      figure-50
 # @for       JOINT in generated
 # @data      sample_points

@@ -3,7 +3,7 @@
 # @depends   data/head_maps/JOINT.ply
 # @depends   scenes/JOINT/{ball.ply,socket.ply,summary.json}
 # @options   --joint JOINT --name NAME
-# @seconds   3 3
+# @seconds   2 2
 # @name      figure-60
 # @for       JOINT in patient_a
 # @question  Where the head of a stand-in for patient A rises above its sphere (Figure 60 of the thesis).

@@ -2,7 +2,7 @@
 # @options   --joint JOINT --name NAME
 # @depends   scenes/JOINT-{MOTIONS}/{ball.ply,socket.ply,summary.json}
 # @outputs   png svg pdf
-# @seconds   5 5
+# @seconds   4 4
 # @name      table-12-pictures
 # @for       JOINT in patient_a
 # @question  The socket of a stand-in for patient a at the ends of the recorded motions (Table 12).

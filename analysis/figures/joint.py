@@ -5,7 +5,7 @@
 # @depends   scenes/SCENE/{ball.ply,socket.ply,summary.json}
 # @options   --scene SCENE
 # @outputs   png
-# @seconds   5 5
+# @seconds   3 3
 """A joint coloured by its gap, from four sides."""
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 # @depends   scenes/JOINT-{MOTIONS}/{ball.ply,socket.ply,summary.json}
 # @options   --joint JOINT --name NAME
 # @outputs   gif
-# @seconds   10 10
+# @seconds   9 9
 # @name      motion-patient_a
 # @for       JOINT in patient_a
 # @question  The recorded motions of a stand-in for patient a, animated.

@@ -3,7 +3,7 @@
 // @writes    detection_time detection_time_samples detection_time_precision detection_time_precision_samples
 // @writes-with-bones  detection_time_bones detection_time_bones_samples
 // @timing    yes
-// @seconds   60 260
+// @seconds   62 260
 // @links     harness real_joints methods hip
 //
 // Tables 4 and 9 have "generic models" up to 3,000 triangles, here the generated pair, and the "real model

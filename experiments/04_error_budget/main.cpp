@@ -3,7 +3,7 @@
 // @writes    error_budget
 // @writes-with-bones  error_budget_bones
 // @timing    no
-// @seconds   10 40
+// @seconds   2 40
 // @links     harness real_joints table hip
 //
 // The generated pair has a formula, so that the error of its mesh is measured; that of a real joint is

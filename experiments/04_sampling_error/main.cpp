@@ -2,7 +2,7 @@
 // @question  How wrong is the radius that a table gives, beside the thesis' formula? (Table 5, Eq. 7-8)
 // @writes    sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds
 // @timing    no
-// @seconds   20 320
+// @seconds   11 320
 // @links     harness table curves
 //
 // Eq. 7 is a distance along the surface. The distance that matters is that of the radius: it is measured on

@@ -3,7 +3,7 @@
 // 47-48)
 // @writes    helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
 // @timing    no
-// @seconds   4 60
+// @seconds   3 60
 // @links     harness curves mesh
 //
 // "Equally distributed along the curve with a distance dx" has two readings: equal steps of the travelled

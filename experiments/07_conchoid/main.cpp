@@ -2,7 +2,7 @@
 // @question  How do rays sample the conchoid of the hip evenly? (Section 5.1, Table 10, Figures 52-59)
 // @writes    conchoid_angles conchoid_spacing conchoid_origins conchoid_surface conchoid_curve conchoid_shape
 // @timing    no
-// @seconds   3 3
+// @seconds   1 3
 // @links     harness curves
 //
 // Menschik's conchoid of the acetabulum, from its apex to its rim at 90 degrees.

@@ -4,7 +4,7 @@
 // @bones     yes
 // @cache     yes
 // @timing    yes
-// @seconds   60 1200
+// @seconds   32 1200
 // @links     harness real_joints reference_cache methods
 //
 // The posed ball's vertices are asked against the surface of the socket. Errors are measured before anything

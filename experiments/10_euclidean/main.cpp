@@ -4,7 +4,7 @@
 // @bones     yes
 // @cache     yes
 // @timing    no
-// @seconds   4 90
+// @seconds   2 90
 // @links     harness real_joints reference_cache gap
 //
 // The vertices of each surface against the other one, in several poses, beside the exact distance from the

@@ -3,7 +3,7 @@
 // vertices?
 // @writes    contact contact_samples contact_agreement
 // @timing    yes
-// @seconds   10 140
+// @seconds   21 140
 // @links     harness contact_poses methods methods_vtk contact kernels
 //
 // Poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; meshes of ever more triangles. First

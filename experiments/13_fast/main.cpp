@@ -2,7 +2,7 @@
 // @question  How fast are all gaps of a pose found, beside other libraries and beside the machine's limit?
 // @writes    fast fast_samples
 // @timing    yes
-// @seconds   15 165
+// @seconds   27 165
 // @links     harness methods methods_vdb methods_vtk memory_floor kernels
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in

@@ -2,7 +2,7 @@
 // @question  How long do the tables of a joint take to fill, beside Embree's tree and coherent rays?
 // @writes    fill fill_samples
 // @timing    yes
-// @seconds   10 150
+// @seconds   16 150
 // @links     harness methods kernels
 //
 // Cube maps of both surfaces of the generated pair. Each way is held against the exact rasteriser first.

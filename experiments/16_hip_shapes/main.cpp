@@ -3,7 +3,7 @@
 // @writes    hip_shapes head_fits
 // @bones     yes
 // @timing    no
-// @seconds   3 3
+// @seconds   2 3
 // @links     harness real_joints hip
 //
 // Every preset measured from its meshes alone; the sphere fitted to every ball and socket, with noise and on

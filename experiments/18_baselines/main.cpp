@@ -3,7 +3,7 @@
 // @writes    baselines baselines_samples
 // @bones     yes
 // @timing    yes
-// @seconds   12 120
+// @seconds   13 120
 // @links     harness contact_poses real_joints methods reference
 //
 // Hu's table of voxels, Maciel's table of triangles and a Cartesian distance field, each at several

@@ -3,7 +3,7 @@
 // (Sections 3.4, 3.5.2)
 // @writes    slices_to_surface slices_to_surface_image slices_to_surface_mesh
 // @timing    no
-// @seconds   8 60
+// @seconds   5 60
 // @links     harness imaging_vtk hip reference
 //
 // A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise), its surface

@@ -2,7 +2,7 @@
 // @question  Do the claims hold that the thesis makes without showing them? (Chapter 6, Section 6.2)
 // @writes    claims claims_samples
 // @timing    yes
-// @seconds   8 40
+// @seconds   5 40
 // @links     harness methods hip reference
 //
 // A deforming surface updated in place, self-collision found while sampling, several layers, several joints

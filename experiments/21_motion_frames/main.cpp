@@ -4,7 +4,7 @@
 // @files     motion_frames/patient_a-ball.ply motion_frames/patient_a-socket.ply
 // @files     motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
 // @timing    no
-// @seconds   3 3
+// @seconds   1 3
 // @links     harness kernels hip ply_series
 //
 // On stand-ins: the patients' scans are not public (hip/hip_presets.hpp).

@@ -21,9 +21,17 @@ SCRIPTS = (
     "analysis/package-lock.json",
 )
 TOOLS = "bash cat cmp comm cp dirname echo env flock mkdir mktemp nproc realpath rm rmdir sed sort tr xargs".split()
-PACKAGES = [
-    line.split()[0] for line in (ROOT / "experiments/packages").read_text().splitlines() if line[0] != "#"
-]
+LISTS = {
+    text.split("]")[0]: [line.split()[0] for line in text.strip().splitlines()[1:]]
+    for text in (ROOT / "experiments/packages").read_text().split("\n[")[1:]
+}
+PACKAGES = LISTS["reproduce"]
+# What apt-get says before it begins, and does not.
+FOREWORD = r"""
+echo '0 upgraded, 40 newly installed, 0 to remove and 0 not upgraded.'
+echo 'Need to get 1,500 MB of archives.'
+echo 'After this operation, 2,100 MB of additional disk space will be used.'
+"""
 
 
 class FirstSteps(unittest.TestCase):
@@ -60,8 +68,8 @@ class FirstSteps(unittest.TestCase):
 
     def test_a_question_names_the_line_that_installs_what_is_missing(self):
         """And installs nothing. apt-get knows no package before its first update."""
-        self.installed([name for name in PACKAGES if name not in ("clang", "doxygen")])
-        line = "apt-get update && {}apt-get install -y --no-install-recommends clang doxygen"
+        self.installed([name for name in PACKAGES if name not in ("git", "valgrind")])
+        line = "apt-get update && {}apt-get install -y --no-install-recommends git valgrind"
         without = self.reproduce("--list")
         self.stand_in("sudo")
         for done, said, sudo in (
@@ -74,15 +82,30 @@ class FirstSteps(unittest.TestCase):
             )
         self.assertNotIn("apt-get", self.calls.read_text())
 
-    def test_a_question_in_a_fresh_clone_is_not_refused_for_the_scripts_of_the_pages(self):
-        """What is said of them does not mix with the answer."""
+    def test_what_is_installed_is_what_the_command_needs(self):
+        """Its size and time are said before. Scripts of the pages are fetched once, for what needs them."""
+        self.stand_in("apt-get", f'[[ "$*" != *--assume-no* ]] || {{ {FOREWORD} exit 1; }}')
+        self.stand_in("sudo", 'shift; exec "$@"')
+        cases = (
+            (["--only", "figure-50"], PACKAGES[1:], PACKAGES[:1], 0),
+            (["--only", "joint3d"], PACKAGES, LISTS["joint3d"], 1),
+            ([], PACKAGES[1:], PACKAGES[:1], 1),
+        )
+        for options, there, missing, fetched in cases:
+            self.installed(there)
+            done = self.reproduce(*options)
+            self.assertIn(f"Installing: {' '.join(sorted(missing))}\n", done.stdout)
+            self.assertIn("40 packages, 1,500 MB to download, 2,100 MB on the disk: about 6 min\n", done.stdout)
+            calls = self.calls.read_text()
+            self.assertIn(f"--no-install-recommends {' '.join(sorted(missing))}\n", calls)
+            self.assertEqual(calls.count("npm ci --prefix"), fetched)
+
+    def test_a_question_installs_nothing(self):
+        """And needs neither Joint3D's packages nor the scripts of the pages."""
         self.installed(PACKAGES)
-        done = self.reproduce("--list")
-        self.assertIn("npm ci --prefix", self.calls.read_text())
+        self.assertEqual(self.reproduce("--list").stdout, "")
         self.assertIn("cmake --preset release", self.calls.read_text())
-        self.assertEqual(done.stdout, "")
-        self.reproduce("--list")
-        self.assertEqual(self.calls.read_text().count("npm ci"), 1)
+        self.assertNotIn("npm", self.calls.read_text())
 
     def test_scripts_that_cannot_be_had_are_said_so_and_tried_again(self):
         """Nothing is configured without them."""

@@ -37,7 +37,7 @@ class KeepReference(unittest.TestCase):
         for folder in (self.results / "data", self.results / "tables", self.build / "graph", self.reference):
             folder.mkdir(parents=True)
         made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.tex", "verdicts.csv"]
-        job = dict.fromkeys("name kind seconds timing artefacts depends command question".split())
+        job = dict.fromkeys("name kind budget timing artefacts depends command question".split())
         graph = json.dumps([{**job, "outputs": files.split()} for files in made])
         (self.build / "graph" / "jobs.json").write_text(graph)
         self.settings("full")
@@ -98,7 +98,7 @@ class KeepReference(unittest.TestCase):
 
     def test_other_profile(self):
         self.settings("quick")
-        self.assert_refused("quick profile", "experiments/reproduce")
+        self.assert_refused("quick profile", "experiments/reproduce --full")
         self.settings("full")
         self.data("b", profile="quick")
         self.assert_refused("b.csv", "quick profile")
