@@ -2,8 +2,6 @@
 """What the figures of the conchoid share: the curve from data/conchoid_curve.csv, drawn with its axis upright and
 its apex at the bottom, as the thesis' claims about "bottom" and "top" read."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,6 @@
 legend that explains them. A line is given as its rows of data/error_against_time.csv, with `x`, um, where each stands across.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd

@@ -3,8 +3,6 @@
 far away, sections, boxes of a flow chart.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt

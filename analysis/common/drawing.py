@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Colours, style and saving of every figure: the same figure gives the same bytes."""
 
-from __future__ import annotations
-
 import os
 import re
 from pathlib import Path
@@ -14,6 +12,7 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
 
 # Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
 # of its own, for readers in grey.
@@ -25,6 +24,9 @@ THESIS_GREY = "#8c8c8c"
 # Inches of a figure that is as wide as the paper's text, and points of the smallest text in it: 6.5 in print. A narrower
 # figure of the paper is drawn as much narrower.
 WIDTH, SMALL = 9.2, 9
+
+# What a file would say of the day and of matplotlib.
+UNSAID = {"svg": ["Date", "Creator"], "png": ["Software"], "pdf": ["CreationDate", "Creator", "Producer"]}
 
 
 def style() -> None:
@@ -86,16 +88,12 @@ def number_clip_paths(svg: Path) -> None:
     svg.write_text(text, encoding="utf-8", newline="\n")
 
 
-def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
-    """figures/NAME.svg, .png and .pdf, the same bytes for the same figure."""
+def save_figure(figure: Figure, out: Path, name: str, kinds: list[str] = list(UNSAID)) -> None:
+    """figures/NAME.KIND, svg, png or pdf, the same bytes for the same figure."""
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
-    figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
-    number_clip_paths(folder / f"{name}.svg")
-    figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight")
-    figure.savefig(
-        folder / f"{name}.pdf",
-        metadata={"CreationDate": None, "Creator": None, "Producer": None},
-        bbox_inches="tight",
-    )
+    for kind in kinds:
+        figure.savefig(folder / f"{name}.{kind}", metadata=dict.fromkeys(UNSAID[kind]), bbox_inches="tight")
+        if kind == "svg":
+            number_clip_paths(folder / f"{name}.svg")
     plt.close(figure)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the table, the targets and the figure of experiment 13 share."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -2,8 +2,6 @@
 """Time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method.
 """
 
-from __future__ import annotations
-
 import math
 
 import matplotlib.pyplot as plt
@@ -59,7 +57,6 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
     """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's
     exponent, from what was measured, and the thesis'.
     """
-    common.style()
     figure, axes = plt.subplots(figsize=(0.46 * common.WIDTH, 3.4))
     looks = common.look(list(lines.method))
     legend = []

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Entries and memory of a table of the thesis beside ours (Tables 2 and 7)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sheets of pictures of a joint: title, letters of the body's directions and a scale bar in each, one legend below."""
 
-from __future__ import annotations
-
-import re
 from dataclasses import dataclass
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -88,7 +84,6 @@ def sheet(
     """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
     The axes have the shape of the rows. The width, inches, is by default that which the paper has room for.
     """
-    common.style()
     columns = max(len(row) for row in rows)
     width = width or {1: 3.6, 2: 4.6}.get(columns, 7.0)
     side = width / columns
@@ -114,14 +109,3 @@ def wrapped(figure: plt.Figure, text: str) -> str:
     if len(text) < 16 * figure.get_figwidth():
         return text
     return text.replace("      ", "\n").replace(", R and", ",\nR and")
-
-
-def save(figure: plt.Figure, out: Path, name: str) -> None:
-    """figures/NAME.png, .svg and .pdf; of a real joint, whose figures are many, the PNG alone."""
-    if not re.fullmatch(r"figure-\d+-.+", name):
-        common.save_figure(figure, out, name)
-        return
-    path = out / "figures" / f"{name}.png"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Software": None}, bbox_inches="tight")
-    plt.close(figure)

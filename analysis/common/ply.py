@@ -3,8 +3,6 @@
 not know).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

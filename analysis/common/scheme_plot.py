@@ -4,8 +4,6 @@
 No scheme is named here but the reference, the thesis' own first table.
 """
 
-from __future__ import annotations
-
 import math
 import textwrap
 from collections.abc import Callable

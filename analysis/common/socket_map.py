@@ -3,8 +3,6 @@
 medial. The rim, where hips impinge, is edge-on in every view of the surface itself.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,6 @@
 share. From data/head_maps.csv and data/head_maps/NAME.ply.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from pathlib import Path
 

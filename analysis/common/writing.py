@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writing text and tables."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

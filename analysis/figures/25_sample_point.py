@@ -4,8 +4,6 @@
 # @data      diagram_corners diagram_coverage
 """Figure 25: a real triangle of a socket, a sample point on it, all of its sample points, and what they make of it."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,9 +16,7 @@ FROM_BESIDE = diagram.Eye(sphere_view.view(16, 48))
 FROM_OUTSIDE = diagram.Eye(sphere_view.view(32, 110))
 
 
-def main() -> None:
-    """Writes figures/figure-25.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners = common.load(options.results, "diagram_corners")
     entries = diagram_chart.of_face(common.load(options.results, "diagram_coverage"), FACE)
     entries = entries[entries.met].assign(
@@ -28,7 +24,6 @@ def main() -> None:
     )
     face = diagram.faces(corners, FACE)[0]
     points = entries.met_mm.to_numpy()[:, None] * diagram.direction(entries.phi, entries.theta)
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(8.6, 3.5))
     one = int(np.argmin(np.linalg.norm(points - face.mean(axis=0), axis=1)))
     draw_point(panels[0], face, points[one], entries.iloc[one])
@@ -45,7 +40,7 @@ def main() -> None:
         fontsize=10.5,
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.78, bottom=0.02, wspace=0.05)
-    common.save_figure(figure, options.out, "figure-25")
+    return figure
 
 
 def draw_face(axes: plt.Axes, face: np.ndarray, alpha: float = 1.0) -> None:

@@ -6,8 +6,6 @@
 reads.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,13 +16,10 @@ from common import diagram, diagram_section
 POSE = "rest"
 
 
-def main() -> None:
-    """Writes figures/figure-26.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     names = ("sections", "rays", "lookups", "excerpt")
     sections, rays, lookups, excerpt = (common.load(options.results, f"diagram_{name}") for name in names)
     vertex = lookups.set_index("pose").loc[POSE]
-    common.style()
     figure, panels = plt.subplots(2, 2, figsize=(7.4, 7.6))
     joint, sampling, simulation, table = panels.flat
     for axes in (joint, sampling, simulation):
@@ -49,7 +44,7 @@ def main() -> None:
     )
     figure.suptitle(f"Sampling and simulation in two dimensions ({diagram.HIP})", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.985, top=0.885, bottom=0.02, wspace=0.03, hspace=0.16)
-    common.save_figure(figure, options.out, "figure-26")
+    return figure
 
 
 def name_parts(axes: plt.Axes) -> None:

@@ -4,8 +4,6 @@
 # @data      diagram_sections diagram_rays diagram_bodies
 """Figure 29: spherical, near-spherical and star-shaped bodies, and one that is none of them."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -21,14 +19,11 @@ BODIES = {
 SPAN = 0.05  # mm: rays whose first and last crossing are farther apart meet the surface twice
 
 
-def main() -> None:
-    """Writes figures/figure-29.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     sections, rays, bodies = (
         common.load(options.results, f"diagram_{name}") for name in ("sections", "rays", "bodies")
     )
     bodies = bodies.set_index("name")
-    common.style()
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 3.7))
     for axes, (name, (title, window)) in zip(panels, BODIES.items()):
         draw(axes, sections, rays, name)
@@ -72,7 +67,7 @@ def main() -> None:
         "Which surfaces have one distance in every direction? (sections of meshes)", fontsize=10.5
     )
     figure.subplots_adjust(left=0.005, right=0.995, top=0.80, bottom=0.22, wspace=0.04)
-    common.save_figure(figure, options.out, "figure-29")
+    return figure
 
 
 def draw(axes: plt.Axes, sections, rays, name: str) -> None:

@@ -6,8 +6,6 @@
 pole.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
@@ -23,9 +21,7 @@ LOOKS = {
 }
 
 
-def main() -> None:
-    """Writes figures/figure-33.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners = common.load(options.results, "diagram_corners")
     corners = corners[corners.name == FACE]
     entries = diagram_chart.of_face(common.load(options.results, "diagram_coverage"), FACE)
@@ -34,7 +30,6 @@ def main() -> None:
         "missed": entries[entries.met & ~entries.direct],
         "wrong": entries[~entries.met & entries.direct],
     }
-    common.style()
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.7), width_ratios=[1, 1.9])
     diagram_from_above(space, corners)
     for kind, part in kinds.items():
@@ -58,7 +53,7 @@ def main() -> None:
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
     figure.suptitle(f"A triangle round the pole (socket, {diagram.HIP}, coarse mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.02, right=0.985, top=0.84, bottom=0.31, wspace=0.14)
-    common.save_figure(figure, options.out, "figure-33")
+    return figure
 
 
 def diagram_from_above(axes: plt.Axes, corners) -> None:

@@ -6,8 +6,6 @@
 across the seam.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -25,13 +23,10 @@ CASES = {
 SEAM = "seam"
 
 
-def main() -> None:
-    """Writes figures/figure-34.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners, chart, coverage = (
         common.load(options.results, f"diagram_{name}") for name in ("corners", "chart", "coverage")
     )
-    common.style()
     figure = plt.figure(figsize=(9.0, 8.4))
     grid = figure.add_gridspec(5, 3, width_ratios=[1, 1.5, 1.5], height_ratios=[1, 1, 1, 0.12, 1])
     grid.update(hspace=0.5, wspace=0.12)
@@ -69,7 +64,7 @@ def main() -> None:
         y=0.985,
     )
     figure.subplots_adjust(left=0.02, right=0.985, top=0.885, bottom=0.105)
-    common.save_figure(figure, options.out, "figure-34")
+    return figure
 
 
 def pieces(chart: pd.DataFrame) -> list[tuple[np.ndarray, int]]:

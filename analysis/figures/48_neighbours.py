@@ -72,16 +72,13 @@ def zoom(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray) -> None:
     axes.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
 
 
-def main() -> None:
-    """Writes figures/figure-48.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     rows = common.load(options.results, "helix_neighbours")
     points = rows[rows.point != "path"].set_index("point")
     path = rows[rows.point == "path"]
     helix = common.load(options.results, "helix_curve")
     turns = helix.turns.min()
     helix = helix[helix.turns == turns]
-    common.style()
     azimuth = np.degrees(np.arctan2(points.y["vertex"], points.x["vertex"]))
     eye = sphere_view.view(25, azimuth - 15)
     figure, panels = plt.subplots(1, 3, figsize=(12.6, 4.7))
@@ -100,7 +97,7 @@ def main() -> None:
         f"c) travelled distance of $P_b$: {points.travelled['P_b']:.2f} radii by Eq. 10", loc="center"
     )
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-48")
+    return figure
 
 
 common.run(main)

@@ -11,12 +11,9 @@ import common
 from common import conchoid_plot as conchoid
 
 
-def main() -> None:
-    """Writes figures/figure-52.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     shape = common.load(options.results, "conchoid_shape").iloc[0]
-    common.style()
     figure, panels = plt.subplots(1, 2, figsize=(10.4, 5.2), sharey=True)
     for axes in panels:
         conchoid.draw_axis(axes, -42, 13)
@@ -50,7 +47,7 @@ def main() -> None:
     for axes in panels:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14))
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-52")
+    return figure
 
 
 common.run(main)

@@ -13,14 +13,11 @@ from common import conchoid_plot as conchoid
 RAYS = 4
 
 
-def main() -> None:
-    """Writes figures/figure-56.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     angles = common.load(options.results, "conchoid_angles")
     exact = angles[angles.rays == RAYS].exact_deg.to_numpy()
     part = conchoid.at(curve, exact[1], "length_mm")
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(11.6, 4.6), sharey=True)
     for axes in panels:
         conchoid.draw_axis(axes, -42, 3)
@@ -51,7 +48,7 @@ def main() -> None:
     panels[1].set_title("b) covered by ray 1")
     panels[2].set_title("c) covered by ray 2")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-56")
+    return figure
 
 
 common.run(main)

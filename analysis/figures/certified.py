@@ -16,19 +16,16 @@ SHARES = [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50]  # %
 FACES = [100, 300, 1000, 3000, 10000, 30000]
 
 
-def main() -> None:
-    """Writes figures/certified-verdicts.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     verdicts = common.load(options.results, "certified")
     poses = common.load(options.results, "certified_poses")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.6))
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
     draw_missed(right, poses)
     figure.tight_layout()
     handles, labels = left.get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
-    common.save_figure(figure, options.out, "certified-verdicts")
+    return figure
 
 
 def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) -> None:

@@ -11,12 +11,9 @@ import common
 from common import contact
 
 
-def main() -> None:
-    """Writes figures/contact-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = contact.load(options.results)
     looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
-    common.style()
     figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)
@@ -25,7 +22,7 @@ def main() -> None:
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.19, 1, 1))
-    common.save_figure(figure, options.out, "contact-time")
+    return figure
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:

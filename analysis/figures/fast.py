@@ -11,13 +11,10 @@ import common
 from common import fast
 
 
-def main() -> None:
-    """Writes figures/fast-gaps.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fast.load(options.results)
     rows = with_one_embree(shown(fast.plain_rows(table)))
     looks = common.scheme_looks([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
-    common.style()
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.2), sharey=True)
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)
@@ -26,7 +23,7 @@ def main() -> None:
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.23, 1, 1))
-    common.save_figure(figure, options.out, "fast-gaps")
+    return figure
 
 
 def shown(rows: pd.DataFrame) -> pd.DataFrame:

@@ -15,13 +15,10 @@ SETTINGS = ["n=291", "4/face"]
 DIRECTION = "socket->ball"
 
 
-def main() -> None:
-    """Writes figures/fast-scaling.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fast.load(options.results)
     sets = table.instruction_set.isin(["none", fast.best_set(table)])
     rows = shown(table[sets & (table.direction == DIRECTION)])
-    common.style()
     figure, (times, gains) = plt.subplots(1, 2, figsize=(9.6, 5.0), width_ratios=[3, 2])
     one = rows[rows.threads == 1]
     for line, look in common.look(list(one.line)).items():
@@ -39,7 +36,7 @@ def main() -> None:
     handles, labels = times.get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.15, 1, 1))
-    common.save_figure(figure, options.out, "fast-scaling")
+    return figure
 
 
 def shown(table: pd.DataFrame) -> pd.DataFrame:

@@ -13,13 +13,10 @@ from common import fill
 CELLS = 256  # along an edge of the cube, of the tables that are shown against triangles
 
 
-def main() -> None:
-    """Writes figures/fill-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fill.load(options.results)
     shown = table[table.memory == "used again"]
     looks = common.look(list(shown.line))
-    common.style()
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8), sharey=True)
     draw(axes[0], shown[shown.cells == CELLS], "triangles", looks)
     axes[0].set(xlabel="triangles of each model", ylabel="time to fill both tables, ms")
@@ -49,7 +46,7 @@ def main() -> None:
     handles, labels = axes[1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.12, 1, 1))
-    common.save_figure(figure, options.out, "fill-time")
+    return figure
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, key: str, looks: dict) -> None:

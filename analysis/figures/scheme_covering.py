@@ -10,12 +10,9 @@ import common
 from common import scheme_plot
 
 
-def main() -> None:
-    """Writes figures/scheme-covering.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     labels = common.scheme_labels(options.results)
     table = common.load(options.results, "scheme_covering").sort_values("constant", kind="stable")
-    common.style()
     figure, axes = plt.subplots(figsize=(6.8, 0.9 + 0.3 * len(table)))
     places = scheme_plot.rows(axes, [labels[scheme] for scheme in table.scheme])
     end = 1.12 * scheme_plot.reach(table.constant)
@@ -50,7 +47,7 @@ def main() -> None:
         title="How much memory each scheme takes to leave no wider gap",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08), ncol=1)
-    common.save_figure(figure, options.out, "scheme-covering")
+    return figure
 
 
 common.run(main)

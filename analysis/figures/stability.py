@@ -25,12 +25,9 @@ COLUMNS = 5
 TOP = 1e8  # of the overview: larger errors stand at its edge
 
 
-def main() -> None:
-    """Writes figures/NAME.svg, .png and .pdf."""
-    options = common.arguments(__doc__, "--name")
+def main(options) -> common.Figure:
     cases = stability.load(options.results)
     families = stability.families(options.results)
-    common.style()
     if options.name == ALL:
         figure = draw_all(cases, families)
     else:
@@ -38,8 +35,7 @@ def main() -> None:
         if family not in families.index:
             raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
         of_family = cases[cases.family == family]
-        figure = stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
-    common.save_figure(figure, options.out, options.name)
+        return stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
 
 
 def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
@@ -103,4 +99,4 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
     return row
 
 
-common.run(main)
+common.run(main, "--name")

@@ -20,10 +20,7 @@ WAYS = {
 }
 
 
-def main() -> None:
-    """Writes figures/strain-by-gap.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
-    common.style()
+def main(options) -> common.Figure:
     figure, ((area, shear), (rays, hip)) = plt.subplots(2, 2, figsize=(common.WIDTH, 6.6))
     layers = strain.layers(options.results)
     draw_layers(area, layers, "area")
@@ -48,7 +45,7 @@ def main() -> None:
     draw_rays(rays, common.load(options.results, "strain_incidence"))
     draw_hip(hip, common.load(options.results, "strain_hip"))
     figure.tight_layout()
-    common.save_figure(figure, options.out, "strain-by-gap")
+    return figure
 
 
 def draw_layers(axes: plt.Axes, layers: pd.DataFrame, column: str) -> None:

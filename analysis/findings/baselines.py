@@ -2,8 +2,6 @@
 # @data      baselines fast
 """Statements about the methods that Chapter 2 and Section 3.6 compare with."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

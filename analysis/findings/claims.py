@@ -2,8 +2,6 @@
 # @data      claims
 """Statements of the last chapter that the thesis did not show."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from common import timing

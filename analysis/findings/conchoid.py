@@ -2,8 +2,6 @@
 # @data      conchoid_angles conchoid_origins conchoid_shape conchoid_surface
 """Statements on the conchoid (Section 5.1)."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -5,8 +5,6 @@ A verdict follows from the numbers by a condition in the code, it is never writt
 text are held against each other, and nothing is computed, the evidence says so.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -2,8 +2,6 @@
 # @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_surfaces slice_band_limit detection_time
 """Statements on the joint and on RSID, the first system (Chapters 2 and 3)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

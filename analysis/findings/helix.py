@@ -3,8 +3,6 @@
 # @depends   tables/figure-50-difference.csv
 """Statements on USID, the second system (Chapter 4)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -5,8 +5,6 @@
 is held to the same standard. And the misprints that verdicts.csv names.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the thesis contradicts itself, a formula or a clock: formulas, references, axes, tables (Chapters 3 to 5)."""
 
-from __future__ import annotations
-
 import math
 import re
 from pathlib import Path

@@ -34,14 +34,12 @@ HEADS = {
 }
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--data", "--name")
+def main(options) -> common.Table:
     table = common.load(options.results, options.data)
     if "asked" in table:
         table.insert(3, "carried", [carried(line) for line in table.itertuples()])
         table = table.drop(columns=["asked", "value"])
-    common.write_table(options.out, options.name, table, latex(table))
+    return table, latex(table)
 
 
 def carried(line) -> str:
@@ -81,4 +79,4 @@ def cell(column: str, value: object) -> str:
     return f"{value:,.0f}"
 
 
-common.run(main)
+common.run(main, "--data", "--name")

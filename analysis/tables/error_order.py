@@ -17,9 +17,7 @@ import common
 from common import pareto
 
 
-def main() -> None:
-    """Writes tables/error-order.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = pareto.load(options.results)
     table = table[np.isfinite(table.precision_deg) & (table.storage == "double") & (table.error_um > 0)]
     lines = []
@@ -38,7 +36,7 @@ def main() -> None:
             }
         )
     lines = pd.DataFrame(lines)
-    common.write_table(options.out, "error-order", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def order(precision: pd.Series, error: pd.Series) -> float:

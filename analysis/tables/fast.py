@@ -10,9 +10,7 @@ import common
 from common import fast
 
 
-def main() -> None:
-    """Writes tables/fast-times.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     warm = fast.load(options.results)
     table = pd.concat([warm, fast.load(options.results, "cold")])
     rows = pd.DataFrame({name: table[name] for name in ("method", "setting", "storage", "triangles")})
@@ -25,7 +23,7 @@ def main() -> None:
     rows["ns_vertex"] = table.ns_vertex.map(common.digits)
     rows["iqr_ns"] = table.iqr_ns.map(lambda value: common.digits(value, 2))
     rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
-    common.write_table(options.out, "fast-times", rows, latex(fast.plain_rows(warm)))
+    return rows, latex(fast.plain_rows(warm))
 
 
 def latex(table: pd.DataFrame) -> str:

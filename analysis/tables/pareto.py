@@ -10,11 +10,10 @@ import common
 from common import pareto
 
 
-def main() -> None:
-    """Writes tables/pareto.csv and .tex, the methods that stand on a front, with how often they do."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
+    """The methods that stand on a front, with how often they do."""
     points = pareto.fronts(pareto.load(options.results))
-    common.write_table(options.out, "pareto", points, latex(points))
+    return points, latex(points)
 
 
 def latex(points) -> str:

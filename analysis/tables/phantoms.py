@@ -11,11 +11,9 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes tables/phantom-validation.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     phantoms = common.load(options.results, "phantoms")
-    common.write_table(options.out, "phantom-validation", phantoms, latex(phantoms))
+    return phantoms, latex(phantoms)
 
 
 def latex(phantoms: pd.DataFrame) -> str:

@@ -14,9 +14,7 @@ import common
 from common import timing
 
 
-def main() -> None:
-    """Writes tables/table-9-queries.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     data = common.load(options.results, timing.TABLE_9.data)
     scans = set(data[data.gives_distance].method)
     lines = timing.compare(options.results, timing.TABLE_9)
@@ -28,7 +26,7 @@ def main() -> None:
     lines = lines[
         ["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]
     ]
-    common.write_table(options.out, "table-9-queries", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def latex(lines: pd.DataFrame) -> str:

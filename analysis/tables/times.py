@@ -25,14 +25,12 @@ MEASURES = [
 ]  # every other column names the case
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--data", "--name")
+def main(options) -> common.Table:
     times = common.load(options.results, options.data)
     case = [column for column in times.columns if column not in [*MEASURES, "method"]]
     table = times.pivot_table(index=case, columns="method", values="median_ms", sort=False).reset_index()
     table = table.rename(columns={method: f"{method}_ms" for method in times.method.unique()})
-    common.write_table(options.out, options.name, table, latex(table))
+    return table, latex(table)
 
 
 def latex(table: pd.DataFrame) -> str:
@@ -66,4 +64,4 @@ def cell(column: str, value: object) -> str:
     )
 
 
-common.run(main)
+common.run(main, "--data", "--name")

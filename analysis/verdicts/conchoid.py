@@ -2,8 +2,6 @@
 # @data      conchoid_angles conchoid_shape conchoid_origins
 """Verdicts on the conchoid (Table 10, Section 5.1): lengths, adjusted rays, and what Figure 53 claims."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -7,8 +7,6 @@ not public, and our stand-ins were shaped so that zones fall there. What was fou
 and the note says whether it agrees.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

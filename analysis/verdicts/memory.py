@@ -2,8 +2,6 @@
 # @data      lut_memory
 """Verdicts on entries, turns and memory (Tables 2, 6 and 7): what our tables really take."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

@@ -6,8 +6,6 @@ which method is faster, by how much, and how its time grows, and those have rows
 Table 3 stands in Table 8 again and Table 4 in Table 9: their numbers are counted there.
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

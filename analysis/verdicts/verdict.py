@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a verdict is: one line of verdicts.csv, and the rules that several tables share."""
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
