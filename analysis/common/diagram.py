@@ -72,6 +72,11 @@ def note(axes: plt.Axes, at, text: str, offset=(0, 0), **look) -> None:
     axes.annotate(text, at, offset, textcoords="offset points", zorder=9, **look)
 
 
+def title(axes: plt.Axes, text: str) -> None:
+    """Above the middle of a panel."""
+    axes.set_title(text, fontsize=9.5, loc="center")
+
+
 def dots(axes: plt.Axes, points: np.ndarray, **look) -> None:
     """Markers at points (n, 2)."""
     look = {"color": POINT, "marker": "o", "markersize": 3, "linestyle": "none", "zorder": 5, **look}

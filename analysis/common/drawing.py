@@ -13,6 +13,8 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.text import Annotation  # noqa: E402
 
 # Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
 # of its own, for readers in grey.
@@ -76,6 +78,21 @@ def scheme_looks(schemes: list[str]) -> dict[str, dict]:
         if i >= len(COLOURS):
             of_one |= {"markerfacecolor": "white", "linestyle": DASHES[(i + 1) % len(DASHES)]}
     return looks
+
+
+def key(label: str, **look) -> Line2D:
+    """What a legend says of a line or marker, wherever that is drawn."""
+    return Line2D([], [], label=label, **look)
+
+
+def marks(axes: plt.Axes, x, y, **look) -> None:
+    """Markers without a line."""
+    axes.plot(x, y, linestyle="none", **look)
+
+
+def note(axes: plt.Axes, text: str, at, offset: tuple[float, float], **look) -> Annotation:
+    """Words beside a point, `offset` in points of the page."""
+    return axes.annotate(text, at, offset, textcoords="offset points", **{"fontsize": SMALL, **look})
 
 
 def number_clip_paths(svg: Path) -> None:

@@ -66,16 +66,7 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
     x, y = 0.03 * view.pixels, 0.965 * view.pixels
     halo = [withStroke(linewidth=2.5, foreground="white")]
     axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=halo)
-    axes.annotate(
-        f"{length} mm",
-        (x + pixels / 2, y),
-        (0, 3),
-        textcoords="offset points",
-        ha="center",
-        fontsize=common.SMALL,
-        color=INK,
-        path_effects=halo,
-    )
+    common.note(axes, f"{length} mm", (x + pixels / 2, y), (0, 3), ha="center", color=INK, path_effects=halo)
 
 
 def sheet(

@@ -63,14 +63,8 @@ def dots(
             ([*(common.digits(value) for value in row if value > span[1]), "→"], span[1], -4, "right"),
         ):
             if len(text) > 1:
-                axes.annotate(
-                    "  ".join(text).replace("-", "\u2212"),
-                    (edge, place),
-                    xytext=(shift, 0),
-                    textcoords="offset points",
-                    ha=side,
-                    va="center",
-                    fontsize=common.SMALL,
+                common.note(
+                    axes, "  ".join(text).replace("-", "\u2212"), (edge, place), (shift, 0), ha=side, va="center"
                 )
 
 
@@ -83,14 +77,13 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
     for k in np.argsort(points[:, 1]):
         found = None
         for dx, dy in _offsets():
-            text = axes.annotate(
+            text = common.note(
+                axes,
                 names[k],
                 (x.iloc[k], y.iloc[k]),
-                xytext=(dx, dy),
-                textcoords="offset points",
+                (dx, dy),
                 ha="left" if dx > 0 else "right" if dx < 0 else "center",
                 va="center",
-                fontsize=common.SMALL,
                 bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
                 arrowprops={
                     "arrowstyle": "-",

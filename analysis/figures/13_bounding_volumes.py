@@ -31,7 +31,7 @@ def main(options) -> common.Figure:
         diagram_section.section(axes, sections, BODY, fill=diagram.FILL["ball"], colors=diagram.BALL)
         diagram.polygon(axes, volume, facecolor="none", edgecolor=diagram.SOCKET)
         diagram.frame(axes, np.vstack(list(volumes.values())), room=0.02)
-        axes.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(axes, title)
         empty = 100 * (1 - own / area(volume))
         axes.text(0.5, -0.02, f"{empty:.0f} % empty", transform=axes.transAxes, ha="center", va="top", fontsize=8.5)
     figure.suptitle("Bounding volumes of a head and neck (section of a mesh)", fontsize=10.5)

@@ -31,10 +31,8 @@ def main(options) -> common.Figure:
     diagram.dots(panels[1], FROM_OUTSIDE.see(points))
     draw_face(panels[2], face, alpha=0.35)
     draw_net(panels[2], entries, points)
-    panels[1].set_title(
-        f"b) its {len(points)} sample points,\none an entry of the table", fontsize=9.5, loc="center"
-    )
-    panels[2].set_title("c) the table's stand-in for it:\nthe points alone", fontsize=9.5, loc="center")
+    diagram.title(panels[1], f"b) its {len(points)} sample points,\none an entry of the table")
+    diagram.title(panels[2], "c) the table's stand-in for it:\nthe points alone")
     figure.suptitle(
         f"A triangle becomes entries of a table (socket, {diagram.HIP}, coarse mesh; RSID at 1°)",
         fontsize=10.5,
@@ -70,11 +68,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     )
     everything = np.vstack([seen, origin[None], FROM_BESIDE.see(9 * np.eye(3))])
     diagram.frame(axes, everything, room=0.05)
-    axes.set_title(
-        f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d",
-        fontsize=9.5,
-        loc="center",
-    )
+    diagram.title(axes, f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d")
 
 
 def draw_net(axes: plt.Axes, entries: pd.DataFrame, points: np.ndarray) -> None:

@@ -29,7 +29,7 @@ def main(options) -> common.Figure:
         draw(axes, sections, rays, name)
         left, bottom, right, top = window
         diagram.frame(axes, np.array([(-right, bottom), (-left, top)]), room=0.0)
-        axes.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(axes, title)
         facts = bodies.loc[name]
         low, high = (f"{mm:.1f}" for mm in (facts.smallest_mm, facts.largest_mm))
         span = f"d = {low} mm" if low == high else f"d from {low} to {high} mm"
@@ -48,19 +48,15 @@ def main(options) -> common.Figure:
             fontsize=8.5,
         )
     handles = [
-        plt.Line2D(
-            [], [], color=diagram.POINT, marker="o", markersize=4, linestyle="none", label="sample point"
-        ),
-        plt.Line2D(
-            [],
-            [],
+        common.key("sample point", color=diagram.POINT, marker="o", markersize=4, linestyle="none"),
+        common.key(
+            "last of several crossings: no single distance",
             color=diagram.POLE,
             marker="D",
             markersize=5,
             linestyle="none",
-            label="last of several crossings: no single distance",
         ),
-        plt.Line2D([], [], color=diagram.INK, marker="s", linestyle="none", label="centre"),
+        common.key("centre", color=diagram.INK, marker="s", linestyle="none"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=8.5)
     figure.suptitle(

@@ -30,7 +30,7 @@ def main(options) -> common.Figure:
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.9), width_ratios=[1, 1.75])
     draw_space(space, faces, chosen)
     draw_chart(flat, chart, chosen)
-    space.set_title(f"a) {len(faces)} triangles in space", fontsize=9.5, loc="center")
+    diagram.title(space, f"a) {len(faces)} triangles in space")
     diagram_chart.chart_axes(flat, "b) the same on the chart: C lies across the seam, D at the pole")
     figure.suptitle("A ball with a bump, mapped to its angles (generated pair, coarse mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.985, top=0.84, bottom=0.14, wspace=0.14)

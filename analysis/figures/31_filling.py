@@ -83,7 +83,7 @@ def close(axes: plt.Axes, title: str) -> None:
     """The window of the details, framed as it is marked."""
     left, right, upper, lower = DETAIL
     axes.set(xlim=(left, right), ylim=(lower, upper), xlabel="θ, degrees")
-    axes.set_title(title, fontsize=9.5, loc="center")
+    diagram.title(axes, title)
     axes.grid(visible=False)
     for spine in axes.spines.values():
         spine.set(visible=True, color=diagram.POLE, linewidth=1.5)

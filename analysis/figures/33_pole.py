@@ -44,8 +44,8 @@ def main(options) -> common.Figure:
     diagram_chart.turns(flat)
     flat.set(ylim=(mapped[:, 1].max() + 1.2, -0.5))
     handles = [
-        plt.Line2D([], [], color=diagram.INK, linewidth=1.8, label="edges as mapped directly"),
-        plt.Line2D([], [], color="black", linewidth=1.3, linestyle="--", label="edges as they are"),
+        common.key("edges as mapped directly", color=diagram.INK, linewidth=1.8),
+        common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
         Patch(color=LOOKS["right"]["facecolors"], label=f"entries filled, rightly: {len(kinds['right'])}"),
         Patch(color=LOOKS["missed"]["facecolors"], label=f"entries missed: {len(kinds['missed']):,}"),
         Patch(color=LOOKS["wrong"]["facecolors"], label=f"entries filled, wrongly: {len(kinds['wrong'])}"),
@@ -72,7 +72,7 @@ def diagram_from_above(axes: plt.Axes, corners) -> None:
     diagram.note(axes, (0, 0), "pole, φ = 0°", (38, 11), fontsize=9, color=diagram.POLE)
     turn = np.linspace(0, 2 * np.pi, 9)[:, None]
     diagram.frame(axes, reach * np.hstack([np.cos(turn), np.sin(turn)]), room=0.12)
-    axes.set_title("a) in space, along the z axis", fontsize=9.5, loc="center")
+    diagram.title(axes, "a) in space, along the z axis")
 
 
 common.run(main)

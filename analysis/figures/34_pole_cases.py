@@ -41,7 +41,7 @@ def main(options) -> common.Figure:
             diagram_chart.true_edges(flat, face)
         if name == "pole_inside":
             name_corners(flat, regions)
-        space.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(space, title)
         diagram_chart.chart_axes(flat)
         flat.set(ylabel="φ, degrees", xlabel=diagram_chart.THETA if row == 2 else "")
         diagram_chart.turns(flat)
@@ -54,7 +54,7 @@ def main(options) -> common.Figure:
             for k, look in enumerate(diagram.PARTS)
         ),
         Patch(facecolor="#d9d9d9", edgecolor="white", label="entries filled (table at 1°)"),
-        plt.Line2D([], [], color="black", linewidth=1.3, linestyle="--", label="edges as they are"),
+        common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=9)
     figure.suptitle(
@@ -166,7 +166,7 @@ def beside_meridian(space: plt.Axes, face: np.ndarray) -> None:
         way = point - seen.mean(axis=0)
         diagram.note(space, point, letter, 9 * way / np.linalg.norm(way), fontsize=11)
     diagram.frame(space, seen, room=0.12)
-    space.set_title("across the seam", fontsize=9.5, loc="center")
+    diagram.title(space, "across the seam")
 
 
 common.run(main)

@@ -31,15 +31,13 @@ def main(options) -> common.Figure:
         diagram.dots(axes, diagram_section.in_section(rays, "socket"), markersize=3.2)
         diagram.frame(axes, WINDOW, room=0.0)
         draw_query(axes, vertex)
-        axes.set_title(titles[pose], fontsize=9.5, loc="center")
+        diagram.title(axes, titles[pose])
     handles = [
-        plt.Line2D([], [], color=diagram.SOCKET, linewidth=2.2, label="socket"),
-        plt.Line2D([], [], color=diagram.BALL, label="ball"),
-        plt.Line2D(
-            [], [], color=diagram.POINT, marker="o", markersize=4, linestyle="none", label="sampled points"
-        ),
-        plt.Line2D([], [], color=diagram.POLE, marker="v", linestyle="none", label="vertex of the ball"),
-        plt.Line2D([], [], color=diagram.INK, marker="s", linestyle="none", label="centre of the table"),
+        common.key("socket", color=diagram.SOCKET, linewidth=2.2),
+        common.key("ball", color=diagram.BALL),
+        common.key("sampled points", color=diagram.POINT, marker="o", markersize=4, linestyle="none"),
+        common.key("vertex of the ball", color=diagram.POLE, marker="v", linestyle="none"),
+        common.key("centre of the table", color=diagram.INK, marker="s", linestyle="none"),
     ]
     figure.legend(
         handles=handles, loc="lower center", ncol=5, fontsize=8.5, handletextpad=0.4, columnspacing=1.2

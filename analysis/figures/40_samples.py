@@ -16,7 +16,6 @@
 # @outputs   png
 """Figure 40, the points of a socket that RSID samples, alone and on it."""
 
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 import common
@@ -46,15 +45,7 @@ def main(options) -> common.Figure:
     figure, _ = panels.sheet([row], heading)
     handles = [
         Patch(color=hip.SOCKET, label=f"socket, {len(joint.socket.triangles):,} triangles"),
-        Line2D(
-            [],
-            [],
-            linestyle="none",
-            marker="o",
-            markersize=4,
-            color=sample_points.GREEN,
-            label="sample point",
-        ),
+        common.key("sample point", linestyle="none", marker="o", markersize=4, color=sample_points.GREEN),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
     return figure

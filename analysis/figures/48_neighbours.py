@@ -59,9 +59,7 @@ def draw_look_up(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray, labels: 
             **markers(point),
         )
         if labels:
-            axes.annotate(
-                NAMES[point], at[:2], OFFSETS[point], textcoords="offset points", fontsize=13, zorder=7
-            )
+            common.note(axes, NAMES[point], at[:2], OFFSETS[point], fontsize=13, zorder=7)
 
 
 def zoom(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray) -> None:
@@ -90,7 +88,7 @@ def main(options) -> common.Figure:
     sphere_view.draw_line(panels[2], path[AXES].to_numpy(), eye, color="black", linewidth=2.6)
     end = eye @ points.loc["P_b", AXES].to_numpy(float)
     panels[2].plot(*end[:2], zorder=6, markeredgecolor="white", linestyle="none", **markers("P_b"))
-    panels[2].annotate("$P_b$", end[:2], (8, -14), textcoords="offset points", fontsize=13, zorder=7)
+    common.note(panels[2], "$P_b$", end[:2], (8, -14), fontsize=13, zorder=7)
     panels[0].set_title(f"a) vertex v (star) on the helix, k = {turns}", loc="center")
     panels[1].set_title("b) its neighbours on the turns above and below", loc="center")
     panels[2].set_title(

@@ -28,7 +28,7 @@ def main(options) -> common.Figure:
     panels[0].annotate("r = a + b cos φ", (-20, -24))
     arc = np.radians(np.linspace(0, 50, 60))
     panels[0].plot(9 * np.sin(arc), -9 * np.cos(arc), color="black", linewidth=0.8)
-    panels[0].annotate("φ", (9 * np.sin(0.4), -9 * np.cos(0.4)), (1, -13), textcoords="offset points")
+    common.note(panels[0], "φ", (9 * np.sin(0.4), -9 * np.cos(0.4)), (1, -13), fontsize=10)
     turn = np.linspace(0, 2 * np.pi, 400)
     panels[1].plot(
         shape.sphere_radius_mm * np.cos(turn),

@@ -62,10 +62,10 @@ def draw_origins(axes: plt.Axes, origins: pd.DataFrame) -> None:
     rows = np.arange(len(origins))
     for column, look in zip(("middle", "rim"), common.look(["middle", "rim"]).values()):
         excess = 100 * (origins[f"{column}_mm_per_deg"] / origins.apex_mm_per_deg - 1)
-        axes.plot(
+        common.marks(
+            axes,
             excess,
             rows,
-            linestyle="none",
             marker=look["marker"],
             color=look["color"],
             label="middle" if column == "middle" else "rim, φ = 90°",

@@ -29,7 +29,7 @@ def main(options) -> common.Figure:
     for row in four.itertuples():
         at = conchoid.point(curve, row.thesis_deg)
         text = f"{row.original_deg:.0f}° → {row.thesis_deg:.2f}°\n(exact {row.exact_deg:.2f}°)"
-        axes.annotate(text, at, (12, -16 + 8 * row.i), textcoords="offset points", fontsize=9, va="center")
+        common.note(axes, text, at, (12, -16 + 8 * row.i), fontsize=9, va="center")
     conchoid.plane(axes)
     axes.set(title="Rays that cut the conchoid into equal lengths", xlim=(-3, 40), ylim=(-43, 3))
     axes.legend(loc="lower right")

@@ -70,7 +70,7 @@ def camera(axes, panel: panels.Panel, joint: hip.Hip) -> None:
     edge = np.abs(joint.socket.vertices @ towards).max()
     tip, tail = (panel.view.place(-(edge + mm) * towards) for mm in (2.0, 22.0))
     axes.annotate("", tip, tail, arrowprops={"arrowstyle": "-|>", "color": EYE, "linewidth": 2})
-    axes.annotate("camera", tail, (0, 8), textcoords="offset points", ha="center", fontsize=9, color=EYE)
+    common.note(axes, "camera", tail, (0, 8), ha="center", fontsize=9, color=EYE)
 
 
 common.run(main, "--joint", "--name")

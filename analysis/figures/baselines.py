@@ -22,8 +22,7 @@ def main(options) -> common.Figure:
     wrong(axes[0, 1], table, looks)
     errors(axes[1, 0], table, looks)
     building(axes[1, 1], table, looks)
-    handles, labels = axes[0, 1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=4, fontsize=8)
+    figure.legend(*axes[0, 1].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0, 0.05, 1, 1))
     return figure
 
@@ -76,13 +75,8 @@ def building(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
     for method in scaled.method.unique():
         mine = scaled[scaled.method == method]
         look = looks[method]
-        axes.plot(
-            mine.bytes / 1e3,
-            mine.build_ms,
-            linestyle="none",
-            marker=look["marker"],
-            color=look["color"],
-            markerfacecolor="white",
+        common.marks(
+            axes, mine.bytes / 1e3, mine.build_ms, marker=look["marker"], color=look["color"], markerfacecolor="white"
         )
     axes.set(ylabel="ms", title="Time to fill (hollow: scaled)")
 

@@ -23,8 +23,7 @@ def main(options) -> common.Figure:
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
     draw_missed(right, poses)
     figure.tight_layout()
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
+    figure.legend(*left.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
     return figure
 
 
@@ -70,10 +69,10 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
         if rows.empty:
             continue
         for column, (text, colour) in columns.items():
-            axes.plot(
+            common.marks(
+                axes,
                 faces[rows.index],
                 rows[column].clip(lower=SMALLEST_UM),
-                linestyle="none",
                 marker=marker,
                 color=colour,
                 markerfacecolor=colour if column == "largest_later_um" else "white",
@@ -81,14 +80,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
             )
     for at, row in zip(faces, table.itertuples()):
         top = max(row.largest_later_um, row.largest_missed_um, SMALLEST_UM)
-        axes.annotate(
-            f"{100 * row.crossings_matter / row.poses:.2g} %",
-            (at, top),
-            xytext=(0, 6),
-            textcoords="offset points",
-            ha="center",
-            fontsize=common.SMALL,
-        )
+        common.note(axes, f"{100 * row.crossings_matter / row.poses:.2g} %", (at, top), (0, 6), ha="center")
     axes.set(
         xscale="log",
         yscale="log",

@@ -19,8 +19,7 @@ def main(options) -> common.Figure:
         draw(panel, table[table.gap_case == case], looks)
         panel.set_title(title)
     axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.19, 1, 1))
     return figure
 

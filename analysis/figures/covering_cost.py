@@ -32,17 +32,15 @@ def main(options) -> common.Figure:
     axes.vlines(
         table.median_ns, table.constant_away.clip(upper=top), height, color=common.THESIS_GREY, linewidth=1
     )
-    axes.plot(
+    common.marks(
+        axes,
         table.median_ns,
         table.constant_away.clip(upper=top),
-        linestyle="none",
         marker="_",
         color=common.THESIS_GREY,
         label="away from the poles",
     )
-    axes.plot(
-        table.median_ns, height, linestyle="none", marker="o", color=common.COLOURS[0], label="whole sphere"
-    )
+    common.marks(axes, table.median_ns, height, marker="o", color=common.COLOURS[0], label="whole sphere")
     best = table.sort_values(["median_ns", "constant"])
     best = best[best.constant <= best.constant.cummin()]
     axes.step(

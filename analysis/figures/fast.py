@@ -20,8 +20,7 @@ def main(options) -> common.Figure:
         draw(panel, rows[rows.direction == direction], looks)
         panel.set_title(title)
     axes[0].set_ylabel(f"time a vertex, ns\n(one thread, {fast.set_name(table)})")
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.23, 1, 1))
     return figure
 

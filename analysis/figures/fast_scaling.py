@@ -33,8 +33,7 @@ def main(options) -> common.Figure:
         axes.set_xlabel("triangles of each model")
         axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])
         axes.minorticks_off()
-    handles, labels = times.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*times.get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.15, 1, 1))
     return figure
 

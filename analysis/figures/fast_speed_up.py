@@ -64,11 +64,11 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, places: np.ndarray, look: dict) -> 
     )
     for place, value, low, high in zip(places, ratio, *ends):
         end, side = (value + high, "left") if value >= 1 else (value - low, "right")
-        axes.annotate(
+        common.note(
+            axes,
             common.digits(value, 2),
             (end, place),
-            xytext=(4 if side == "left" else -4, 0),
-            textcoords="offset points",
+            (4 if side == "left" else -4, 0),
             ha=side,
             va="center",
             fontsize=7,

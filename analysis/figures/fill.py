@@ -26,25 +26,11 @@ def main(options) -> common.Figure:
     fresh = table[(table.memory == "fresh") & (table.triangles == fill.TRIANGLES)]
     for line, look in looks.items():
         own = fresh[fresh.line == line]
-        axes[1].plot(
-            own.entries,
-            own.median_ms,
-            color=look["color"],
-            marker=look["marker"],
-            linestyle="none",
-            markerfacecolor="white",
+        common.marks(
+            axes[1], own.entries, own.median_ms, color=look["color"], marker=look["marker"], markerfacecolor="white"
         )
-    axes[1].plot(
-        [],
-        [],
-        color="black",
-        marker="o",
-        linestyle="none",
-        markerfacecolor="white",
-        label="hollow: fresh memory",
-    )
-    handles, labels = axes[1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    common.marks(axes[1], [], [], color="black", marker="o", markerfacecolor="white", label="hollow: fresh memory")
+    figure.legend(*axes[1].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.12, 1, 1))
     return figure
 

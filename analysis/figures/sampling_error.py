@@ -37,8 +37,7 @@ def main(options) -> common.Figure:
     for axes in panels[len(schemes) :]:
         axes.set_visible(False)
     label_axes(grid, len(schemes), sorted(errors.precision_deg.unique()))
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
     figure.suptitle(
         "What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11
     )

@@ -33,8 +33,7 @@ def main(options) -> common.Figure:
         axes.set_xlabel("precision, finer to the right")
     for axes in grid[:, 0]:
         axes.set_ylabel("largest error of the radius, mm")
-    handles, labels = grid[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
     figure.tight_layout()
     return figure
 

@@ -22,8 +22,7 @@ def main(options) -> common.Figure:
     left.set_title("Memory: a dot a joint, the line is the median", fontsize=10)
     right.set_title("Time of the same answer", fontsize=10)
     figure.tight_layout()
-    handles, labels = right.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    figure.legend(*right.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
     return figure
 
 
@@ -38,10 +37,10 @@ def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, l
     for name, (text, colour, marker, shift) in looks.items():
         for row, question in enumerate(shown):
             values = totals[totals.question == question][f"{name}_{unit}"] / scale
-            axes.plot(
+            common.marks(
+                axes,
                 values,
                 np.full(len(values), row + shift),
-                linestyle="none",
                 marker=marker,
                 markersize=5,
                 color=colour,

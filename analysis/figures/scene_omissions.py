@@ -29,8 +29,7 @@ def main(options) -> common.Figure:
     draw_alone(left, needs, totals, "bytes")
     draw_alone(right, needs, totals, "us")
     figure.tight_layout()
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    figure.legend(*left.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
     return figure
 
 

@@ -19,20 +19,20 @@ def main(options) -> common.Figure:
     axes.barh(places, table.constant.clip(upper=end), height=0.62, color=common.COLOURS[5], edgecolor="none")
     for place, constant in zip(places, table.constant):
         beyond = constant > end
-        axes.annotate(
+        common.note(
+            axes,
             f"{constant:,.0f} →" if beyond else f"{constant:.2f}",
             (min(constant, end), place),
-            xytext=(-6 if beyond else 6, 0),
-            textcoords="offset points",
+            (-6 if beyond else 6, 0),
             ha="right" if beyond else "left",
             va="center",
             fontsize=8.5,
         )
     away = (table.constant_away < 0.995 * table.constant) & (table.constant_away <= end)
-    axes.plot(
+    common.marks(
+        axes,
         table.constant_away[away],
         places[away],
-        linestyle="none",
         marker="D",
         color="white",
         markeredgecolor="black",

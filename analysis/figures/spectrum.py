@@ -85,7 +85,7 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
     left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
     right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
     handles = [
-        plt.Line2D([], [], label=surface.replace("_", " "), markeredgecolor="black", **look)
+        common.key(surface.replace("_", " "), markeredgecolor="black", **look)
         for surface, look in looks
     ]
     right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes

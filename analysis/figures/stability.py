@@ -84,10 +84,10 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
         places = np.flatnonzero(failures[name].to_numpy() > 0)
         if len(places) == 0:
             continue
-        axes.plot(
+        common.marks(
+            axes,
             places,
             np.full(len(places), 1.04 + 0.055 * row),
-            linestyle="none",
             marker="x",
             markersize=5,
             markeredgewidth=1.6,

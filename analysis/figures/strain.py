@@ -70,10 +70,10 @@ def draw_rays(axes: plt.Axes, table: pd.DataFrame) -> None:
         axes.axhline(mine.strain.iloc[0], color=of_gap["color"], linestyle=":", linewidth=1.2)
         falling = 1 - gap / (cartilage * np.cos(np.radians(angle)))
         axes.plot(angle, np.maximum(falling, 0), color=of_gap["color"], linewidth=1.2)
-        axes.plot(
+        common.marks(
+            axes,
             mine.angle_deg,
             mine.by_gap,
-            linestyle="none",
             marker=of_gap["marker"],
             color=of_gap["color"],
             label=f"gap {gap:g} mm, h {cartilage:g} mm",

@@ -18,7 +18,6 @@ import pandas as pd
 
 import common
 
-THEOREMS = ["band_limit", "optimal", "mcewen_wiaux", "driscoll_healy", "oversampling"]
 HEADS = {
     "surface": "surface",
     "distance": "samples",

@@ -15,6 +15,11 @@ def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, obje
     return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, **rest}
 
 
+def value_row(value, **rest: object) -> dict[str, object]:
+    """The line of a value of common.thesis()."""
+    return row(value.artefact, value.row, value.column, thesis=value.value, unit=value.unit, **rest)
+
+
 def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
     """The same line, left out of every sum: its number is counted elsewhere, or is none."""
     return {**line, "rule": NOT_COUNTED + why, "tolerance": ""}
@@ -36,13 +41,9 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
     `otherwise` says; the note goes with it. value is a line of common.thesis().
     """
     good = rounds_to(measured, value.value)
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    return value_row(
+        value,
         measured=common.plain(measured, 10),
-        unit=value.unit,
         rule="equal when rounded to the digits printed",
         tolerance="half a unit of the last digit",
         verdict="reproduced" if good else otherwise,
@@ -52,13 +53,4 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
 
 def input_row(value, rule: str = "given, not computed") -> dict[str, object]:
     """A value that the thesis takes from elsewhere and we take from it, or that could not be another."""
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
-        measured=value.value,
-        unit=value.unit,
-        rule=rule,
-        verdict="input",
-    )
+    return value_row(value, measured=value.value, rule=rule, verdict="input")
