@@ -4,7 +4,7 @@
 # @outputs   tables/findings.csv tables/findings.tex
 """Statements of the thesis, and of the note that suspected it, that a computation confirms or refutes.
 
-Each module of MODULES has rows(results); every number in them comes from data/NAME.csv.
+Each module of MODULES has a function a statement, which returns a Finding; every number in them comes from data/NAME.csv.
 """
 
 import re
@@ -33,7 +33,7 @@ HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedr
 
 def main(options) -> common.Table:
     rows = pd.DataFrame(
-        [row for module in MODULES for row in module.rows(options.results)], columns=finding.COLUMNS
+        [row for module in MODULES for row in finding.rows(module, options.results)], columns=finding.COLUMNS
     )
     rows.insert(0, "number", range(1, len(rows) + 1))
     return rows, latex(rows)
