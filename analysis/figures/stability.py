@@ -29,13 +29,12 @@ def main(options) -> common.Figure:
     cases = stability.load(options.results)
     families = stability.families(options.results)
     if options.name == ALL:
-        figure = draw_all(cases, families)
-    else:
-        family = options.name.removeprefix("stability-").replace("-", "_")
-        if family not in families.index:
-            raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
-        of_family = cases[cases.family == family]
-        return stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
+        return draw_all(cases, families)
+    family = options.name.removeprefix("stability-").replace("-", "_")
+    if family not in families.index:
+        raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
+    of_family = cases[cases.family == family]
+    return stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
 
 
 def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
