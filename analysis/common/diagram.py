@@ -9,12 +9,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.patches import FancyBboxPatch, Polygon
-from matplotlib.patheffects import withStroke
 
 import common
+from common.drawing import HALO, INK
 
 HIP = "generated stand-in for patient A"
-INK = "#202020"
 BALL, SOCKET, POINT, POLE = "#B8860B", "#2B5C9E", "#202020", common.COLOURS[1]
 FILL = {"ball": "#F3E3BC", "socket": "#C9DCF2"}
 PARTS = [  # of a face, distinct in grey by their hatches
@@ -22,7 +21,6 @@ PARTS = [  # of a face, distinct in grey by their hatches
     {"facecolor": "#F2C294", "hatch": "////"},
     {"facecolor": "#A9D8C2", "hatch": "...."},
 ]
-HALO = [withStroke(linewidth=2.5, foreground="white")]
 
 
 @dataclass(frozen=True)

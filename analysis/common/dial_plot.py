@@ -3,12 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patheffects import withStroke
 
 from common import hip, panels, render
-
-INK = "#202020"
-HALO = [withStroke(linewidth=2.5, foreground="white")]
+from common.drawing import HALO, INK
 
 
 def radius(joint: hip.Hip) -> float:

@@ -14,6 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.text import Annotation  # noqa: E402
 
 # Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
@@ -21,7 +22,8 @@ from matplotlib.text import Annotation  # noqa: E402
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
-THESIS_GREY = "#8c8c8c"
+THESIS_GREY, INK = "#8c8c8c", "#202020"
+HALO = [withStroke(linewidth=2.5, foreground="white")]  # of words and lines on a picture
 
 # Inches of a figure that is as wide as the paper's text, and points of the smallest text in it: 6.5 in print. A narrower
 # figure of the paper is drawn as much narrower.

@@ -37,29 +37,6 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
     )
 
 
-def latex(groups: list[tuple[str, int]], rows: list[list[str]]) -> str:
-    """Precision, then columns under group titles, each group as many columns wide as it says: thesis and here,
-    or one number of ours alone.
-    """
-    spans, rules, titles, column = [], [], [], 2
-    for title, width in groups:
-        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{title}}}")
-        rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
-        titles.append("thesis & here" if width == 2 else "here")
-        column += width
-    return common.tabular(
-        f"@{{}}l{'r' * (column - 2)}@{{}}",
-        [
-            " & ".join(["", *spans]) + " \\\\",
-            "".join(rules),
-            " & ".join(["Precision", *titles]) + " \\\\",
-        ],
-        [
-            *(" & ".join(row) + " \\\\" for row in rows),
-        ],
-    )
-
-
 def cells(line) -> list[str]:
     """Entries and MiB of a line of compare(), thesis and here, and MiB once a rim mask is beside the radii."""
     return [

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patheffects import withStroke
 
 import common
 from common import hip, render
+from common.drawing import HALO, INK
 
-INK = "#202020"
 LETTERS = {
     "left": (0.015, 0.5, "left", "center"),
     "right": (0.985, 0.5, "right", "center"),
@@ -54,7 +53,7 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
             fontsize=common.SMALL,
             color=INK,
             weight="bold",
-            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+            path_effects=HALO,
         )
     scale_bar(axes, panel.view)
 
@@ -64,9 +63,8 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
     length = min((5, 10, 20, 50), key=lambda mm: abs(mm - 0.4 * view.size))
     pixels = length / view.size * view.pixels / 2
     x, y = 0.03 * view.pixels, 0.965 * view.pixels
-    halo = [withStroke(linewidth=2.5, foreground="white")]
-    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=halo)
-    common.note(axes, f"{length} mm", (x + pixels / 2, y), (0, 3), ha="center", color=INK, path_effects=halo)
+    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=HALO)
+    common.note(axes, f"{length} mm", (x + pixels / 2, y), (0, 3), ha="center", color=INK, path_effects=HALO)
 
 
 def sheet(

@@ -11,8 +11,9 @@ from matplotlib.tri import Triangulation
 
 import common
 from common import hip, render
+from common.drawing import INK
 
-INK, FAINT = "#202020", "#8a8a8a"
+FAINT = "#8a8a8a"
 LARGEST = 106.0  # degrees from the pole, where the map ends
 
 

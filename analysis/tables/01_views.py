@@ -53,14 +53,8 @@ def way(look: tuple[float, float, float]) -> str:
 
 def latex(rows: pd.DataFrame) -> str:
     """Names, then where the cameras look."""
-    lines = [" & ".join(common.tex(value) for value in row) + r" \\" for row in rows.itertuples(index=False)]
-    return common.tabular(
-        r"@{}llll@{}",
-        [
-            r"anatomy & computer graphics & camera, right hip & camera, left hip \\",
-        ],
-        lines,
-    )
+    lines = [[common.tex(value) for value in row] for row in rows.itertuples(index=False)]
+    return common.tabular("@{}llll@{}", [["anatomy", "computer graphics", "camera, right hip", "camera, left hip"]], lines)
 
 
 common.run(main)

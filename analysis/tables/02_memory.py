@@ -11,8 +11,8 @@ from common import memory
 def main(options) -> common.Table:
     lines = memory.compare(options.results, "table-2")
     rows = [[f"{line.precision_deg:g}\\textdegree", *memory.cells(line)] for line in lines.itertuples()]
-    latex = memory.latex([("entries", 2), ("memory, MiB", 2), ("with rim", 1)], rows)
-    return lines, latex
+    groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
+    return lines, common.tabular(*common.groups("Precision", groups), rows)
 
 
 common.run(main)

@@ -30,7 +30,7 @@ def main(options) -> common.Table:
     ]
     groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
     groups += [("RSID, MiB", 2), ("with rim", 1), ("saved, \\%", 1), ("with rim", 1)]
-    return lines, memory.latex(groups, rows)
+    return lines, common.tabular(*common.groups("Precision", groups), rows)
 
 
 common.run(main)

@@ -42,7 +42,7 @@ def latex(table: pd.DataFrame) -> str:
             gap = float(row[f"{patient}_stand_in_smallest_gap_mm"])
             cells += [row[f"{patient}_deg"], f"{gap:.2f}", row[f"{patient}_stand_in_clock"]]
             cells.append(row[f"{patient}_stand_in_limit_deg"])
-        rows.append(" & ".join(cells) + r" \\")
+        rows.append(cells)
     return common.tabular(
         r"@{}lrrrrrrrr@{}",
         [

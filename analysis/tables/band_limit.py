@@ -56,15 +56,9 @@ def latex(table: pd.DataFrame) -> str:
         if start == last and start[0] is not None:
             line |= dict.fromkeys(["surface", "filling", "covered_share"], "")
         last = start
-        rows.append(" & ".join(cell(name, line[name]) for name in columns) + " \\\\")
+        rows.append([cell(name, line[name]) for name in columns])
     kinds = "".join("l" if name in ("surface", "distance", "filling", "carried") else "r" for name in columns)
-    return common.tabular(
-        f"@{{}}{kinds}@{{}}",
-        [
-            " & ".join(HEADS[name] for name in columns) + " \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}{kinds}@{{}}", [[HEADS[name] for name in columns]], rows)
 
 
 def cell(column: str, value: object) -> str:

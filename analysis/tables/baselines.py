@@ -57,7 +57,7 @@ def latex(rows: pd.DataFrame) -> str:
         ]
         cells += [row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
         cells += [row.false_touches, row.missed_touches, row.wrong_within_mm]
-        lines.append(" & ".join(cells) + r" \\")
+        lines.append(cells)
     return common.tabular("@{}llrrrrrrrrr@{}", head, lines)
 
 

@@ -36,13 +36,7 @@ def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
         cells = [common.digits(line[name], 2) for name in PROMISES]
         bold = [f"\\textbf{{{text}}}" if line[name] > 1 else text for name, text in zip(PROMISES, cells)]
         rows.append(f"{common.tex(labels[line['scheme']])} & {' & '.join(bold)} \\\\")
-    return common.tabular(
-        f"@{{}}l{'r' * len(PROMISES)}@{{}}",
-        [
-            f"Scheme & {' & '.join(PROMISES.values())} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}l{'r' * len(PROMISES)}@{{}}", [["Scheme", *PROMISES.values()]], rows)
 
 
 common.run(main)

@@ -67,13 +67,7 @@ def latex(table: pd.DataFrame) -> str:
         + r" \\"
         for line in table.to_dict("records")
     ]
-    return common.tabular(
-        f"@{{}}ll{'r' * len(shown)}@{{}}",
-        [
-            f"Joint & Precision & {' & '.join(shown.values())} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}ll{'r' * len(shown)}@{{}}", [["Joint", "Precision", *shown.values()]], rows)
 
 
 common.run(main, "--data", "--name")

@@ -53,13 +53,7 @@ def latex(lines: pd.DataFrame) -> str:
         cells = [f"{own.order_max[s]:.1f} / {own.order_rms[s]:.1f}" if s in own.index else "" for s in scenes]
         rows.append(f"{common.tex(common.label(method))} & {' & '.join(cells)} \\\\")
     titles = [common.tex(s.replace("_", " ").replace("generated", "").strip()) for s in scenes]
-    return common.tabular(
-        f"@{{}}l{'r' * len(scenes)}@{{}}",
-        [
-            f"Method & {' & '.join(titles)} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}l{'r' * len(scenes)}@{{}}", [["Method", *titles]], rows)
 
 
 common.run(main)

@@ -28,14 +28,12 @@ def main(options) -> common.Table:
 
 def latex(table: pd.DataFrame) -> str:
     """One line a method and setting, both directions beside each other."""
-    lines = [
-        r"\begin{tabular}{@{}llrrrrrrr@{}}",
-        r"\toprule",
+    head = [
         r" & & & \multicolumn{3}{c}{socket to ball} & \multicolumn{3}{c}{ball to socket} \\",
         r"\cmidrule(lr){4-6}\cmidrule(l){7-9}",
         r"method & setting & KiB & µm & ns & $\times$ & µm & ns & $\times$ \\",
-        r"\midrule",
     ]
+    lines = []
     for (line, setting), rows in table.groupby(["line", "setting"], sort=False):
         cells = [common.tex(line), common.tex(setting.replace("deg", "°")).replace("°", r"\degrees{}")]
         cells.append(common.digits(rows.bytes.iloc[0] / 1024))
@@ -43,8 +41,8 @@ def latex(table: pd.DataFrame) -> str:
             row = rows[rows.direction == direction].iloc[0]
             cells.append("$<$0.001" if row.error_um < 0.001 else common.digits(row.error_um, 2) or "---")
             cells += [common.digits(value, 2) for value in (row.ns_vertex, row.times_embree)]
-        lines.append(" & ".join(cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+        lines.append(cells)
+    return common.tabular("@{}llrrrrrrr@{}", head, lines)
 
 
 common.run(main)

@@ -77,15 +77,9 @@ def latex(table: pd.DataFrame) -> str:
             *counts,
             f"{line.changed:,}",
         ]
-        rows.append(" & ".join(cells) + " \\\\")
+        rows.append(cells)
         last = place
-    return common.tabular(
-        "@{}llrrrrrrr@{}",
-        [
-            " & ".join(heads) + " \\\\",
-        ],
-        rows,
-    )
+    return common.tabular("@{}llrrrrrrr@{}", [heads], rows)
 
 
 common.run(main, "--joints")

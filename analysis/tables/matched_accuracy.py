@@ -84,9 +84,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(l){5-6}",
             "Error, \\textmu m & Method & query, ns & memory, KiB & Embree & thesis \\\\",
         ],
-        [
-            *rows[:-1],
-        ],
+        rows[:-1],
     )
 
 

@@ -38,16 +38,9 @@ def latex(lines: pd.DataFrame) -> str:
     for (triangles, queries), group in lines.groupby(["triangles", "queries"]):
         times = group.set_index("method").loc[methods, ["thesis_ns", "measured_ns"]].to_numpy().ravel()
         cells = [common.digits(value) or "---" for value in times]
-        rows.append(" & ".join([f"{triangles:,.0f}", f"{queries:,.0f}", *cells]) + " \\\\")
-    return common.tabular(
-        f"@{{}}ll{'rr' * len(methods)}@{{}}",
-        [
-            " & ".join(["", "", *spans]) + " \\\\",
-            "".join(rules),
-            " & ".join(["Triangles a model", "queries", *["thesis & here"] * len(methods)]) + " \\\\",
-        ],
-        rows,
-    )
+        rows.append([f"{triangles:,.0f}", f"{queries:,.0f}", *cells])
+    titles = ["Triangles a model", "queries", *["thesis & here"] * len(methods)]
+    return common.tabular(f"@{{}}ll{'rr' * len(methods)}@{{}}", [["", "", *spans], "".join(rules), titles], rows)
 
 
 common.run(main)

@@ -45,19 +45,16 @@ def short(citation: str) -> str:
 def latex(lines: pd.DataFrame) -> str:
     """One row a scheme, the best covering first."""
     body = [
-        " & ".join(
-            [
-                common.tex(line.label),
-                common.tex(short(line.citation)),
-                f"{line.entries:,}",
-                common.digits(line.covering_constant),
-                common.digits(line.constant_away),
-                common.digits(line.max_area_ratio),
-                common.digits(line.median_ns),
-                *(percent(getattr(line, f"saved_percent_{meaning}")) for meaning in SAVINGS),
-            ]
-        )
-        + r" \\"
+        [
+            common.tex(line.label),
+            common.tex(short(line.citation)),
+            f"{line.entries:,}",
+            common.digits(line.covering_constant),
+            common.digits(line.constant_away),
+            common.digits(line.max_area_ratio),
+            common.digits(line.median_ns),
+            *(percent(getattr(line, f"saved_percent_{meaning}")) for meaning in SAVINGS),
+        ]
         for line in lines.itertuples()
     ]
     return common.tabular(

@@ -65,7 +65,7 @@ def latex(lines: pd.DataFrame) -> str:
             power(row.worst_of_others),
             f"{row.failures_of_others:,}",
         ]
-        rows.append(" & ".join(cells) + " \\\\")
+        rows.append(cells)
     return common.tabular(
         "@{}lrrrrrrrr@{}",
         [

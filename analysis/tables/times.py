@@ -37,18 +37,9 @@ def latex(table: pd.DataFrame) -> str:
     """All columns: times rounded for reading, the rest as it is."""
     heads = [common.tex(column.replace("_", " ")) for column in table.columns]
     rows = [
-        " & ".join(cell(name, value) for name, value in zip(table.columns, row))
-        for row in table.itertuples(index=False)
+        [cell(name, value) for name, value in zip(table.columns, row)] for row in table.itertuples(index=False)
     ]
-    return common.tabular(
-        f"@{{}}{'l' * len(heads)}@{{}}",
-        [
-            " & ".join(heads) + " \\\\",
-        ],
-        [
-            *(row + " \\\\" for row in rows),
-        ],
-    )
+    return common.tabular(f"@{{}}{'l' * len(heads)}@{{}}", [heads], rows)
 
 
 def cell(column: str, value: object) -> str:
