@@ -12,7 +12,7 @@ from mpl_toolkits.mplot3d import Axes3D  # noqa: F401  (registers the projection
 import common
 
 RIM_DEG = 90  # the cap of the hip ends here
-CURVE, SECOND, THIRD = common.COLOURS[0], common.COLOURS[1], common.COLOURS[2]
+CURVE, SECOND = common.COLOURS[0], common.COLOURS[1]
 
 
 def load(results: Path) -> pd.DataFrame:

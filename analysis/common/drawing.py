@@ -92,6 +92,13 @@ def marks(axes: plt.Axes, x, y, **look) -> None:
     axes.plot(x, y, linestyle="none", **look)
 
 
+def medians(axes: plt.Axes, rows, x: str, y: str, spread: str, looks: dict[str, dict]) -> None:
+    """A line each through the rows of that name in the column `line`, with bars of the interquartile range."""
+    for line, of_one in looks.items():
+        own = rows[rows.line == line].sort_values(x)
+        axes.errorbar(own[x], own[y], yerr=own[spread] / 2, label=line, capsize=2, **of_one)
+
+
 def note(axes: plt.Axes, text: str, at, offset: tuple[float, float], **look) -> Annotation:
     """Words beside a point, `offset` in points of the page."""
     return axes.annotate(text, at, offset, textcoords="offset points", **{"fontsize": SMALL, **look})

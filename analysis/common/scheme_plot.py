@@ -16,9 +16,8 @@ from matplotlib.text import Text
 import common
 
 REFERENCE = "rsid"  # what savings and errors are counted from
-FLOOR = (
-    8 * math.pi / (3 * math.sqrt(3))
-)  # N rho^2 of the best covering of the plane by circles (Kershner 1939)
+# N rho^2 of the best covering of the plane by circles (Kershner 1939)
+FLOOR = 8 * math.pi / (3 * math.sqrt(3))
 FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
 
 

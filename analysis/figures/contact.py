@@ -26,9 +26,7 @@ def main(options) -> common.Figure:
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
     """A line a method, bars of the interquartile range."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values("triangles")
-        axes.errorbar(own.triangles, own.us_pose, yerr=own.iqr_us / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, "triangles", "us_pose", "iqr_us", looks)
     sizes = sorted(rows.triangles.unique())
     axes.set(xscale="log", yscale="log", xlabel="triangles of each model")
     axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])

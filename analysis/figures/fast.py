@@ -44,9 +44,7 @@ def with_one_embree(rows: pd.DataFrame) -> pd.DataFrame:
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
     """A line a method over its settings, bars of the interquartile range; the floor across."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values("error_um")
-        axes.errorbar(own.error_um, own.ns_vertex, yerr=own.iqr_ns / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, "error_um", "ns_vertex", "iqr_ns", looks)
     floor = rows[rows.method == "floor"].ns_vertex.iloc[0]
     axes.axhline(floor, color="black", linewidth=1.0, linestyle=":", label="floor: stream, rotate, one read")
     axes.set(xscale="log", yscale="log", xlabel="largest error of a gap, µm")

@@ -21,9 +21,7 @@ def main(options) -> common.Figure:
     rows = shown(table[sets & (table.direction == DIRECTION)])
     figure, (times, gains) = plt.subplots(1, 2, figsize=(9.6, 5.0), width_ratios=[3, 2])
     one = rows[rows.threads == 1]
-    for line, look in common.look(list(one.line)).items():
-        own = one[one.line == line].sort_values("triangles")
-        times.errorbar(own.triangles, own.ns_vertex, yerr=own.iqr_ns / 2, label=line, capsize=2, **look)
+    common.medians(times, one, "triangles", "ns_vertex", "iqr_ns", common.look(list(one.line)))
     times.set(yscale="log", ylabel=f"time a vertex, ns (one thread, {fast.set_name(table)})")
     times.set_title("socket to ball")
     draw_threads(gains, rows[(rows.method == OWN[0])])

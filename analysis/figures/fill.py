@@ -37,9 +37,7 @@ def main(options) -> common.Figure:
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, key: str, looks: dict) -> None:
     """A line a way, bars of the interquartile range."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values(key)
-        axes.errorbar(own[key], own.median_ms, yerr=own.iqr_ms / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, key, "median_ms", "iqr_ms", looks)
     axes.set(xscale="log", yscale="log")
     places = sorted(rows[key].unique())
     axes.set_xticks(places, [common.digits(place, 2) for place in places])
