@@ -7,55 +7,29 @@ writes under the folder --out (by default the working folder) laid out as the re
 same bytes.
 """
 
-from __future__ import annotations
-
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
 
-from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, look, save_figure, scheme_looks, style
+import pandas as pd
+
+from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, Figure, save_figure, style
+from common.drawing import key, look, marks, medians, note, scheme_looks
+from common.heads import job_of
 from common.loading import load
 from common.sidecars import Refused, sidecar
 from common.thesis_values import counterparts, methods_of, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
-from common.writing import tabular, write, write_table
+from common.writing import groups, tabular, write, write_table
 
-__all__ = [
-    "COLOURS",
-    "Refused",
-    "SMALL",
-    "THESIS_GREY",
-    "WIDTH",
-    "arguments",
-    "counterparts",
-    "digits",
-    "digits_up",
-    "label",
-    "load",
-    "look",
-    "methods_of",
-    "number",
-    "plain",
-    "rounded_down",
-    "rounded_up",
-    "run",
-    "save_figure",
-    "scheme_labels",
-    "scheme_looks",
-    "sidecar",
-    "style",
-    "tabular",
-    "tex",
-    "thesis",
-    "write",
-    "write_table",
-]
+Table = tuple[pd.DataFrame, str]  # and its LaTeX
 
 
-def arguments(description: str | None, *more: str) -> argparse.Namespace:
+def arguments(*more: str) -> argparse.Namespace:
     """--results, --out and further required options of the same kind."""
-    parser = argparse.ArgumentParser(description=description)
+    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
     parser.add_argument("--results", type=Path, required=True, help="the results folder")
     parser.add_argument(
         "--out", type=Path, default=Path("."), help="where to write, laid out as the results folder"
@@ -65,10 +39,21 @@ def arguments(description: str | None, *more: str) -> argparse.Namespace:
     return parser.parse_args()
 
 
-def run(main) -> NoReturn:
-    """Calls main(); a refusal is one clear line and exit code 1."""
+def run(main: Callable[[argparse.Namespace], Table | Figure | None], *more: str) -> NoReturn:
+    """Calls main(arguments(*more)) and writes the table or figure that it returns, named --name or as the script's head
+    says. A refusal is one clear line and exit code 1.
+    """
+    options = arguments(*more)
+    script = Path(sys.argv[0])
+    style()
     try:
-        main()
+        made = main(options)
     except Refused as refusal:
-        sys.exit(f"{Path(sys.argv[0]).name}: {refusal}")
+        sys.exit(f"{script.name}: {refusal}")
+    if made is not None:
+        job = job_of(script, getattr(options, "name", None))
+        if isinstance(made, tuple):
+            write_table(options.out, job["name"], *made)
+        else:
+            save_figure(made, options.out, job["name"], job["outputs"].split())
     sys.exit(0)

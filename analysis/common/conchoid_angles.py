@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The finest fan of rays of data/conchoid_angles.csv and how its three adjustments are drawn."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -2,8 +2,6 @@
 """What the figures of the conchoid share: the curve from data/conchoid_curve.csv, drawn with its axis upright and
 its apex at the bottom, as the thesis' claims about "bottom" and "top" read."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -14,7 +12,7 @@ from mpl_toolkits.mplot3d import Axes3D  # noqa: F401  (registers the projection
 import common
 
 RIM_DEG = 90  # the cap of the hip ends here
-CURVE, SECOND, THIRD = common.COLOURS[0], common.COLOURS[1], common.COLOURS[2]
+CURVE, SECOND = common.COLOURS[0], common.COLOURS[1]
 
 
 def load(results: Path) -> pd.DataFrame:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the targets, the figure and the paper share of experiment 13_contact."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

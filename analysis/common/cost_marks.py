@@ -3,12 +3,9 @@
 legend that explains them. A line is given as its rows of data/error_against_time.csv, with `x`, um, where each stands across.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.lines import Line2D
 
 import common
 from common import pareto
@@ -33,10 +30,10 @@ def bounds(axes: plt.Axes, group: pd.DataFrame, cost: str, look: dict) -> None:
     """A hollow marker at the proven bound, joined to what was measured."""
     proven = group[np.isfinite(group.bound_um)]
     axes.hlines(proven[cost], proven.x, proven.bound_um, color=look["color"], linewidth=0.7, zorder=2)
-    axes.plot(
+    common.marks(
+        axes,
         proven.bound_um,
         proven[cost],
-        linestyle="none",
         marker=look["marker"],
         markersize=4.5,
         markerfacecolor="white",
@@ -52,15 +49,7 @@ def steps(axes: plt.Axes, group: pd.DataFrame, cost: str, colour: str) -> None:
         return
     for row in group.iloc[[0, -1]].itertuples():
         taken = [text.get_window_extent() for text in axes.texts]
-        text = axes.annotate(
-            pareto.step_of(row),
-            (row.x, getattr(row, cost)),
-            xytext=(0, 5),
-            textcoords="offset points",
-            ha="center",
-            fontsize=common.SMALL,
-            color=colour,
-        )
+        text = common.note(axes, pareto.step_of(row), (row.x, getattr(row, cost)), (0, 5), ha="center", color=colour)
         if text.get_window_extent().count_overlaps(taken):
             text.remove()
 
@@ -93,51 +82,23 @@ def floors(axes: plt.Axes) -> None:
 def failures(axes: plt.Axes, group: pd.DataFrame, cost: str) -> None:
     """A cross over what answered where there is no surface."""
     failed = group[group.false_hits > 0]
-    axes.plot(
-        failed.x,
-        failed[cost],
-        linestyle="none",
-        marker="x",
-        color=common.COLOURS[1],
-        markersize=5,
-        markeredgewidth=0.9,
-        zorder=4,
+    common.marks(
+        axes, failed.x, failed[cost], marker="x", color=common.COLOURS[1], markersize=5, markeredgewidth=0.9, zorder=4
     )
 
 
 def legend(where: plt.Figure | plt.Axes, looks: dict, **place) -> None:
     """The coloured lines, and what the other signs mean; place is what matplotlib's legend() takes."""
     handles = [
-        Line2D([], [], label=pareto.label(line), **look | {"markersize": 5.5}) for line, look in looks.items()
+        common.key(pareto.label(line), **look | {"markersize": 5.5}) for line, look in looks.items()
     ]
     handles += [
-        Line2D([], [], color=FADED, marker=".", label="another method or storage"),
-        Line2D(
-            [],
-            [],
-            color=FADED,
-            marker="o",
-            markersize=4,
-            markerfacecolor="white",
-            label="another question: nearest point or pose",
+        common.key("another method or storage", color=FADED, marker="."),
+        common.key(
+            "another question: nearest point or pose", color=FADED, marker="o", markersize=4, markerfacecolor="white"
         ),
-        Line2D(
-            [],
-            [],
-            color=common.COLOURS[1],
-            marker="x",
-            linestyle="none",
-            label="also answers where no surface is",
-        ),
-        Line2D([], [], color="black", linewidth=0.9, label="Pareto front (radial distance)"),
-        Line2D(
-            [],
-            [],
-            color="black",
-            marker="o",
-            markerfacecolor="white",
-            linewidth=0.7,
-            label="hollow, joined: proven bound",
-        ),
+        common.key("also answers where no surface is", color=common.COLOURS[1], marker="x", linestyle="none"),
+        common.key("Pareto front (radial distance)", color="black", linewidth=0.9),
+        common.key("hollow, joined: proven bound", color="black", marker="o", markerfacecolor="white", linewidth=0.7),
     ]
     where.legend(handles=handles, **place)

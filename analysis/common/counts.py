@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the table and the paper share of experiment 13_counts: instructions beside the times of 13_fast."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

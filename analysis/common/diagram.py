@@ -3,20 +3,17 @@
 far away, sections, boxes of a flow chart.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.patches import FancyBboxPatch, Polygon
-from matplotlib.patheffects import withStroke
 
 import common
+from common.drawing import HALO, INK
 
 HIP = "generated stand-in for patient A"
-INK = "#202020"
 BALL, SOCKET, POINT, POLE = "#B8860B", "#2B5C9E", "#202020", common.COLOURS[1]
 FILL = {"ball": "#F3E3BC", "socket": "#C9DCF2"}
 PARTS = [  # of a face, distinct in grey by their hatches
@@ -24,7 +21,6 @@ PARTS = [  # of a face, distinct in grey by their hatches
     {"facecolor": "#F2C294", "hatch": "////"},
     {"facecolor": "#A9D8C2", "hatch": "...."},
 ]
-HALO = [withStroke(linewidth=2.5, foreground="white")]
 
 
 @dataclass(frozen=True)
@@ -72,6 +68,11 @@ def note(axes: plt.Axes, at, text: str, offset=(0, 0), **look) -> None:
         **look,
     }
     axes.annotate(text, at, offset, textcoords="offset points", zorder=9, **look)
+
+
+def title(axes: plt.Axes, text: str) -> None:
+    """Above the middle of a panel."""
+    axes.set_title(text, fontsize=9.5, loc="center")
 
 
 def dots(axes: plt.Axes, points: np.ndarray, **look) -> None:

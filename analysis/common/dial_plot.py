@@ -1,16 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The clock of a socket, drawn round it as the camera sees it."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patheffects import withStroke
 
 from common import hip, panels, render
-
-INK = "#202020"
-HALO = [withStroke(linewidth=2.5, foreground="white")]
+from common.drawing import HALO, INK
 
 
 def radius(joint: hip.Hip) -> float:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Colours, style and saving of every figure: the same figure gives the same bytes."""
 
-from __future__ import annotations
-
 import os
 import re
 from pathlib import Path
@@ -14,17 +12,25 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.patheffects import withStroke  # noqa: E402
+from matplotlib.text import Annotation  # noqa: E402
 
 # Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
 # of its own, for readers in grey.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
-THESIS_GREY = "#8c8c8c"
+THESIS_GREY, INK = "#8c8c8c", "#202020"
+HALO = [withStroke(linewidth=2.5, foreground="white")]  # of words and lines on a picture
 
 # Inches of a figure that is as wide as the paper's text, and points of the smallest text in it: 6.5 in print. A narrower
 # figure of the paper is drawn as much narrower.
 WIDTH, SMALL = 9.2, 9
+
+# What a file would say of the day and of matplotlib.
+UNSAID = {"svg": ["Date", "Creator"], "png": ["Software"], "pdf": ["CreationDate", "Creator", "Producer"]}
 
 
 def style() -> None:
@@ -76,6 +82,28 @@ def scheme_looks(schemes: list[str]) -> dict[str, dict]:
     return looks
 
 
+def key(label: str, **look) -> Line2D:
+    """What a legend says of a line or marker, wherever that is drawn."""
+    return Line2D([], [], label=label, **look)
+
+
+def marks(axes: plt.Axes, x, y, **look) -> None:
+    """Markers without a line."""
+    axes.plot(x, y, linestyle="none", **look)
+
+
+def medians(axes: plt.Axes, rows, x: str, y: str, spread: str, looks: dict[str, dict]) -> None:
+    """A line each through the rows of that name in the column `line`, with bars of the interquartile range."""
+    for line, of_one in looks.items():
+        own = rows[rows.line == line].sort_values(x)
+        axes.errorbar(own[x], own[y], yerr=own[spread] / 2, label=line, capsize=2, **of_one)
+
+
+def note(axes: plt.Axes, text: str, at, offset: tuple[float, float], **look) -> Annotation:
+    """Words beside a point, `offset` in points of the page."""
+    return axes.annotate(text, at, offset, textcoords="offset points", **{"fontsize": SMALL, **look})
+
+
 def number_clip_paths(svg: Path) -> None:
     """Numbers the clip paths of an SVG in their order: matplotlib names those that are no rectangles after
     addresses in memory, which differ from run to run.
@@ -86,16 +114,12 @@ def number_clip_paths(svg: Path) -> None:
     svg.write_text(text, encoding="utf-8", newline="\n")
 
 
-def save_figure(figure: plt.Figure, out: Path, name: str) -> None:
-    """figures/NAME.svg, .png and .pdf, the same bytes for the same figure."""
+def save_figure(figure: Figure, out: Path, name: str, kinds: list[str] = list(UNSAID)) -> None:
+    """figures/NAME.KIND, svg, png or pdf, the same bytes for the same figure."""
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
-    figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
-    number_clip_paths(folder / f"{name}.svg")
-    figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight")
-    figure.savefig(
-        folder / f"{name}.pdf",
-        metadata={"CreationDate": None, "Creator": None, "Producer": None},
-        bbox_inches="tight",
-    )
+    for kind in kinds:
+        figure.savefig(folder / f"{name}.{kind}", metadata=dict.fromkeys(UNSAID[kind]), bbox_inches="tight")
+        if kind == "svg":
+            number_clip_paths(folder / f"{name}.svg")
     plt.close(figure)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the table, the targets and the figure of experiment 13 share."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
@@ -14,11 +12,6 @@ TRIANGLES = 12000  # of each model of the joint that is shown
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
 RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
 CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
-PEERS = [
-    *RAYS,
-    *CLOSEST,
-    "vdb_grid",
-]  # exact, and asked point by point, but for the voxels; not in every figure
 NAMES = {
     "embree_ray1": "Embree, 1 ray",
     "embree_ray8": "Embree, 8 rays",

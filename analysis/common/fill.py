@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tables, the target and the figure of experiment 13_fill share."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

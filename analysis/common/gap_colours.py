@@ -3,8 +3,6 @@
 contact, so that a picture reads in grey and with every common colour vision.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -3,8 +3,6 @@
 FOLDER/ROOM.cmake of each room, with the jobs of its scripts. README.md says what a head holds. Standard library only.
 """
 
-from __future__ import annotations
-
 import ast
 import functools
 import re
@@ -59,6 +57,16 @@ def reached(path: Path) -> list[Path]:
     for file in found:  # which grows meanwhile
         found += [other for other in imported(file) if other not in found]
     return found
+
+
+def job_of(script: Path, name: str | None) -> dict[str, str]:
+    """What the script's head says of the job of that name, or of its only one."""
+    job = next(
+        job
+        for job in head(script)[1]
+        if name is None or re.fullmatch(re.sub(r"\b[A-Z]+\b", ".+", job["name"]), name)
+    )
+    return {**ROOMS[script.resolve().parent.name], **job, "name": name or job["name"]}
 
 
 def filled(text: str, words: dict[str, str]) -> str:

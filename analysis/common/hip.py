@@ -3,8 +3,6 @@
 centre of rotation as origin), the anatomical views, and what a reader must be told of it.
 """
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reading results: a CSV with its sidecar, or a refusal."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -2,14 +2,11 @@
 """Time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method.
 """
 
-from __future__ import annotations
-
 import math
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.lines import Line2D
 
 import common
 
@@ -27,10 +24,10 @@ def draw_method(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> No
     )
     axes.plot(lines[key], lines.measured_ms, color=look["color"], linestyle=look["linestyle"])
     for hollow, group in lines.groupby("extrapolated"):
-        axes.plot(
+        common.marks(
+            axes,
             group[key],
             group.measured_ms,
-            linestyle="none",
             marker=look["marker"],
             color=look["color"],
             markerfacecolor="white" if hollow else look["color"],
@@ -59,7 +56,6 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
     """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's
     exponent, from what was measured, and the thesis'.
     """
-    common.style()
     figure, axes = plt.subplots(figsize=(0.46 * common.WIDTH, 3.4))
     looks = common.look(list(lines.method))
     legend = []
@@ -71,28 +67,24 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
         text = f"{common.label(method)}: exponent {slope(measured[key], measured.measured_ms):.2f}"
         if np.isfinite(group.thesis_ms).any():
             text += f" (thesis {slope(group[key], group.thesis_ms):.2f})"
-        legend.append(Line2D([], [], **look, label=text))
+        legend.append(common.key(text, **look))
     legend.append(
-        Line2D(
-            [],
-            [],
+        common.key(
+            "grey: the thesis' times, on its own machine",
             color=common.THESIS_GREY,
             marker="o",
             markersize=4.5,
             linewidth=0.9,
-            label="grey: the thesis' times, on its own machine",
         )
     )
     if lines.extrapolated.any():
         legend.append(
-            Line2D(
-                [],
-                [],
+            common.key(
+                "hollow: extrapolated from a smaller run",
                 color="black",
                 marker="o",
                 markerfacecolor="white",
                 linestyle="none",
-                label="hollow: extrapolated from a smaller run",
             )
         )
     axes.set(xscale="log", yscale="log", xlabel=x_title, ylabel="time, ms", title=title)

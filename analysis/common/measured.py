@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the loaders of single experiments share: two CSVs as one table, and a readable line for each method and storage."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

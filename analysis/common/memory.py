@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Entries and memory of a table of the thesis beside ours (Tables 2 and 7)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
@@ -36,29 +34,6 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
             for precision, row in ours(results, artefact).iterrows()
             if f"{precision:g}deg" in thesis.index
         ]
-    )
-
-
-def latex(groups: list[tuple[str, int]], rows: list[list[str]]) -> str:
-    """Precision, then columns under group titles, each group as many columns wide as it says: thesis and here,
-    or one number of ours alone.
-    """
-    spans, rules, titles, column = [], [], [], 2
-    for title, width in groups:
-        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{title}}}")
-        rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
-        titles.append("thesis & here" if width == 2 else "here")
-        column += width
-    return common.tabular(
-        f"@{{}}l{'r' * (column - 2)}@{{}}",
-        [
-            " & ".join(["", *spans]) + " \\\\",
-            "".join(rules),
-            " & ".join(["Precision", *titles]) + " \\\\",
-        ],
-        [
-            *(" & ".join(row) + " \\\\" for row in rows),
-        ],
     )
 
 

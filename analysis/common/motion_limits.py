@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the table, the figure and the paper share about limits of motion: names, and what a normal hip reaches."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

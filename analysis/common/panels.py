@@ -1,20 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sheets of pictures of a joint: title, letters of the body's directions and a scale bar in each, one legend below."""
 
-from __future__ import annotations
-
-import re
 from dataclasses import dataclass
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patheffects import withStroke
 
 import common
 from common import hip, render
+from common.drawing import HALO, INK
 
-INK = "#202020"
 LETTERS = {
     "left": (0.015, 0.5, "left", "center"),
     "right": (0.985, 0.5, "right", "center"),
@@ -58,7 +53,7 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
             fontsize=common.SMALL,
             color=INK,
             weight="bold",
-            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+            path_effects=HALO,
         )
     scale_bar(axes, panel.view)
 
@@ -68,18 +63,8 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
     length = min((5, 10, 20, 50), key=lambda mm: abs(mm - 0.4 * view.size))
     pixels = length / view.size * view.pixels / 2
     x, y = 0.03 * view.pixels, 0.965 * view.pixels
-    halo = [withStroke(linewidth=2.5, foreground="white")]
-    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=halo)
-    axes.annotate(
-        f"{length} mm",
-        (x + pixels / 2, y),
-        (0, 3),
-        textcoords="offset points",
-        ha="center",
-        fontsize=common.SMALL,
-        color=INK,
-        path_effects=halo,
-    )
+    axes.plot([x, x + pixels], [y, y], color=INK, linewidth=2.2, solid_capstyle="butt", path_effects=HALO)
+    common.note(axes, f"{length} mm", (x + pixels / 2, y), (0, 3), ha="center", color=INK, path_effects=HALO)
 
 
 def sheet(
@@ -88,7 +73,6 @@ def sheet(
     """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
     The axes have the shape of the rows. The width, inches, is by default that which the paper has room for.
     """
-    common.style()
     columns = max(len(row) for row in rows)
     width = width or {1: 3.6, 2: 4.6}.get(columns, 7.0)
     side = width / columns
@@ -114,14 +98,3 @@ def wrapped(figure: plt.Figure, text: str) -> str:
     if len(text) < 16 * figure.get_figwidth():
         return text
     return text.replace("      ", "\n").replace(", R and", ",\nR and")
-
-
-def save(figure: plt.Figure, out: Path, name: str) -> None:
-    """figures/NAME.png, .svg and .pdf; of a real joint, whose figures are many, the PNG alone."""
-    if not re.fullmatch(r"figure-\d+-.+", name):
-        common.save_figure(figure, out, name)
-        return
-    path = out / "figures" / f"{name}.png"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Software": None}, bbox_inches="tight")
-    plt.close(figure)

@@ -5,8 +5,6 @@ Everything is read from data/error_against_time.csv and error_against_time_sprea
 scene is named here.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

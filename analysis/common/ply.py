@@ -3,8 +3,6 @@
 not know).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,23 +10,15 @@ import numpy as np
 
 import common
 
-TYPES = {
-    "char": "i1",
-    "int8": "i1",
-    "uchar": "u1",
-    "uint8": "u1",
-    "short": "i2",
-    "int16": "i2",
-    "ushort": "u2",
-    "uint16": "u2",
-    "int": "i4",
-    "int32": "i4",
-    "uint": "u4",
-    "uint32": "u4",
-    "float": "f4",
-    "float32": "f4",
-    "double": "f8",
-    "float64": "f8",
+TYPES = {  # of PLY that NumPy knows by another name
+    "char": "int8",
+    "uchar": "uint8",
+    "short": "int16",
+    "ushort": "uint16",
+    "int": "int32",
+    "uint": "uint32",
+    "float": "float32",
+    "double": "float64",
 }
 
 
@@ -49,14 +39,18 @@ def read(path: Path) -> Mesh:
     style = next(line[1] for line in lines if line[0] == "format")
     order = ">" if style == "binary_big_endian" else "<"
     fields, face, counts, element = [], None, {}, ""
+
+    def of_type(name: str) -> np.dtype:
+        return np.dtype(TYPES.get(name, name)).newbyteorder(order)
+
     for line in lines:
         if line[0] == "element":
             element = line[1]
             counts[element] = int(line[2])
         elif line[0] == "property" and element == "vertex":
-            fields.append((line[2], order + TYPES[line[1]]))
+            fields.append((line[2], of_type(line[1])))
         elif line[0] == "property" and element == "face":
-            face = [("count", order + TYPES[line[2]]), ("index", order + TYPES[line[3]], 3)]
+            face = [("count", of_type(line[2])), ("index", of_type(line[3]), 3)]
     if style == "ascii":
         vertices, triangles = _ascii(body, [name for name, _ in fields], counts)
     else:

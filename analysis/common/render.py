@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of meshes and points by VTK: what every render shares."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import subprocess

@@ -3,8 +3,6 @@
 kept pose, data/motion_frames/NAME-ball.ply and NAME-socket.ply.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from pathlib import Path
 

@@ -3,8 +3,6 @@
 them.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -26,11 +24,6 @@ def load(results: Path, joint: str) -> pd.DataFrame:
         return common.load(results, "sample_points")
     points = common.load(results, "sample_points_bones")
     return points[points.subject == joint]
-
-
-def name(figure: str, joint: str) -> str:
-    """That of the figure's files: a real joint is a further figure."""
-    return figure if joint == GENERATED else f"{figure}-{joint}"
 
 
 def of_scheme(points: pd.DataFrame, scheme: str) -> np.ndarray:

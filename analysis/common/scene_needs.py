@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the figures of experiment 12_scene_needs share: its questions, and the tables with joint and question apart."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

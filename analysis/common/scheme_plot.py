@@ -4,8 +4,6 @@
 No scheme is named here but the reference, the thesis' own first table.
 """
 
-from __future__ import annotations
-
 import math
 import textwrap
 from collections.abc import Callable
@@ -18,9 +16,8 @@ from matplotlib.text import Text
 import common
 
 REFERENCE = "rsid"  # what savings and errors are counted from
-FLOOR = (
-    8 * math.pi / (3 * math.sqrt(3))
-)  # N rho^2 of the best covering of the plane by circles (Kershner 1939)
+# N rho^2 of the best covering of the plane by circles (Kershner 1939)
+FLOOR = 8 * math.pi / (3 * math.sqrt(3))
 FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
 
 
@@ -65,14 +62,8 @@ def dots(
             ([*(common.digits(value) for value in row if value > span[1]), "→"], span[1], -4, "right"),
         ):
             if len(text) > 1:
-                axes.annotate(
-                    "  ".join(text).replace("-", "\u2212"),
-                    (edge, place),
-                    xytext=(shift, 0),
-                    textcoords="offset points",
-                    ha=side,
-                    va="center",
-                    fontsize=common.SMALL,
+                common.note(
+                    axes, "  ".join(text).replace("-", "\u2212"), (edge, place), (shift, 0), ha=side, va="center"
                 )
 
 
@@ -85,14 +76,13 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
     for k in np.argsort(points[:, 1]):
         found = None
         for dx, dy in _offsets():
-            text = axes.annotate(
+            text = common.note(
+                axes,
                 names[k],
                 (x.iloc[k], y.iloc[k]),
-                xytext=(dx, dy),
-                textcoords="offset points",
+                (dx, dy),
                 ha="left" if dx > 0 else "right" if dx < 0 else "center",
                 va="center",
-                fontsize=common.SMALL,
                 bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
                 arrowprops={
                     "arrowstyle": "-",

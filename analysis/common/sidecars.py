@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The record beside a CSV, which vouches for its bytes. Standard library only."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json

@@ -3,8 +3,6 @@
 medial. The rim, where hips impinge, is edge-on in every view of the surface itself.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
@@ -13,8 +11,9 @@ from matplotlib.tri import Triangulation
 
 import common
 from common import hip, render
+from common.drawing import INK
 
-INK, FAINT = "#202020", "#8a8a8a"
+FAINT = "#8a8a8a"
 LARGEST = 106.0  # degrees from the pole, where the map ends
 
 

@@ -3,8 +3,6 @@
 share. From data/head_maps.csv and data/head_maps/NAME.ply.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -18,10 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 import common
 from common import hip, panels, ply, render
 
-STEP, LARGEST = (
-    0.5,
-    2.75,
-)  # mm: of a colour, and where the last begins; the middle one is within a quarter of 0
+STEP, LARGEST = 0.5, 2.75  # mm: of a colour, and where the last begins; the middle one is within a quarter of 0
 EXCESS = 1.0  # mm beyond the sphere that Figures 60 and 61 mark
 NECK = (0.25, 0.6)  # of the radius: what is that far out is the neck
 BESIDE_NECK = np.radians(55)  # from the axis of the neck: nearer, the head rises to it

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The unit sphere seen from far away, shaded, with lines and points on it: what is behind it is drawn faintly."""
 
-from __future__ import annotations
-
 import math
 
 import matplotlib.pyplot as plt

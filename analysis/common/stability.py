@@ -3,8 +3,6 @@
 who is drawn as one line.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

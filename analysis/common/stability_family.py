@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One family of stiff and extreme cases in detail: errors forward and backward, look-ups against their bounds, failures."""
 
-from __future__ import annotations
-
 import textwrap
 
 import matplotlib.pyplot as plt

@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the figures of stability share: who is drawn how, places of the magnitudes, lines of errors, the legend."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 import common
@@ -69,11 +66,11 @@ def band(axes: plt.Axes, threshold: float, high: float) -> None:
 
 def legend_of(of_all: dict[str, dict]) -> list:
     """The lines, and what else is drawn."""
-    lines = [Line2D([], [], **look, label=name) for name, look in of_all.items()]
+    lines = [common.key(name, **look) for name, look in of_all.items()]
     return lines + [
         Patch(color=BAND, label="as good as the input, rounded once"),
-        Line2D([], [], color="black", linewidth=0.8, linestyle=LIMIT, label="allowed of ours (analysis)"),
-        Line2D([], [], color="black", marker="x", linestyle="none", label=FAILURES),
+        common.key("allowed of ours (analysis)", color="black", linewidth=0.8, linestyle=LIMIT),
+        common.key(FAILURES, color="black", marker="x", linestyle="none"),
     ]
 
 

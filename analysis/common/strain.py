@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the figure and the table of strain by gap share."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -2,8 +2,6 @@
 # @depends   analysis/common/{thesis_values,counterparts}.csv
 """What the thesis prints, and which method of ours stands for which column of its tables."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -3,8 +3,6 @@
 compared.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -85,24 +83,14 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
     """Times above, ratios below; a dagger marks what is extrapolated from a smaller run."""
     methods = list(dict.fromkeys(lines.method))
     with_thesis = set(lines.loc[lines.thesis_column != "", "method"])
-    spans, rules, titles, column = [], [], [], 2
-    for method in methods:
-        width = 2 if method in with_thesis else 1
-        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{_short(method)}}}")
-        rules.append(f"\\cmidrule(lr){{{column}-{column + width - 1}}}")
-        titles.append("thesis & here" if width == 2 else "here")
-        column += width
-    head = [
-        " & ".join(["", *spans]) + " \\\\",
-        "".join(rules),
-        " & ".join([table.row_title, *titles]) + " \\\\",
-    ]
+    widths = [(_short(method), 2 if method in with_thesis else 1) for method in methods]
+    layout, head = common.groups(table.row_title, widths)
     body = []
     for title, theirs, ours in (
         ("time, ms", "thesis_ms", "measured_ms"),
         ("relative to RSID", "thesis_ratio", "measured_ratio"),
     ):
-        body += ["\\midrule", f"\\multicolumn{{{column - 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
+        body += ["\\midrule", f"\\multicolumn{{{layout.count('r') + 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
         for key, group in lines.groupby(table.key, sort=False):
             cells = [table.row_format.format(key)]
             for method in methods:
@@ -112,8 +100,8 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
                 cells.append(
                     _cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else "")
                 )
-            body.append(" & ".join(cells) + " \\\\")
-    return common.tabular(f"@{{}}l{'r' * (column - 2)}@{{}}", head, body)
+            body.append(cells)
+    return common.tabular(layout, head, body)
 
 
 def _short(method: str) -> str:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writing text and tables."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
@@ -14,11 +12,14 @@ def write(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8", newline="\n")
 
 
-def tabular(layout: str, head: list[str], rows: list[str]) -> str:
-    """A LaTeX table in the style of the paper; lines of head and rows end in two backslashes, or are rules, which may
-    begin each group of rows.
+def tabular(layout: str, head: list[str | list[str]], rows: list[str | list[str]]) -> str:
+    """A LaTeX table in the style of the paper; a line of head and rows is a list of cells, or text that ends in two
+    backslashes, or a rule, which may begin each group of rows.
     """
     rule = "\\midrule"
+    head, rows = (
+        [line if isinstance(line, str) else " & ".join(line) + " \\\\" for line in lines] for lines in (head, rows)
+    )
     return "\n".join(
         [
             f"\\begin{{tabular}}{{{layout}}}",
@@ -31,6 +32,17 @@ def tabular(layout: str, head: list[str], rows: list[str]) -> str:
             "",
         ]
     )
+
+
+def groups(first: str, widths: list[tuple[str, int]]) -> tuple[str, list[str | list[str]]]:
+    """Layout and head of a table with a column `first` and under each title one column, ours, or two, the thesis' and ours."""
+    spans, rules, titles, column = [], "", [], 2
+    for title, width in widths:
+        spans.append(f"\\multicolumn{{{width}}}{{c}}{{{title}}}")
+        rules += f"\\cmidrule(lr){{{column}-{column + width - 1}}}"
+        titles.append("thesis & here" if width == 2 else "here")
+        column += width
+    return f"@{{}}l{'r' * (column - 2)}@{{}}", [["", *spans], rules, [first, *titles]]
 
 
 def write_table(out: Path, name: str, table: pd.DataFrame, latex: str) -> None:

@@ -8,8 +8,6 @@
 # @seconds   3 3
 """Figure 1: the steps of planning a hip operation, each with a picture of what this framework makes of it."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -41,15 +39,12 @@ WORDS = {
 }
 
 
-def main() -> None:
-    """Writes figures/figure-1.png, .svg and .pdf."""
-    options = common.arguments(__doc__, "--joint", "--motion")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     posed = hip.load(options.results, f"{options.joint}-{options.motion}")
     head = sphere_deviation.load(options.results, joint)
     title = hip.title(joint.name)
     words = WORDS | {"motion": levels(posed), "report": smallest_gap(posed)}
-    common.style()
     figure = plt.figure(figsize=(9.0, 6.9))
     axes = {name: step(figure, name, words[name]) for name in PLACES}
     draw_slice(axes["scan"], common.load(options.results, "slices_to_surface_image"))
@@ -66,7 +61,7 @@ def main() -> None:
         fontsize=10.5,
         y=0.995,
     )
-    common.save_figure(figure, options.out, "figure-1")
+    return figure
 
 
 def levels(posed: hip.Hip) -> tuple[str, str, str, str]:
@@ -169,4 +164,4 @@ def draw_correction(axes: plt.Axes, joint: hip.Hip, head: sphere_deviation.HeadM
         axes.add_patch(Circle(view.place(region.middle), pixels, fill=False, edgecolor=RING, linewidth=2))
 
 
-common.run(main)
+common.run(main, "--joint", "--motion")

@@ -5,8 +5,6 @@
 """Figure 13: volumes that hold a bone, in a section of a generated head and neck, and how much room each leaves empty.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,9 +16,7 @@ BODY = "star_shape"  # of the sections: head and neck of a hip
 ROUND = np.linspace(0, 2 * np.pi, 181)
 
 
-def main() -> None:
-    """Writes figures/figure-13.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     sections = common.load(options.results, "diagram_sections")
     points = outline(sections)
     own = area(max(diagram_section.loops(segments(sections)), key=len))
@@ -30,18 +26,17 @@ def main() -> None:
         "c) box along the bone": box(points),
         "d) eight fixed directions": slabs(points, [0, 45, 90, 135]),
     }
-    common.style()
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.9))
     for axes, (title, volume) in zip(panels, volumes.items()):
         diagram_section.section(axes, sections, BODY, fill=diagram.FILL["ball"], colors=diagram.BALL)
         diagram.polygon(axes, volume, facecolor="none", edgecolor=diagram.SOCKET)
         diagram.frame(axes, np.vstack(list(volumes.values())), room=0.02)
-        axes.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(axes, title)
         empty = 100 * (1 - own / area(volume))
         axes.text(0.5, -0.02, f"{empty:.0f} % empty", transform=axes.transAxes, ha="center", va="top", fontsize=8.5)
     figure.suptitle("Bounding volumes of a head and neck (section of a mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.005, right=0.995, top=0.80, bottom=0.08, wspace=0.04)
-    common.save_figure(figure, options.out, "figure-13")
+    return figure
 
 
 def segments(sections: pd.DataFrame) -> np.ndarray:

@@ -4,8 +4,6 @@
 # @data      diagram_corners diagram_coverage
 """Figure 25: a real triangle of a socket, a sample point on it, all of its sample points, and what they make of it."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,9 +16,7 @@ FROM_BESIDE = diagram.Eye(sphere_view.view(16, 48))
 FROM_OUTSIDE = diagram.Eye(sphere_view.view(32, 110))
 
 
-def main() -> None:
-    """Writes figures/figure-25.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners = common.load(options.results, "diagram_corners")
     entries = diagram_chart.of_face(common.load(options.results, "diagram_coverage"), FACE)
     entries = entries[entries.met].assign(
@@ -28,7 +24,6 @@ def main() -> None:
     )
     face = diagram.faces(corners, FACE)[0]
     points = entries.met_mm.to_numpy()[:, None] * diagram.direction(entries.phi, entries.theta)
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(8.6, 3.5))
     one = int(np.argmin(np.linalg.norm(points - face.mean(axis=0), axis=1)))
     draw_point(panels[0], face, points[one], entries.iloc[one])
@@ -36,16 +31,14 @@ def main() -> None:
     diagram.dots(panels[1], FROM_OUTSIDE.see(points))
     draw_face(panels[2], face, alpha=0.35)
     draw_net(panels[2], entries, points)
-    panels[1].set_title(
-        f"b) its {len(points)} sample points,\none an entry of the table", fontsize=9.5, loc="center"
-    )
-    panels[2].set_title("c) the table's stand-in for it:\nthe points alone", fontsize=9.5, loc="center")
+    diagram.title(panels[1], f"b) its {len(points)} sample points,\none an entry of the table")
+    diagram.title(panels[2], "c) the table's stand-in for it:\nthe points alone")
     figure.suptitle(
         f"A triangle becomes entries of a table (socket, {diagram.HIP}, coarse mesh; RSID at 1°)",
         fontsize=10.5,
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.78, bottom=0.02, wspace=0.05)
-    common.save_figure(figure, options.out, "figure-25")
+    return figure
 
 
 def draw_face(axes: plt.Axes, face: np.ndarray, alpha: float = 1.0) -> None:
@@ -75,11 +68,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     )
     everything = np.vstack([seen, origin[None], FROM_BESIDE.see(9 * np.eye(3))])
     diagram.frame(axes, everything, room=0.05)
-    axes.set_title(
-        f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d",
-        fontsize=9.5,
-        loc="center",
-    )
+    diagram.title(axes, f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d")
 
 
 def draw_net(axes: plt.Axes, entries: pd.DataFrame, points: np.ndarray) -> None:

@@ -6,8 +6,6 @@
 reads.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,13 +16,10 @@ from common import diagram, diagram_section
 POSE = "rest"
 
 
-def main() -> None:
-    """Writes figures/figure-26.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     names = ("sections", "rays", "lookups", "excerpt")
     sections, rays, lookups, excerpt = (common.load(options.results, f"diagram_{name}") for name in names)
     vertex = lookups.set_index("pose").loc[POSE]
-    common.style()
     figure, panels = plt.subplots(2, 2, figsize=(7.4, 7.6))
     joint, sampling, simulation, table = panels.flat
     for axes in (joint, sampling, simulation):
@@ -38,18 +33,12 @@ def main() -> None:
     look_up(simulation, diagram_section.in_section(rays, "socket"), vertex)
     precision = lookups.attrs["parameters"]["precision_deg"]
     write_excerpt(table, excerpt[excerpt.pose == POSE], vertex, precision)
-    joint.set_title("a) hip, cut by the frontal plane,\nfrom the front", fontsize=9.5, loc="center")
-    sampling.set_title(
-        "b) sampling: the distance of the socket,\nhere every 5° of the plane", fontsize=9.5, loc="center"
-    )
-    simulation.set_title(
-        "c) simulation: a vertex of the ball\nagainst the distance in its direction",
-        fontsize=9.5,
-        loc="center",
-    )
+    diagram.title(joint, "a) hip, cut by the frontal plane,\nfrom the front")
+    diagram.title(sampling, "b) sampling: the distance of the socket,\nhere every 5° of the plane")
+    diagram.title(simulation, "c) simulation: a vertex of the ball\nagainst the distance in its direction")
     figure.suptitle(f"Sampling and simulation in two dimensions ({diagram.HIP})", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.985, top=0.885, bottom=0.02, wspace=0.03, hspace=0.16)
-    common.save_figure(figure, options.out, "figure-26")
+    return figure
 
 
 def name_parts(axes: plt.Axes) -> None:
@@ -121,11 +110,10 @@ def write_excerpt(axes: plt.Axes, excerpt: pd.DataFrame, vertex: pd.Series, prec
     axes.tick_params(length=0)
     axes.grid(visible=False)
     axes.set_box_aspect(0.78)
-    axes.set_title(
+    diagram.title(
+        axes,
         f"d) the table there, mm; shaded, with weights:\n"
         f"what φ = {vertex.phi_deg:.2f}°, θ = {vertex.theta_deg:.2f}° reads",
-        fontsize=9.5,
-        loc="center",
     )
     axes.set_anchor("N")
 

@@ -4,8 +4,6 @@
 # @data      diagram_scans
 """Figure 27: the flow of both algorithms, with the numbers of one pose of a hip."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 from matplotlib.patches import Polygon
 
@@ -17,13 +15,10 @@ LEFT, RIGHT = 2.35, 7.6  # middles of the columns
 WIDE = 4.3
 
 
-def main() -> None:
-    """Writes figures/figure-27.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     scans = common.load(options.results, "diagram_scans")
     chosen = scans.attrs["parameters"]
     scans = {row.scanned: row for row in scans.itertuples()}
-    common.style()
     figure, axes = plt.subplots(figsize=(8.0, 8.2))
     axes.set(xlim=(0, 10), ylim=(0, 10.3))
     axes.axis("off")
@@ -36,7 +31,7 @@ def main() -> None:
         f"Rapid impingement detection, with the numbers of one pose\n({diagram.HIP})", fontsize=10.5
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.925, bottom=0.01)
-    common.save_figure(figure, options.out, "figure-27")
+    return figure
 
 
 def prepare(axes: plt.Axes, ball, socket, chosen: dict) -> None:

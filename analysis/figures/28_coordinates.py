@@ -4,8 +4,6 @@
 # @data      diagram_corners
 """Figure 28: the spherical coordinates of a point of a socket."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -17,19 +15,16 @@ EYE = diagram.Eye(sphere_view.view(20, 60))
 FACE, CORNER = "plain", 2
 
 
-def main() -> None:
-    """Writes figures/figure-28.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners = common.load(options.results, "diagram_corners")
     corner = corners[(corners.name == FACE) & (corners.corner == CORNER)].iloc[0]
-    common.style()
     figure, (axes, words) = plt.subplots(1, 2, figsize=(7.4, 3.9), width_ratios=[1.25, 1])
     draw_sphere(axes, corner)
     draw_angles(axes, corner)
     write_equations(words, corner)
     figure.suptitle(f"A vertex of a socket in spherical coordinates ({diagram.HIP})", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.99, top=0.92, bottom=0.01, wspace=0.0)
-    common.save_figure(figure, options.out, "figure-28")
+    return figure
 
 
 def arc(phi: tuple[float, float], theta: tuple[float, float], radius: float) -> np.ndarray:

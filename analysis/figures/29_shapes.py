@@ -4,8 +4,6 @@
 # @data      diagram_sections diagram_rays diagram_bodies
 """Figure 29: spherical, near-spherical and star-shaped bodies, and one that is none of them."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -21,20 +19,17 @@ BODIES = {
 SPAN = 0.05  # mm: rays whose first and last crossing are farther apart meet the surface twice
 
 
-def main() -> None:
-    """Writes figures/figure-29.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     sections, rays, bodies = (
         common.load(options.results, f"diagram_{name}") for name in ("sections", "rays", "bodies")
     )
     bodies = bodies.set_index("name")
-    common.style()
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 3.7))
     for axes, (name, (title, window)) in zip(panels, BODIES.items()):
         draw(axes, sections, rays, name)
         left, bottom, right, top = window
         diagram.frame(axes, np.array([(-right, bottom), (-left, top)]), room=0.0)
-        axes.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(axes, title)
         facts = bodies.loc[name]
         low, high = (f"{mm:.1f}" for mm in (facts.smallest_mm, facts.largest_mm))
         span = f"d = {low} mm" if low == high else f"d from {low} to {high} mm"
@@ -53,26 +48,22 @@ def main() -> None:
             fontsize=8.5,
         )
     handles = [
-        plt.Line2D(
-            [], [], color=diagram.POINT, marker="o", markersize=4, linestyle="none", label="sample point"
-        ),
-        plt.Line2D(
-            [],
-            [],
+        common.key("sample point", color=diagram.POINT, marker="o", markersize=4, linestyle="none"),
+        common.key(
+            "last of several crossings: no single distance",
             color=diagram.POLE,
             marker="D",
             markersize=5,
             linestyle="none",
-            label="last of several crossings: no single distance",
         ),
-        plt.Line2D([], [], color=diagram.INK, marker="s", linestyle="none", label="centre"),
+        common.key("centre", color=diagram.INK, marker="s", linestyle="none"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=8.5)
     figure.suptitle(
         "Which surfaces have one distance in every direction? (sections of meshes)", fontsize=10.5
     )
     figure.subplots_adjust(left=0.005, right=0.995, top=0.80, bottom=0.22, wspace=0.04)
-    common.save_figure(figure, options.out, "figure-29")
+    return figure
 
 
 def draw(axes: plt.Axes, sections, rays, name: str) -> None:

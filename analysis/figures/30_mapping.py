@@ -4,8 +4,6 @@
 # @data      diagram_corners diagram_chart
 """Figure 30: the triangles of a closed mesh, in space and on the chart of angles."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -20,9 +18,7 @@ SHOWN = {"A": (95, 75), "B": (118, 10), "C": (70, 0), "D": (8, 40)}  # near thes
 LOOKS = dict(zip(SHOWN, [*diagram.PARTS, {"facecolor": "#E7B8D3", "hatch": "xxxx"}]))
 
 
-def main() -> None:
-    """Writes figures/figure-30.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     faces = diagram.faces(common.load(options.results, "diagram_corners"), MESH)
     chart = common.load(options.results, "diagram_chart")
     chart = chart[chart.name == MESH]
@@ -31,15 +27,14 @@ def main() -> None:
         letter: int(np.argmax(middles @ diagram.direction(*angles))) for letter, angles in SHOWN.items()
     }
     chosen["C"] = across_seam(chart, middles @ diagram.direction(*SHOWN["C"]))
-    common.style()
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.9), width_ratios=[1, 1.75])
     draw_space(space, faces, chosen)
     draw_chart(flat, chart, chosen)
-    space.set_title(f"a) {len(faces)} triangles in space", fontsize=9.5, loc="center")
+    diagram.title(space, f"a) {len(faces)} triangles in space")
     diagram_chart.chart_axes(flat, "b) the same on the chart: C lies across the seam, D at the pole")
     figure.suptitle("A ball with a bump, mapped to its angles (generated pair, coarse mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.985, top=0.84, bottom=0.14, wspace=0.14)
-    common.save_figure(figure, options.out, "figure-30")
+    return figure
 
 
 def across_seam(chart: pd.DataFrame, nearness: np.ndarray) -> int:

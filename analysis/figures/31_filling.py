@@ -7,8 +7,6 @@
 # @seconds   5 5
 """Figure 31: all triangles of a socket on the chart, and the table that they fill at 0.1 degrees."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
@@ -21,15 +19,12 @@ DETAIL = (166.0, 178.0, 66.0, 74.0)  # degrees: azimuth from, to; polar angle fr
 EMPTY = "#f7efe3"
 
 
-def main() -> None:
-    """Writes figures/figure-31.png, .svg and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     chart = common.load(options.results, "diagram_chart")
     triangles = diagram_chart.drawn(chart, MESH)
     limits = tuple(chart.attrs["parameters"][f"image_{end}_mm"] for end in ("smallest", "largest"))
     step = chart.attrs["parameters"]["image_precision_deg"]
     table = diagram_chart.read_image(options.results / "data" / "diagrams" / "socket_table.pgm", limits)
-    common.style()
     colours = plt.get_cmap("gray").with_extremes(bad=EMPTY)
     figure = plt.figure(figsize=(8.8, 5.8))
     top, bottom, detail, pixels = (figure.add_subplot(2, 4, where) for where in ((1, 3), (5, 7), 4, 8))
@@ -62,7 +57,7 @@ def main() -> None:
     bar = figure.colorbar(image, cax=figure.add_axes((0.2, 0.11, 0.6, 0.025)), orientation="horizontal")
     bar.set_label("distance from the centre of rotation, mm; no surface where the chart is tinted")
     figure.suptitle(f"Filling the table of a socket ({diagram.HIP})", fontsize=10.5, y=0.96)
-    common.save_figure(figure, options.out, "figure-31")
+    return figure
 
 
 def mapped(axes: plt.Axes, triangles: np.ndarray, colours, limits, edges: bool = False) -> None:
@@ -88,7 +83,7 @@ def close(axes: plt.Axes, title: str) -> None:
     """The window of the details, framed as it is marked."""
     left, right, upper, lower = DETAIL
     axes.set(xlim=(left, right), ylim=(lower, upper), xlabel="θ, degrees")
-    axes.set_title(title, fontsize=9.5, loc="center")
+    diagram.title(axes, title)
     axes.grid(visible=False)
     for spine in axes.spines.values():
         spine.set(visible=True, color=diagram.POLE, linewidth=1.5)

@@ -4,8 +4,6 @@
 # @data      diagram_chart diagram_coverage
 """Figure 32: one triangle of a socket drawn into tables of three precisions."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -16,13 +14,10 @@ from common import diagram, diagram_chart
 FACE = "plain"
 
 
-def main() -> None:
-    """Writes figures/figure-32.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     triangle = diagram_chart.drawn(common.load(options.results, "diagram_chart"), FACE)[0]
     coverage = common.load(options.results, "diagram_coverage")
     coverage = coverage[(coverage.name == FACE) & coverage.drawn]
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(8.8, 3.9), sharey=True)
     limits = (coverage.drawn_mm.min(), coverage.drawn_mm.max())
     colours = plt.get_cmap("gray")
@@ -39,7 +34,7 @@ def main() -> None:
     figure.suptitle(
         f"One triangle, drawn at three precisions (socket, {diagram.HIP}, coarse mesh)", fontsize=10.5, y=1.03
     )
-    common.save_figure(figure, options.out, "figure-32")
+    return figure
 
 
 def draw(axes: plt.Axes, triangle: np.ndarray, entries: pd.DataFrame, shades: np.ndarray) -> None:

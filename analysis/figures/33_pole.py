@@ -6,8 +6,6 @@
 pole.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
@@ -23,9 +21,7 @@ LOOKS = {
 }
 
 
-def main() -> None:
-    """Writes figures/figure-33.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners = common.load(options.results, "diagram_corners")
     corners = corners[corners.name == FACE]
     entries = diagram_chart.of_face(common.load(options.results, "diagram_coverage"), FACE)
@@ -34,7 +30,6 @@ def main() -> None:
         "missed": entries[entries.met & ~entries.direct],
         "wrong": entries[~entries.met & entries.direct],
     }
-    common.style()
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.7), width_ratios=[1, 1.9])
     diagram_from_above(space, corners)
     for kind, part in kinds.items():
@@ -49,8 +44,8 @@ def main() -> None:
     diagram_chart.turns(flat)
     flat.set(ylim=(mapped[:, 1].max() + 1.2, -0.5))
     handles = [
-        plt.Line2D([], [], color=diagram.INK, linewidth=1.8, label="edges as mapped directly"),
-        plt.Line2D([], [], color="black", linewidth=1.3, linestyle="--", label="edges as they are"),
+        common.key("edges as mapped directly", color=diagram.INK, linewidth=1.8),
+        common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
         Patch(color=LOOKS["right"]["facecolors"], label=f"entries filled, rightly: {len(kinds['right'])}"),
         Patch(color=LOOKS["missed"]["facecolors"], label=f"entries missed: {len(kinds['missed']):,}"),
         Patch(color=LOOKS["wrong"]["facecolors"], label=f"entries filled, wrongly: {len(kinds['wrong'])}"),
@@ -58,7 +53,7 @@ def main() -> None:
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
     figure.suptitle(f"A triangle round the pole (socket, {diagram.HIP}, coarse mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.02, right=0.985, top=0.84, bottom=0.31, wspace=0.14)
-    common.save_figure(figure, options.out, "figure-33")
+    return figure
 
 
 def diagram_from_above(axes: plt.Axes, corners) -> None:
@@ -77,7 +72,7 @@ def diagram_from_above(axes: plt.Axes, corners) -> None:
     diagram.note(axes, (0, 0), "pole, φ = 0°", (38, 11), fontsize=9, color=diagram.POLE)
     turn = np.linspace(0, 2 * np.pi, 9)[:, None]
     diagram.frame(axes, reach * np.hstack([np.cos(turn), np.sin(turn)]), room=0.12)
-    axes.set_title("a) in space, along the z axis", fontsize=9.5, loc="center")
+    diagram.title(axes, "a) in space, along the z axis")
 
 
 common.run(main)

@@ -6,8 +6,6 @@
 across the seam.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -25,13 +23,10 @@ CASES = {
 SEAM = "seam"
 
 
-def main() -> None:
-    """Writes figures/figure-34.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     corners, chart, coverage = (
         common.load(options.results, f"diagram_{name}") for name in ("corners", "chart", "coverage")
     )
-    common.style()
     figure = plt.figure(figsize=(9.0, 8.4))
     grid = figure.add_gridspec(5, 3, width_ratios=[1, 1.5, 1.5], height_ratios=[1, 1, 1, 0.12, 1])
     grid.update(hspace=0.5, wspace=0.12)
@@ -46,7 +41,7 @@ def main() -> None:
             diagram_chart.true_edges(flat, face)
         if name == "pole_inside":
             name_corners(flat, regions)
-        space.set_title(title, fontsize=9.5, loc="center")
+        diagram.title(space, title)
         diagram_chart.chart_axes(flat)
         flat.set(ylabel="φ, degrees", xlabel=diagram_chart.THETA if row == 2 else "")
         diagram_chart.turns(flat)
@@ -59,7 +54,7 @@ def main() -> None:
             for k, look in enumerate(diagram.PARTS)
         ),
         Patch(facecolor="#d9d9d9", edgecolor="white", label="entries filled (table at 1°)"),
-        plt.Line2D([], [], color="black", linewidth=1.3, linestyle="--", label="edges as they are"),
+        common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=9)
     figure.suptitle(
@@ -69,7 +64,7 @@ def main() -> None:
         y=0.985,
     )
     figure.subplots_adjust(left=0.02, right=0.985, top=0.885, bottom=0.105)
-    common.save_figure(figure, options.out, "figure-34")
+    return figure
 
 
 def pieces(chart: pd.DataFrame) -> list[tuple[np.ndarray, int]]:
@@ -171,7 +166,7 @@ def beside_meridian(space: plt.Axes, face: np.ndarray) -> None:
         way = point - seen.mean(axis=0)
         diagram.note(space, point, letter, 9 * way / np.linalg.norm(way), fontsize=11)
     diagram.frame(space, seen, room=0.12)
-    space.set_title("across the seam", fontsize=9.5, loc="center")
+    diagram.title(space, "across the seam")
 
 
 common.run(main)

@@ -4,8 +4,6 @@
 # @data      diagram_sections diagram_rays diagram_lookups
 """Figure 35: one vertex of the ball looked up in three poses: at rest, turned, and pushed into the socket."""
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -16,9 +14,7 @@ from common import diagram, diagram_section
 WINDOW = np.array([(-34, -30), (34, 38)])  # mm
 
 
-def main() -> None:
-    """Writes figures/figure-35.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     names = ("sections", "rays", "lookups")
     sections, rays, lookups = (common.load(options.results, f"diagram_{name}") for name in names)
     chosen = lookups.attrs["parameters"]
@@ -27,7 +23,6 @@ def main() -> None:
         "turned": f"b) ball turned: {chosen['abduction_deg']:g}° of abduction",
         "pushed": f"c) ball pushed up by {chosen['push_mm']:g} mm",
     }
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(8.8, 4.1))
     for axes, pose in zip(panels, titles):
         vertex = lookups.set_index("pose").loc[pose]
@@ -36,15 +31,13 @@ def main() -> None:
         diagram.dots(axes, diagram_section.in_section(rays, "socket"), markersize=3.2)
         diagram.frame(axes, WINDOW, room=0.0)
         draw_query(axes, vertex)
-        axes.set_title(titles[pose], fontsize=9.5, loc="center")
+        diagram.title(axes, titles[pose])
     handles = [
-        plt.Line2D([], [], color=diagram.SOCKET, linewidth=2.2, label="socket"),
-        plt.Line2D([], [], color=diagram.BALL, label="ball"),
-        plt.Line2D(
-            [], [], color=diagram.POINT, marker="o", markersize=4, linestyle="none", label="sampled points"
-        ),
-        plt.Line2D([], [], color=diagram.POLE, marker="v", linestyle="none", label="vertex of the ball"),
-        plt.Line2D([], [], color=diagram.INK, marker="s", linestyle="none", label="centre of the table"),
+        common.key("socket", color=diagram.SOCKET, linewidth=2.2),
+        common.key("ball", color=diagram.BALL),
+        common.key("sampled points", color=diagram.POINT, marker="o", markersize=4, linestyle="none"),
+        common.key("vertex of the ball", color=diagram.POLE, marker="v", linestyle="none"),
+        common.key("centre of the table", color=diagram.INK, marker="s", linestyle="none"),
     ]
     figure.legend(
         handles=handles, loc="lower center", ncol=5, fontsize=8.5, handletextpad=0.4, columnspacing=1.2
@@ -54,7 +47,7 @@ def main() -> None:
         fontsize=10.5,
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.84, bottom=0.24, wspace=0.04)
-    common.save_figure(figure, options.out, "figure-35")
+    return figure
 
 
 def draw_query(axes: plt.Axes, vertex: pd.Series) -> None:

@@ -12,8 +12,6 @@
 # @outputs   png
 """Figure 36, a hip joint from the front: ball and socket, and the socket as glass."""
 
-from __future__ import annotations
-
 from matplotlib.patches import Patch
 
 import common
@@ -21,9 +19,7 @@ from common import hip, panels, render
 
 
 # Not from Joint3D, which draws in perspective and without a scale, with bytes that depend on the machine's graphics.
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     front = hip.view("anterior", joint, [joint.ball, joint.socket])
     ball = render.plain_surface(joint.ball, hip.BALL)
@@ -39,7 +35,7 @@ def main() -> None:
     figure, _ = panels.sheet([row], f"A ball-and-socket joint, {joint.side} side: {hip.title(joint.name)}")
     handles = [Patch(color=hip.BALL, label="ball"), Patch(color=hip.SOCKET, label="socket")]
     figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -21,12 +21,9 @@ EVERY = 3  # slices between two contours drawn
 EYE = (18.0, 60.0)  # degrees: from in front, a little from above and from the patient's left
 
 
-def main() -> None:
-    """Writes figures/figure-37.png, .svg and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     image = common.load(options.results, "slices_to_surface_image")
     meshes = read_meshes(common.load(options.results, "slices_to_surface_mesh"))
-    common.style()
     figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.9))
     draw_slice(axes[0], image)
     draw_contours(axes[1], meshes)
@@ -35,10 +32,10 @@ def main() -> None:
     axes[2].set_title(
         f"c) surface: {faces['ball']:,} and\n{faces['socket']:,} triangles", loc="center", fontsize=9.5
     )
-    handles = [plt.Line2D([], [], color=colour, label=name) for name, colour in LINES.items()]
+    handles = [common.key(name, color=colour) for name, colour in LINES.items()]
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9)
     figure.subplots_adjust(left=0.06, right=0.99, top=0.86, bottom=0.16, wspace=0.08)
-    common.save_figure(figure, options.out, "figure-37")
+    return figure
 
 
 def read_meshes(table: pd.DataFrame) -> dict[str, ply.Mesh]:

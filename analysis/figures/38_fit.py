@@ -14,8 +14,6 @@
 # @outputs   png
 """Figure 38, the sphere fitted to a ball: the region that was fitted, and the sphere as wires."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.patches import Patch
 
@@ -25,9 +23,7 @@ from common import hip, panels, render, sphere_deviation
 FITTED, LEFT_OUT, WIRES = (0.55, 0.33, 0.65), hip.BALL, (0.05, 0.05, 0.05)
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     head = sphere_deviation.load(options.results, joint)
     fit = head.fit
@@ -54,7 +50,7 @@ def main() -> None:
         Patch(color=WIRES, label="sphere"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=common.SMALL)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

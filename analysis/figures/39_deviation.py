@@ -14,17 +14,13 @@
 # @outputs   png
 """Figure 39, how far the surface of a ball is from the sphere fitted to it, in colours."""
 
-from __future__ import annotations
-
 import common
 from common import hip, panels, render, sphere_deviation
 
 WIRES = (1.0, 1.0, 1.0)
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     head = sphere_deviation.load(options.results, joint)
     radius = head.fit.radius_mm
@@ -41,7 +37,7 @@ def main() -> None:
     )
     figure, _ = panels.sheet([row], heading, legend=0.85)
     sphere_deviation.colour_bar(figure)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

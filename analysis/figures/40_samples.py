@@ -16,9 +16,6 @@
 # @outputs   png
 """Figure 40, the points of a socket that RSID samples, alone and on it."""
 
-from __future__ import annotations
-
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 import common
@@ -27,9 +24,7 @@ from common import hip, panels, render, sample_points
 SCHEME = "rsid"
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name", "--data")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     table = common.load(options.results, options.data)
     found = sample_points.of_scheme(table[table.subject == options.joint], SCHEME)
@@ -50,18 +45,10 @@ def main() -> None:
     figure, _ = panels.sheet([row], heading)
     handles = [
         Patch(color=hip.SOCKET, label=f"socket, {len(joint.socket.triangles):,} triangles"),
-        Line2D(
-            [],
-            [],
-            linestyle="none",
-            marker="o",
-            markersize=4,
-            color=sample_points.GREEN,
-            label="sample point",
-        ),
+        common.key("sample point", linestyle="none", marker="o", markersize=4, color=sample_points.GREEN),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name", "--data")

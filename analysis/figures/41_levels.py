@@ -9,15 +9,11 @@
 # @seconds   3 3
 """Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket."""
 
-from __future__ import annotations
-
 import common
 from common import gap_colours, hip, panels, render, replay
 
 
-def main() -> None:
-    """Writes figures/figure-41.png, .svg and .pdf."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     motions = replay.load(options.results, options.joint)
     frame = next(row for row in motions.frames.itertuples() if row.motion == "forward")
     joint = replay.posed(motions, frame, hip.load(options.results, options.joint))
@@ -36,7 +32,7 @@ def main() -> None:
     )
     figure, _ = panels.sheet([row], heading, legend=0.95)
     gap_colours.add_legend(figure, joint.summary)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -13,15 +13,11 @@
 """Figure 42, the gaps of a joint in colours: both surfaces from the front, the socket from lateral, the ball from medial.
 """
 
-from __future__ import annotations
-
 import common
 from common import gap_colours, hip, panels, render
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     ball, socket = gap_colours.both(joint)
     with render.screen():
@@ -41,7 +37,7 @@ def main() -> None:
     heading = f"{hip.title(joint.name)}\n{hip.pose(joint)}: {gap}; {hip.close_zones(joint.summary)}"
     figure, _ = panels.sheet([row], heading, legend=0.95)
     gap_colours.add_legend(figure, joint.summary)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -12,8 +12,6 @@
 # @outputs   png
 """Figure 44, three ways to draw a joint from three sides: filled, as lines, and blended."""
 
-from __future__ import annotations
-
 import common
 from common import gap_colours, hip, panels, render
 
@@ -21,9 +19,7 @@ VIEWS = {"anterior": "anterior", "medial": "medial", "oblique": "oblique"}
 
 
 # Not from Joint3D, which draws in perspective and without a scale, with bytes that depend on the machine's graphics.
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figure of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     filled = gap_colours.both(joint)
     lines = gap_colours.both(joint)
@@ -44,7 +40,7 @@ def main() -> None:
     heading = f"{hip.title(joint.name)}, {joint.side} side: {hip.pose(joint)}"
     figure, _ = panels.sheet(rows, heading, legend=0.95)
     gap_colours.add_legend(figure, joint.summary)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -11,17 +11,14 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes figures/figure-45.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     slices = common.load(options.results, "slices")
     radius = slices.attrs["parameters"]["head_diameter_mm"] / 2
-    common.style()
     figure = plt.figure(figsize=(9.2, 4.6))
     draw_space(figure.add_subplot(1, 2, 1, projection="3d"), slices, radius)
     draw_side(figure.add_subplot(1, 2, 2), slices, radius)
     figure.subplots_adjust(left=0.01, right=0.99, bottom=0.01, top=0.9, wspace=0.08)
-    common.save_figure(figure, options.out, "figure-45")
+    return figure
 
 
 def draw_space(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:

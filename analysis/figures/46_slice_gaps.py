@@ -11,16 +11,13 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes figures/figure-46.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     slices = common.load(options.results, "slices")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.2, 3.9))
     draw_curve(left, slices, slices.attrs["parameters"]["head_diameter_mm"] / 2)
     draw_gaps(right, slices.dropna(subset="gap_deg"))
     figure.tight_layout(w_pad=2)
-    common.save_figure(figure, options.out, "figure-46")
+    return figure
 
 
 def draw_curve(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:

@@ -13,11 +13,8 @@ EYE = sphere_view.view(20, -60)
 AXES = ["x", "y", "z"]
 
 
-def main() -> None:
-    """Writes figures/figure-47.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     helix = common.load(options.results, "helix_curve")
-    common.style()
     turns = sorted(helix.turns.unique())
     figure, panels = plt.subplots(1, len(turns), figsize=(4.0 * len(turns), 4.5))
     for letter, k, axes in zip("abcdef", turns, panels):
@@ -45,7 +42,7 @@ def main() -> None:
         "The helix θ = 2kφ on the sphere; orange: sampled directions, faint: behind", fontsize=13, y=1.0
     )
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-47")
+    return figure
 
 
 common.run(main)

@@ -59,9 +59,7 @@ def draw_look_up(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray, labels: 
             **markers(point),
         )
         if labels:
-            axes.annotate(
-                NAMES[point], at[:2], OFFSETS[point], textcoords="offset points", fontsize=13, zorder=7
-            )
+            common.note(axes, NAMES[point], at[:2], OFFSETS[point], fontsize=13, zorder=7)
 
 
 def zoom(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray) -> None:
@@ -72,16 +70,13 @@ def zoom(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray) -> None:
     axes.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
 
 
-def main() -> None:
-    """Writes figures/figure-48.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     rows = common.load(options.results, "helix_neighbours")
     points = rows[rows.point != "path"].set_index("point")
     path = rows[rows.point == "path"]
     helix = common.load(options.results, "helix_curve")
     turns = helix.turns.min()
     helix = helix[helix.turns == turns]
-    common.style()
     azimuth = np.degrees(np.arctan2(points.y["vertex"], points.x["vertex"]))
     eye = sphere_view.view(25, azimuth - 15)
     figure, panels = plt.subplots(1, 3, figsize=(12.6, 4.7))
@@ -93,14 +88,14 @@ def main() -> None:
     sphere_view.draw_line(panels[2], path[AXES].to_numpy(), eye, color="black", linewidth=2.6)
     end = eye @ points.loc["P_b", AXES].to_numpy(float)
     panels[2].plot(*end[:2], zorder=6, markeredgecolor="white", linestyle="none", **markers("P_b"))
-    panels[2].annotate("$P_b$", end[:2], (8, -14), textcoords="offset points", fontsize=13, zorder=7)
+    common.note(panels[2], "$P_b$", end[:2], (8, -14), fontsize=13, zorder=7)
     panels[0].set_title(f"a) vertex v (star) on the helix, k = {turns}", loc="center")
     panels[1].set_title("b) its neighbours on the turns above and below", loc="center")
     panels[2].set_title(
         f"c) travelled distance of $P_b$: {points.travelled['P_b']:.2f} radii by Eq. 10", loc="center"
     )
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-48")
+    return figure
 
 
 common.run(main)

@@ -2,7 +2,7 @@
 # @question  Which points of the socket of JOINT do RSID and USID sample at 1 degree (Figure 49 of the thesis)?
 # @data      lut_memory
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
-# @options   --joint JOINT
+# @options   --joint JOINT --name NAME
 # @outputs   png svg pdf
 # @seconds   4 4
 # @name      figure-49
@@ -12,8 +12,6 @@
 # @for       JOINT in JOINTS
 # @data      sample_points_bones
 """Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole."""
-
-from __future__ import annotations
 
 import json
 from dataclasses import replace
@@ -30,9 +28,7 @@ CLOSE = 5.0  # mm from the pole to the border of the lower row
 RING = "#b2182b"
 
 
-def main() -> None:
-    """Writes figures/figure-49.svg, .png and .pdf, or figure-49-NAME for a real joint."""
-    options = common.arguments(__doc__, "--joint")
+def main(options) -> common.Figure:
     points = sample_points.load(options.results, options.joint)
     schemes = list(points.scheme.unique())
     folder = options.results / "scenes" / f"{options.joint}-{schemes[0]}"
@@ -54,8 +50,7 @@ def main() -> None:
         titles.append(
             f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket"
         )
-    figure = compose(rows, titles, view, pole)
-    common.save_figure(figure, options.out, sample_points.name("figure-49", options.joint))
+    return compose(rows, titles, view, pole)
 
 
 def pictures(socket: ply.Mesh, points, schemes: list[str], view: render.View, dot: float) -> list[np.ndarray]:
@@ -72,7 +67,6 @@ def compose(
     rows: list[list[np.ndarray]], titles: list[str], view: render.View, pole: np.ndarray | None
 ) -> plt.Figure:
     """The views in a row; below, what the circle holds."""
-    common.style()
     figure, grid = plt.subplots(len(rows), len(titles), figsize=(8.4, 2.8 * len(rows) + 0.5), squeeze=False)
     for line, images in zip(grid, rows):
         for axes, image in zip(line, images):
@@ -96,4 +90,4 @@ def compose(
     return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

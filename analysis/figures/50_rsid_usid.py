@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @question  Do RSID and USID give the same gaps on the socket of JOINT (Figure 50 of the thesis)?
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
-# @options   --joint JOINT
+# @options   --joint JOINT --name NAME
 # @outputs   png svg pdf
 # @seconds   3 3
 # @name      figure-50
@@ -11,8 +11,6 @@
 # @for       JOINT in JOINTS
 # @data      sample_points_bones
 """Figure 50, the gaps on the socket by the two tables of the thesis, with their sample points."""
-
-from __future__ import annotations
 
 import json
 
@@ -25,9 +23,7 @@ from common import gap_colours, ply, render, sample_points
 DOT = (0.05, 0.3, 0.12)
 
 
-def main() -> None:
-    """Writes figures/figure-50.svg, .png and .pdf, or figure-50-NAME for a real joint."""
-    options = common.arguments(__doc__, "--joint")
+def main(options) -> common.Figure:
     points = sample_points.load(options.results, options.joint)
     images, titles, gaps = [], [], []
     with render.screen():
@@ -46,7 +42,7 @@ def main() -> None:
     figure.legend(
         handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="gap, mm"
     )
-    common.save_figure(figure, options.out, sample_points.name("figure-50", options.joint))
+    return figure
 
 
 def smallest(gaps: np.ndarray) -> str:
@@ -67,7 +63,6 @@ def heading(joint: str, summary: dict, gaps: list[np.ndarray]) -> str:
 
 def compose(images: list[np.ndarray], titles: list[str], heading_text: str) -> plt.Figure:
     """The two views side by side, with room for a legend below."""
-    common.style()
     figure, grid = plt.subplots(1, len(images), figsize=(4.35, 3.7))
     for axes, image, title in zip(grid, images, titles):
         axes.imshow(image, interpolation="none")
@@ -78,4 +73,4 @@ def compose(images: list[np.ndarray], titles: list[str], heading_text: str) -> p
     return figure
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -11,12 +11,9 @@ import common
 from common import conchoid_plot as conchoid
 
 
-def main() -> None:
-    """Writes figures/figure-52.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     shape = common.load(options.results, "conchoid_shape").iloc[0]
-    common.style()
     figure, panels = plt.subplots(1, 2, figsize=(10.4, 5.2), sharey=True)
     for axes in panels:
         conchoid.draw_axis(axes, -42, 13)
@@ -31,7 +28,7 @@ def main() -> None:
     panels[0].annotate("r = a + b cos φ", (-20, -24))
     arc = np.radians(np.linspace(0, 50, 60))
     panels[0].plot(9 * np.sin(arc), -9 * np.cos(arc), color="black", linewidth=0.8)
-    panels[0].annotate("φ", (9 * np.sin(0.4), -9 * np.cos(0.4)), (1, -13), textcoords="offset points")
+    common.note(panels[0], "φ", (9 * np.sin(0.4), -9 * np.cos(0.4)), (1, -13), fontsize=10)
     turn = np.linspace(0, 2 * np.pi, 400)
     panels[1].plot(
         shape.sphere_radius_mm * np.cos(turn),
@@ -50,7 +47,7 @@ def main() -> None:
     for axes in panels:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14))
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-52")
+    return figure
 
 
 common.run(main)

@@ -37,14 +37,11 @@ def draw_segments(axes: plt.Axes, curve: pd.DataFrame, segments: pd.DataFrame) -
     axes.plot(*origin, "o", color="black", markersize=5)
 
 
-def main() -> None:
-    """Writes figures/figure-53.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     spacing = common.load(options.results, "conchoid_spacing")
     spacing = spacing[spacing.rays == spacing.rays.min()]
     origins = common.load(options.results, "conchoid_origins")
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(13.6, 5.6), gridspec_kw={"width_ratios": [1, 1, 1]})
     for axes, (name, title) in zip(panels, PANELS):
         conchoid.draw_axis(axes, -43, 3)
@@ -56,7 +53,7 @@ def main() -> None:
         "Length of each segment against the one at the apex (bottom), rays at equal angles", x=0.01, ha="left"
     )
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-53")
+    return figure
 
 
 def draw_origins(axes: plt.Axes, origins: pd.DataFrame) -> None:
@@ -65,10 +62,10 @@ def draw_origins(axes: plt.Axes, origins: pd.DataFrame) -> None:
     rows = np.arange(len(origins))
     for column, look in zip(("middle", "rim"), common.look(["middle", "rim"]).values()):
         excess = 100 * (origins[f"{column}_mm_per_deg"] / origins.apex_mm_per_deg - 1)
-        axes.plot(
+        common.marks(
+            axes,
             excess,
             rows,
-            linestyle="none",
             marker=look["marker"],
             color=look["color"],
             label="middle" if column == "middle" else "rim, φ = 90°",

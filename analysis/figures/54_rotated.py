@@ -15,11 +15,8 @@ from common import conchoid_plot as conchoid
 STEP_DEG = 30  # between turned curves
 
 
-def main() -> None:
-    """Writes figures/figure-54.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
-    common.style()
     figure = plt.figure(figsize=(12.6, 4.6))
     panels = [conchoid.space(figure, (1, 3, k), 25) for k in (1, 2, 3)]
     theta = np.radians(np.arange(0, 361, 4))
@@ -61,7 +58,7 @@ def main() -> None:
     panels[1].set_title("b) one curve (thick) turned about the axis", loc="center")
     panels[2].set_title("c) every slice through the axis is a conchoid", loc="center")
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.93, wspace=0)
-    common.save_figure(figure, options.out, "figure-54")
+    return figure
 
 
 common.run(main)

@@ -50,11 +50,8 @@ def draw_coordinates(axes: plt.Axes, curve) -> None:
     axes.text(17 * np.cos(turn[20]), -17 * np.sin(turn[20]), 0, "θ", ha="center", va="center", fontsize=14)
 
 
-def main() -> None:
-    """Writes figures/figure-55.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.cap(conchoid.load(options.results))
-    common.style()
     figure = plt.figure(figsize=(9.6, 5.0))
     left, right = (conchoid.space(figure, (1, 2, k), 28) for k in (1, 2))
     draw_cap(left, curve, conchoid.CURVE)
@@ -63,7 +60,7 @@ def main() -> None:
     left.set_title("a) the joint as turned conchoids, φ ≤ 90°", loc="center")
     right.set_title("b) φ from the apex, θ about the axis", loc="center")
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.93, wspace=0)
-    common.save_figure(figure, options.out, "figure-55")
+    return figure
 
 
 common.run(main)

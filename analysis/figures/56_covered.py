@@ -13,14 +13,11 @@ from common import conchoid_plot as conchoid
 RAYS = 4
 
 
-def main() -> None:
-    """Writes figures/figure-56.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     angles = common.load(options.results, "conchoid_angles")
     exact = angles[angles.rays == RAYS].exact_deg.to_numpy()
     part = conchoid.at(curve, exact[1], "length_mm")
-    common.style()
     figure, panels = plt.subplots(1, 3, figsize=(11.6, 4.6), sharey=True)
     for axes in panels:
         conchoid.draw_axis(axes, -42, 3)
@@ -31,9 +28,7 @@ def main() -> None:
     conchoid.rays(panels[0], curve, exact, color="black", linewidth=1)
     for i, phi in enumerate(exact):
         at = conchoid.point(curve, phi)
-        panels[0].annotate(
-            f"i = {i}\nφ = {phi:.1f}°", at, (8, -26 + 10 * i), textcoords="offset points", fontsize=9
-        )
+        common.note(panels[0], f"i = {i}\nφ = {phi:.1f}°", at, (8, -26 + 10 * i), fontsize=9)
     for i, axes in ((1, panels[1]), (2, panels[2])):
         conchoid.rays(axes, curve, exact[[0, i]], color="black", linewidth=1)
         phi = np.linspace(0, exact[i], 100)
@@ -46,12 +41,12 @@ def main() -> None:
         length = conchoid.at(curve, exact[i], "length_mm")
         middle = conchoid.point(curve, exact[i] / 2)
         times = "" if i == 1 else f"{i} "
-        axes.annotate(f"{times}ΔL = {length:.2f} mm", middle, (9, -9), textcoords="offset points")
+        common.note(axes, f"{times}ΔL = {length:.2f} mm", middle, (9, -9), fontsize=10)
     panels[0].set_title(f"a) four rays, ΔL = {part:.2f} mm")
     panels[1].set_title("b) covered by ray 1")
     panels[2].set_title("c) covered by ray 2")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-56")
+    return figure
 
 
 common.run(main)

@@ -12,13 +12,10 @@ from common import conchoid_plot as conchoid
 RAYS = 4
 
 
-def main() -> None:
-    """Writes figures/figure-57.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curve = conchoid.load(options.results)
     angles = common.load(options.results, "conchoid_angles")
     four = angles[angles.rays == RAYS]
-    common.style()
     figure, axes = plt.subplots(figsize=(6.4, 6.0))
     conchoid.draw_axis(axes, -42, 3)
     cap = conchoid.cap(curve)
@@ -32,12 +29,12 @@ def main() -> None:
     for row in four.itertuples():
         at = conchoid.point(curve, row.thesis_deg)
         text = f"{row.original_deg:.0f}° → {row.thesis_deg:.2f}°\n(exact {row.exact_deg:.2f}°)"
-        axes.annotate(text, at, (12, -16 + 8 * row.i), textcoords="offset points", fontsize=9, va="center")
+        common.note(axes, text, at, (12, -16 + 8 * row.i), fontsize=9, va="center")
     conchoid.plane(axes)
     axes.set(title="Rays that cut the conchoid into equal lengths", xlim=(-3, 40), ylim=(-43, 3))
     axes.legend(loc="lower right")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "figure-57")
+    return figure
 
 
 common.run(main)

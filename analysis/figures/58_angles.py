@@ -10,11 +10,8 @@ import common
 from common import conchoid_angles
 
 
-def main() -> None:
-    """Writes figures/figure-58.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     rays = conchoid_angles.finest(options.results)
-    common.style()
     figure, axes = plt.subplots()
     axes.plot(rays.index, rays.original_deg, color=common.COLOURS[0], label="original: equal angles")
     for column, name in conchoid_angles.ADJUSTED.items():
@@ -29,7 +26,7 @@ def main() -> None:
     axes.set_yticks(range(0, 91, 15))
     axes.legend(loc="upper left")
     inset(axes.inset_axes((0.60, 0.10, 0.36, 0.40)), rays)
-    common.save_figure(figure, options.out, "figure-58")
+    return figure
 
 
 def inset(axes: plt.Axes, rays) -> None:

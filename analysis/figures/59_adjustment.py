@@ -10,11 +10,8 @@ import common
 from common import conchoid_angles
 
 
-def main() -> None:
-    """Writes figures/figure-59.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     rays = conchoid_angles.finest(options.results)
-    common.style()
     figure, axes = plt.subplots()
     for column, name in conchoid_angles.ADJUSTED.items():
         turned = rays[column] - rays.original_deg
@@ -32,7 +29,7 @@ def main() -> None:
     )
     axes.set_xticks(range(0, 91, 15))
     axes.legend(loc="center", bbox_to_anchor=(0.53, 0.65))
-    common.save_figure(figure, options.out, "figure-59")
+    return figure
 
 
 common.run(main)

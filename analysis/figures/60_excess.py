@@ -20,8 +20,6 @@
 similar case of another publication, is not made again.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.patches import Circle
 
@@ -31,9 +29,7 @@ from common import hip, panels, render, sphere_deviation
 RING = "#d4006a"
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figures of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     head = sphere_deviation.load(options.results, joint)
     region = sphere_deviation.excess(head)
@@ -59,7 +55,7 @@ def main() -> None:
         for axes, panel in zip(grid.flat, row):
             mark(axes, panel, region)
     sphere_deviation.colour_bar(figure)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
 def mark(axes, panel: panels.Panel, region: sphere_deviation.Region) -> None:
@@ -78,4 +74,4 @@ def mark(axes, panel: panels.Panel, region: sphere_deviation.Region) -> None:
     )
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -18,8 +18,6 @@
 its clock as the camera sees it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.patches import Patch
 
@@ -29,9 +27,7 @@ from common import dial_plot, hip, panels, render
 EYE = "#d4006a"
 
 
-def main() -> None:
-    """Writes figures/NAME.png, and .svg and .pdf of the figures of the thesis."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
     ball, socket = (
         render.plain_surface(*part) for part in ((joint.ball, hip.BALL), (joint.socket, hip.SOCKET))
@@ -60,7 +56,7 @@ def main() -> None:
     dial_plot.draw(grid[0][2], row[2], joint)
     handles = [Patch(color=hip.BALL, label="ball"), Patch(color=hip.SOCKET, label="socket")]
     figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
 def sight(joint: hip.Hip) -> str:
@@ -74,7 +70,7 @@ def camera(axes, panel: panels.Panel, joint: hip.Hip) -> None:
     edge = np.abs(joint.socket.vertices @ towards).max()
     tip, tail = (panel.view.place(-(edge + mm) * towards) for mm in (2.0, 22.0))
     axes.annotate("", tip, tail, arrowprops={"arrowstyle": "-|>", "color": EYE, "linewidth": 2})
-    axes.annotate("camera", tail, (0, 8), textcoords="offset points", ha="center", fontsize=9, color=EYE)
+    common.note(axes, "camera", tail, (0, 8), ha="center", fontsize=9, color=EYE)
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -13,22 +13,18 @@ FLOOR = 0.02  # per cent: where none is drawn on a logarithmic axis
 METHODS = ["hu_voxels", "maciel_triangles", "cartesian_field", "rsid"]
 
 
-def main() -> None:
-    """Writes figures/baseline-cost.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = common.load(options.results, "baselines")
     table = table[table.joint == table.joint.iloc[0]]
     looks = common.look(METHODS)
-    common.style()
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 6.2))
     lost(axes[0, 0], table, looks)
     wrong(axes[0, 1], table, looks)
     errors(axes[1, 0], table, looks)
     building(axes[1, 1], table, looks)
-    handles, labels = axes[0, 1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=4, fontsize=8)
+    figure.legend(*axes[0, 1].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0, 0.05, 1, 1))
-    common.save_figure(figure, options.out, "baseline-cost")
+    return figure
 
 
 def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, values: pd.Series) -> None:
@@ -79,13 +75,8 @@ def building(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
     for method in scaled.method.unique():
         mine = scaled[scaled.method == method]
         look = looks[method]
-        axes.plot(
-            mine.bytes / 1e3,
-            mine.build_ms,
-            linestyle="none",
-            marker=look["marker"],
-            color=look["color"],
-            markerfacecolor="white",
+        common.marks(
+            axes, mine.bytes / 1e3, mine.build_ms, marker=look["marker"], color=look["color"], markerfacecolor="white"
         )
     axes.set(ylabel="ms", title="Time to fill (hollow: scaled)")
 

@@ -16,19 +16,15 @@ SHARES = [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50]  # %
 FACES = [100, 300, 1000, 3000, 10000, 30000]
 
 
-def main() -> None:
-    """Writes figures/certified-verdicts.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     verdicts = common.load(options.results, "certified")
     poses = common.load(options.results, "certified_poses")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.6))
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
     draw_missed(right, poses)
     figure.tight_layout()
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
-    common.save_figure(figure, options.out, "certified-verdicts")
+    figure.legend(*left.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
+    return figure
 
 
 def draw_undecided(axes: plt.Axes, table: pd.DataFrame, labels: dict[str, str]) -> None:
@@ -73,10 +69,10 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
         if rows.empty:
             continue
         for column, (text, colour) in columns.items():
-            axes.plot(
+            common.marks(
+                axes,
                 faces[rows.index],
                 rows[column].clip(lower=SMALLEST_UM),
-                linestyle="none",
                 marker=marker,
                 color=colour,
                 markerfacecolor=colour if column == "largest_later_um" else "white",
@@ -84,14 +80,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
             )
     for at, row in zip(faces, table.itertuples()):
         top = max(row.largest_later_um, row.largest_missed_um, SMALLEST_UM)
-        axes.annotate(
-            f"{100 * row.crossings_matter / row.poses:.2g} %",
-            (at, top),
-            xytext=(0, 6),
-            textcoords="offset points",
-            ha="center",
-            fontsize=common.SMALL,
-        )
+        common.note(axes, f"{100 * row.crossings_matter / row.poses:.2g} %", (at, top), (0, 6), ha="center")
     axes.set(
         xscale="log",
         yscale="log",

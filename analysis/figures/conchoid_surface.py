@@ -17,11 +17,8 @@ LABELS = {
 SPREAD = 1.6  # degrees between the marks of two samplings in one band
 
 
-def main() -> None:
-    """Writes figures/conchoid-surface.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     bands = common.load(options.results, "conchoid_surface")
-    common.style()
     figure, axes = plt.subplots()
     looks = common.look(list(bands.sampling))
     for place, (name, look) in enumerate(looks.items()):
@@ -51,7 +48,7 @@ def main() -> None:
     axes.set_yticks([0.02, 0.05, 0.1, 0.2, 0.5, 1, 2], ["0.02", "0.05", "0.1", "0.2", "0.5", "1", "2"])
     axes.minorticks_off()
     axes.legend(loc="lower right", title="mean of 10° bands; bars: smallest to largest")
-    common.save_figure(figure, options.out, "conchoid-surface")
+    return figure
 
 
 common.run(main)

@@ -11,28 +11,22 @@ import common
 from common import contact
 
 
-def main() -> None:
-    """Writes figures/contact-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = contact.load(options.results)
     looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
-    common.style()
     figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)
         panel.set_title(title)
     axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.19, 1, 1))
-    common.save_figure(figure, options.out, "contact-time")
+    return figure
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
     """A line a method, bars of the interquartile range."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values("triangles")
-        axes.errorbar(own.triangles, own.us_pose, yerr=own.iqr_us / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, "triangles", "us_pose", "iqr_us", looks)
     sizes = sorted(rows.triangles.unique())
     axes.set(xscale="log", yscale="log", xlabel="triangles of each model")
     axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])

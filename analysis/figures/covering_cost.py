@@ -12,9 +12,7 @@ import common
 from common import scheme_plot
 
 
-def main() -> None:
-    """Writes figures/covering-cost.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     labels = common.scheme_labels(options.results)
     table = common.load(options.results, "scheme_covering").merge(
         common.load(options.results, "lookup_time"), on="scheme"
@@ -25,7 +23,6 @@ def main() -> None:
         for row in table.itertuples()
     ]
     height = table.constant.clip(upper=top)
-    common.style()
     figure, axes = plt.subplots(figsize=(4.5, 4.5))
     axes.set(
         xscale="log",
@@ -35,17 +32,15 @@ def main() -> None:
     axes.vlines(
         table.median_ns, table.constant_away.clip(upper=top), height, color=common.THESIS_GREY, linewidth=1
     )
-    axes.plot(
+    common.marks(
+        axes,
         table.median_ns,
         table.constant_away.clip(upper=top),
-        linestyle="none",
         marker="_",
         color=common.THESIS_GREY,
         label="away from the poles",
     )
-    axes.plot(
-        table.median_ns, height, linestyle="none", marker="o", color=common.COLOURS[0], label="whole sphere"
-    )
+    common.marks(axes, table.median_ns, height, marker="o", color=common.COLOURS[0], label="whole sphere")
     best = table.sort_values(["median_ns", "constant"])
     best = best[best.constant <= best.constant.cummin()]
     axes.step(
@@ -76,7 +71,7 @@ def main() -> None:
         title="Memory against time: lower left is better",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.12, -0.12))
-    common.save_figure(figure, options.out, "covering-cost")
+    return figure
 
 
 common.run(main)

@@ -8,13 +8,10 @@ import common
 from common import log_plot, timing
 
 
-def main() -> None:
-    """Writes figures/detection-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     lines = timing.compare(options.results, timing.TABLE_9)
     ticks = {n: f"{n:,.0f}" for n in lines.triangles.unique()}
-    figure = log_plot.draw(lines, "triangles", ticks, "triangles a model", "Testing one pose for impingement")
-    common.save_figure(figure, options.out, "detection-time")
+    return log_plot.draw(lines, "triangles", ticks, "triangles a model", "Testing one pose for impingement")
 
 
 common.run(main)

@@ -7,8 +7,6 @@
 # @question  The error of every method against the time of a query, on every scene.
 """Error against cost of every method, on one scene or on the query of every scene: lower left is better."""
 
-from __future__ import annotations
-
 import itertools
 
 import matplotlib.pyplot as plt
@@ -25,11 +23,10 @@ SHARE = 0.18
 LEAST = 1e-10  # um
 
 
-def main() -> None:
-    """Writes figures/NAME.svg, .png and .pdf: error-against-time is the main scene with its three costs,
+def main(options) -> common.Figure:
+    """error-against-time is the main scene with its three costs,
     error-against-time-scenes the query of every scene.
     """
-    options = common.arguments(__doc__, "--name")
     table = pareto.load(options.results)
     points = pareto.fronts(table)
     table = table.merge(
@@ -38,9 +35,8 @@ def main() -> None:
         how="left",
         suffixes=("", "_front"),
     )
-    common.style()
     draw = costs_of_main_scene if options.name == "error-against-time" else queries_of_scenes
-    common.save_figure(draw(table), options.out, options.name)
+    return draw(table)
 
 
 def costs_of_main_scene(table: pd.DataFrame) -> plt.Figure:
@@ -150,4 +146,4 @@ def spread_out(place: np.ndarray) -> np.ndarray:
     return EXACT * 10 ** np.where(x < 0, x / SHARE, x)
 
 
-common.run(main)
+common.run(main, "--name")

@@ -20,13 +20,10 @@ WIDTH = 0.7  # of a zone, for the joints side by side
 TICKS = [1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0]
 
 
-def main() -> None:
-    """Writes figures/euclidean-distances.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     joints = by_joint(common.load(options.results, "euclidean"))
     names = list(dict.fromkeys(joints.joint))
     looks = common.look(names)
-    common.style()
     figure, (above, below) = plt.subplots(2, 1, figsize=(6.8, 6.4), sharex=True)
     for k, name in enumerate(names):
         rows = joints[joints.joint == name]
@@ -40,7 +37,7 @@ def main() -> None:
         below.plot(x, rows.upper_median, linestyle="none", marker="_", color=colour, markersize=9)
     finish(above, below, joints)
     figure.tight_layout()
-    common.save_figure(figure, options.out, "euclidean-distances")
+    return figure
 
 
 def by_joint(table: pd.DataFrame) -> pd.DataFrame:

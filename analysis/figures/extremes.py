@@ -13,17 +13,13 @@
 unrolled.
 """
 
-from __future__ import annotations
-
 import common
 from common import dial_plot, gap_colours, hip, panels, render, replay, socket_map
 
 PIXELS = 440
 
 
-def main() -> None:
-    """Writes figures/NAME.png, .svg and .pdf."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Figure:
     joints = [hip.load(options.results, f"{options.joint}-{motion}") for motion in replay.MOTIONS]
     with render.screen():
         taken = [picture(joint, name) for joint, name in zip(joints, replay.MOTIONS.values())]
@@ -46,7 +42,7 @@ def main() -> None:
         )
         socket_map.draw(below, unrolled.image(joint.socket.properties["gap"], shades), joint)
     gap_colours.add_legend(figure, joints[0].summary, ("socket",))
-    panels.save(figure, options.out, options.name)
+    return figure
 
 
 def picture(joint: hip.Hip, name: str) -> panels.Panel:
@@ -57,4 +53,4 @@ def picture(joint: hip.Hip, name: str) -> panels.Panel:
     return panels.take(title, [gap_colours.of_part(joint, "socket")], dial_plot.camera(joint, PIXELS))
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

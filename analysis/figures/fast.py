@@ -11,22 +11,18 @@ import common
 from common import fast
 
 
-def main() -> None:
-    """Writes figures/fast-gaps.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fast.load(options.results)
     rows = with_one_embree(shown(fast.plain_rows(table)))
     looks = common.scheme_looks([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
-    common.style()
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.2), sharey=True)
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)
         panel.set_title(title)
     axes[0].set_ylabel(f"time a vertex, ns\n(one thread, {fast.set_name(table)})")
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.23, 1, 1))
-    common.save_figure(figure, options.out, "fast-gaps")
+    return figure
 
 
 def shown(rows: pd.DataFrame) -> pd.DataFrame:
@@ -48,9 +44,7 @@ def with_one_embree(rows: pd.DataFrame) -> pd.DataFrame:
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
     """A line a method over its settings, bars of the interquartile range; the floor across."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values("error_um")
-        axes.errorbar(own.error_um, own.ns_vertex, yerr=own.iqr_ns / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, "error_um", "ns_vertex", "iqr_ns", looks)
     floor = rows[rows.method == "floor"].ns_vertex.iloc[0]
     axes.axhline(floor, color="black", linewidth=1.0, linestyle=":", label="floor: stream, rotate, one read")
     axes.set(xscale="log", yscale="log", xlabel="largest error of a gap, µm")

@@ -15,18 +15,13 @@ SETTINGS = ["n=291", "4/face"]
 DIRECTION = "socket->ball"
 
 
-def main() -> None:
-    """Writes figures/fast-scaling.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fast.load(options.results)
     sets = table.instruction_set.isin(["none", fast.best_set(table)])
     rows = shown(table[sets & (table.direction == DIRECTION)])
-    common.style()
     figure, (times, gains) = plt.subplots(1, 2, figsize=(9.6, 5.0), width_ratios=[3, 2])
     one = rows[rows.threads == 1]
-    for line, look in common.look(list(one.line)).items():
-        own = one[one.line == line].sort_values("triangles")
-        times.errorbar(own.triangles, own.ns_vertex, yerr=own.iqr_ns / 2, label=line, capsize=2, **look)
+    common.medians(times, one, "triangles", "ns_vertex", "iqr_ns", common.look(list(one.line)))
     times.set(yscale="log", ylabel=f"time a vertex, ns (one thread, {fast.set_name(table)})")
     times.set_title("socket to ball")
     draw_threads(gains, rows[(rows.method == OWN[0])])
@@ -36,10 +31,9 @@ def main() -> None:
         axes.set_xlabel("triangles of each model")
         axes.set_xticks(sizes, [f"{size / 1000:g}k" for size in sizes])
         axes.minorticks_off()
-    handles, labels = times.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    figure.legend(*times.get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.15, 1, 1))
-    common.save_figure(figure, options.out, "fast-scaling")
+    return figure
 
 
 def shown(table: pd.DataFrame) -> pd.DataFrame:

@@ -15,13 +15,10 @@ SETTINGS = ["n=291", "0.5deg", "0.5mm"]  # of tables and voxels, where there are
 HEIGHT = 0.38  # of a bar
 
 
-def main() -> None:
-    """Writes figures/fast-speed-up.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fast.load(options.results)
     rows = shown(fast.plain_rows(table))
     order = rows.groupby("line").times_embree.max().sort_values().index
-    common.style()
     figure, axes = plt.subplots(figsize=(8.2, 0.34 * len(order) + 1.2))
     for k, (direction, title) in enumerate(fast.DIRECTIONS.items()):
         own = rows[rows.direction == direction].set_index("line").reindex(order)
@@ -41,7 +38,7 @@ def main() -> None:
     axes.grid(axis="y", visible=False)
     axes.legend(loc="lower right")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "fast-speed-up")
+    return figure
 
 
 def shown(rows: pd.DataFrame) -> pd.DataFrame:
@@ -67,11 +64,11 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, places: np.ndarray, look: dict) -> 
     )
     for place, value, low, high in zip(places, ratio, *ends):
         end, side = (value + high, "left") if value >= 1 else (value - low, "right")
-        axes.annotate(
+        common.note(
+            axes,
             common.digits(value, 2),
             (end, place),
-            xytext=(4 if side == "left" else -4, 0),
-            textcoords="offset points",
+            (4 if side == "left" else -4, 0),
             ha=side,
             va="center",
             fontsize=7,

@@ -13,13 +13,10 @@ from common import fill
 CELLS = 256  # along an edge of the cube, of the tables that are shown against triangles
 
 
-def main() -> None:
-    """Writes figures/fill-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = fill.load(options.results)
     shown = table[table.memory == "used again"]
     looks = common.look(list(shown.line))
-    common.style()
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8), sharey=True)
     draw(axes[0], shown[shown.cells == CELLS], "triangles", looks)
     axes[0].set(xlabel="triangles of each model", ylabel="time to fill both tables, ms")
@@ -29,34 +26,18 @@ def main() -> None:
     fresh = table[(table.memory == "fresh") & (table.triangles == fill.TRIANGLES)]
     for line, look in looks.items():
         own = fresh[fresh.line == line]
-        axes[1].plot(
-            own.entries,
-            own.median_ms,
-            color=look["color"],
-            marker=look["marker"],
-            linestyle="none",
-            markerfacecolor="white",
+        common.marks(
+            axes[1], own.entries, own.median_ms, color=look["color"], marker=look["marker"], markerfacecolor="white"
         )
-    axes[1].plot(
-        [],
-        [],
-        color="black",
-        marker="o",
-        linestyle="none",
-        markerfacecolor="white",
-        label="hollow: fresh memory",
-    )
-    handles, labels = axes[1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=3)
+    common.marks(axes[1], [], [], color="black", marker="o", markerfacecolor="white", label="hollow: fresh memory")
+    figure.legend(*axes[1].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.12, 1, 1))
-    common.save_figure(figure, options.out, "fill-time")
+    return figure
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, key: str, looks: dict) -> None:
     """A line a way, bars of the interquartile range."""
-    for line, look in looks.items():
-        own = rows[rows.line == line].sort_values(key)
-        axes.errorbar(own[key], own.median_ms, yerr=own.iqr_ms / 2, label=line, capsize=2, **look)
+    common.medians(axes, rows, key, "median_ms", "iqr_ms", looks)
     axes.set(xscale="log", yscale="log")
     places = sorted(rows[key].unique())
     axes.set_xticks(places, [common.digits(place, 2) for place in places])

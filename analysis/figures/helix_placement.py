@@ -14,12 +14,9 @@ PANELS = [
 ]
 
 
-def main() -> None:
-    """Writes figures/helix-placement.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     curves = common.load(options.results, "helix_mismatch")
     largest = common.load(options.results, "helix_placement").set_index("turns")
-    common.style()
     figure, panels = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8))
     for axes, (column, maximum, title) in zip(panels, PANELS):
         for k, look in common.look(list(curves.turns)).items():
@@ -35,7 +32,7 @@ def main() -> None:
         axes.legend()
     panels[0].set_ylabel("index by Eq. 10 minus\ntrue index, entries")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "helix-placement")
+    return figure
 
 
 common.run(main)

@@ -8,8 +8,6 @@
 # @seconds   3 3
 """A joint coloured by its gap, from four sides."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -54,7 +52,6 @@ def views(ball: ply.Mesh, socket: ply.Mesh, summary: dict) -> dict[str, np.ndarr
 
 def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figure:
     """The views two by two, a title and the legend."""
-    common.style()
     figure, grid = plt.subplots(2, 2, figsize=(6.8, 7.6))
     for axes, (title, image) in zip(grid.flat, images.items()):
         axes.imshow(image)
@@ -71,9 +68,8 @@ def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figu
     return figure
 
 
-def main() -> None:
+def main(options) -> None:
     """Writes figures/joint-NAME.png."""
-    options = common.arguments(__doc__, "--scene")
     folder: Path = options.results / "scenes" / options.scene
     summary = json.loads((folder / "summary.json").read_text())
     ball, socket = ply.read(folder / "ball.ply"), ply.read(folder / "socket.ply")
@@ -85,4 +81,4 @@ def main() -> None:
     figure.savefig(path, metadata={"Software": None})
 
 
-common.run(main)
+common.run(main, "--scene")

@@ -15,8 +15,6 @@
 unrolled.
 """
 
-from __future__ import annotations
-
 import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
@@ -29,9 +27,8 @@ SHOWN_MS, HELD_MS = 120, 900  # a frame, and one at the end of a motion
 COLOURS = 64  # of the palette
 
 
-def main() -> None:
+def main(options) -> None:
     """Writes figures/NAME.gif."""
-    options = common.arguments(__doc__, "--joint", "--name")
     motions = replay.load(options.results, options.joint)
     like = hip.load(options.results, f"{options.joint}-flexion")
     frames = [row for row in motions.frames.itertuples() if row.motion != "forward"]
@@ -67,7 +64,6 @@ class Sheet:
     """A figure whose pictures and caption change from frame to frame."""
 
     def __init__(self, joint: hip.Hip) -> None:
-        common.style()
         self.figure = plt.figure(figsize=(6.6, 4.4), dpi=100)
         self.figure.suptitle(f"{hip.title(joint.name)} ({joint.side} hip)", fontsize=10, y=0.995)
         left = self.figure.add_axes([0.01, 0.20, 0.48, 0.66])
@@ -116,4 +112,4 @@ def write(path, shown: dict[float, Image.Image], frames: list, colours: np.ndarr
     sheets[0].save(path, save_all=True, append_images=sheets[1:], duration=times, loop=0, optimize=False)
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -13,14 +13,11 @@ from common import motion_limits
 SPREAD = 0.7  # of a motion's row, for the joints one below the other
 
 
-def main() -> None:
-    """Writes figures/motion-limits.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     limits = motion_limits.contacts(options.results)
     generated = limits[limits.joint.isin(motion_limits.GENERATED)]
     real = limits[~limits.joint.isin(motion_limits.GENERATED)]
     parts = [("Generated hips", generated)] + ([("Real joints", real)] if len(real) else [])
-    common.style()
     width = 0.5 * common.WIDTH * len(parts)
     figure, panels = plt.subplots(1, len(parts), figsize=(width, 4.7), sharey=True, squeeze=False)
     for axes, (title, part) in zip(panels[0], parts):
@@ -29,7 +26,7 @@ def main() -> None:
         axes.set_xlabel("angle of first contact, degrees")
     panels[0][0].set_yticks(range(len(motion_limits.MOTIONS)), list(motion_limits.MOTIONS.values()))
     figure.tight_layout()
-    common.save_figure(figure, options.out, "motion-limits")
+    return figure
 
 
 def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:

@@ -22,14 +22,11 @@ LINES = {
 }
 
 
-def main() -> None:
-    """Writes figures/sampling-error.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     errors = common.load(options.results, "sampling_error")
     surfaces = common.load(options.results, "sampling_error_surfaces")
     schemes = list(errors.scheme.unique())
     labels = common.scheme_labels(options.results)
-    common.style()
     rows = math.ceil((len(schemes) + 1) / COLUMNS)
     figure, grid = plt.subplots(rows, COLUMNS, figsize=(9.6, 2.15 * rows + 0.5), sharex=True, sharey=True)
     looks = common.look(list(LINES))
@@ -40,13 +37,12 @@ def main() -> None:
     for axes in panels[len(schemes) :]:
         axes.set_visible(False)
     label_axes(grid, len(schemes), sorted(errors.precision_deg.unique()))
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
     figure.suptitle(
         "What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11
     )
     figure.tight_layout(rect=(0, 0, 1, 0.99))
-    common.save_figure(figure, options.out, "sampling-error")
+    return figure
 
 
 def draw(axes: plt.Axes, errors: pd.DataFrame, surfaces: pd.DataFrame, looks: dict) -> None:

@@ -17,12 +17,9 @@ PANELS = {
 }
 
 
-def main() -> None:
-    """Writes figures/sampling-error-surfaces.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = common.load(options.results, "sampling_error_surfaces")
     smooth = table[table.interpolant == "smooth"]
-    common.style()
     figure, grid = plt.subplots(2, 2, figsize=(9.2, 7.2), sharex=True)
     looks = common.scheme_looks(list(smooth.scheme.unique()))
     labels = common.scheme_labels(options.results)
@@ -36,10 +33,9 @@ def main() -> None:
         axes.set_xlabel("precision, finer to the right")
     for axes in grid[:, 0]:
         axes.set_ylabel("largest error of the radius, mm")
-    handles, labels = grid[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
     figure.tight_layout()
-    common.save_figure(figure, options.out, "sampling-error-surfaces")
+    return figure
 
 
 def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, labels: dict[str, str]) -> None:

@@ -8,20 +8,17 @@ import common
 from common import log_plot, timing
 
 
-def main() -> None:
-    """Writes figures/sampling-time.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     lines = timing.compare(options.results, timing.TABLE_8)
     lines["points"] = 1 / lines.precision_deg
     ticks = {1 / p: f"{p:g}°" for p in lines.precision_deg.unique()}
-    figure = log_plot.draw(
+    return log_plot.draw(
         lines,
         "points",
         ticks,
         "precision, finer to the right\n(exponents are of 1/precision)",
         "Filling a table, 3,000 triangles a model",
     )
-    common.save_figure(figure, options.out, "sampling-time")
 
 
 common.run(main)

@@ -14,20 +14,16 @@ from common import scene_needs
 EVERYTHING, TABLES, PLAN = common.COLOURS[1], common.COLOURS[4], common.COLOURS[0]
 
 
-def main() -> None:
-    """Writes figures/scene-needs.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     totals = scene_needs.load(options.results, "scene_needs_totals")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.6), sharey=True)
     draw_totals(left, totals, "bytes", 1e6, "memory, MB")
     draw_totals(right, totals, "us", 1e3, "time, ms")
     left.set_title("Memory: a dot a joint, the line is the median", fontsize=10)
     right.set_title("Time of the same answer", fontsize=10)
     figure.tight_layout()
-    handles, labels = right.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
-    common.save_figure(figure, options.out, "scene-needs")
+    figure.legend(*right.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    return figure
 
 
 def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, label: str) -> None:
@@ -41,10 +37,10 @@ def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, l
     for name, (text, colour, marker, shift) in looks.items():
         for row, question in enumerate(shown):
             values = totals[totals.question == question][f"{name}_{unit}"] / scale
-            axes.plot(
+            common.marks(
+                axes,
                 values,
                 np.full(len(values), row + shift),
-                linestyle="none",
                 marker=marker,
                 markersize=5,
                 color=colour,

@@ -20,19 +20,15 @@ OMISSIONS = {
 }
 
 
-def main() -> None:
-    """Writes figures/scene-omissions.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     totals = scene_needs.load(options.results, "scene_needs_totals")
     needs = scene_needs.load(options.results, "scene_needs")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 5.4), sharey=True)
     draw_alone(left, needs, totals, "bytes")
     draw_alone(right, needs, totals, "us")
     figure.tight_layout()
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
-    common.save_figure(figure, options.out, "scene-omissions")
+    figure.legend(*left.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    return figure
 
 
 def draw_alone(axes: plt.Axes, needs: pd.DataFrame, totals: pd.DataFrame, unit: str) -> None:

@@ -15,14 +15,11 @@ MOST = 4.0  # largest factor that colours tell apart
 PIXELS = 420  # of a map's width
 
 
-def main() -> None:
-    """Writes figures/scheme-area.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = common.load(options.results, "scheme_points")
     groups = dict(list(table.groupby("scheme")))
     directions, inside = mollweide(PIXELS)
     norm = TwoSlopeNorm(0, -np.log2(MOST), np.log2(MOST))
-    common.style()
     images = []
 
     def draw(axes: plt.Axes, scheme: str) -> None:
@@ -63,7 +60,7 @@ def main() -> None:
         extend="both",
     )
     bar.ax.set_xticklabels(["1/4 or less", "1/2", "mean area", "2", "4 or more"])
-    common.save_figure(figure, options.out, "scheme-area")
+    return figure
 
 
 def mollweide(width: int) -> tuple[np.ndarray, np.ndarray]:

@@ -10,32 +10,29 @@ import common
 from common import scheme_plot
 
 
-def main() -> None:
-    """Writes figures/scheme-covering.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     labels = common.scheme_labels(options.results)
     table = common.load(options.results, "scheme_covering").sort_values("constant", kind="stable")
-    common.style()
     figure, axes = plt.subplots(figsize=(6.8, 0.9 + 0.3 * len(table)))
     places = scheme_plot.rows(axes, [labels[scheme] for scheme in table.scheme])
     end = 1.12 * scheme_plot.reach(table.constant)
     axes.barh(places, table.constant.clip(upper=end), height=0.62, color=common.COLOURS[5], edgecolor="none")
     for place, constant in zip(places, table.constant):
         beyond = constant > end
-        axes.annotate(
+        common.note(
+            axes,
             f"{constant:,.0f} →" if beyond else f"{constant:.2f}",
             (min(constant, end), place),
-            xytext=(-6 if beyond else 6, 0),
-            textcoords="offset points",
+            (-6 if beyond else 6, 0),
             ha="right" if beyond else "left",
             va="center",
             fontsize=8.5,
         )
     away = (table.constant_away < 0.995 * table.constant) & (table.constant_away <= end)
-    axes.plot(
+    common.marks(
+        axes,
         table.constant_away[away],
         places[away],
-        linestyle="none",
         marker="D",
         color="white",
         markeredgecolor="black",
@@ -50,7 +47,7 @@ def main() -> None:
         title="How much memory each scheme takes to leave no wider gap",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08), ncol=1)
-    common.save_figure(figure, options.out, "scheme-covering")
+    return figure
 
 
 common.run(main)

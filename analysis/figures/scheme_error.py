@@ -16,12 +16,9 @@ MEASURES = {
 }
 
 
-def main() -> None:
-    """Writes figures/scheme-error.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     labels = common.scheme_labels(options.results)
     table = common.load(options.results, "scheme_errors").sort_values("entries_p9999", kind="stable")
-    common.style()
     figure, axes = plt.subplots(figsize=(6.8, 0.9 + 0.3 * len(table)))
     places = scheme_plot.rows(axes, [labels[scheme] for scheme in table.scheme])
     reference = table[table.scheme == scheme_plot.REFERENCE].iloc[0]
@@ -37,7 +34,7 @@ def main() -> None:
         title="How much memory each scheme takes to interpolate as well",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08))
-    common.save_figure(figure, options.out, "scheme-error")
+    return figure
 
 
 common.run(main)

@@ -13,12 +13,9 @@ from common import scheme_plot
 VIEW = scheme_plot.turn(azimuth_deg=20, elevation_deg=38)
 
 
-def main() -> None:
-    """Writes figures/scheme-points.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = common.load(options.results, "scheme_points")
     groups = dict(list(table.groupby("scheme")))
-    common.style()
 
     def draw(axes: plt.Axes, scheme: str) -> None:
         x, y, towards = VIEW @ groups[scheme][["x", "y", "z"]].to_numpy().T
@@ -31,8 +28,7 @@ def main() -> None:
         axes.set(xlim=(-1.03, 1.03), ylim=(-1.25, 1.03), aspect="equal")
 
     title = "Where each scheme samples, and its entries\n(ring: the north pole; line: the equator)"
-    figure = scheme_plot.panels(title, common.scheme_labels(options.results), draw, (1.05, 1.6))
-    common.save_figure(figure, options.out, "scheme-points")
+    return scheme_plot.panels(title, common.scheme_labels(options.results), draw, (1.05, 1.6))
 
 
 def draw_line(axes: plt.Axes, phi: float) -> None:

@@ -18,15 +18,12 @@ MEANINGS = {
 }
 
 
-def main() -> None:
-    """Writes figures/scheme-savings.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     labels = common.scheme_labels(options.results)
     table = common.load(options.results, "scheme_savings")
     table = table[(table.precision_deg == PRECISION) & (table.scheme != scheme_plot.REFERENCE)]
     saved = table.pivot(index="scheme", columns="meaning", values="saved_percent")
     saved = saved.sort_values("covering_radius", ascending=False, kind="stable")
-    common.style()
     figure, axes = plt.subplots(figsize=(6.8, 1.0 + 0.42 * len(saved)))
     scheme_plot.rows(axes, [labels[scheme] for scheme in saved.index])
     span = (max(-60.0, float(saved.min().min()) - 5), float(saved.max().max()) + 5)
@@ -46,7 +43,7 @@ def main() -> None:
         title="What each scheme saves depends on what is kept equal",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(saved) - 0.08))
-    common.save_figure(figure, options.out, "scheme-savings")
+    return figure
 
 
 common.run(main)

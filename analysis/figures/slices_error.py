@@ -18,12 +18,9 @@ STAGES = {
 TICKS = [0.5, 0.7, 1.25, 2, 3, 5]
 
 
-def main() -> None:
-    """Writes figures/slices-error.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Figure:
     table = common.load(options.results, "slices_to_surface")
     looks = common.look(list(STAGES))
-    common.style()
     figure, axes = plt.subplots(figsize=(0.66 * common.WIDTH, 2.6))
     for stage, label in STAGES.items():
         mine = table[table.stage == stage]
@@ -43,7 +40,7 @@ def main() -> None:
     axes.set_ylim(top=5 * axes.get_ylim()[1])
     axes.legend(ncol=2, loc="upper left")
     figure.tight_layout()
-    common.save_figure(figure, options.out, "slices-error")
+    return figure
 
 
 common.run(main)

@@ -19,13 +19,10 @@ import common
 SHARE = 0.9999  # of the power of degrees 1 and up: the band limit that is marked
 
 
-def main() -> None:
-    """Writes figures/NAME.svg, .png and .pdf."""
-    options = common.arguments(__doc__, "--spectrum", "--limits", "--name")
+def main(options) -> common.Figure:
     spectrum = common.load(options.results, options.spectrum)
     limits = common.load(options.results, options.limits)
     slices = common.load(options.results, "slice_band_limit")
-    common.style()
     figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.1))
     looks = common.look(list(spectrum.surface.unique()))
     for (surface, filling), lines in spectrum.groupby(["surface", "filling"], sort=False):
@@ -35,7 +32,7 @@ def main() -> None:
     mark_limits(left, spectrum, limits, looks)
     mark_slices(left, right, slices)
     finish(figure, left, right, list(looks.items()))
-    common.save_figure(figure, options.out, options.name)
+    return figure
 
 
 def draw(left: plt.Axes, right: plt.Axes, lines: pd.DataFrame, look: dict) -> None:
@@ -88,7 +85,7 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
     left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
     right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
     handles = [
-        plt.Line2D([], [], label=surface.replace("_", " "), markeredgecolor="black", **look)
+        common.key(surface.replace("_", " "), markeredgecolor="black", **look)
         for surface, look in looks
     ]
     right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes
@@ -96,4 +93,4 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
     figure.tight_layout()
 
 
-common.run(main)
+common.run(main, "--spectrum", "--limits", "--name")

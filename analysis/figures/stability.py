@@ -25,21 +25,16 @@ COLUMNS = 5
 TOP = 1e8  # of the overview: larger errors stand at its edge
 
 
-def main() -> None:
-    """Writes figures/NAME.svg, .png and .pdf."""
-    options = common.arguments(__doc__, "--name")
+def main(options) -> common.Figure:
     cases = stability.load(options.results)
     families = stability.families(options.results)
-    common.style()
     if options.name == ALL:
-        figure = draw_all(cases, families)
-    else:
-        family = options.name.removeprefix("stability-").replace("-", "_")
-        if family not in families.index:
-            raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
-        of_family = cases[cases.family == family]
-        figure = stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
-    common.save_figure(figure, options.out, options.name)
+        return draw_all(cases, families)
+    family = options.name.removeprefix("stability-").replace("-", "_")
+    if family not in families.index:
+        raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
+    of_family = cases[cases.family == family]
+    return stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
 
 
 def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
@@ -88,10 +83,10 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
         places = np.flatnonzero(failures[name].to_numpy() > 0)
         if len(places) == 0:
             continue
-        axes.plot(
+        common.marks(
+            axes,
             places,
             np.full(len(places), 1.04 + 0.055 * row),
-            linestyle="none",
             marker="x",
             markersize=5,
             markeredgewidth=1.6,
@@ -103,4 +98,4 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
     return row
 
 
-common.run(main)
+common.run(main, "--name")

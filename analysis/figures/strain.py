@@ -20,10 +20,7 @@ WAYS = {
 }
 
 
-def main() -> None:
-    """Writes figures/strain-by-gap.svg, .png and .pdf."""
-    options = common.arguments(__doc__)
-    common.style()
+def main(options) -> common.Figure:
     figure, ((area, shear), (rays, hip)) = plt.subplots(2, 2, figsize=(common.WIDTH, 6.6))
     layers = strain.layers(options.results)
     draw_layers(area, layers, "area")
@@ -48,7 +45,7 @@ def main() -> None:
     draw_rays(rays, common.load(options.results, "strain_incidence"))
     draw_hip(hip, common.load(options.results, "strain_hip"))
     figure.tight_layout()
-    common.save_figure(figure, options.out, "strain-by-gap")
+    return figure
 
 
 def draw_layers(axes: plt.Axes, layers: pd.DataFrame, column: str) -> None:
@@ -73,10 +70,10 @@ def draw_rays(axes: plt.Axes, table: pd.DataFrame) -> None:
         axes.axhline(mine.strain.iloc[0], color=of_gap["color"], linestyle=":", linewidth=1.2)
         falling = 1 - gap / (cartilage * np.cos(np.radians(angle)))
         axes.plot(angle, np.maximum(falling, 0), color=of_gap["color"], linewidth=1.2)
-        axes.plot(
+        common.marks(
+            axes,
             mine.angle_deg,
             mine.by_gap,
-            linestyle="none",
             marker=of_gap["marker"],
             color=of_gap["color"],
             label=f"gap {gap:g} mm, h {cartilage:g} mm",

@@ -4,10 +4,8 @@
 # @outputs   tables/findings.csv tables/findings.tex
 """Statements of the thesis, and of the note that suspected it, that a computation confirms or refutes.
 
-Each module of MODULES has rows(results); every number in them comes from data/NAME.csv.
+Each module of MODULES has a function a statement, which returns a Finding; every number in them comes from data/NAME.csv.
 """
-
-from __future__ import annotations
 
 import re
 
@@ -33,14 +31,12 @@ HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedr
   \endfoot"""
 
 
-def main() -> None:
-    """Writes tables/findings.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     rows = pd.DataFrame(
-        [row for module in MODULES for row in module.rows(options.results)], columns=finding.COLUMNS
+        [row for module in MODULES for row in finding.rows(module, options.results)], columns=finding.COLUMNS
     )
     rows.insert(0, "number", range(1, len(rows) + 1))
-    common.write_table(options.out, "findings", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def mathematical(text: str) -> str:

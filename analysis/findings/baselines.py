@@ -2,34 +2,20 @@
 # @data      baselines fast
 """Statements about the methods that Chapter 2 and Section 3.6 compare with."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
 import pandas as pd
 
 from common import fast, timing
-from findings.finding import ARITHMETIC, finding, load, one, rounded
+from findings.finding import ARITHMETIC, Finding, finding, load, one, rounded
 
 PATIENT = 12000  # triangles of each model, as the thesis' patient
 TABLE = "cube_gnomonic_mesh_exact"
 EXACT_UM = 1  # micrometres: nearer to the surface than any table of the thesis
 
 
-def rows(results: Path) -> list[dict]:
-    """All of them."""
-    return [
-        grid_memory(),
-        no_distances(results),
-        tree_growth(results),
-        every_triangle(results),
-        lost_triangles(results),
-        field_memory(results),
-    ]
-
-
-def grid_memory() -> dict:
+def grid_memory() -> Finding:
     """Section 2.2.2."""
     size = 1024**3 * 8
     return finding(
@@ -54,7 +40,7 @@ def doubtful(results: Path, *methods: str) -> bool:
     return any(timing.disqualified(table, method, "ball->socket") for method in methods)
 
 
-def no_distances(results: Path) -> dict:
+def no_distances(results: Path) -> Finding:
     """Sections 2.2.1, 3.4 and 3.6.1."""
     times = vertex_times(results)
     times = times[times.triangles == PATIENT].set_index("method")
@@ -70,7 +56,7 @@ def no_distances(results: Path) -> dict:
     )
 
 
-def tree_growth(results: Path) -> dict:
+def tree_growth(results: Path) -> Finding:
     """Section 3.6.1, by the time of one of the n points."""
     times = vertex_times(results)
     cube = (times.method == TABLE) & (times.setting == "n=291") & (times.storage == "uint16")
@@ -98,7 +84,7 @@ def generated(results: Path, method: str):
     return table[table.joint == table.joint.iloc[0]]
 
 
-def every_triangle(results: Path) -> dict:
+def every_triangle(results: Path) -> Finding:
     """Section 3.6.3."""
     table = load(results, "baselines", method="rsid", size=1.0)
     missed = table.faces_missed
@@ -115,7 +101,7 @@ def every_triangle(results: Path) -> dict:
     )
 
 
-def lost_triangles(results: Path) -> dict:
+def lost_triangles(results: Path) -> Finding:
     """Section 3.6.3."""
     table = generated(results, "maciel_triangles").set_index("size")
     coarse, fine = table.loc[10], table.loc[400]
@@ -131,7 +117,7 @@ def lost_triangles(results: Path) -> dict:
     )
 
 
-def field_memory(results: Path) -> dict:
+def field_memory(results: Path) -> Finding:
     """Section 3.6.2."""
     field = generated(results, "cartesian_field").sort_values("size").iloc[-1]
     table = generated(results, "rsid")

@@ -2,17 +2,10 @@
 # @data      claims
 """Statements of the last chapter that the thesis did not show."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from common import timing
-from findings.finding import finding, load, rounded
-
-
-def rows(results: Path) -> list[dict]:
-    """All of them."""
-    return [deforming(results), same_distance(results), added_distance(results)]
+from findings.finding import Finding, finding, load, rounded
 
 
 def values(results: Path, claim: str) -> dict:
@@ -21,7 +14,7 @@ def values(results: Path, claim: str) -> dict:
     return table.set_index(["setting", "quantity"]).value.to_dict()
 
 
-def deforming(results: Path) -> dict:
+def deforming(results: Path) -> Finding:
     """Chapter 6."""
     found = values(results, "deforming surface updated in place")
     gains = [
@@ -41,7 +34,7 @@ def deforming(results: Path) -> dict:
     )
 
 
-def same_distance(results: Path) -> dict:
+def same_distance(results: Path) -> Finding:
     """Chapter 6."""
     found = values(results, "self-collision found while sampling")
     share = {
@@ -61,7 +54,7 @@ def same_distance(results: Path) -> dict:
     )
 
 
-def added_distance(results: Path) -> dict:
+def added_distance(results: Path) -> Finding:
     """Chapter 6."""
     found = values(results, "several layers")
     neck = found["normal hip, whole ball", "distance added, largest error"]

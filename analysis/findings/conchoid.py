@@ -2,29 +2,14 @@
 # @data      conchoid_angles conchoid_origins conchoid_shape conchoid_surface
 """Statements on the conchoid (Section 5.1)."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
 import common
-from findings.finding import finding, load, rounded
+from findings.finding import Finding, finding, load, rounded
 
 RAYS = 4  # of the thesis' example
 FINE_RAYS = 901  # of its Figures 58 and 59
-
-
-def rows(results: Path) -> list[dict]:
-    """In the order of the thesis."""
-    return [
-        middle_segments(results),
-        bottom_segments(results),
-        quarter_length(results),
-        segment_length(results),
-        last_ray(results),
-        largest_adjustment(results),
-        on_the_surface(results),
-    ]
 
 
 def excess(one: float, other: float) -> float:
@@ -32,7 +17,7 @@ def excess(one: float, other: float) -> float:
     return 100 * (one / other - 1)
 
 
-def middle_segments(results: Path) -> dict:
+def middle_segments(results: Path) -> Finding:
     """From the centre of the object."""
     origins = common.load(results, "conchoid_origins").set_index("origin")
     middle = origins.loc["cap_extent_middle"]
@@ -50,7 +35,7 @@ def middle_segments(results: Path) -> dict:
     )
 
 
-def bottom_segments(results: Path) -> dict:
+def bottom_segments(results: Path) -> Finding:
     """From the conchoid's own origin."""
     origin = load(results, "conchoid_origins", origin="conchoid_origin").iloc[0]
     longer = excess(origin.apex_mm_per_deg, origin.rim_mm_per_deg)
@@ -64,7 +49,7 @@ def bottom_segments(results: Path) -> dict:
     )
 
 
-def quarter_length(results: Path) -> dict:
+def quarter_length(results: Path) -> Finding:
     """Eq. 14 and its evaluation."""
     shape = common.load(results, "conchoid_shape").iloc[0]
     return finding(
@@ -77,7 +62,7 @@ def quarter_length(results: Path) -> dict:
     )
 
 
-def segment_length(results: Path) -> dict:
+def segment_length(results: Path) -> Finding:
     """The text before Eq. 15: 3.03 b / n with n rays, where Eq. 15 has n - 1."""
     angles = load(results, "conchoid_angles", rays=RAYS).set_index("i")
     last = angles.thesis_deg[RAYS - 1]
@@ -94,7 +79,7 @@ def segment_length(results: Path) -> dict:
     )
 
 
-def last_ray(results: Path) -> dict:
+def last_ray(results: Path) -> Finding:
     """Eq. 16 with its rounded constants."""
     angles = load(results, "conchoid_angles", rays=FINE_RAYS)
     last = angles.thesis_deg.iloc[-1]
@@ -108,7 +93,7 @@ def last_ray(results: Path) -> dict:
     )
 
 
-def largest_adjustment(results: Path) -> dict:
+def largest_adjustment(results: Path) -> Finding:
     """Figure 59."""
     angles = load(results, "conchoid_angles", rays=FINE_RAYS)
     moved = angles[["thesis_deg", "closed_form_deg", "exact_deg"]].sub(angles.original_deg, axis=0).min()
@@ -122,7 +107,7 @@ def largest_adjustment(results: Path) -> dict:
     )
 
 
-def on_the_surface(results: Path) -> dict:
+def on_the_surface(results: Path) -> Finding:
     """Rings of rays, on the turned curve."""
     surface = common.load(results, "conchoid_surface").groupby("sampling")
     spread = surface.largest_mm2.max() / surface.smallest_mm2.min()

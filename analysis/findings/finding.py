@@ -5,9 +5,8 @@ A verdict follows from the numbers by a condition in the code, it is never writt
 text are held against each other, and nothing is computed, the evidence says so.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
+from types import FunctionType, ModuleType
 
 import pandas as pd
 
@@ -19,22 +18,38 @@ ARITHMETIC = "no data: arithmetic with the thesis' own numbers"  # evidence of w
 READING = "no data: two places of the thesis' text, read"  # evidence of what no number of ours decides
 
 
-def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> dict[str, str]:
-    """One line of findings.csv. rest: holds (bool), otherwise (the verdict if it does not; wrong unless given),
+class Finding(dict[str, str]):
+    """One line of findings.csv."""
+
+
+def rows(module: ModuleType, results: Path) -> list[Finding]:
+    """What the functions of a module that return a Finding, or several, say of the results, in their order."""
+    found = []
+    for function in vars(module).values():
+        if isinstance(function, FunctionType) and function.__module__ == module.__name__:
+            returned = function.__annotations__.get("return")
+            if returned in (Finding, list[Finding]):
+                said = function(results) if function.__code__.co_argcount else function()
+                found += [said] if returned is Finding else said
+    return found
+
+
+def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> Finding:
+    """A Finding. rest: holds (bool), otherwise (the verdict if it does not; wrong unless given),
     source, the key of a reference that the statement is held against, and inconclusive: whether it rests on a timing
     that was disqualified.
     """
     otherwise = str(rest.get("otherwise", "wrong"))
     if otherwise not in VERDICTS:
         raise ValueError(f"{otherwise} is no verdict on a statement: use one of {VERDICTS}")
-    return {
-        "where": f"Section {where}" if where[0].isdigit() else where,
-        "claim": claim,
-        "computed": computed,
-        "evidence": evidence,
-        "verdict": "inconclusive" if rest.get("inconclusive") else "holds" if rest["holds"] else otherwise,
-        "source": str(rest.get("source", "")),
-    }
+    return Finding(
+        where=f"Section {where}" if where[0].isdigit() else where,
+        claim=claim,
+        computed=computed,
+        evidence=evidence,
+        verdict="inconclusive" if rest.get("inconclusive") else "holds" if rest["holds"] else otherwise,
+        source=str(rest.get("source", "")),
+    )
 
 
 def load(results: Path, name: str, **chosen: object) -> pd.DataFrame:

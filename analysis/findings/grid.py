@@ -2,38 +2,18 @@
 # @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_surfaces slice_band_limit detection_time
 """Statements on the joint and on RSID, the first system (Chapters 2 and 3)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common
 from common import log_plot, timing
-from findings.finding import finding, load, one, printed, rounded
+from findings.finding import Finding, finding, load, one, printed, rounded
 
 EXACT = 1e-9  # mm, what rounding leaves
 THESIS_FACES = 3000  # of the models that it fills tables of
 LEVEL = 0.15  # exponent up to which a time hardly grows
 
 
-def rows(results: Path) -> list[dict]:
-    """In the order of the thesis."""
-    return [
-        cam_and_pincer(),
-        comparison(results),
-        saved_distances(results),
-        linear_in_the_angles(results),
-        sample_points(results),
-        linear_time(results),
-        constant_time(results),
-        sampling_error(results),
-        finer_tables(results),
-        required_precision(results),
-        ten_by_ten(results),
-        finest_grid(results),
-    ]
-
-
-def cam_and_pincer() -> dict:
+def cam_and_pincer() -> Finding:
     """A matter of definitions: it rests on the paper that is cited, and nothing is computed."""
     return finding(
         "2.1.3",
@@ -46,7 +26,7 @@ def cam_and_pincer() -> dict:
     )
 
 
-def comparison(results: Path) -> dict:
+def comparison(results: Path) -> Finding:
     """Algorithms 2 and 3, for the scan of the socket."""
     socket = load(results, "finding_comparison", surface="socket").iloc[0]
     return finding(
@@ -59,7 +39,7 @@ def comparison(results: Path) -> dict:
     )
 
 
-def saved_distances(results: Path) -> dict:
+def saved_distances(results: Path) -> Finding:
     """The colours need distances where there is no impingement."""
     ball = load(results, "finding_comparison", surface="ball").iloc[0]
     return finding(
@@ -73,7 +53,7 @@ def saved_distances(results: Path) -> dict:
     )
 
 
-def linear_in_the_angles(results: Path) -> dict:
+def linear_in_the_angles(results: Path) -> Finding:
     """Section 3.2."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
     centred = table[table.shifted == "none"]
@@ -96,7 +76,7 @@ def linear_in_the_angles(results: Path) -> dict:
     )
 
 
-def sample_points(results: Path) -> dict:
+def sample_points(results: Path) -> Finding:
     """Section 3.4."""
     entries = one(load(results, "lut_memory", scheme="rsid"), "entries", precision_deg=0.05)
     return finding(
@@ -109,7 +89,7 @@ def sample_points(results: Path) -> dict:
     )
 
 
-def linear_time(results: Path) -> dict:
+def linear_time(results: Path) -> Finding:
     """Tables 4 and 9 by query, from the thesis' own times."""
     lines = timing.compare(results, timing.TABLE_9)
     lines = lines[lines.method == common.counterparts("table-9")["rsid"]]
@@ -136,7 +116,7 @@ def linear_time(results: Path) -> dict:
     )
 
 
-def constant_time(results: Path) -> dict:
+def constant_time(results: Path) -> Finding:
     """Section 3.6.1."""
     lines = timing.compare(results, timing.TABLE_4)
     method = common.counterparts("table-4")["rapid"]
@@ -154,7 +134,7 @@ def constant_time(results: Path) -> dict:
     )
 
 
-def sampling_error(results: Path) -> dict:
+def sampling_error(results: Path) -> Finding:
     """Table 5."""
     formula = load(results, "sampling_error", scheme="rsid", precision_deg=1.0).iloc[0]
     surfaces = load(results, "sampling_error_surfaces", scheme="rsid", precision_deg=1.0, surface="sphere")
@@ -170,7 +150,7 @@ def sampling_error(results: Path) -> dict:
     )
 
 
-def finer_tables(results: Path) -> dict:
+def finer_tables(results: Path) -> Finding:
     """Table 5 against the floor under it."""
     flat = load(results, "finding_interpolation", radius_of="mesh", against="sphere", shifted="none")
     flat = 1e3 * flat.sort_values("faces").set_index("faces")[["largest_mm", "rms_mm"]]
@@ -187,7 +167,7 @@ def finer_tables(results: Path) -> dict:
     )
 
 
-def required_precision(results: Path) -> dict:
+def required_precision(results: Path) -> Finding:
     """Section 3.5.2. Samples a gap apart determine band limits up to half a turn by the gap, and entries need be no
     closer to keep those: no rounding of the limit to a whole number takes part.
     """
@@ -205,7 +185,7 @@ def required_precision(results: Path) -> dict:
     )
 
 
-def ten_by_ten(results: Path) -> dict:
+def ten_by_ten(results: Path) -> Finding:
     """Section 3.6.3."""
     coarse, fine = (one(common.load(results, "finding_grids"), "polar_step_deg", side=n) for n in (10, 400))
     azimuth = one(common.load(results, "finding_grids"), "azimuth_step_deg", side=400)
@@ -219,7 +199,7 @@ def ten_by_ten(results: Path) -> dict:
     )
 
 
-def finest_grid(results: Path) -> dict:
+def finest_grid(results: Path) -> Finding:
     """Section 3.6.3."""
     finest = load(results, "lut_memory", precision_deg=0.05).set_index("scheme")
     columns = finest.equator_points.rsid

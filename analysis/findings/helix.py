@@ -3,37 +3,20 @@
 # @depends   tables/figure-50-difference.csv
 """Statements on USID, the second system (Chapter 4)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
 
 import common
 from common import timing
-from findings.finding import finding, load, one, rounded
+from findings.finding import Finding, finding, load, one, rounded
 
 FINEST = 0.05  # degrees
 POLYHEDRA = r"cube|octahedr|icosahedr"  # in the label of a scheme
 SEARCH = 1.5  # a search takes twice as many steps in stencil_time; below this there is none
 
 
-def rows(results: Path) -> list[dict]:
-    """In the order of the thesis."""
-    return [
-        uniform(results),
-        rasterised(results),
-        travelled_distance(results),
-        index(results),
-        first_turn(results),
-        saving(results),
-        same_result(results),
-        search(results),
-        most_points(results),
-    ]
-
-
-def uniform(results: Path) -> dict:
+def uniform(results: Path) -> Finding:
     """Eq. 9."""
     first = common.load(results, "helix_placement").iloc[0]
     constants = common.load(results, "schemes").set_index("scheme").covering_constant
@@ -50,7 +33,7 @@ def uniform(results: Path) -> dict:
     )
 
 
-def rasterised(results: Path) -> dict:
+def rasterised(results: Path) -> Finding:
     """Section 4.2.2."""
     lines = timing.compare(results, timing.TABLE_8)
     lines = lines[lines.precision_deg == FINEST].set_index("method")
@@ -69,7 +52,7 @@ def rasterised(results: Path) -> dict:
     )
 
 
-def travelled_distance(results: Path) -> dict:
+def travelled_distance(results: Path) -> Finding:
     """Eq. 10 as a length."""
     first = common.load(results, "helix_placement").iloc[0]
     last = common.load(results, "helix_placement").iloc[-1]
@@ -84,7 +67,7 @@ def travelled_distance(results: Path) -> dict:
     )
 
 
-def index(results: Path) -> dict:
+def index(results: Path) -> Finding:
     """Eq. 10 over points at equal distances."""
     placement = common.load(results, "helix_placement")
     first, last = placement.iloc[0], placement.iloc[-1]
@@ -103,7 +86,7 @@ def index(results: Path) -> dict:
     )
 
 
-def first_turn(results: Path) -> dict:
+def first_turn(results: Path) -> Finding:
     """Section 4.3."""
     usid, rsid = (
         common.load(results, "scheme_errors").set_index("scheme").loc[name] for name in ("usid", "rsid")
@@ -120,7 +103,7 @@ def first_turn(results: Path) -> dict:
     )
 
 
-def saving(results: Path) -> dict:
+def saving(results: Path) -> Finding:
     """Section 4.4."""
     saved = (
         load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
@@ -138,7 +121,7 @@ def saving(results: Path) -> dict:
     )
 
 
-def same_result(results: Path) -> dict:
+def same_result(results: Path) -> Finding:
     """Figure 50."""
     table = pd.read_csv(results / "tables" / "figure-50-difference.csv")
     largest = table.loc[table.largest_difference_mm.idxmax()]
@@ -160,7 +143,7 @@ def joints(count: int) -> str:
     return "one joint" if count == 1 else f"{count} joints"
 
 
-def search(results: Path) -> dict:
+def search(results: Path) -> Finding:
     """Section 4.5."""
     labels = common.scheme_labels(results)
     times = common.load(results, "stencil_time").sort_values("entries")
@@ -182,7 +165,7 @@ def search(results: Path) -> dict:
     )
 
 
-def most_points(results: Path) -> dict:
+def most_points(results: Path) -> Finding:
     """Section 4.5."""
     finest = load(results, "lut_memory", precision_deg=FINEST).set_index("scheme")
     constant = common.load(results, "schemes").set_index("scheme").covering_constant.helix_isotropic

@@ -5,34 +5,14 @@
 is held to the same standard. And the misprints that verdicts.csv names.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
 
 import common
-from findings.finding import finding, load, one, rounded
+from findings.finding import Finding, finding, load, one, rounded
 
 FEW_PER_CENT = 0.03
-
-
-def rows(results: Path) -> list[dict]:
-    """The note by its items, then the misprints."""
-    return [
-        linear(results),
-        shifted(results),
-        mismatch(results),
-        equal_covering(results),
-        equal_error(results),
-        fibonacci(results),
-        octahedron(results),
-        solid_angle(results),
-        best_sphere(results),
-        closed_form(results),
-        face_bound(results),
-        *misprints(results),
-    ]
 
 
 def near(value: float, stated: float) -> bool:
@@ -40,7 +20,7 @@ def near(value: float, stated: float) -> bool:
     return abs(value / stated - 1) < FEW_PER_CENT
 
 
-def linear(results: Path) -> dict:
+def linear(results: Path) -> Finding:
     """Item 3."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh", shifted="none")
     coarse, fine = (one(table, "largest_mm", faces=faces) for faces in (320, 1280))
@@ -54,7 +34,7 @@ def linear(results: Path) -> dict:
     )
 
 
-def shifted(results: Path) -> dict:
+def shifted(results: Path) -> Finding:
     """Item 3, off the centre."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
     across, along = (table[table.shifted == axis].set_index("faces").largest_mm for axis in ("x", "z"))
@@ -69,7 +49,7 @@ def shifted(results: Path) -> dict:
     )
 
 
-def mismatch(results: Path) -> dict:
+def mismatch(results: Path) -> Finding:
     """Item 4."""
     placement = common.load(results, "helix_placement")
     first, last = placement.iloc[0], placement.iloc[-1]
@@ -94,7 +74,7 @@ def savings(results: Path) -> pd.DataFrame:
     )
 
 
-def equal_covering(results: Path) -> dict:
+def equal_covering(results: Path) -> Finding:
     """Item 6."""
     saved = savings(results).covering_radius.dropna()
     return finding(
@@ -107,7 +87,7 @@ def equal_covering(results: Path) -> dict:
     )
 
 
-def equal_error(results: Path) -> dict:
+def equal_error(results: Path) -> Finding:
     """Item 6."""
     saved = savings(results)
     worst, rms = saved.interpolation_p9999.dropna(), saved.interpolation_rms.dropna()
@@ -122,7 +102,7 @@ def equal_error(results: Path) -> dict:
     )
 
 
-def fibonacci(results: Path) -> dict:
+def fibonacci(results: Path) -> Finding:
     """Section B."""
     constants = common.load(results, "schemes").set_index("scheme").covering_constant
     return finding(
@@ -134,7 +114,7 @@ def fibonacci(results: Path) -> dict:
     )
 
 
-def octahedron(results: Path) -> dict:
+def octahedron(results: Path) -> Finding:
     """Section B, at equal error."""
     saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index(
         "scheme"
@@ -151,7 +131,7 @@ def octahedron(results: Path) -> dict:
     )
 
 
-def solid_angle(results: Path) -> dict:
+def solid_angle(results: Path) -> Finding:
     """Item 10."""
     shape = common.load(results, "conchoid_shape").iloc[0]
     ratio = shape.apex_mm2_per_sr / shape.rim_mm2_per_sr
@@ -165,7 +145,7 @@ def solid_angle(results: Path) -> dict:
     )
 
 
-def best_sphere(results: Path) -> dict:
+def best_sphere(results: Path) -> Finding:
     """Item 10."""
     shape = common.load(results, "conchoid_shape").iloc[0]
     lowest, highest = shape.sphere_lowest_mm, shape.sphere_highest_mm
@@ -179,7 +159,7 @@ def best_sphere(results: Path) -> dict:
     )
 
 
-def closed_form(results: Path) -> dict:
+def closed_form(results: Path) -> Finding:
     """Section C.7."""
     angles = load(results, "conchoid_angles", rays=901)
     moved = angles[["thesis_deg", "closed_form_deg"]].sub(angles.original_deg, axis=0).min()
@@ -193,7 +173,7 @@ def closed_form(results: Path) -> dict:
     )
 
 
-def face_bound(results: Path) -> dict:
+def face_bound(results: Path) -> Finding:
     """Section C.2."""
     bounds = load(results, "sampling_error_bounds", promise="planar_face")
     labels = common.scheme_labels(results)
@@ -213,7 +193,7 @@ def face_bound(results: Path) -> dict:
     )
 
 
-def misprints(results: Path) -> list[dict]:
+def misprints(results: Path) -> list[Finding]:
     """One for each number that verdicts.csv calls a misprint of the thesis."""
     verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
     return [

@@ -1,36 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the thesis contradicts itself, a formula or a clock: formulas, references, axes, tables (Chapters 3 to 5)."""
 
-from __future__ import annotations
-
 import math
 import re
-from pathlib import Path
 
 import common
 from common import timing
-from findings.finding import ARITHMETIC, READING, finding, printed
+from findings.finding import ARITHMETIC, READING, Finding, finding, printed
 
 QUADRANT = (0, 3)  # hours, the anterosuperior one: from superior at 12 to anterior at 3
 
 
-def rows(_: Path) -> list[dict]:
-    """In the order of the thesis; none needs data."""
-    return [
-        arctangent(),
-        axes(),
-        indices(),
-        comparison_of_methods(),
-        unequal_segments(),
-        angles_of_table_10(),
-        cartilage(),
-        zones(),
-        clock_ticks(),
-        rapid_times(),
-    ]
-
-
-def arctangent() -> dict:
+def arctangent() -> Finding:
     """Eq. 6, evaluated a degree apart."""
     azimuths = [degree + 0.5 for degree in range(360)]
     found = [math.degrees(math.atan(math.sin(math.radians(a)) / math.cos(math.radians(a)))) for a in azimuths]
@@ -46,7 +27,7 @@ def arctangent() -> dict:
     )
 
 
-def axes() -> dict:
+def axes() -> Finding:
     """Section 3.2 against Figure 31, Algorithm 1 and Section 3.1."""
     return finding(
         "3.2",
@@ -59,7 +40,7 @@ def axes() -> dict:
     )
 
 
-def indices() -> dict:
+def indices() -> Finding:
     """Sections 3.3 and 4.3: with a vertex that the two equations take there and back."""
     x, y, z = 3.0, 4.0, 12.0
     d = math.hypot(x, y, z)
@@ -76,7 +57,7 @@ def indices() -> dict:
     )
 
 
-def comparison_of_methods() -> dict:
+def comparison_of_methods() -> Finding:
     """Section 4.5 on another one."""
     return finding(
         "4.5",
@@ -88,7 +69,7 @@ def comparison_of_methods() -> dict:
     )
 
 
-def unequal_segments() -> dict:
+def unequal_segments() -> Finding:
     """Section 5.1.1: segments of equal angles at the apex and at the rim, relative to each other."""
     a, b = (float(printed("section-5.1", name, "conchoid")) for name in "ab")
     by_8 = 1.0  # sqrt(2) pi / n holds no direction
@@ -104,7 +85,7 @@ def unequal_segments() -> dict:
     )
 
 
-def angles_of_table_10() -> dict:
+def angles_of_table_10() -> Finding:
     """Section 5.1.3, by what the equation that it names would give."""
     table = common.thesis("table-10").pivot(index="row", columns="column", values="value").astype(float).iloc[1:]
     ratios = table.adjusted_angle / table.original_angle
@@ -121,7 +102,7 @@ def angles_of_table_10() -> dict:
     )
 
 
-def cartilage() -> dict:
+def cartilage() -> Finding:
     """Sections 2.1.1 and 3.4: an offset of each bone's surface, and a threshold between the bones."""
     return finding(
         "3.4",
@@ -134,7 +115,7 @@ def cartilage() -> dict:
     )
 
 
-def zones() -> dict:
+def zones() -> Finding:
     """Section 3.4 on Figures 42 and 43, hour by hour of the dial."""
     red = printed("figure-42", "clock", "red_zone")
     stretches = [(int(a) % 12, int(b)) for a, b in re.findall(r"(\d+)-(\d+)", red)]
@@ -152,7 +133,7 @@ def zones() -> dict:
     )
 
 
-def clock_ticks() -> dict:
+def clock_ticks() -> Finding:
     """The times of Table 8 as multiples of a tick."""
     times = sorted({time for time in timing.thesis_times(timing.TABLE_8).values() if math.isfinite(time)})
     counts = [round(time / timing.TICK_MS) for time in times]
@@ -169,7 +150,7 @@ def clock_ticks() -> dict:
     )
 
 
-def rapid_times() -> dict:
+def rapid_times() -> Finding:
     """The same measurements, twice."""
     first, second = (
         {(value.row, value.column): value.value for value in common.thesis(table).itertuples()}

@@ -5,8 +5,6 @@ policy in its head forbids that it could.
 Scripts are bundled by esbuild; three.js comes from analysis/node_modules.
 """
 
-from __future__ import annotations
-
 import argparse
 import base64
 import hashlib

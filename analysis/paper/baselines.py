@@ -6,8 +6,6 @@ baseline:METHOD:SIZE:COLUMN for the generated pair (shares in per cent, rms in m
 and :added in micrometres, :largest in mm; claim:NAME for what the text says of the claims.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

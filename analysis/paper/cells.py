@@ -6,8 +6,6 @@
 A key is the text of a column that tells the rows apart; 0.5 and 229 are printed as such.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from pathlib import Path

@@ -6,8 +6,6 @@ least of the three gaps, of distance the median, contact:poses, :impinged, :wron
 of the agreement.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

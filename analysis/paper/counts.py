@@ -7,8 +7,6 @@ of 32 KiB, counts:rim and counts:rim_misses of the vertices of the ball, counts:
 counts:touch and counts:boxes of a pose, culled and by FCL.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

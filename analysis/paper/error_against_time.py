@@ -11,8 +11,6 @@ certified:poses, :wrong, :crossings, :missed_um, :undecided:least and :most (per
 :gap_max, the largest over all joints and poses.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -16,8 +16,6 @@ difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the
 machine: cpu, cores, compiler, flags, commit, profile ...
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
@@ -141,9 +139,8 @@ def finding_facts(results: Path) -> dict[str, str]:
     return facts | {"finding:all": str(len(table))}
 
 
-def main() -> None:
+def main(options) -> None:
     """Writes paper/facts.tex."""
-    options = common.arguments(__doc__)
     verdicts = pd.read_csv(options.results / "verdicts.csv", dtype=str, keep_default_na=False)
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
     facts = {key: str(record.get(key, "unknown")) for key in MACHINE}

@@ -6,8 +6,6 @@ how many were, fast:set the instruction set, fast:METHOD:SETTING:STORAGE:ns, :um
 socket against the ball, fast:threads how much two threads gain,
 fast:growth the exponent with which the time of a pose grows with the triangles, cube in 16 bits (1 is linear)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd

@@ -7,8 +7,6 @@ longer the rasteriser of all schemes takes, and fill:fresh what fresh memory cos
 fill:worst_triangles and :worst_cells where the ratio to Embree is least, and fill:few the least for 12,000 or fewer.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

@@ -10,8 +10,6 @@ between the two centres), :centre:median and :most (degrees, by which the choice
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

@@ -4,8 +4,6 @@
 :least-at of each joint.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

@@ -7,8 +7,6 @@ error of ours over what its analysis allows, in per cent; stability:FAMILY:WHO, 
 needs:SCENE:COLUMN:least and :most over all joints, and needs:joints.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common

@@ -176,9 +176,8 @@ def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
     )
 
 
-def main() -> None:
+def main(options) -> None:
     """Checks every CSV of the graph against its sidecar, then writes report.html."""
-    options = common.arguments(__doc__, "--jobs", "--plotly", "--reference")
     jobs = load_jobs(Path(options.jobs))
     for job in jobs:
         for output in job.outputs:
@@ -190,4 +189,4 @@ def main() -> None:
     )
 
 
-common.run(main)
+common.run(main, "--jobs", "--plotly", "--reference")

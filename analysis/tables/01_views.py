@@ -5,8 +5,6 @@
 look for them.
 """
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
@@ -31,9 +29,7 @@ WORDS = {
 }
 
 
-def main() -> None:
-    """Writes tables/table-1.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     right, left = hip.looks(1.0), hip.looks(-1.0)
     rows = pd.DataFrame(
         [
@@ -46,7 +42,7 @@ def main() -> None:
             for view, graphics in GRAPHICS.items()
         ]
     )
-    common.write_table(options.out, "table-1", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def way(look: tuple[float, float, float]) -> str:
@@ -57,14 +53,8 @@ def way(look: tuple[float, float, float]) -> str:
 
 def latex(rows: pd.DataFrame) -> str:
     """Names, then where the cameras look."""
-    lines = [" & ".join(common.tex(value) for value in row) + r" \\" for row in rows.itertuples(index=False)]
-    return common.tabular(
-        r"@{}llll@{}",
-        [
-            r"anatomy & computer graphics & camera, right hip & camera, left hip \\",
-        ],
-        lines,
-    )
+    lines = [[common.tex(value) for value in row] for row in rows.itertuples(index=False)]
+    return common.tabular("@{}llll@{}", [["anatomy", "computer graphics", "camera, right hip", "camera, left hip"]], lines)
 
 
 common.run(main)

@@ -8,13 +8,11 @@ import common
 from common import memory
 
 
-def main() -> None:
-    """Writes tables/table-2.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     lines = memory.compare(options.results, "table-2")
     rows = [[f"{line.precision_deg:g}\\textdegree", *memory.cells(line)] for line in lines.itertuples()]
-    latex = memory.latex([("entries", 2), ("memory, MiB", 2), ("with rim", 1)], rows)
-    common.write_table(options.out, "table-2", lines, latex)
+    groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
+    return lines, common.tabular(*common.groups("Precision", groups), rows)
 
 
 common.run(main)

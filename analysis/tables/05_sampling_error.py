@@ -16,9 +16,7 @@ SCHEME = "rsid"  # Table 5 of the thesis is about this one
 ROUND = "sphere"  # the surface on which Eq. 7 is exact
 
 
-def main() -> None:
-    """Writes tables/table-5.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     ours = common.load(options.results, "sampling_error")
     ours = ours[ours.scheme == SCHEME].set_index("precision_deg")
     proven = common.load(options.results, "sampling_error_proven")
@@ -44,7 +42,7 @@ def main() -> None:
             if f"{precision:g}deg" in thesis.index
         ]
     )
-    common.write_table(options.out, "table-5", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def latex(lines: pd.DataFrame) -> str:

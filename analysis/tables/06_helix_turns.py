@@ -12,9 +12,7 @@ HELIX = "usid"  # Table 6 of the thesis matches this one
 GRID = "rsid"  # to this one
 
 
-def main() -> None:
-    """Writes tables/table-6.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     ours = common.load(options.results, "lut_memory")
     helix = ours[ours.scheme == HELIX].set_index("precision_deg")
     grid = ours[ours.scheme == GRID].set_index("precision_deg")
@@ -35,7 +33,7 @@ def main() -> None:
             if f"{precision:g}deg" in thesis.index
         ]
     )
-    common.write_table(options.out, "table-6", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def latex(lines: pd.DataFrame) -> str:

@@ -8,9 +8,7 @@ import common
 from common import memory
 
 
-def main() -> None:
-    """Writes tables/table-7.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     lines = memory.compare(options.results, "table-7")
     grid = memory.compare(options.results, "table-2")
     lines = lines.merge(
@@ -32,7 +30,7 @@ def main() -> None:
     ]
     groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
     groups += [("RSID, MiB", 2), ("with rim", 1), ("saved, \\%", 1), ("with rim", 1)]
-    common.write_table(options.out, "table-7", lines, memory.latex(groups, rows))
+    return lines, common.tabular(*common.groups("Precision", groups), rows)
 
 
 common.run(main)

@@ -11,9 +11,7 @@ import common
 RAYS = 4  # of Table 10
 
 
-def main() -> None:
-    """Writes tables/table-10.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     ours = common.load(options.results, "conchoid_angles")
     ours = ours[ours.rays == RAYS].set_index("i")
     thesis = common.thesis("table-10").pivot(index="row", columns="column", values="value")
@@ -32,7 +30,7 @@ def main() -> None:
             for i, row in ours.iterrows()
         ]
     )
-    common.write_table(options.out, "table-10", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def latex(lines: pd.DataFrame) -> str:

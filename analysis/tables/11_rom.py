@@ -5,8 +5,6 @@
 """Table 11, the recorded range of motion, and how close the bones of our stand-ins are at its ends and where they touch.
 """
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
@@ -15,9 +13,7 @@ from common import motion_limits, replay
 PATIENTS = {"patient_a": "A", "patient_b": "B"}
 
 
-def main() -> None:
-    """Writes tables/table-11.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     thesis = common.thesis("table-11").pivot(index="row", columns="column", values="value")
     ends = replay.ends(options.results)
     limits = motion_limits.contacts(options.results).set_index(["joint", "motion"])
@@ -34,7 +30,7 @@ def main() -> None:
             }
         lines.append(line)
     table = pd.DataFrame(lines)
-    common.write_table(options.out, "table-11", table, latex(table))
+    return table, latex(table)
 
 
 def latex(table: pd.DataFrame) -> str:
@@ -46,7 +42,7 @@ def latex(table: pd.DataFrame) -> str:
             gap = float(row[f"{patient}_stand_in_smallest_gap_mm"])
             cells += [row[f"{patient}_deg"], f"{gap:.2f}", row[f"{patient}_stand_in_clock"]]
             cells.append(row[f"{patient}_stand_in_limit_deg"])
-        rows.append(" & ".join(cells) + r" \\")
+        rows.append(cells)
     return common.tabular(
         r"@{}lrrrrrrrr@{}",
         [

@@ -11,8 +11,6 @@
 motion.
 """
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
@@ -21,9 +19,7 @@ from common import replay
 ORANGE, YELLOW = 4.0, 6.0  # mm: the further thresholds of Tables 12 and 13
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--joint", "--name")
+def main(options) -> common.Table:
     ends = replay.ends(options.results).loc[options.joint]
     zones = replay.end_zones(options.results, options.joint)
     lines = []
@@ -45,7 +41,7 @@ def main() -> None:
             }
         )
     table = pd.DataFrame(lines)
-    common.write_table(options.out, options.name, table, latex(table))
+    return table, latex(table)
 
 
 def latex(table: pd.DataFrame) -> str:
@@ -67,4 +63,4 @@ def latex(table: pd.DataFrame) -> str:
     )
 
 
-common.run(main)
+common.run(main, "--joint", "--name")

@@ -18,7 +18,6 @@ import pandas as pd
 
 import common
 
-THEOREMS = ["band_limit", "optimal", "mcewen_wiaux", "driscoll_healy", "oversampling"]
 HEADS = {
     "surface": "surface",
     "distance": "samples",
@@ -34,14 +33,12 @@ HEADS = {
 }
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--data", "--name")
+def main(options) -> common.Table:
     table = common.load(options.results, options.data)
     if "asked" in table:
         table.insert(3, "carried", [carried(line) for line in table.itertuples()])
         table = table.drop(columns=["asked", "value"])
-    common.write_table(options.out, options.name, table, latex(table))
+    return table, latex(table)
 
 
 def carried(line) -> str:
@@ -59,15 +56,9 @@ def latex(table: pd.DataFrame) -> str:
         if start == last and start[0] is not None:
             line |= dict.fromkeys(["surface", "filling", "covered_share"], "")
         last = start
-        rows.append(" & ".join(cell(name, line[name]) for name in columns) + " \\\\")
+        rows.append([cell(name, line[name]) for name in columns])
     kinds = "".join("l" if name in ("surface", "distance", "filling", "carried") else "r" for name in columns)
-    return common.tabular(
-        f"@{{}}{kinds}@{{}}",
-        [
-            " & ".join(HEADS[name] for name in columns) + " \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}{kinds}@{{}}", [[HEADS[name] for name in columns]], rows)
 
 
 def cell(column: str, value: object) -> str:
@@ -81,4 +72,4 @@ def cell(column: str, value: object) -> str:
     return f"{value:,.0f}"
 
 
-common.run(main)
+common.run(main, "--data", "--name")

@@ -9,9 +9,7 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes tables/baseline-comparison.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = common.load(options.results, "baselines")
     rows = pd.DataFrame({"joint": table.joint, "method": table.method, "setting": table.setting})
     rows["kB"] = (table.bytes / 1e3).map(common.digits)
@@ -26,9 +24,7 @@ def main() -> None:
     rows["missed_touches"] = share(table.missed_touches, table.poses)
     rows["wrong_within_mm"] = table.wrong_within_mm.map(lambda value: f"{value:g}")
     rows["gives_distance"] = table.gives_distance
-    common.write_table(
-        options.out, "baseline-comparison", rows, latex(rows[rows.joint == table.joint.iloc[0]])
-    )
+    return rows, latex(rows[rows.joint == table.joint.iloc[0]])
 
 
 def error(value: float) -> str:
@@ -61,7 +57,7 @@ def latex(rows: pd.DataFrame) -> str:
         ]
         cells += [row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
         cells += [row.false_touches, row.missed_touches, row.wrong_within_mm]
-        lines.append(" & ".join(cells) + r" \\")
+        lines.append(cells)
     return common.tabular("@{}llrrrrrrrrr@{}", head, lines)
 
 

@@ -9,16 +9,14 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes tables/claims-measured.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = common.load(options.results, "claims")
     order = {name: k for k, name in enumerate(table.claim.unique())}
     table = table.sort_values("claim", key=lambda names: names.map(order), kind="stable")
     rows = table[["claim", "setting", "quantity"]].copy()
     rows["value"] = [readable(row) for row in table.itertuples()]
     rows["unit"] = table.unit.map({"B": "kB", "us": "µs"}).fillna(table.unit).replace("1", "")
-    common.write_table(options.out, "claims-measured", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def readable(row) -> str:

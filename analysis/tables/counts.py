@@ -10,14 +10,12 @@ import common
 from common import contact, counts, fast
 
 
-def main() -> None:
-    """Writes tables/fast-counts.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = counts.load(options.results)
     rows = table[["method", "setting", "storage", "direction", "instruction_set", "unit"]].copy()
     for name in ("instructions", "over_floor", "time_over_floor", "l1_misses", "l2_misses"):
         rows[name] = table[name].map(lambda value: common.digits(value, 3))
-    common.write_table(options.out, "fast-counts", rows, latex(counts.first_set(table)))
+    return rows, latex(counts.first_set(table))
 
 
 def latex(table: pd.DataFrame) -> str:

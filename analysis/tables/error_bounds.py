@@ -18,9 +18,7 @@ PROMISES = {
 }
 
 
-def main() -> None:
-    """Writes tables/sampling-error-bounds.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     bounds = common.load(options.results, "sampling_error_bounds")
     bounds = bounds[(bounds.precision_deg == bounds.precision_deg.min()) & (bounds.reach != "stencil")]
     shares = bounds.pivot_table(
@@ -28,7 +26,7 @@ def main() -> None:
     )
     table = shares[list(PROMISES)].reset_index()
     labels = common.scheme_labels(options.results)
-    common.write_table(options.out, "sampling-error-bounds", table, latex(table, labels))
+    return table, latex(table, labels)
 
 
 def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
@@ -38,13 +36,7 @@ def latex(table: pd.DataFrame, labels: dict[str, str]) -> str:
         cells = [common.digits(line[name], 2) for name in PROMISES]
         bold = [f"\\textbf{{{text}}}" if line[name] > 1 else text for name, text in zip(PROMISES, cells)]
         rows.append(f"{common.tex(labels[line['scheme']])} & {' & '.join(bold)} \\\\")
-    return common.tabular(
-        f"@{{}}l{'r' * len(PROMISES)}@{{}}",
-        [
-            f"Scheme & {' & '.join(PROMISES.values())} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}l{'r' * len(PROMISES)}@{{}}", [["Scheme", *PROMISES.values()]], rows)
 
 
 common.run(main)

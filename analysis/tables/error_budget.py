@@ -2,11 +2,11 @@
 # @name      error-budget
 # @question  What each stage adds to the error of a gap of the generated pair.
 # @data      error_budget
-# @options   --data error_budget
+# @options   --data error_budget --name NAME
 # @name      error-budget-bones
 # @question  What each stage adds to the error of a gap of each real joint.
 # @data      error_budget_bones
-# @options   --data error_budget_bones
+# @options   --data error_budget_bones --name NAME
 # @when      JOINTS
 """The error budget of a gap, stage by stage, for the thesis' RSID table stored in 16 bits: root mean square and largest
 error of each stage, their sum, and the error of the gap that is read.
@@ -23,9 +23,7 @@ STORAGE = "uint16"  # so that every stage has its part
 STAGES = ["mesh", "mesh_estimate", "centre", "table", "arithmetic", "storage", "sum", "total"]
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex, NAME that of the data with a hyphen."""
-    options = common.arguments(__doc__, "--data")
+def main(options) -> common.Table:
     data = common.load(options.results, options.data)
     chosen = ((data.scheme == SCHEME) & (data.storage == STORAGE)) | (data.stage == "mesh_estimate")
     data = data[chosen]
@@ -41,7 +39,7 @@ def main() -> None:
                     line[f"{stage}_{kind}"] = stages[kind].get(stage, math.nan)
             lines.append(line)
     table = pd.DataFrame(lines)
-    common.write_table(options.out, options.data.replace("_", "-"), table, latex(table))
+    return table, latex(table)
 
 
 def cell(line: dict, stage: str) -> str:
@@ -69,13 +67,7 @@ def latex(table: pd.DataFrame) -> str:
         + r" \\"
         for line in table.to_dict("records")
     ]
-    return common.tabular(
-        f"@{{}}ll{'r' * len(shown)}@{{}}",
-        [
-            f"Joint & Precision & {' & '.join(shown.values())} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}ll{'r' * len(shown)}@{{}}", [["Joint", "Precision", *shown.values()]], rows)
 
 
-common.run(main)
+common.run(main, "--data", "--name")

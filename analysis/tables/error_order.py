@@ -17,9 +17,7 @@ import common
 from common import pareto
 
 
-def main() -> None:
-    """Writes tables/error-order.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = pareto.load(options.results)
     table = table[np.isfinite(table.precision_deg) & (table.storage == "double") & (table.error_um > 0)]
     lines = []
@@ -38,7 +36,7 @@ def main() -> None:
             }
         )
     lines = pd.DataFrame(lines)
-    common.write_table(options.out, "error-order", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def order(precision: pd.Series, error: pd.Series) -> float:
@@ -55,13 +53,7 @@ def latex(lines: pd.DataFrame) -> str:
         cells = [f"{own.order_max[s]:.1f} / {own.order_rms[s]:.1f}" if s in own.index else "" for s in scenes]
         rows.append(f"{common.tex(common.label(method))} & {' & '.join(cells)} \\\\")
     titles = [common.tex(s.replace("_", " ").replace("generated", "").strip()) for s in scenes]
-    return common.tabular(
-        f"@{{}}l{'r' * len(scenes)}@{{}}",
-        [
-            f"Method & {' & '.join(titles)} \\\\",
-        ],
-        rows,
-    )
+    return common.tabular(f"@{{}}l{'r' * len(scenes)}@{{}}", [["Method", *titles]], rows)
 
 
 common.run(main)

@@ -10,9 +10,7 @@ import common
 from common import fast
 
 
-def main() -> None:
-    """Writes tables/fast-times.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     warm = fast.load(options.results)
     table = pd.concat([warm, fast.load(options.results, "cold")])
     rows = pd.DataFrame({name: table[name] for name in ("method", "setting", "storage", "triangles")})
@@ -25,19 +23,17 @@ def main() -> None:
     rows["ns_vertex"] = table.ns_vertex.map(common.digits)
     rows["iqr_ns"] = table.iqr_ns.map(lambda value: common.digits(value, 2))
     rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
-    common.write_table(options.out, "fast-times", rows, latex(fast.plain_rows(warm)))
+    return rows, latex(fast.plain_rows(warm))
 
 
 def latex(table: pd.DataFrame) -> str:
     """One line a method and setting, both directions beside each other."""
-    lines = [
-        r"\begin{tabular}{@{}llrrrrrrr@{}}",
-        r"\toprule",
+    head = [
         r" & & & \multicolumn{3}{c}{socket to ball} & \multicolumn{3}{c}{ball to socket} \\",
         r"\cmidrule(lr){4-6}\cmidrule(l){7-9}",
         r"method & setting & KiB & µm & ns & $\times$ & µm & ns & $\times$ \\",
-        r"\midrule",
     ]
+    lines = []
     for (line, setting), rows in table.groupby(["line", "setting"], sort=False):
         cells = [common.tex(line), common.tex(setting.replace("deg", "°")).replace("°", r"\degrees{}")]
         cells.append(common.digits(rows.bytes.iloc[0] / 1024))
@@ -45,8 +41,8 @@ def latex(table: pd.DataFrame) -> str:
             row = rows[rows.direction == direction].iloc[0]
             cells.append("$<$0.001" if row.error_um < 0.001 else common.digits(row.error_um, 2) or "---")
             cells += [common.digits(value, 2) for value in (row.ns_vertex, row.times_embree)]
-        lines.append(" & ".join(cells) + r" \\")
-    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+        lines.append(cells)
+    return common.tabular("@{}llrrrrrrr@{}", head, lines)
 
 
 common.run(main)

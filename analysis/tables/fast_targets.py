@@ -4,8 +4,6 @@
 # @data      fast fill contact
 """What was aimed at in speed, and what was measured."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -58,9 +56,7 @@ class Target:
         return f"{'at most' if self.most else 'at least'} {self.target:g}"
 
 
-def main() -> None:
-    """Writes tables/fast-targets.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     targets = measured(fast.load(options.results))
     cold = fast.load(options.results, "cold")
     cold = cold[cold.direction == "socket->ball"]
@@ -81,7 +77,7 @@ def main() -> None:
             "met": [one.verdict() for one in targets],
         }
     )
-    common.write_table(options.out, "fast-targets", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def measured(table: pd.DataFrame) -> list[Target]:

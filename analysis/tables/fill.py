@@ -10,15 +10,13 @@ import common
 from common import fill
 
 
-def main() -> None:
-    """Writes tables/fill-times.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = fill.load(options.results)
     rows = table[["method", "storage", "memory", "threads", "triangles", "cells", "entries"]].copy()
     rows["ms"] = table.median_ms.map(common.digits)
     rows["iqr_ms"] = table.iqr_ms.map(lambda value: common.digits(value, 2))
     rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
-    common.write_table(options.out, "fill-times", rows, latex(table))
+    return rows, latex(table)
 
 
 def latex(table: pd.DataFrame) -> str:

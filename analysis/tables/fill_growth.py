@@ -8,9 +8,7 @@ import common
 from common import fill
 
 
-def main() -> None:
-    """Writes tables/fill-growth.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     fits = fill.growth(fill.load(options.results))
     rows = fits[[*fill.WAY, "points"]].copy()
     for name in ("start_us", "triangle_ns", "entry_ns", "largest_residual"):
@@ -21,7 +19,7 @@ def main() -> None:
         numbers = [common.digits(value, 2) for value in (fit.start_us, fit.triangle_ns, fit.entry_ns)]
         share = f"{100 * fit.largest_residual:.0f}" + r"\,\%"
         lines.append(" & ".join([common.tex(f"{fit.line}, {fit.memory}"), *numbers, share]) + r" \\")
-    common.write_table(options.out, "fill-growth", rows, common.tabular("@{}lrrrr@{}", head, lines))
+    return rows, common.tabular("@{}lrrrr@{}", head, lines)
 
 
 common.run(main)

@@ -7,8 +7,6 @@
 50: USID "produces the same result").
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -20,15 +18,13 @@ import common
 SCHEMES = ("rsid", "usid")  # the two systems of the thesis
 
 
-def main() -> None:
-    """Writes tables/figure-50-difference.csv and .tex."""
-    options = common.arguments(__doc__, "--joints")
+def main(options) -> common.Table:
     rows = []
     for joint in options.joints.split(","):
         folders = [options.results / "scenes" / f"{joint}-{scheme}" for scheme in SCHEMES]
         rows += differences(joint, *folders)
     table = pd.DataFrame(rows)
-    common.write_table(options.out, "figure-50-difference", table, latex(table))
+    return table, latex(table)
 
 
 def differences(joint: str, one: Path, other: Path) -> list[dict]:
@@ -81,15 +77,9 @@ def latex(table: pd.DataFrame) -> str:
             *counts,
             f"{line.changed:,}",
         ]
-        rows.append(" & ".join(cells) + " \\\\")
+        rows.append(cells)
         last = place
-    return common.tabular(
-        "@{}llrrrrrrr@{}",
-        [
-            " & ".join(heads) + " \\\\",
-        ],
-        rows,
-    )
+    return common.tabular("@{}llrrrrrrr@{}", [heads], rows)
 
 
-common.run(main)
+common.run(main, "--joints")

@@ -9,8 +9,6 @@ Between two settings the logarithm of time and bytes is linear in that of the er
 whose finest setting errs more has no value; one whose coarsest setting errs less takes what that one takes.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -24,9 +22,7 @@ PEERS = {"embree": "embree_ray", "thesis": ("rsid_thesis", "usid_thesis")}  # wh
 SHOWN_LINES = 4  # fastest at each target, in the paper
 
 
-def main() -> None:
-    """Writes tables/matched-accuracy.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = pareto.load(options.results)
     table = table[pareto.competes(table)]
     lines = pd.DataFrame(
@@ -45,7 +41,7 @@ def main() -> None:
         )
         lines = lines.merge(best, on=["scene", "target_um"], how="left")
         lines[f"times_faster_than_{peer}"] = lines.pop(f"{peer}_ns") / lines.query_ns
-    common.write_table(options.out, "matched-accuracy", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def at(group: pd.DataFrame, target: float) -> dict[str, float]:
@@ -88,9 +84,7 @@ def latex(lines: pd.DataFrame) -> str:
             "\\cmidrule(l){5-6}",
             "Error, \\textmu m & Method & query, ns & memory, KiB & Embree & thesis \\\\",
         ],
-        [
-            *rows[:-1],
-        ],
+        rows[:-1],
     )
 
 

@@ -13,9 +13,7 @@ import common
 from common import motion_limits
 
 
-def main() -> None:
-    """Writes tables/motion-limits-by-joint.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     head = motion_limits.contacts(options.results)
     socket = motion_limits.contacts(options.results, "socket").set_index(["joint", "motion"])
     rows = []
@@ -35,7 +33,7 @@ def main() -> None:
             }
         )
     table = pd.DataFrame(rows)
-    common.write_table(options.out, "motion-limits-by-joint", table, latex(table))
+    return table, latex(table)
 
 
 def half_mm_gap(row) -> str:

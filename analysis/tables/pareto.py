@@ -10,11 +10,10 @@ import common
 from common import pareto
 
 
-def main() -> None:
-    """Writes tables/pareto.csv and .tex, the methods that stand on a front, with how often they do."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
+    """The methods that stand on a front, with how often they do."""
     points = pareto.fronts(pareto.load(options.results))
-    common.write_table(options.out, "pareto", points, latex(points))
+    return points, latex(points)
 
 
 def latex(points) -> str:
@@ -30,18 +29,11 @@ def latex(points) -> str:
     counts = counts.sort_values(["all", "method"], ascending=[False, True])
     titles = {"query_ns": "query", "build_ms": "fill", "bytes": "memory"}
     rows = [
-        f"{common.tex(common.label(method))} & "
-        + " & ".join(str(row[cost]) for cost in pareto.COSTS)
-        + r" \\"
+        [common.tex(common.label(method)), *(str(row[cost]) for cost in pareto.COSTS)]
         for method, row in counts.iterrows()
     ]
-    return common.tabular(
-        f"@{{}}l{'r' * len(pareto.COSTS)}@{{}}",
-        [
-            f"Method & {' & '.join(titles[cost] for cost in pareto.COSTS)} \\\\",
-        ],
-        rows,
-    )
+    head = ["Method", *(titles[cost] for cost in pareto.COSTS)]
+    return common.tabular(f"@{{}}l{'r' * len(pareto.COSTS)}@{{}}", [head], rows)
 
 
 common.run(main)

@@ -11,11 +11,9 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes tables/phantom-validation.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     phantoms = common.load(options.results, "phantoms")
-    common.write_table(options.out, "phantom-validation", phantoms, latex(phantoms))
+    return phantoms, latex(phantoms)
 
 
 def latex(phantoms: pd.DataFrame) -> str:
@@ -26,7 +24,7 @@ def latex(phantoms: pd.DataFrame) -> str:
         cells = [common.tex(row.phantom), common.tex(row.quantity)]
         cells += [f"{row.closed_form:.5f}", f"{row.measured:.5f}", f"{row.error:.5f}"]
         cells += ["" if pd.isna(value) else common.rounded_up(value, 5) for value in (row.target, row.bound)]
-        lines.append(" & ".join(cells) + r" \\")
+        lines.append(cells)
     return common.tabular("llrrrrr", head, lines)
 
 

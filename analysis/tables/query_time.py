@@ -14,9 +14,7 @@ import common
 from common import timing
 
 
-def main() -> None:
-    """Writes tables/table-9-queries.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     data = common.load(options.results, timing.TABLE_9.data)
     scans = set(data[data.gives_distance].method)
     lines = timing.compare(options.results, timing.TABLE_9)
@@ -28,7 +26,7 @@ def main() -> None:
     lines = lines[
         ["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]
     ]
-    common.write_table(options.out, "table-9-queries", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def latex(lines: pd.DataFrame) -> str:
@@ -40,16 +38,9 @@ def latex(lines: pd.DataFrame) -> str:
     for (triangles, queries), group in lines.groupby(["triangles", "queries"]):
         times = group.set_index("method").loc[methods, ["thesis_ns", "measured_ns"]].to_numpy().ravel()
         cells = [common.digits(value) or "---" for value in times]
-        rows.append(" & ".join([f"{triangles:,.0f}", f"{queries:,.0f}", *cells]) + " \\\\")
-    return common.tabular(
-        f"@{{}}ll{'rr' * len(methods)}@{{}}",
-        [
-            " & ".join(["", "", *spans]) + " \\\\",
-            "".join(rules),
-            " & ".join(["Triangles a model", "queries", *["thesis & here"] * len(methods)]) + " \\\\",
-        ],
-        rows,
-    )
+        rows.append([f"{triangles:,.0f}", f"{queries:,.0f}", *cells])
+    titles = ["Triangles a model", "queries", *["thesis & here"] * len(methods)]
+    return common.tabular(f"@{{}}ll{'rr' * len(methods)}@{{}}", [["", "", *spans], "".join(rules), titles], rows)
 
 
 common.run(main)

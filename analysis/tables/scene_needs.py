@@ -7,9 +7,7 @@
 import common
 
 
-def main() -> None:
-    """Writes tables/scene-needs-totals.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     totals = common.load(options.results, "scene_needs_totals")
     rows = totals[["scene"]].copy()
     for name in ("everything", "tables", "plan"):
@@ -18,7 +16,7 @@ def main() -> None:
     rows["bytes_ratio"] = totals.bytes_ratio.map(lambda value: common.digits(value, 2))
     rows["time_ratio"] = totals.time_ratio.map(lambda value: common.digits(value, 2))
     rows["same"] = totals.identical
-    common.write_table(options.out, "scene-needs-totals", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def latex(rows) -> str:

@@ -14,9 +14,7 @@ PRECISION = 1.0  # degrees, of the table that savings are counted from
 SAVINGS = ["covering_radius", "interpolation_p9999", "interpolation_rms"]
 
 
-def main() -> None:
-    """Writes tables/scheme-comparison.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     schemes, covering, lookup, savings = (
         common.load(options.results, name)
         for name in ("schemes", "scheme_covering", "lookup_time", "scheme_savings")
@@ -30,7 +28,7 @@ def main() -> None:
         .merge(saved[SAVINGS].add_prefix("saved_percent_"), left_on="scheme", right_index=True, how="left")
         .sort_values("covering_constant", kind="stable", ignore_index=True)
     )
-    common.write_table(options.out, "scheme-comparison", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def short(citation: str) -> str:
@@ -47,19 +45,16 @@ def short(citation: str) -> str:
 def latex(lines: pd.DataFrame) -> str:
     """One row a scheme, the best covering first."""
     body = [
-        " & ".join(
-            [
-                common.tex(line.label),
-                common.tex(short(line.citation)),
-                f"{line.entries:,}",
-                common.digits(line.covering_constant),
-                common.digits(line.constant_away),
-                common.digits(line.max_area_ratio),
-                common.digits(line.median_ns),
-                *(percent(getattr(line, f"saved_percent_{meaning}")) for meaning in SAVINGS),
-            ]
-        )
-        + r" \\"
+        [
+            common.tex(line.label),
+            common.tex(short(line.citation)),
+            f"{line.entries:,}",
+            common.digits(line.covering_constant),
+            common.digits(line.constant_away),
+            common.digits(line.max_area_ratio),
+            common.digits(line.median_ns),
+            *(percent(getattr(line, f"saved_percent_{meaning}")) for meaning in SAVINGS),
+        ]
         for line in lines.itertuples()
     ]
     return common.tabular(

@@ -9,9 +9,7 @@ import pandas as pd
 import common
 
 
-def main() -> None:
-    """Writes tables/slices-error-table.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     table = common.load(options.results, "slices_to_surface")
     rows = pd.DataFrame({"slice_mm": table.slice_mm, "stage": table.stage})
     rows["ball_triangles"] = table.ball_faces
@@ -19,7 +17,7 @@ def main() -> None:
     for name in ("added_rms", "rms", "mean", "largest"):
         rows[f"{name}_um"] = (1e3 * table[f"{name}_mm"]).map(lambda value: common.digits(value, 2))
     rows["missed"] = table.missed
-    common.write_table(options.out, "slices-error-table", rows, latex(rows))
+    return rows, latex(rows)
 
 
 def latex(rows: pd.DataFrame) -> str:

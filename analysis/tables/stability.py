@@ -10,13 +10,11 @@ import common
 from common import stability
 
 
-def main() -> None:
-    """Writes tables/stability-summary.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     cases = stability.load(options.results)
     families = stability.families(options.results)
     lines = pd.DataFrame([line(cases[cases.family == name], name, row) for name, row in families.iterrows()])
-    common.write_table(options.out, "stability-summary", lines, latex(lines))
+    return lines, latex(lines)
 
 
 def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
@@ -67,7 +65,7 @@ def latex(lines: pd.DataFrame) -> str:
             power(row.worst_of_others),
             f"{row.failures_of_others:,}",
         ]
-        rows.append(" & ".join(cells) + " \\\\")
+        rows.append(cells)
     return common.tabular(
         "@{}lrrrrrrrr@{}",
         [

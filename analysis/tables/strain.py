@@ -10,13 +10,11 @@ import common
 from common import strain
 
 
-def main() -> None:
-    """Writes tables/strain-by-gap-table.csv and .tex."""
-    options = common.arguments(__doc__)
+def main(options) -> common.Table:
     rows = strain.layers(options.results).drop(columns="approach")
     for name in rows.columns[2:]:
         rows[name] = rows[name].map(lambda value: common.plain(value, 3))
-    common.write_table(options.out, "strain-by-gap-table", rows, latex(strain.layers(options.results)))
+    return rows, latex(strain.layers(options.results))
 
 
 def latex(layers: pd.DataFrame) -> str:

@@ -25,32 +25,21 @@ MEASURES = [
 ]  # every other column names the case
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--data", "--name")
+def main(options) -> common.Table:
     times = common.load(options.results, options.data)
     case = [column for column in times.columns if column not in [*MEASURES, "method"]]
     table = times.pivot_table(index=case, columns="method", values="median_ms", sort=False).reset_index()
     table = table.rename(columns={method: f"{method}_ms" for method in times.method.unique()})
-    common.write_table(options.out, options.name, table, latex(table))
+    return table, latex(table)
 
 
 def latex(table: pd.DataFrame) -> str:
     """All columns: times rounded for reading, the rest as it is."""
     heads = [common.tex(column.replace("_", " ")) for column in table.columns]
     rows = [
-        " & ".join(cell(name, value) for name, value in zip(table.columns, row))
-        for row in table.itertuples(index=False)
+        [cell(name, value) for name, value in zip(table.columns, row)] for row in table.itertuples(index=False)
     ]
-    return common.tabular(
-        f"@{{}}{'l' * len(heads)}@{{}}",
-        [
-            " & ".join(heads) + " \\\\",
-        ],
-        [
-            *(row + " \\\\" for row in rows),
-        ],
-    )
+    return common.tabular(f"@{{}}{'l' * len(heads)}@{{}}", [heads], rows)
 
 
 def cell(column: str, value: object) -> str:
@@ -66,4 +55,4 @@ def cell(column: str, value: object) -> str:
     )
 
 
-common.run(main)
+common.run(main, "--data", "--name")

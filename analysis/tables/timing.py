@@ -18,13 +18,11 @@ import common
 from common import timing
 
 
-def main() -> None:
-    """Writes tables/NAME.csv and .tex."""
-    options = common.arguments(__doc__, "--name")
+def main(options) -> common.Table:
     table = next(table for table in timing.TABLES if table.artefact == options.name)
     lines = timing.compare(options.results, table)
     lines = lines[lines.method.isin(common.methods_of(table.artefact))]
-    common.write_table(options.out, table.artefact, lines, timing.latex(lines, table))
+    return lines, timing.latex(lines, table)
 
 
-common.run(main)
+common.run(main, "--name")

@@ -8,8 +8,6 @@ Each module of MODULES has rows(results) for some of the thesis' tables. Formula
 to the digits that the thesis prints.
 """
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
@@ -18,9 +16,8 @@ from verdicts import conchoid, hip, memory, sampling_error, saving, timing, verd
 MODULES = (conchoid, hip, memory, sampling_error, saving, timing)
 
 
-def main() -> None:
+def main(options) -> None:
     """Writes verdicts.csv, in the order of thesis_values.csv."""
-    options = common.arguments(__doc__)
     rows = pd.DataFrame(
         [row for module in MODULES for row in module.rows(options.results)], columns=verdict.COLUMNS
     )

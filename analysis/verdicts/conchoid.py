@@ -2,14 +2,12 @@
 # @data      conchoid_angles conchoid_shape conchoid_origins
 """Verdicts on the conchoid (Table 10, Section 5.1): lengths, adjusted rays, and what Figure 53 claims."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
 
 import common
-from verdicts.verdict import input_row, printed_row, row
+from verdicts.verdict import input_row, printed_row, value_row
 
 RAYS = 4  # of Table 10
 FINE_RAYS = 901  # of Figures 58 and 59
@@ -91,13 +89,9 @@ def within(percent: float, value) -> bool:
 
 def claim_row(value, measured: str, verdict: str, rule: str, note: str) -> dict:
     """A claim in tens of per cent."""
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    return value_row(
+        value,
         measured=measured,
-        unit=value.unit,
         rule=f"within {CLAIM_TOLERANCE} percentage points{rule}",
         tolerance=f"{CLAIM_TOLERANCE} percentage points",
         verdict=verdict,

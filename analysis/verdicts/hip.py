@@ -7,15 +7,13 @@ not public, and our stand-ins were shaped so that zones fall there. What was fou
 and the note says whether it agrees.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pandas as pd
 
 import common
 from common import replay
-from verdicts.verdict import input_row, row
+from verdicts.verdict import input_row, value_row
 
 NEAR = 0.5  # hours beyond a printed stretch that still count as of it
 MOST = 0.9  # of the area must lie there
@@ -89,13 +87,9 @@ def zone_row(value, found: pd.DataFrame, note: str) -> dict:
     met = all(any(inside(zone, stretch) for zone in found.itertuples()) for stretch in printed)
     agrees = "agrees" if met and share >= MOST else "does not agree"
     shaped = "shaped for it" if value.artefact in CLOSEST else "not shaped for it"
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    return value_row(
+        value,
         measured=replay.union(found),
-        unit=value.unit,
         rule=RULE,
         tolerance=f"{60 * NEAR:.0f} minutes",
         verdict="not-comparable",

@@ -2,13 +2,11 @@
 # @data      lut_memory
 """Verdicts on entries, turns and memory (Tables 2, 6 and 7): what our tables really take."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import common
 from common import memory
-from verdicts.verdict import printed_row, rounds_to, row
+from verdicts.verdict import printed_row, rounds_to, value_row
 
 COLUMNS = {
     "lut_entries": ("entries", 1),
@@ -42,13 +40,9 @@ def equator_row(value, line) -> dict:
     is one more or less by where a turn begins.
     """
     least, most = int(line.equator_least), int(line.equator_most)
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    return value_row(
+        value,
         measured=f"{least}" if least == most else f"{least} to {most}",
-        unit=value.unit,
         rule="one of the numbers that are counted on turns across the equator",
         tolerance="none",
         verdict="reproduced" if least <= int(value.value) <= most else "differs",

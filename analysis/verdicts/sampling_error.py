@@ -2,8 +2,6 @@
 # @data      sampling_error slices slice_band_limit
 """Verdicts on the sampling error (Table 5) and on the slices of a scan (Section 3.5.2)."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -2,8 +2,6 @@
 # @data      lut_memory scheme_savings
 """Verdict on the memory that the thesis' helix saves (Section 4.4), and what else "saves" could mean."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -6,8 +6,6 @@ which method is faster, by how much, and how its time grows, and those have rows
 Table 3 stands in Table 8 again and Table 4 in Table 9: their numbers are counted there.
 """
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
@@ -15,11 +13,9 @@ import pandas as pd
 
 import common
 from common import log_plot, timing
-from verdicts.verdict import NOT_COUNTED, not_counted, row
+from verdicts.verdict import NOT_COUNTED, not_counted, row, value_row
 
-RATIO_FACTOR = math.sqrt(
-    10
-)  # half an order of magnitude: other machine, compiler, implementation of the rival
+RATIO_FACTOR = math.sqrt(10)  # half an order of magnitude: other machine, compiler, implementation of the rival
 RATIO_RULE = "ratio within half an order of magnitude of the thesis' ratio"
 TRIANGLES = 3000  # of each model in Table 8
 MOST_OFF = 0.25  # of an exponent: n against n^1.25
@@ -88,13 +84,9 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
         known = value.value != "N/A"
         notes = [against_the_thesis(table, line) if known else f"measured with {common.label(line.method)}"]
         notes += doubts(line)
-    found = row(
-        table.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    found = value_row(
+        value,
         measured="" if line is None else common.plain(line.measured_ms),
-        unit=value.unit,
         rule="times of different machines are not compared; see the ratios, the order and the growth",
         verdict="not-comparable",
         note="; ".join(notes),

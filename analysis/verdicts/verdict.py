@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a verdict is: one line of verdicts.csv, and the rules that several tables share."""
 
-from __future__ import annotations
-
 import pandas as pd
 
 import common
@@ -15,6 +13,11 @@ NOT_COUNTED = "not counted: "  # how the rule begins of a row that no sum holds
 def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, object]:
     """One line of verdicts.csv; what is not given stays empty."""
     return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, **rest}
+
+
+def value_row(value, **rest: object) -> dict[str, object]:
+    """The line of a value of common.thesis()."""
+    return row(value.artefact, value.row, value.column, thesis=value.value, unit=value.unit, **rest)
 
 
 def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
@@ -38,13 +41,9 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
     `otherwise` says; the note goes with it. value is a line of common.thesis().
     """
     good = rounds_to(measured, value.value)
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
+    return value_row(
+        value,
         measured=common.plain(measured, 10),
-        unit=value.unit,
         rule="equal when rounded to the digits printed",
         tolerance="half a unit of the last digit",
         verdict="reproduced" if good else otherwise,
@@ -54,13 +53,4 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
 
 def input_row(value, rule: str = "given, not computed") -> dict[str, object]:
     """A value that the thesis takes from elsewhere and we take from it, or that could not be another."""
-    return row(
-        value.artefact,
-        value.row,
-        value.column,
-        thesis=value.value,
-        measured=value.value,
-        unit=value.unit,
-        rule=rule,
-        verdict="input",
-    )
+    return value_row(value, measured=value.value, rule=rule, verdict="input")

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
 #include "methods/cgal_tree.hpp"
+#include "support/cells.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -93,11 +93,7 @@ TEST(BaselineStudy, ScalesTheBuildingThatItDoesNotTime) {
   joint.ways.count = 1;
   const BaselineTables tables = baseline_tables({joint}, {1, 1, 3.0}, progress);
   ASSERT_EQ(tables.table.rows.size(), 4U);
-  std::map<std::string, std::size_t> column;
-  for (std::size_t c = 0; c < tables.table.columns.size(); ++c) column[tables.table.columns[c].name] = c;
-  const auto cell = [&](std::size_t row, const char* name) {
-    return tables.table.rows[row][column.at(name)].text();
-  };
+  const auto cell = [&](std::size_t row, const char* name) { return test::cell(tables.table, row, name); };
   EXPECT_EQ(cell(1, "build_extrapolated"), "no");
   EXPECT_EQ(cell(2, "build_extrapolated"), "yes");
   EXPECT_NEAR(std::stod(cell(2, "build_ms")), 4.0 * std::stod(cell(1, "build_ms")), 1e-9);

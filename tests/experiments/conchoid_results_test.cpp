@@ -11,23 +11,15 @@
 #include "07_conchoid/conchoid_segments.hpp"
 #include "curves/conchoid_origins.hpp"
 #include "sphere/direction.hpp"
+#include "support/cells.hpp"
 
 namespace impinge::lab {
 namespace {
 
 const ConchoidShape kShape;
 
-// Values of one row by the names of their columns.
-std::map<std::string, std::string> by_name(const Result& result, std::size_t row) {
-  std::map<std::string, std::string> values;
-  for (std::size_t i = 0; i < result.table.columns.size(); ++i) {
-    values[result.table.columns[i].name] = result.table.rows[row][i].text();
-  }
-  return values;
-}
-
 double number(const Result& result, std::size_t row, const std::string& column) {
-  return std::stod(by_name(result, row).at(column));
+  return test::number(result.table, row, column);
 }
 
 TEST(ConchoidCurve, PointsAreOnTheConchoid) {
@@ -61,8 +53,8 @@ TEST(ConchoidSegments, MakeUpTheArc) {
   const Result result = conchoid_segments(kShape, rays);
   std::map<std::string, double> sums;
   for (std::size_t row = 0; row < result.table.rows.size(); ++row) {
-    const auto values = by_name(result, row);
-    sums[values.at("origin") + values.at("rays")] += std::stod(values.at("length_mm"));
+    const std::string name = test::cell(result.table, row, "origin") + test::cell(result.table, row, "rays");
+    sums[name] += number(result, row, "length_mm");
   }
   EXPECT_EQ(sums.size(), 2 * sampling_origins(kShape).size());
   for (const auto& [name, sum] : sums) EXPECT_NEAR(sum, meridian_length(kShape, 0.5 * kPi), 1e-10) << name;

@@ -13,11 +13,14 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
+#include "support/cells.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge::lab {
 namespace {
 
+using test::cell;
+using test::number;
 using test::TemporaryFolder;
 
 constexpr double kChords = 0.1;  // mm
@@ -49,30 +52,19 @@ const Replayed& replayed() {
   return once;
 }
 
-std::string cell(const Table& table, std::size_t row, std::string_view column) {
-  for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    if (table.columns[k].name == column) return table.rows[row][k].text();
-  }
-  throw std::invalid_argument("no column " + std::string(column));
-}
-
-double value(const Table& table, std::size_t row, std::string_view column) {
-  return std::stod(cell(table, row, column));
-}
-
 TEST(MotionReplay, GoesEvenlyToTheAngleRecorded) {
   const Table& frames = replayed().tables.frames;
   ASSERT_EQ(frames.rows.size(), 6U);
   const std::vector<double> angles{0.0, 20.0, 40.0, 60.0, 80.0};
   const std::vector<std::string> pictures{"0", "", "1", "", "2"};
   for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_EQ(value(frames, k, "angle_deg"), angles[k]);
+    EXPECT_EQ(number(frames, k, "angle_deg"), angles[k]);
     EXPECT_EQ(cell(frames, k, "picture"), pictures[k]);
     EXPECT_EQ(cell(frames, k, "at_end"), k == 4 ? "yes" : "no");
     EXPECT_EQ(cell(frames, k, "motion"), k == 0 ? "neutral" : "abduction");
   }
-  EXPECT_NEAR(value(frames, 4, "rotation_xx"), std::cos(kAbduction * kPi / 180.0), 1e-15);
-  EXPECT_NEAR(value(frames, 4, "rotation_zx"), std::sin(kAbduction * kPi / 180.0), 1e-15);
+  EXPECT_NEAR(number(frames, 4, "rotation_xx"), std::cos(kAbduction * kPi / 180.0), 1e-15);
+  EXPECT_NEAR(number(frames, 4, "rotation_zx"), std::sin(kAbduction * kPi / 180.0), 1e-15);
 }
 
 // Moved forward by d, the head is within 4 - d of the socket in front, at 3 o'clock, and the bump stays
@@ -81,16 +73,16 @@ TEST(MotionReplay, EndsWithTheBallMovedForward) {
   const Table& frames = replayed().tables.frames;
   EXPECT_EQ(cell(frames, 5, "motion"), "forward");
   EXPECT_EQ(cell(frames, 5, "picture"), "3");
-  EXPECT_EQ(value(frames, 5, "forward_mm"), 5.0);
-  EXPECT_NEAR(value(frames, 5, "smallest_gap_mm"), -1.0, 2 * kChords);
-  EXPECT_NEAR(value(frames, 5, "clock_hours"), 3.0, 0.5);
+  EXPECT_EQ(number(frames, 5, "forward_mm"), 5.0);
+  EXPECT_NEAR(number(frames, 5, "smallest_gap_mm"), -1.0, 2 * kChords);
+  EXPECT_NEAR(number(frames, 5, "clock_hours"), 3.0, 0.5);
 }
 
 TEST(MotionReplay, FindsTheBumpWhereItComesUnderTheSocket) {
   const Table& frames = replayed().tables.frames;
-  EXPECT_NEAR(value(frames, 0, "smallest_gap_mm"), 4.0, kChords);
-  EXPECT_NEAR(value(frames, 4, "smallest_gap_mm"), 1.0, kChords);
-  const double hours = value(frames, 4, "clock_hours");
+  EXPECT_NEAR(number(frames, 0, "smallest_gap_mm"), 4.0, kChords);
+  EXPECT_NEAR(number(frames, 4, "smallest_gap_mm"), 1.0, kChords);
+  const double hours = number(frames, 4, "clock_hours");
   EXPECT_LT(std::min(hours, 12.0 - hours), 0.25);
 }
 
@@ -102,13 +94,13 @@ TEST(MotionReplay, ToldInHoursAndArea) {
   std::size_t found = 0;
   for (std::size_t k = 0; k < zones.rows.size(); ++k) {
     if (cell(zones, k, "within_mm") != "2" || cell(zones, k, "motion") != "abduction") continue;
-    EXPECT_GT(value(zones, k, "angle_deg"), 31.0) << "that part of the bump is not under the socket yet";
+    EXPECT_GT(number(zones, k, "angle_deg"), 31.0) << "that part of the bump is not under the socket yet";
     if (cell(zones, k, "at_end") != "yes" || cell(zones, k, "surface") != "ball") continue;
     ++found;
-    EXPECT_NEAR(value(zones, k, "from_hours"), 11.375, 0.126);
-    EXPECT_NEAR(value(zones, k, "to_hours"), 0.625, 0.126);
+    EXPECT_NEAR(number(zones, k, "from_hours"), 11.375, 0.126);
+    EXPECT_NEAR(number(zones, k, "to_hours"), 0.625, 0.126);
     const double cap = 2.0 * kPi * 24.5 * 24.5 * (1.0 - std::cos(11.75 * kPi / 180.0));
-    EXPECT_NEAR(value(zones, k, "area_mm2"), cap, 0.2 * cap);
+    EXPECT_NEAR(number(zones, k, "area_mm2"), cap, 0.2 * cap);
   }
   EXPECT_EQ(found, 1U);
 }

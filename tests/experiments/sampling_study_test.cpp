@@ -9,9 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "sphere/schemes/rsid.hpp"
+#include "support/cells.hpp"
 
 namespace impinge::lab {
 namespace {
+
+using test::number;
 
 class Study : public testing::Test {
  protected:
@@ -24,13 +27,6 @@ class Study : public testing::Test {
     study_ = make_sampling_study(options);
     for (const double precision : options.precisions)
       add_scheme(study_, Rsid::with_precision(precision), precision);
-  }
-
-  static double number(const Table& table, std::size_t row, const std::string& column) {
-    for (std::size_t k = 0; k < table.columns.size(); ++k) {
-      if (table.columns[k].name == column) return std::stod(table.rows[row][k].text());
-    }
-    throw std::out_of_range(column);
   }
 
   // Row of `surfaces` with this surface, precision and interpolant.

@@ -9,15 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cells.hpp"
+
 namespace impinge::lab {
 namespace {
 
-double number(const Table& table, std::size_t row, const std::string& column) {
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    if (table.columns[k].name == column) return std::stod(table.rows.at(row).at(k).text());
-  ADD_FAILURE() << "no column " << column;
-  return std::nan("");
-}
+using test::number;
 
 TEST(StrainStudy, ObliqueRaysLowerTheStrain) {
   ObliqueJoint joint;

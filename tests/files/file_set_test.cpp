@@ -13,6 +13,7 @@
 
 #include "files/file_error.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -109,13 +110,8 @@ TEST(FileSet, FoldersAreRefusedByName) {
   fs::create_directory(folder.path() / "taken");
   FileSet set;
   for (const char* name : {"taken", "none/file"}) {
-    try {
-      set.add(folder.path() / name, "bytes");
-      FAIL() << name;
-    } catch (const FileError& error) {
-      EXPECT_TRUE(std::string(error.what()).starts_with((folder.path() / name).string() + ": "))
-          << error.what();
-    }
+    const std::string said = test::thrown<FileError>([&] { set.add(folder.path() / name, "bytes"); });
+    EXPECT_TRUE(said.starts_with((folder.path() / name).string() + ": ")) << said;
   }
 }
 

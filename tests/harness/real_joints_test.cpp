@@ -10,6 +10,7 @@
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -106,12 +107,8 @@ TEST(RealJoints, ABadDescriptionIsAnErrorThatNamesTheFile) {
     const TemporaryFolder folder;
     bring(folder.path() / "bad", "femoral_head.ply", "acetabulum_facing.ply", json);
     Progress progress("test", nullptr);
-    try {
-      read_real_joints(folder.path(), progress);
-      FAIL() << json;
-    } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("bad/subject.json"), std::string::npos) << error.what();
-    }
+    const auto said = test::thrown<std::runtime_error>([&] { read_real_joints(folder.path(), progress); });
+    EXPECT_NE(said.find("bad/subject.json"), std::string::npos) << json << ": " << said;
   }
 }
 

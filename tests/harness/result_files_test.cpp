@@ -10,6 +10,7 @@
 #include "harness/digest.hpp"
 #include "harness/provenance.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -69,12 +70,9 @@ TEST(AtomicFile, SameBytesKeepTheTimeStamp) {
 TEST(AtomicFile, SaysWhichPathCannotBeWritten) {
   const TemporaryFolder folder;
   write_if_changed(folder.path() / "plain", "a file");
-  try {
-    write_if_changed(folder.path() / "plain" / "a.csv", "x");
-    FAIL() << "a file is no folder";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("plain/a.csv"), std::string::npos) << error.what();
-  }
+  const std::string said =
+      test::thrown<std::runtime_error>([&] { write_if_changed(folder.path() / "plain" / "a.csv", "x"); });
+  EXPECT_NE(said.find("plain/a.csv"), std::string::npos) << said;
   EXPECT_THROW(require_writable_folder(folder.path() / "plain"), std::runtime_error);
   EXPECT_THROW(read_bytes(folder.path() / "missing"), std::runtime_error);
   require_writable_folder(folder.path() / "new" / "folder");

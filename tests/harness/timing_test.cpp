@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/thrown.hpp"
+
 namespace impinge::lab {
 namespace {
 
@@ -28,8 +30,6 @@ struct Log {
   long count(const std::string& name) const { return std::count(calls.begin(), calls.end(), name); }
 };
 
-Progress silent() { return {"test", nullptr}; }
-
 // Work of no length is never steady: without repeats its calls can be counted.
 TimingOptions once() {
   TimingOptions options;
@@ -37,10 +37,14 @@ TimingOptions once() {
   return options;
 }
 
+TimingRun time_all(const std::vector<TimedCase>& cases, const TimingOptions& options = once()) {
+  Progress silent("test", nullptr);
+  return run_interleaved(cases, options, silent);
+}
+
 TEST(Timing, RunsEachCaseOnceARoundAndTheControlTwice) {
   Log log;
-  Progress progress = silent();
-  const TimingRun run = run_interleaved({log.make("a", 7), log.make("b", 4)}, once(), progress);
+  const TimingRun run = time_all({log.make("a", 7), log.make("b", 4)});
   ASSERT_EQ(run.timings.size(), 2U);
   EXPECT_EQ(run.timings[0].samples_ms.size(), 7U);
   EXPECT_EQ(run.timings[1].samples_ms.size(), 4U);
@@ -54,8 +58,7 @@ TEST(Timing, RunsEachCaseOnceARoundAndTheControlTwice) {
 
 TEST(Timing, InterleavesTheRounds) {
   Log log;
-  Progress progress = silent();
-  run_interleaved({log.make("a", 40), log.make("b", 40)}, once(), progress);
+  time_all({log.make("a", 40), log.make("b", 40)});
   long changes = 0;
   for (std::size_t i = 1; i < log.calls.size(); ++i) changes += log.calls[i] != log.calls[i - 1] ? 1 : 0;
   // One block after the other has 3 changes, verification and control included. A random order of 120 has 53
@@ -65,8 +68,7 @@ TEST(Timing, InterleavesTheRounds) {
 
 TEST(Timing, VerifiesAllBeforeAnythingRuns) {
   Log log;
-  Progress progress = silent();
-  run_interleaved({log.make("a", 2), log.make("b", 2)}, once(), progress);
+  time_all({log.make("a", 2), log.make("b", 2)});
   ASSERT_GE(log.calls.size(), 2U);
   EXPECT_EQ(log.calls[0], "verify a");
   EXPECT_EQ(log.calls[1], "verify b");
@@ -75,30 +77,22 @@ TEST(Timing, VerifiesAllBeforeAnythingRuns) {
 
 TEST(Timing, FailedVerificationStopsTheRunAndNamesTheCase) {
   Log log;
-  Progress progress = silent();
   std::vector<TimedCase> cases{log.make("a", 2), log.make("b", 2)};
   cases[1].verify = [] { throw std::runtime_error("radius is off by 3 mm"); };
-  try {
-    run_interleaved(cases, once(), progress);
-    FAIL() << "a wrong result was timed";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "b/3000: radius is off by 3 mm");
-  }
+  EXPECT_EQ(test::thrown<std::runtime_error>([&] { time_all(cases); }), "b/3000: radius is off by 3 mm");
   EXPECT_EQ(log.count("a"), 0);
 }
 
 TEST(Timing, WhatTheWorkThrowsEndsTheRunAndTheHarnessIsUsableAgain) {
   Log log;
-  Progress progress = silent();
   std::vector<TimedCase> cases{log.make("a", 3), log.make("b", 3)};
   cases[0].run = [] { throw std::length_error("no memory for the table"); };
-  EXPECT_THROW(run_interleaved(cases, once(), progress), std::length_error);
-  const TimingRun run = run_interleaved({log.make("c", 3)}, once(), progress);
+  EXPECT_THROW(time_all(cases), std::length_error);
+  const TimingRun run = time_all({log.make("c", 3)});
   EXPECT_EQ(run.timings.at(0).samples_ms.size(), 3U);
 }
 
 TEST(Timing, FastWorkIsRepeatedWithinARoundAndTimesAreForOneUnit) {
-  Progress progress = silent();
   long calls = 0;
   TimedCase timed;
   timed.key = {"fast"};
@@ -107,31 +101,27 @@ TEST(Timing, FastWorkIsRepeatedWithinARoundAndTimesAreForOneUnit) {
   timed.run = [&calls] { ++calls; };
   TimingOptions options = once();
   options.min_round_ms = 0.01;
-  const TimingRun run = run_interleaved({timed}, options, progress);
+  const TimingRun run = time_all({timed}, options);
   EXPECT_GT(run.timings[0].batch, 1);
   EXPECT_GT(calls,
             2L * 3L * run.timings[0].batch);  // both registrations, a warm-up each round, and the calibration
   timed.units = 4e6;
-  EXPECT_LT(run_interleaved({timed}, options, progress).timings[0].summary.median,
-            run.timings[0].summary.median);
+  EXPECT_LT(time_all({timed}, options).timings[0].summary.median, run.timings[0].summary.median);
 }
 
 TEST(Timing, RefusesCasesThatCannotBeTimed) {
   Log log;
-  Progress progress = silent();
-  EXPECT_THROW(run_interleaved({log.make("a", 0)}, once(), progress), std::invalid_argument);
-  EXPECT_THROW(run_interleaved({log.make("a", 1), log.make("a", 1)}, once(), progress),
-               std::invalid_argument);
+  EXPECT_THROW(time_all({log.make("a", 0)}), std::invalid_argument);
+  EXPECT_THROW(time_all({log.make("a", 1), log.make("a", 1)}), std::invalid_argument);
   TimedCase idle = log.make("b", 1);
   idle.run = nullptr;
-  EXPECT_THROW(run_interleaved({idle}, once(), progress), std::invalid_argument);
+  EXPECT_THROW(time_all({idle}), std::invalid_argument);
   EXPECT_TRUE(log.calls.empty());
 }
 
 TEST(Timing, FindsATimingByItsKey) {
   Log log;
-  Progress progress = silent();
-  const TimingRun run = run_interleaved({log.make("a", 1), log.make("b", 2)}, once(), progress);
+  const TimingRun run = time_all({log.make("a", 1), log.make("b", 2)});
   EXPECT_EQ(find(run, {"b", 3000}).samples_ms.size(), 2U);
   EXPECT_THROW(find(run, {"b", 12000}), std::out_of_range);
 }
@@ -157,20 +147,18 @@ TEST(Timing, OneRoundHasNoSpreadAndIsInconclusive) {
   EXPECT_TRUE(is_inconclusive(timing_of({1.0}), 1.0, {}));
   EXPECT_FALSE(is_inconclusive(timing_of({1.0, 1.0}), 1.0, {}));
   Log log;
-  Progress progress = silent();
   TimingOptions options = once();
   options.max_control_off = 1e9;
-  EXPECT_TRUE(run_interleaved({log.make("a", 1)}, options, progress).timings[0].inconclusive);
+  EXPECT_TRUE(time_all({log.make("a", 1)}, options).timings[0].inconclusive);
 }
 
 // A case whose spread no machine can pass is timed again, alone, as often as the rule says, with its control,
 // and never verified twice.
 TEST(Timing, ARunRepeatsWhatIsInconclusive) {
   Log log;
-  Progress progress = silent();
   TimingOptions options;
   options.max_spread = -1.0;
-  const TimingRun run = run_interleaved({log.make("a", 4), log.make("b", 4)}, options, progress);
+  const TimingRun run = time_all({log.make("a", 4), log.make("b", 4)}, options);
   for (const Timing& timing : run.timings) {
     EXPECT_TRUE(timing.inconclusive);
     EXPECT_EQ(timing.repeats, 3);

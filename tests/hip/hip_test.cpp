@@ -15,6 +15,7 @@
 #include "hip/hip_surface.hpp"
 #include "mesh/star_shape.hpp"
 #include "mesh/validation.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -124,20 +125,17 @@ class ImpossibleHip : public testing::TestWithParam<Impossible> {};
 TEST_P(ImpossibleHip, IsRefusedByName) {
   HipParameters p;
   std::string changes = GetParam().change;
-  try {
+  const std::string message = test::thrown<std::invalid_argument>([&] {
     for (std::size_t at = 0; at < changes.size();) {
       const std::size_t end = std::min(changes.find(' ', at), changes.size());
       set_hip_parameter(p, changes.substr(at, end - at));
       at = end + 1;
     }
     make_hip(p, 1000);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find(std::string("parameter ") + GetParam().named), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(';'), std::string::npos) << message;  // reason; cure
-  }
+  });
+  EXPECT_NE(message.find(std::string("parameter ") + GetParam().named), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_NE(message.find(';'), std::string::npos) << message;  // reason; cure
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -14,6 +14,7 @@
 #include "hip/hip.hpp"
 #include "mesh/bodies.hpp"
 #include "support/random_cases.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -55,12 +56,7 @@ JointInput capped(double half_opening_deg, std::size_t faces = 1200) {
 
 // What is said where the joint is refused; empty where it is taken.
 std::string refusal(JointInput input) {
-  try {
-    assemble_joint(std::move(input));
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
+  return test::thrown<std::exception>([&] { assemble_joint(std::move(input)); });
 }
 
 bool has(const Joint& joint, const std::string& words) {

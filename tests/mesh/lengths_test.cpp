@@ -10,17 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
 
 std::string refusal(const TriangleMesh& mesh) {
-  try {
-    require_lengths(mesh);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::thrown<std::invalid_argument>([&] { require_lengths(mesh); });
 }
 
 TEST(Lengths, FromTheLeastToTheMostAreTaken) {

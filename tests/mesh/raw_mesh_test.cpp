@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "files/file_error.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -17,12 +18,7 @@ const std::vector<double> kPoints{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 const std::vector<std::uint32_t> kCorners{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
 
 std::string refusal(const std::vector<double>& points, const std::vector<std::uint32_t>& corners) {
-  try {
-    mesh_of("bone.stl", {points, corners});
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
+  return test::thrown<FileError>([&] { mesh_of("bone.stl", {points, corners}); });
 }
 
 TEST(RawMesh, KeepsPointsAndFacesInTheirOrder) {
