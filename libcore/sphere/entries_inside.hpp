@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "sphere/scheme.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge {
 

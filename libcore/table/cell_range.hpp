@@ -25,6 +25,7 @@
 #include "sphere/cell_mask.hpp"
 #include "sphere/scheme.hpp"
 #include "sphere/table_size.hpp"
+#include "sphere/walker.hpp"
 #include "table/cap_range.hpp"
 
 namespace impinge {
@@ -107,7 +108,7 @@ template <SamplingScheme S>
 RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
   require_lengths(mesh);
   RangeTable<S> table(scheme);
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   const auto jumps = jump_sides(mesh);
   const double reach = scheme.stencil_radius();
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -140,7 +140,7 @@ TEST(Scheme, NoDirectionIsBeyondTheCoveringRadius) {
     for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
     const double rho = scheme.covering_radius();
     const double near_enough = std::cos(rho);
-    const auto& walker = scheme.walker();
+    const auto& walker = walker_of(scheme);
     for (const Vec3& u : directions) {
       const Stencil stencil = scheme.stencil(u);
       double cosine = -1.0;
@@ -196,7 +196,7 @@ TEST(Scheme, EntriesInsideATriangleAreThoseOfBruteForce) {
   cones.emplace_back(Vec3(-1, -1, -1), Vec3(1, -1, -1), Vec3(0, 1, -1));
   for_each_scheme([&]<class S>() {
     const S scheme = S::with_precision(5.0);
-    const auto& walker = scheme.walker();
+    const auto& walker = walker_of(scheme);
     for (const TriangleCone& cone : cones) {
       if (cone.edge_on()) continue;
       std::multiset<std::size_t> found;
@@ -221,7 +221,7 @@ TEST(Scheme, WalkerFindsEntriesWithinAMargin) {
       const TriangleCone cone(u[k], (u[k] + 0.2 * u[k + 1]).normalized(),
                               (u[k] + 0.2 * u[k + 2]).normalized());
       std::set<std::size_t> found;
-      scheme.walker().visit_near(cone, 0.1, [&](const DirectionRun& run) {
+      walker_of(scheme).visit_near(cone, 0.1, [&](const DirectionRun& run) {
         for (std::size_t i = 0; i < run.count; ++i) found.insert(run.first + i);
       });
       for (std::size_t i = 0; i < scheme.size(); ++i) {
