@@ -14,8 +14,8 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "sphere/inverse_depth_table.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -35,7 +35,7 @@ TEST(Rim, AHoleBetweenEntriesIsMasked) {
   const Face& face = whole.faces[7002];
   const Vec3 into_hole =
       (corner(whole, face, 0) + corner(whole, face, 1) + corner(whole, face, 2)).normalized();
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(5.0);
     const auto table = fill_exact(with_small_hole(), scheme, Layer::nearest);
     if (HasKnownBorders<S>) {
@@ -56,7 +56,7 @@ TEST(Rim, NothingIsMetOutsideOfTheRim) {
     for (const double off : {1e-9, 1e-6, 1e-4, 1e-3, 0.01})
       near_rim.push_back((middle - Vec3(0, 0, off)).normalized());
   }
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const auto table = fill_exact(socket, S::with_precision(1.0), Layer::nearest);
     for (const Vec3& u : near_rim) {
       ASSERT_TRUE(std::isnan(oracle.cast(u, Layer::nearest)));
@@ -85,7 +85,7 @@ TEST(Rim, MeshExactReachesAcrossNoRimEither) {
   const auto directions = directions_near_the_rim(mesh, 10000);
   std::vector<double> truth;
   for (const Vec3& u : directions) truth.push_back(oracle.cast(u, Layer::nearest));
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     if constexpr (PlaneExactScheme<S>) {
       const RadialTable<S> smooth = fill_exact(mesh, S::with_precision(4.0), Layer::nearest);
       const InverseDepthTable<S> table(smooth);
@@ -101,7 +101,7 @@ TEST(Rim, MeshExactReachesAcrossNoRimEither) {
 // Less than two cells inside of the rim the surface is there again.
 TEST(Rim, TheMaskIsNoWiderThanItMustBe) {
   const TriangleMesh socket = make_ball_socket_pair(3000).socket;
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(1.0);
     const auto table = fill_exact(socket, scheme, Layer::nearest);
     const double inside = 87.0 * kDegree - 2.5 * scheme.stencil_radius();
@@ -145,7 +145,7 @@ TEST(Rim, AFoldIsAJump) {
     const RayCaster oracle(mesh);
     std::vector<double> truth;
     for (const Vec3& u : directions) truth.push_back(oracle.cast(u, Layer::nearest));
-    for_each_scheme([&]<class S>() {
+    test::every_scheme([&]<class S>() {
       const S scheme = S::with_precision(5.0);
       const auto table = fill_exact(mesh, scheme, Layer::nearest);
       const auto slopes = largest_slopes(mesh, scheme);
@@ -290,7 +290,7 @@ TEST(Rim, AnEdgeOnAGridLineMasksBothSides) {
 
 // All cells in which a line spends more than a step, as found by very short steps.
 TEST(Rim, ALineIsFollowedThroughEveryCell) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     if constexpr (!HasKnownBorders<S>) return;
     const S scheme = S::with_precision(5.0);
     const auto ends = test::random_directions(60, 34);
