@@ -11,8 +11,8 @@
 #include "methods/resampled.hpp"
 #include "methods/table_method.hpp"
 #include "sphere/quantised_table.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {

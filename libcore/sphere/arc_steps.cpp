@@ -2,7 +2,7 @@
 #include "sphere/arc_steps.hpp"
 
 #include "sphere/haversine.hpp"
-#include "sphere/spiral_point.hpp"
+#include "sphere/turn_angle.hpp"
 
 namespace impinge {
 

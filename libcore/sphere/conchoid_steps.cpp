@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sphere/haversine.hpp"
-#include "sphere/spiral_point.hpp"
+#include "sphere/turn_angle.hpp"
 
 namespace impinge {
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "sphere/triangle_cone.hpp"
@@ -122,6 +124,17 @@ concept SamplingScheme = std::regular<S> &&
   { scheme.stencil_radius() } -> std::same_as<double>;
   { scheme.equator_points() } -> std::same_as<std::size_t>;
 };
+
+/// The scheme whose entries are so many degrees apart, or nothing where there is none: a grid of
+/// angles must divide 180 degrees.
+template <SamplingScheme S>
+std::optional<S> scheme_of_precision(double degrees) {
+  try {
+    return S::with_precision(degrees);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
 
 /// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
 ///   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is

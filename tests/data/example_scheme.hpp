@@ -16,9 +16,9 @@
 #include <cstddef>
 #include <string_view>
 
-#include "sphere/circumradius.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
+#include "sphere/largest_gap.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {

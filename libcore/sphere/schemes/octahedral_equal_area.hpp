@@ -23,9 +23,9 @@
 #include <Eigen/Geometry>
 
 #include "sphere/arc_borders.hpp"
-#include "sphere/circumradius.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
+#include "sphere/largest_gap.hpp"
 #include "sphere/ring_walker.hpp"
 #include "sphere/scheme.hpp"
 
