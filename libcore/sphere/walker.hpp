@@ -28,26 +28,42 @@ class ConeNeighbourhood {
     axis_.stableNormalize();
     // A cap of less than a quarter turn is convex: it holds the triangle if it holds the corners.
     reach_ = radius < 0.5 * kPi - kRounding ? radius + margin_ : kPi;
-    for (std::size_t k = 0; k < 3; ++k) {
-      plane_[k] = cone.side() * cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
-      length_[k] = plane_[k].norm();
+    for (std::size_t k = 0; k < 3; ++k) plane_[k] = cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
+    if (cone.side() < 0) std::ranges::for_each(plane_, [](Vec3& normal) { normal = -normal; });
+    if (cone.side() == 0) {  // an arc, with both sides of its plane
+      plane_[0] = *std::ranges::max_element(plane_, {}, &Vec3::squaredNorm);
+      plane_[1] = -plane_[0];
+      plane_[2].setZero();
     }
+    for (std::size_t k = 0; k < 3; ++k) length_[k] = plane_[k].norm();
     doubt_ = 2.0 * cone.doubt();
+    of_direction_ = limits(0.0);
   }
 
   /// Is every direction within `radius` of the unit vector `axis` surely farther than the margin from the
-  /// cone? It is beyond the cap round the triangle, or on the far side of an edge.
-  bool misses(const Vec3& axis, double radius) const {
-    if (reach_ + radius < kPi && axis.dot(axis_) < std::cos(reach_ + radius)) return true;
-    if (margin_ + radius >= 0.5 * kPi) return false;
-    const double beside = std::sin(margin_ + radius);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (plane_[k].dot(axis) < -beside * length_[k] - doubt_) return true;
-    return false;
-  }
+  /// cone?
+  bool misses(const Vec3& axis, double radius) const { return is_beyond(axis, limits(radius)); }
+  /// And a single direction?
+  bool misses(const Vec3& u) const { return is_beyond(u, of_direction_); }
 
  private:
   static constexpr double kRounding = 1e-9;  // rad, far above that of all that is computed here
+
+  /// A cap with this axis is beyond the one round the triangle, or on the far side of an edge.
+  struct Limits {
+    double cosine;  // to the middle of the triangle
+    double beside;  // sine above an edge's plane
+  };
+  Limits limits(double radius) const {
+    return {reach_ + radius < kPi ? std::cos(reach_ + radius) : -2.0,
+            margin_ + radius < 0.5 * kPi ? std::sin(margin_ + radius) : 2.0};
+  }
+  bool is_beyond(const Vec3& axis, const Limits& limits) const {
+    if (axis.dot(axis_) < limits.cosine) return true;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (plane_[k].dot(axis) < -limits.beside * length_[k] - doubt_) return true;
+    return false;
+  }
 
   double margin_;
   Vec3 axis_ = Vec3::Zero();
@@ -55,6 +71,7 @@ class ConeNeighbourhood {
   std::array<Vec3, 3> plane_;
   std::array<double, 3> length_{};
   double doubt_ = 0.0;
+  Limits of_direction_{};
 };
 
 /// A walker of any scheme. Up to 16 consecutive entries that are close to each other, by the covering radius,
@@ -88,8 +105,7 @@ class CapTree {
         k = node.after;
         continue;
       }
-      const auto direction_of = [&](std::size_t i) { return directions_[node.first + i]; };
-      if (node.count > 0) visit_in_runs(node.first, node.count, direction_of, visit);
+      visit_leaf(node, near, visit);
       ++k;
     }
   }
@@ -109,6 +125,19 @@ class CapTree {
   struct Node : Leaf {
     std::size_t after;
   };
+
+  /// In runs without those that are surely too far.
+  template <class Visit>
+  void visit_leaf(const Leaf& leaf, const ConeNeighbourhood& near, Visit&& visit) const {
+    const std::size_t end = leaf.first + leaf.count;
+    for (std::size_t from = leaf.first; from < end; ++from) {
+      const std::size_t first = from;
+      while (from < end && !near.misses(directions_[from])) ++from;
+      if (first == from) continue;
+      visit_in_runs(
+          first, from - first, [&](std::size_t i) { return directions_[first + i]; }, visit);
+    }
+  }
 
   void enclose(Leaf& leaf) const {
     const std::span entries(directions_.data() + leaf.first, leaf.count);
