@@ -291,27 +291,28 @@ TEST(Rim, AnEdgeOnAGridLineMasksBothSides) {
 // All cells in which a line spends more than a step, as found by very short steps.
 TEST(Rim, ALineIsFollowedThroughEveryCell) {
   test::every_scheme([]<class S>() {
-    if constexpr (!HasKnownBorders<S>) return;
-    const S scheme = S::with_precision(5.0);
-    const auto ends = test::random_directions(60, 34);
-    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-      // Half of them pass close to a pole, where cells are bent most.
-      const Vec3 pole = Vec3(0.0, 0.0, k % 4 == 0 ? 1.0 : -1.0);
-      const Vec3 from = (k % 3 == 0 ? Vec3(ends[k]) : Vec3(pole + 0.3 * ends[k])).normalized();
-      const Vec3 to = (k % 3 == 0 ? Vec3(ends[k + 1]) : Vec3(pole + 0.3 * ends[k + 1])).normalized();
-      std::set<std::size_t> visited;
-      for_each_cell_along(scheme, RimLine{from, to},
-                          [&](const Stencil& s, const Vec3&, const Vec3&) { visited.insert(s.cell); });
-      const double step = 0.01 * scheme.covering_radius();
-      const auto pieces = static_cast<int>(angle_between(from, to) / step) + 1;
-      std::size_t last = scheme.cells();
-      int stretch = 0;
-      for (int i = 0; i <= pieces; ++i) {
-        const std::size_t cell = scheme.stencil(from + static_cast<double>(i) / pieces * (to - from)).cell;
-        stretch = cell == last ? stretch + 1 : 0;
-        last = cell;
-        if (stretch < 30) continue;
-        ASSERT_TRUE(visited.contains(cell)) << S::name << " line " << k;
+    if constexpr (HasKnownBorders<S>) {
+      const S scheme = S::with_precision(5.0);
+      const auto ends = test::random_directions(60, 34);
+      for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+        // Half of them pass close to a pole, where cells are bent most.
+        const Vec3 pole = Vec3(0.0, 0.0, k % 4 == 0 ? 1.0 : -1.0);
+        const Vec3 from = (k % 3 == 0 ? Vec3(ends[k]) : Vec3(pole + 0.3 * ends[k])).normalized();
+        const Vec3 to = (k % 3 == 0 ? Vec3(ends[k + 1]) : Vec3(pole + 0.3 * ends[k + 1])).normalized();
+        std::set<std::size_t> visited;
+        for_each_cell_along(scheme, RimLine{from, to},
+                            [&](const Stencil& s, const Vec3&, const Vec3&) { visited.insert(s.cell); });
+        const double step = 0.01 * scheme.covering_radius();
+        const auto pieces = static_cast<int>(angle_between(from, to) / step) + 1;
+        std::size_t last = scheme.cells();
+        int stretch = 0;
+        for (int i = 0; i <= pieces; ++i) {
+          const std::size_t cell = scheme.stencil(from + static_cast<double>(i) / pieces * (to - from)).cell;
+          stretch = cell == last ? stretch + 1 : 0;
+          last = cell;
+          if (stretch < 30) continue;
+          ASSERT_TRUE(visited.contains(cell)) << S::name << " line " << k;
+        }
       }
     }
   });
