@@ -15,8 +15,8 @@
 #include "harness/driver.hpp"
 #include "harness/equator_turn.hpp"
 #include "mesh/generated_pair.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 #include "table/exact_raster.hpp"
 
 namespace {

@@ -17,8 +17,8 @@
 #include "harness/real_joints.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/generated_pair.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 
 namespace {
 

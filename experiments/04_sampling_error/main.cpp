@@ -13,8 +13,8 @@
 
 #include "04_sampling_error/sampling_study.hpp"
 #include "harness/driver.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 
 namespace {
 

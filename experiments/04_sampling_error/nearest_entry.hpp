@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sphere/scheme.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge::lab {
 
@@ -28,7 +29,7 @@ class NearestEntryFinder {
  public:
   // Takes the scheme's walker.
   explicit NearestEntryFinder(const S& scheme)
-      : walker_(scheme.walker()), reach_(scheme.covering_radius() * (1.0 + 1e-9)) {}
+      : walker_(walker_of(scheme)), reach_(scheme.covering_radius() * (1.0 + 1e-9)) {}
 
   // u a unit vector. Throws std::logic_error if no entry is within the declared covering radius.
   NearestEntry operator()(const Vec3& u) const {
@@ -53,7 +54,7 @@ class NearestEntryFinder {
   }
 
  private:
-  decltype(std::declval<const S&>().walker()) walker_;
+  decltype(walker_of(std::declval<const S&>())) walker_;
   double reach_;
 };
 

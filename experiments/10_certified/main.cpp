@@ -16,8 +16,8 @@
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "mesh/generated_pair.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 
 namespace {
 

@@ -23,8 +23,8 @@
 #include "10_certified/face_range.hpp"
 #include "mesh/lengths.hpp"
 #include "sphere/cell_mask.hpp"
-#include "sphere/entries_inside.hpp"
 #include "sphere/table_size.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge::lab {
 
@@ -109,7 +109,7 @@ template <SamplingScheme S>
 RangeTable<S> fill_ranges(const TriangleMesh& mesh, const S& scheme) {
   require_lengths(mesh);
   RangeTable<S> table(scheme);
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   const auto jumps = jump_sides(mesh);
   const double reach = scheme.stencil_radius();
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

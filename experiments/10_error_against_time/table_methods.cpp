@@ -10,8 +10,8 @@
 #include "mesh/star_shape.hpp"
 #include "methods/resampled.hpp"
 #include "methods/table_method.hpp"
+#include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 #include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
 

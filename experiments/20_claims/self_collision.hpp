@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/entries_inside.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge::lab {
 
@@ -37,7 +37,7 @@ std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme,
     std::size_t face;
   };
   std::vector<Sample> samples;
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
     if (cone.edge_on()) continue;

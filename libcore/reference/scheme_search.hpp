@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sphere/scheme_precision.hpp"
+#include "sphere/scheme.hpp"
 
 namespace impinge {
 

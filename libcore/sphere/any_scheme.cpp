@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sphere/scheme_choice.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge {
 namespace {
@@ -40,12 +41,12 @@ class ModelOf final : public AnyScheme::Model {
   }
 
   void visit_near(const TriangleCone& cone, double margin, const AnyScheme::VisitRun& visit) const override {
-    std::call_once(walker_made_, [this] { walker_.emplace(scheme_.walker()); });
+    std::call_once(walker_made_, [this] { walker_.emplace(walker_of(scheme_)); });
     walker_->visit_near(cone, margin, visit);
   }
 
  private:
-  using Walker = std::remove_cvref_t<decltype(std::declval<const S&>().walker())>;
+  using Walker = std::remove_cvref_t<decltype(walker_of(std::declval<const S&>()))>;
 
   S scheme_;
   mutable std::once_flag walker_made_;  // it may hold a sine for every grid line, and most never walk

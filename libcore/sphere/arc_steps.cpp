@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sphere/arc_steps.hpp"
 
-#include "sphere/spiral_point.hpp"
+#include "sphere/haversine.hpp"
+#include "sphere/turn_angle.hpp"
 
 namespace impinge {
 
@@ -32,9 +33,5 @@ Vec3 ArcSteps::direction(std::size_t entry) const {
   const double turns = turn(from_pole);
   return spiral_point(haversine(from_pole), south, south ? -turns : turns);
 }
-
-void ArcSteps::fill(DirectionRun& run) const { fill_singly(*this, run); }
-
-double ArcSteps::area(std::size_t entry) const { return band_area(*this, entry); }
 
 }  // namespace impinge

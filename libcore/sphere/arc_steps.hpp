@@ -8,7 +8,6 @@
 
 #include "sphere/direction.hpp"
 #include "sphere/elliptic_arc.hpp"
-#include "sphere/scheme.hpp"
 
 namespace impinge {
 
@@ -31,8 +30,6 @@ class ArcSteps {
   double length() const { return 2.0 * northern_.length(); }  // L(pi), radii
 
   Vec3 direction(std::size_t entry) const;
-  void fill(DirectionRun& run) const;
-  double area(std::size_t entry) const;
 
   friend bool operator==(const ArcSteps& a, const ArcSteps& b) {
     return a.last_ == b.last_ && a.turns_ == b.turns_;

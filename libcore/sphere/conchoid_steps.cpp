@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sphere/spiral_point.hpp"
+#include "sphere/haversine.hpp"
+#include "sphere/turn_angle.hpp"
 
 namespace impinge {
 
@@ -52,9 +53,5 @@ Vec3 ConchoidSteps::direction(std::size_t entry) const {
   const double end = turns() - std::floor(turns());
   return spiral_point(y, south, south ? end - turned : turned);
 }
-
-void ConchoidSteps::fill(DirectionRun& run) const { fill_singly(*this, run); }
-
-double ConchoidSteps::area(std::size_t entry) const { return band_area(*this, entry); }
 
 }  // namespace impinge

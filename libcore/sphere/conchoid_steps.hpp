@@ -10,7 +10,6 @@
 #include "sphere/conchoid_cap.hpp"
 #include "sphere/conchoid_shape.hpp"
 #include "sphere/direction.hpp"
-#include "sphere/scheme.hpp"
 
 namespace impinge {
 
@@ -36,8 +35,6 @@ class ConchoidSteps {
   double polar_angle(double t) const;
 
   Vec3 direction(std::size_t entry) const;
-  void fill(DirectionRun& run) const;
-  double area(std::size_t entry) const;  // solid angle, as for every placement
 
   friend bool operator==(const ConchoidSteps& a, const ConchoidSteps& b) {
     return a.last_ == b.last_ && a.b_ == b.b_;

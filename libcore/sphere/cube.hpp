@@ -29,7 +29,8 @@ namespace impinge {
 ///   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
 ///   coordinate(a)    inverse of node()
 ///   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
-/// and that the widest cell is the one at the middle of the face.
+/// and that the widest cell is the one at the middle of the face. With an overload of line_motion()
+/// (table/patches/cube_patches.hpp) the bound on a table's error is tight; without one it is of first order.
 template <class Warp>
 class CubeMap {
  public:

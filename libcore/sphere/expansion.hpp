@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sphere/direction.hpp"
+
 namespace impinge {
 
 /// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
@@ -64,6 +66,17 @@ void add_product(Expansion<Most>& sum, double x, double y, double z) {
   const double high = x * y;
   const double low = std::fma(x, y, -high);
   for (const double part : {high, low}) add_product(sum, part, z);
+}
+
+/// Adds det(a, b, c) = a . (b x c), or less where sign is -1: 24 values, those of 6 products.
+template <std::size_t Most>
+void add_determinant(Expansion<Most>& sum, double sign, const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    add_product(sum, sign * a[i], b[j], c[k]);
+    add_product(sum, -sign * a[i], b[k], c[j]);
+  }
 }
 
 }  // namespace impinge

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "sphere/determinant.hpp"
+#include "sphere/expansion.hpp"
 
 namespace impinge {
 namespace {

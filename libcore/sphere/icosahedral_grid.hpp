@@ -20,10 +20,10 @@
 #include <Eigen/Geometry>
 
 #include "sphere/arc_borders.hpp"
-#include "sphere/circumradius.hpp"
 #include "sphere/cone_polygon.hpp"
 #include "sphere/equator_division.hpp"
 #include "sphere/icosahedron.hpp"
+#include "sphere/largest_gap.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {
@@ -354,7 +354,11 @@ class IcosahedralGrid<Warp>::Walker {
     Lines p = lines(range.low[1], range.high[1]);
     Lines q = lines(range.low[2], range.high[2]);
     const std::size_t n = scheme_.n_;
-    if ((f == 0 || f == 11) && a.last == n) visit_pole(f == 0 ? 0U : 1U, visit);
+    if ((f == 0 || f == 11) && a.last == n) {
+      const std::size_t pole = scheme_.north() + (f == 0 ? 0 : 1);
+      visit_in_runs(
+          pole, 1, [&](std::size_t) { return scheme_.direction(pole); }, visit);
+    }
     for (std::size_t j = q.first; j <= q.last; ++j) {
       const std::size_t first = std::max(p.first, n - j > a.last ? n - j - a.last : 0);
       const std::size_t end = std::min(p.last + 1, n - j >= a.first ? n - j - a.first + 1 : 0);
@@ -367,33 +371,14 @@ class IcosahedralGrid<Warp>::Walker {
     }
   }
 
-  template <class Visit>
-  void visit_pole(std::size_t pole, Visit&& visit) const {
-    DirectionRun run;
-    run.first = scheme_.north() + pole;
-    run.count = 1;
-    run.x[0] = 0.0;
-    run.y[0] = 0.0;
-    run.z[0] = pole == 0 ? 1.0 : -1.0;
-    visit(static_cast<const DirectionRun&>(run));
-  }
-
   /// Nodes i = first..end - 1 of a row of a diamond.
   template <class Visit>
   void visit_row(std::size_t diamond, std::size_t j, std::size_t first, std::size_t end,
                  Visit&& visit) const {
-    DirectionRun run;
-    for (std::size_t i = first; i < end; i += run.count) {
-      run.first = scheme_.owned(diamond, i, j);
-      run.count = std::min(end - i, DirectionRun::kMost);
-      for (std::size_t k = 0; k < run.count; ++k) {
-        const Vec3 u = scheme_.node(diamond, i + k, j, [this](std::size_t l) { return weight_[l]; });
-        run.x[k] = u.x();
-        run.y[k] = u.y();
-        run.z[k] = u.z();
-      }
-      visit(static_cast<const DirectionRun&>(run));
-    }
+    const auto direction_of = [&](std::size_t k) {
+      return scheme_.node(diamond, first + k, j, [this](std::size_t l) { return weight_[l]; });
+    };
+    if (first < end) visit_in_runs(scheme_.owned(diamond, first, j), end - first, direction_of, visit);
   }
 
   IcosahedralGrid scheme_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Covering radius near a pole, by brute force over the few entries there.
+// Circles through entries, and by them the covering radius near a pole, by brute force over the few entries
+// there.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +30,13 @@ inline Vec3 circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
   if (normal.squaredNorm() == 0.0) return Vec3::Zero();
   return (normal.dot(a) < 0.0 ? -1.0 : 1.0) * normal.normalized();
+}
+
+/// Angle from the middle of the smaller circle through three unit vectors to each of them, radians; 0 where
+/// two are equal.
+inline double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 axis = (b - a).cross(c - a);
+  return std::atan2(axis.cross(a).norm(), std::abs(axis.dot(a)));
 }
 
 /// Largest radius of a circle with no entry inside whose centre has z >= z_min: what is farthest from all

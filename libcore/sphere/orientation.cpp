@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sphere/determinant.hpp"
+#include "sphere/expansion.hpp"
 
 namespace impinge {
 namespace {

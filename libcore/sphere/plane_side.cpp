@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sphere/determinant.hpp"
+#include "sphere/expansion.hpp"
 #include "sphere/orientation.hpp"
 
 namespace impinge {

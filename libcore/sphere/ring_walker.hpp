@@ -13,24 +13,45 @@
 
 namespace impinge {
 
-/// Entries first .. first + count - 1 at the polar angle `polar` and azimuths 2 pi (t + half / 2) / count.
-struct Ring {
+/// Entries first .. first + count - 1 at the azimuths 2 pi (t + half / 2) / count.
+struct RingRow {
   std::size_t first;  // number of its westernmost entry
   std::size_t count;  // of its entries
   std::size_t half;   // 0 or 1
-  CosSin polar;       // of its polar angle
-
-  /// Unit vector of entry first + t.
-  Vec3 direction(std::size_t t) const {
-    const CosSin azimuth = half_turn_fraction(static_cast<long>(2 * t + half), static_cast<long>(count));
-    return {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
-  }
 
   /// Place of an azimuth on the ring, in steps from the first entry; radians.
   double position(double theta) const {
     return theta / (2.0 * kPi) * static_cast<double>(count) - 0.5 * static_cast<double>(half);
   }
 };
+
+/// And their polar angle.
+struct Ring : RingRow {
+  CosSin polar;
+
+  /// Unit vector of entry first + t.
+  Vec3 direction(std::size_t t) const {
+    const CosSin azimuth = half_turn_fraction(static_cast<long>(2 * t + half), static_cast<long>(count));
+    return {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
+  }
+};
+
+inline constexpr double kRingSlack = 1e-6;  // of a step: rounding of positions on a ring and among rings
+
+/// Calls visit(first, count) for the entries of a ring of `of` entries from one place to another, in steps
+/// and on any turn: once, or twice where they lie to both sides of the seam.
+template <class Visit>
+void for_each_part(double from, double to, std::size_t of, Visit&& visit) {
+  const auto all = static_cast<long>(of);
+  const auto left = static_cast<long>(std::ceil(from - kRingSlack));
+  const auto right = std::min(static_cast<long>(std::floor(to + kRingSlack)), left + all - 1);
+  if (left > right) return;
+  const auto first = static_cast<std::size_t>(((left % all) + all) % all);
+  const std::size_t wanted = static_cast<std::size_t>(right - left) + 1;
+  const std::size_t before_seam = std::min(wanted, of - first);
+  visit(first, before_seam);
+  if (before_seam < wanted) visit(std::size_t{0}, wanted - before_seam);
+}
 
 /// Walker of such a scheme S, which has
 ///   rings()             number of its rings
@@ -44,47 +65,21 @@ class RingWalker {
   template <class Visit>
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
     const AngularBox box = angular_box(cone.corners(), margin);
-    const double top = std::max(std::ceil(scheme_.ring_position(box.phi_min) - kSlack), 0.0);
-    const double bottom = std::min(std::floor(scheme_.ring_position(box.phi_max) + kSlack),
+    const double top = std::max(std::ceil(scheme_.ring_position(box.phi_min) - kRingSlack), 0.0);
+    const double bottom = std::min(std::floor(scheme_.ring_position(box.phi_max) + kRingSlack),
                                    static_cast<double>(scheme_.rings() - 1));
-    for (double k = top; k <= bottom; k += 1.0)
-      visit_part(scheme_.ring(static_cast<std::size_t>(k)), box, visit);
-  }
-
- private:
-  static constexpr double kSlack = 1e-6;  // of a step: rounding of the positions
-
-  template <class Visit>
-  static void visit_part(const Ring& ring, const AngularBox& box, Visit&& visit) {
-    const auto count = static_cast<long>(ring.count);
-    const auto left = static_cast<long>(std::ceil(ring.position(box.theta_min) - kSlack));
-    const auto right =
-        std::min(static_cast<long>(std::floor(ring.position(box.theta_min + box.theta_width) + kSlack)),
-                 left + count - 1);
-    if (left > right) return;
-    const auto first = static_cast<std::size_t>(((left % count) + count) % count);
-    const std::size_t wanted = static_cast<std::size_t>(right - left) + 1;
-    const std::size_t before_seam = std::min(wanted, ring.count - first);
-    visit_entries(ring, first, before_seam, visit);
-    visit_entries(ring, 0, wanted - before_seam, visit);
-  }
-
-  template <class Visit>
-  static void visit_entries(const Ring& ring, std::size_t first, std::size_t wanted, Visit&& visit) {
-    DirectionRun run;
-    for (std::size_t done = 0; done < wanted; done += run.count) {
-      run.first = ring.first + first + done;
-      run.count = std::min(wanted - done, DirectionRun::kMost);
-      for (std::size_t k = 0; k < run.count; ++k) {
-        const Vec3 u = ring.direction(first + done + k);
-        run.x[k] = u.x();
-        run.y[k] = u.y();
-        run.z[k] = u.z();
-      }
-      visit(static_cast<const DirectionRun&>(run));
+    for (double k = top; k <= bottom; k += 1.0) {
+      const Ring ring = scheme_.ring(static_cast<std::size_t>(k));
+      const double from = ring.position(box.theta_min);
+      const double to = ring.position(box.theta_min + box.theta_width);
+      for_each_part(from, to, ring.count, [&](std::size_t first, std::size_t count) {
+        const auto direction_of = [&](std::size_t t) { return ring.direction(first + t); };
+        visit_in_runs(ring.first + first, count, direction_of, visit);
+      });
     }
   }
 
+ private:
   S scheme_;
 };
 

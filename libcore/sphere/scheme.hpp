@@ -3,9 +3,12 @@
 // one file to sphere/schemes/; the build finds it and every table, test, experiment and plot follows.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "sphere/triangle_cone.hpp"
@@ -35,9 +38,44 @@ struct DirectionRun {
   Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }  // direction of entry first + k
 };
 
-/// Visitor of runs, used to state the concept below.
+/// Calls visit(run) for runs that make up the entries first .. first + count - 1, the k-th of which has the
+/// direction direction_of(k).
+template <class DirectionOf, class Visit>
+void visit_in_runs(std::size_t first, std::size_t count, DirectionOf&& direction_of, Visit&& visit) {
+  DirectionRun run;
+  for (std::size_t done = 0; done < count; done += run.count) {
+    run.first = first + done;
+    run.count = std::min(count - done, DirectionRun::kMost);
+    for (std::size_t k = 0; k < run.count; ++k) {
+      const Vec3 u = direction_of(done + k);
+      run.x[k] = u.x();
+      run.y[k] = u.y();
+      run.z[k] = u.z();
+    }
+    visit(static_cast<const DirectionRun&>(run));
+  }
+}
+
+/// Visitor of runs, used to state the concepts below.
 struct RunVisitor {
   void operator()(const DirectionRun& run) const;  // takes a run; there is no body, as none is called
+};
+
+/// A scheme with a walker of its own:
+///   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
+///   visit_near(cone, margin, visit)
+///                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
+///                        radians of it, and perhaps some outside; each once, with the very numbers of
+///                        direction(i)
+template <class S>
+concept HasWalker = requires(const S scheme, const Vec3& x) {
+  scheme.walker().visit_near(TriangleCone(x, x, x), 0.0, RunVisitor{});
+};
+
+/// A member of that name, which then has to be a walker.
+template <class S>
+concept NamesWalker = requires(const S scheme) {
+  scheme.walker();
 };
 
 /// A scheme is a regular value type of a few bytes.
@@ -54,20 +92,25 @@ struct RunVisitor {
 ///   covering_radius()    largest angle from any direction to its nearest entry, radians
 ///   stencil_radius()     largest angle from any direction to a tap of its stencil, radians
 ///   equator_points()     entries on the equator, or those nearest to it that stand for it
-///   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
-///   visit_near(cone, margin, visit)
-///                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
-///                        radians of it, and perhaps some outside; each once, with the very numbers of
-///                        direction(i)
+/// The radii are promised, never guessed: bounds are proven from them, and the tests hold them against brute
+/// force. The direction of an entry must lead back to the entry, stencil(direction(i)) to tap i (or one in
+/// the same direction) with the weight 1: an overset grid, whose parts overlap, is no SamplingScheme.
 ///
-/// A scheme whose stencils read entries beyond the cell that holds the direction also has
+/// That is all that a scheme needs. What it may have besides:
+///   walker()             finds entries faster than sphere/walker.hpp does for any scheme, see HasWalker
+///   area(i)              see AreaScheme
+///   depth(x), ...        see PlaneExactScheme: a table of inverse depths
+///   meets_cells_once()   see HasKnownBorders: a rim takes out the cells that it crosses, and no more
+///   patches_of(scheme)   see table/patches/patch.hpp: a tight bound on the error in place of one of first
+///   order
+/// A scheme whose stencils read entries beyond the cell that holds the direction must have
 ///   for_each_cell_across(stencil, visit)
 ///                        calls visit(other) for the stencils of all cells that read across the cell of
 ///                        `stencil`, so that a rim in it is kept out of theirs
-/// and a scheme may have what PlaneExactScheme, AreaScheme and HasKnownBorders ask for below.
 template <class S>
 concept SamplingScheme = std::regular<S> &&
-    requires(const S scheme, double degrees, std::size_t i, const Vec3& x) {
+    (!NamesWalker<S> || HasWalker<S>)&&requires(const S scheme, double degrees, std::size_t i,
+                                                const Vec3& x) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::label } -> std::convertible_to<std::string_view>;
   { S::citation } -> std::convertible_to<std::string_view>;
@@ -80,8 +123,18 @@ concept SamplingScheme = std::regular<S> &&
   { scheme.covering_radius() } -> std::same_as<double>;
   { scheme.stencil_radius() } -> std::same_as<double>;
   { scheme.equator_points() } -> std::same_as<std::size_t>;
-  scheme.walker().visit_near(TriangleCone(x, x, x), degrees, RunVisitor{});
 };
+
+/// The scheme whose entries are so many degrees apart, or nothing where there is none: a grid of
+/// angles must divide 180 degrees.
+template <SamplingScheme S>
+std::optional<S> scheme_of_precision(double degrees) {
+  try {
+    return S::with_precision(degrees);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
 
 /// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
 ///   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is

@@ -14,9 +14,10 @@
 //   place(phi)           place at the polar angle phi
 //   polar_angle(t)       polar angle of the place t, the inverse of place(), accurate at both poles
 //   direction(i)         unit vector of entry i
+//   kMirrored            whether the southern half is the mirror image of the northern one
+// and may have, where it is faster
 //   fill(run)            fills a run whose `first` and `count` are set, with the numbers of direction()
 //   area(i)              solid angle that the entry stands for, steradians, 4 pi in all
-//   kMirrored            whether the southern half is the mirror image of the northern one
 // The curve's azimuth at phi is 2 pi turn(phi). All angles in radians.
 #pragma once
 
@@ -50,7 +51,18 @@ class Spiral {
   double stencil_radius() const { return stencil_radius_; }
 
   Vec3 direction(std::size_t entry) const { return placement_.direction(entry); }
-  double area(std::size_t entry) const { return placement_.area(entry); }
+  /// Solid angle of the band from half a place before an entry to half a place after it, with sin^2(a / 2) -
+  /// sin^2(b / 2) = sin((a + b) / 2) sin((a - b) / 2).
+  double area(std::size_t entry) const {
+    if constexpr (requires { placement_.area(entry); }) {
+      return placement_.area(entry);
+    } else {
+      const auto i = static_cast<double>(entry);
+      const double from = placement_.polar_angle(std::max(i - 0.5, 0.0));
+      const double to = placement_.polar_angle(std::min(i + 0.5, last()));
+      return 4.0 * kPi * std::sin(0.5 * (from + to)) * std::sin(0.5 * (to - from));
+    }
+  }
 
   /// Entries that the curve has passed at polar angle phi, between entries a fraction.
   double place(double phi) const { return placement_.place(phi); }
@@ -225,13 +237,18 @@ class Spiral {
     const double to = std::floor(std::min(place(polar_of_turn(turn_to)), range.to) + slack);
     if (from > to) return;
     const std::size_t end = static_cast<std::size_t>(std::min(to, last())) + 1;
-    DirectionRun run;
-    range.next = std::max(range.next, static_cast<std::size_t>(std::max(from, 0.0)));
-    for (; range.next < end; range.next += run.count) {
-      run.first = range.next;
-      run.count = std::min(end - range.next, DirectionRun::kMost);
-      placement_.fill(run);
-      visit(static_cast<const DirectionRun&>(run));
+    const std::size_t first = std::max(range.next, static_cast<std::size_t>(std::max(from, 0.0)));
+    range.next = std::max(first, end);
+    if constexpr (requires(DirectionRun run) { placement_.fill(run); }) {
+      DirectionRun run;
+      for (run.first = first; run.first < end; run.first += run.count) {
+        run.count = std::min(end - run.first, DirectionRun::kMost);
+        placement_.fill(run);
+        visit(static_cast<const DirectionRun&>(run));
+      }
+    } else if (first < end) {
+      const auto direction_of = [&](std::size_t k) { return direction(first + k); };
+      visit_in_runs(first, end - first, direction_of, visit);
     }
   }
 

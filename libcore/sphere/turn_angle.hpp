@@ -3,6 +3,8 @@
 // and that gives the same bits on every machine (without contraction to fused multiply-add).
 #pragma once
 
+#include <cmath>
+
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -30,6 +32,14 @@ inline CosSin turn_angle(double turns) {
   const double c = odd ? sine : cosine;
   const double s = odd ? cosine : sine;
   return {quarter * (quarter + 1.0) == 0.0 ? c : -c, quarter * (quarter - 1.0) == 0.0 ? s : -s};
+}
+
+/// Direction whose polar angle from the north pole, or else from the south pole, has this haversine.
+inline Vec3 spiral_point(double hav, bool south, double turns) {
+  const CosSin theta = turn_angle(turns);
+  const double sin_phi = 2.0 * std::sqrt(hav * (1.0 - hav));
+  const double cos_phi = 1.0 - 2.0 * hav;
+  return {sin_phi * theta.cos, sin_phi * theta.sin, south ? -cos_phi : cos_phi};
 }
 
 }  // namespace impinge

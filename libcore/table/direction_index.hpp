@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "sphere/entries_inside.hpp"
 #include "sphere/lists.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge {
 

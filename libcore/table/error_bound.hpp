@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge {
 
@@ -49,7 +49,7 @@ inline double first_order_share(double slope, double angle) {
 template <SamplingScheme S>
 std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   std::vector<float> slopes(scheme.size(), 0.0F);
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "mesh/lengths.hpp"
-#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/walker.hpp"
 #include "table/layer.hpp"
 #include "table/rim.hpp"
 
@@ -22,7 +22,7 @@ RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer
   require_lengths(mesh);
   RadialTable<S> table(scheme);
   const auto radii = table.radii();
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     if (cone.edge_on()) continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sphere/entry_set.hpp"
+#include "sphere/walker.hpp"
 #include "table/exact_raster.hpp"
 #include "table/face_cap.hpp"
 
@@ -38,7 +39,7 @@ std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer 
     table = fill_exact(after, table.scheme(), layer);
     return table.scheme().size();
   }
-  const auto& walker = table.scheme().walker();
+  const auto& walker = walker_of(table.scheme());
   EntrySet touched(table.scheme().size());
   for (const std::size_t f : changed) {
     for (const TriangleMesh* mesh : {&before, &after}) {

@@ -23,8 +23,8 @@
 #include <Eigen/Geometry>
 
 #include "mesh/jump_edges.hpp"
-#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/walker.hpp"
 #include "table/layer.hpp"
 
 namespace impinge {
@@ -194,7 +194,7 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
   }
   if (doubtful.empty()) return;
   const auto& scheme = table.scheme();
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
@@ -222,7 +222,7 @@ inline Vec3 across(const Vec3& from, const Vec3& to) { return from.cross(to - fr
 /// one across an edge.
 template <class Table>
 void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Table& table) {
-  const auto& walker = table.scheme().walker();
+  const auto& walker = walker_of(table.scheme());
   const double reach = table.scheme().stencil_radius() + kBesideEdge;
   for (const JumpEdge& edge : edges) {
     for_each_entry_near(walker, cone_of(mesh, edge), reach,

@@ -6,8 +6,8 @@
 
 #include "mesh/generated_pair.hpp"
 #include "sphere/radial_table.hpp"
-#include "sphere/scheme_list.hpp"
 #include "sphere/stored_table.hpp"
+#include "support/every_scheme.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {
@@ -15,7 +15,7 @@ namespace {
 
 TEST(Lookup, SmoothIsThatOfTheTable) {
   const auto radius = [](const Vec3& u) { return ball_radius(u); };
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(3.0);
     RadialTable<S> table(scheme);
     for (std::size_t i = 0; i < scheme.size(); ++i) table.radii()[i] = radius(scheme.direction(i));
@@ -30,7 +30,7 @@ TEST(Lookup, SmoothIsThatOfTheTable) {
 TEST(Lookup, PlaneExactIsThatOfTheInverseDepthTable) {
   const auto radius = [](const Vec3& u) { return ball_radius(u); };
   std::size_t checked = 0;
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     if constexpr (PlaneExactScheme<S>) {
       ++checked;
       const S scheme = S::with_precision(3.0);

@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {
 namespace {
 
 TEST(NearestEntry, IsThatOfBruteForce) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(10.0);
     const NearestEntryFinder<S> finder(scheme);
     auto directions = uniform_directions(500, 21);
@@ -44,7 +44,7 @@ TEST(NearestEntry, SaysSoWhenTheCoveringRadiusIsWrong) {
 }
 
 TEST(WidestGap, IsTheCoveringRadius) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(5.0);
     auto directions = uniform_directions(20000, 22);
     for (const Vec3& u : polar_directions(3.0 * scheme.covering_radius(), 200)) directions.push_back(u);

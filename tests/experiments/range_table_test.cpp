@@ -10,9 +10,9 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/dice.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
 #include "table/pairwise.hpp"
 
@@ -81,7 +81,7 @@ TEST(RangeTable, HoldsTheSurfaceWithEveryScheme) {
   const BallSocketPair pair = make_ball_socket_pair(100);
   for (const TriangleMesh& mesh : {pair.ball, tilted(pair.socket)}) {
     const auto truths = truth_of(mesh, 300);
-    for_each_scheme([&]<class S>() {
+    test::every_scheme([&]<class S>() {
       for (const double precision : {10.0, 3.0}) {
         const auto found = examine(truths, fill_ranges(mesh, S::with_precision(precision)));
         EXPECT_EQ(found.wrong, 0U) << S::name << " at " << precision;

@@ -13,8 +13,8 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -88,7 +88,7 @@ double worst_share(const TriangleMesh& mesh, double precision) {
 TEST(Resampled, KeepsItsBound) {
   const TriangleMesh ball = make_ball_socket_pair(300).ball;
   const TriangleMesh aside = sphere(22.0, 1000, {5.0, -4.0, 3.0});
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     for (const TriangleMesh& mesh : {ball, turned(octahedron(20.0), kTilt)}) worst_share<S>(mesh, 5.0);
   });
   for (const double precision : {2.0, 1.0}) {
@@ -109,7 +109,7 @@ TEST(Resampled, TheBoundIsInfiniteForAnEdgeOnFace) {
 TEST(Resampled, AnEntryInARimCellOfTheRasterHasNoSurface) {
   const TriangleMesh socket = turned(make_ball_socket_pair(300).socket, kTilt);
   const auto raster = fill_thesis(socket, Rsid::with_precision(3.0), Layer::nearest);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(3.0);
     const auto table = fill_resampled(socket, scheme, Layer::nearest);
     std::size_t in_rim_cells = 0;
@@ -127,7 +127,7 @@ TEST(Resampled, AnEntryInARimCellOfTheRasterHasNoSurface) {
 TEST(Resampled, EndsAtTheRimAndNotMuchBefore) {
   const TriangleMesh socket = make_ball_socket_pair(1000).socket;  // its rim is at 87 degrees
   const RayCaster oracle(socket);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(3.0);
     const auto table = fill_resampled(socket, scheme, Layer::nearest);
     const double taken = raster_for(scheme.precision_deg()).stencil_radius() + 2.5 * scheme.stencil_radius();

@@ -14,9 +14,9 @@
 
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
-#include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/uniform_directions.hpp"
+#include "support/every_scheme.hpp"
 
 namespace impinge {
 namespace {
@@ -77,7 +77,7 @@ TEST(InterpolationError, IsSummarisedByRank) {
 // The errors are those of tables that are really filled.
 TEST(InterpolationError, IsThatOfRadialTables) {
   const ErrorProbe probe(BandLimited({10.0, 8, 3, 2}), uniform_directions(3000, 3));
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(6.0);
     double largest = 0.0;
     for (std::size_t f = 0; f < 3; ++f) {
@@ -128,7 +128,7 @@ TEST(UniformDirections, FillTheSphereAndItsCapsEvenly) {
 // the largest, and in all where the entries there are few.
 TEST(InterpolationError, FallsWithTheNumberOfEntriesForEveryScheme) {
   const ErrorProbe probe(BandLimited({10.0, 16, 64, 4}), uniform_directions(20000, 5));
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S coarse = S::with_precision(3.0);
     const S fine = S::with_precision(1.5);
     const double ratio = static_cast<double>(fine.size()) / static_cast<double>(coarse.size());

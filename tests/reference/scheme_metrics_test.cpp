@@ -13,6 +13,7 @@
 #include "reference/scheme_search.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "support/every_scheme.hpp"
 
 namespace impinge {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 constexpr std::size_t kThesisEntries = 65160;  // of RSID at 1 degree
 
 TEST(SchemeMetrics, DeclaredCoveringRadiusIsThatMeasuredOrALittleMore) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     for (const double precision : {20.0, 7.5, 2.5}) {
       const auto scheme = scheme_of_precision<S>(precision);
       if (!scheme) continue;
@@ -32,7 +33,7 @@ TEST(SchemeMetrics, DeclaredCoveringRadiusIsThatMeasuredOrALittleMore) {
 }
 
 TEST(SchemeMetrics, AreasOfAllEntriesSumToTheSphere) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(2.5);
     double sum = 0.0;
     for (const double area : entry_areas(sphere_delaunay_of(scheme))) sum += area;
@@ -41,7 +42,7 @@ TEST(SchemeMetrics, AreasOfAllEntriesSumToTheSphere) {
 }
 
 TEST(SchemeMetrics, NoSchemeIsBelowTheLeastCoveringConstant) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const SchemeMetrics metrics = measure_scheme(S::with_precision(2.5));
     EXPECT_GE(metrics.covering_constant(), kLeastCoveringConstant) << S::name;
     EXPECT_GE(metrics.widest.radius, metrics.widest_away.radius) << S::name;

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "sphere/uniform_directions.hpp"
+#include "support/every_scheme.hpp"
 
 namespace impinge {
 namespace {
@@ -35,7 +35,7 @@ TEST(SchemeSavings, ReferenceSavesNothing) {
 TEST(SchemeSavings, EqualGapsAreThoseOfTheSmallestTable) {
   const Rsid rsid = Rsid::with_precision(6.0);
   const double radius = measured_covering_radius(rsid);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const auto saving = saving_at_equal_gap(scheme_of_size<S>(rsid.size()), radius);
     ASSERT_TRUE(saving) << S::name;
     SizeLevels<S> levels(saving->entries);
@@ -52,7 +52,7 @@ TEST(SchemeSavings, EqualGapsAreThoseOfTheSmallestTable) {
 TEST(SchemeSavings, EqualErrorsAreEqualAsFarAsSizesGo) {
   const ErrorProbe probe(BandLimited({10.0, 8, 64, 1}), uniform_directions(20000, 2));
   const InterpolationError target = interpolation_error(Rsid::with_precision(3.0), probe);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const auto savings = savings_at_equal_error(scheme_of_size<S>(7320), target, probe);
     ASSERT_EQ(savings.size(), 2U) << S::name;
     // A grid of 12 n^2 entries comes in steps of 8 % here; the largest errors scatter.

@@ -7,15 +7,15 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/scheme_list.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "support/every_scheme.hpp"
 
 namespace impinge {
 namespace {
 
 TEST(SchemeSearch, LevelsClimbAndDescendsThroughTheSameSizes) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     SizeLevels<S> levels(5000);
     auto scheme = levels.first_of(4800);
     ASSERT_TRUE(scheme) << S::name;
@@ -34,7 +34,7 @@ TEST(SchemeSearch, LevelsClimbAndDescendsThroughTheSameSizes) {
 }
 
 TEST(SchemeSearch, SchemesOfAnySizeAreThere) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     for (const std::size_t wanted : {500U, 1600U, 65160U}) {
       const auto nearest = scheme_nearest_size<S>(wanted);
       ASSERT_TRUE(nearest) << S::name;

@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/circumradius.hpp"
 #include "sphere/largest_gap.hpp"
 #include "sphere/uniform_directions.hpp"
 

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "sphere/any_scheme.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -53,7 +53,7 @@ bool comes_back(const S& scheme, const Arc& arc, int samples) {
 
 TEST(ArcBordersAttack, AnArcThatIsSaidToMeetCellsOnceDoes) {
   constexpr std::size_t kSchemes = 13;
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     if constexpr (HasKnownBorders<S>) {
       const S scheme = S::with_precision(9.0);
       std::mt19937_64 random(5);
@@ -72,7 +72,7 @@ TEST(ArcBordersAttack, AnArcThatIsSaidToMeetCellsOnceDoes) {
 
 // Else following a rim would take for ever.
 TEST(ArcBorders, AlmostEveryShortArcIsSaidToMeetCellsOnce) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     if constexpr (HasKnownBorders<S>) {
       const S scheme = S::with_precision(2.0);
       std::mt19937_64 random(6);
@@ -87,7 +87,7 @@ TEST(ArcBorders, AlmostEveryShortArcIsSaidToMeetCellsOnce) {
 }
 
 TEST(ArcBorders, OfAnySchemeAreThoseOfTheScheme) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(9.0);
     const AnyScheme any(S::name, 9.0);
     ASSERT_EQ(any.has_known_borders(), HasKnownBorders<S>) << S::name;

@@ -15,7 +15,8 @@ namespace {
 // 2^-53 of theta, which is pi k at the equator, and a little.
 TEST(HeightSteps, EntriesStandOnTheHelixForAnySlope) {
   std::mt19937_64 random(72);
-  for (const std::size_t size : {5U, 100U, 52441U, 21013056U}) {
+  for (const std::size_t size : {std::size_t{4}, std::size_t{100}, std::size_t{52441}, std::size_t{21013056},
+                                 std::size_t{10'000'000'000}}) {
     const double root = std::sqrt(static_cast<double>(size));
     for (const double slope : {2.0 * std::round(root), std::sqrt(kPi) * root}) {
       const HeightSteps steps(size, slope);

@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sphere/radial_table.hpp"
-#include "support/covering.hpp"
-#include "support/directions.hpp"
 
 namespace impinge {
 namespace {
@@ -43,48 +39,6 @@ TEST(LatitudeRows, InterpolatesLinearlyInPhi) {
   }
 }
 
-TEST(LatitudeRows, InterpolationIsContinuous) {
-  const LatitudeRows grid = LatitudeRows::with_precision(12.0);
-  RadialTable<LatitudeRows> table(grid);
-  for (std::size_t i = 0; i < grid.size(); ++i) table.radii()[i] = 10.0 + grid.direction(i).sum();
-  for (const Vec3& u : test::random_directions(20000, 71)) {
-    const Vec3 v = (u + 1e-9 * u.unitOrthogonal()).normalized();
-    ASSERT_NEAR(table.radius_at(u), table.radius_at(v), 1e-7) << u.transpose();
-  }
-}
-
-TEST(LatitudeRows, ACellHasOneStencil) {
-  const LatitudeRows grid = LatitudeRows::with_precision(15.0);
-  std::vector<Stencil> seen(grid.cells());
-  for (const Vec3& u : test::random_directions(100000, 72)) {
-    const Stencil stencil = grid.stencil(u);
-    Stencil& first = seen[stencil.cell];
-    if (first.taps == 0) first = stencil;
-    ASSERT_EQ(first.entry, stencil.entry) << "cell " << stencil.cell;
-  }
-}
-
-// A way from u to a tap, between two rows, meets only cells that for_each_cell_across() names.
-TEST(LatitudeRows, CellsAcrossHoldTheWaysToTheTaps) {
-  const LatitudeRows grid = LatitudeRows::with_precision(20.0);
-  for (const Vec3& u : test::random_directions(20000, 75)) {
-    const Stencil stencil = grid.stencil(u);
-    if (stencil.taps == 3) continue;
-    std::set<std::size_t> across;
-    grid.for_each_cell_across(stencil, [&](const Stencil& other) { across.insert(other.cell); });
-    ASSERT_TRUE(across.contains(stencil.cell));
-    const auto [phi, theta] = to_angles(u);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Angles tap = to_angles(grid.direction(stencil.entry[k]));
-      for (double t = 0.0; t < 0.999; t += 0.04) {
-        const Vec3 v = to_direction(
-            {phi + t * (tap.phi - phi), theta + t * std::remainder(tap.theta - theta, 2.0 * kPi)});
-        ASSERT_TRUE(across.contains(grid.stencil(v).cell)) << u.transpose() << " tap " << k;
-      }
-    }
-  }
-}
-
 TEST(LatitudeRows, CapsHaveThreeTaps) {
   const LatitudeRows grid = LatitudeRows::with_precision(10.0);
   const Stencil pole = grid.stencil({0, 0, 1});
@@ -93,32 +47,6 @@ TEST(LatitudeRows, CapsHaveThreeTaps) {
   EXPECT_EQ(grid.stencil(to_direction({4.9 * kDegree, 1.0})).taps, 3U);
   EXPECT_EQ(grid.stencil(to_direction({5.1 * kDegree, 1.0})).taps, 4U);
   EXPECT_EQ(grid.stencil(to_direction({175.1 * kDegree, 1.0})).taps, 3U);
-}
-
-TEST(LatitudeRows, CoveringConstant) {
-  const LatitudeRows grid = LatitudeRows::with_precision(180.0 / 202.0);  // 51 950 entries
-  const double closed_form = 2.0 * kPi;
-  const double away_from_poles = test::climbed_gap(grid, 0.98, 20000, 73);
-  EXPECT_NEAR(test::covering_constant(grid, away_from_poles), closed_form, 0.02 * closed_form);
-}
-
-TEST(LatitudeRows, RadiiHoldForFewRows) {
-  for (double rows = 2.0; rows < 16.0; rows += 1.0) {
-    const LatitudeRows grid = LatitudeRows::with_precision(180.0 / rows);
-    double farthest = 0.0;
-    for (const Vec3& u : test::random_directions(5000, 74)) {
-      double nearest = kPi;
-      for (std::size_t i = 0; i < grid.size(); ++i)
-        nearest = std::min(nearest, angle_between(u, grid.direction(i)));
-      farthest = std::max(farthest, nearest);
-      const Stencil stencil = grid.stencil(u);
-      for (std::size_t k = 0; k < stencil.taps; ++k) {
-        ASSERT_LE(angle_between(u, grid.direction(stencil.entry[k])), grid.stencil_radius()) << rows;
-      }
-    }
-    EXPECT_LE(farthest, grid.covering_radius()) << rows;
-    EXPECT_GE(farthest, 0.9 * grid.covering_radius()) << rows;
-  }
 }
 
 }  // namespace

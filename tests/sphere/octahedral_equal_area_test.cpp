@@ -11,7 +11,6 @@
 
 #include "sphere/largest_gap.hpp"
 #include "support/directions.hpp"
-#include "support/ring_order.hpp"
 
 namespace impinge {
 namespace {
@@ -29,10 +28,6 @@ TEST(OctahedralEqualArea, AxesAreEntries) {
     EXPECT_EQ(scheme.direction(equator.first + 2 * n), Vec3(-1, 0, 0));
     EXPECT_EQ(scheme.direction(equator.first + 3 * n), Vec3(0, -1, 0));
   }
-}
-
-TEST(OctahedralEqualArea, RingsFollowOneAnother) {
-  test::expect_rings_in_order(OctahedralEqualArea::with_precision(5.0));
 }
 
 // Every cell has the area 4 pi / (4 n^2): uniform directions meet each as often.

@@ -2,6 +2,7 @@
 // What holds for every sampling scheme, over the generated list:
 //   sum w_i = 1, w_i >= 0        a constant is reproduced
 //   angle(u, tap) <= stencil radius,  min over entries <= covering radius
+//   a cell has one stencil, the interpolation is continuous
 //   entries inside a spherical triangle = those of brute force
 //   areas a_i > 0, sum a_i = 4 pi, sum a_i u_i = 0, sum a_i z_i^2 = 4 pi / 3    where a scheme declares them
 // (Planes: inverse_depth_table_test.cpp.)
@@ -12,15 +13,16 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
-#include "sphere/scheme_list.hpp"
+#include "sphere/walker.hpp"
 #include "support/covering.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 
 namespace impinge {
 namespace {
@@ -42,7 +44,7 @@ std::vector<Vec3> probes() {
 }
 
 TEST(Scheme, WeightsSumToOneAndTapsExist) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(1.0);
     for (const Vec3& u : probes()) {
       const Stencil stencil = scheme.stencil(u);
@@ -59,7 +61,7 @@ TEST(Scheme, WeightsSumToOneAndTapsExist) {
 }
 
 TEST(Scheme, AConstantIsReproduced) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     for (const double precision : {30.0, 1.0}) {
       RadialTable<S> table(S::with_precision(precision));
       std::ranges::fill(table.radii(), 24.0);
@@ -69,7 +71,7 @@ TEST(Scheme, AConstantIsReproduced) {
 }
 
 TEST(Scheme, TapsAreWithinTheStencilRadius) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     for (const double precision : {30.0, 5.0, 0.5}) {
       const S scheme = S::with_precision(precision);
       for (const Vec3& u : probes()) {
@@ -84,8 +86,73 @@ TEST(Scheme, TapsAreWithinTheStencilRadius) {
   });
 }
 
+// Seams and poles included: a small step changes the value of a smooth table little.
+TEST(Scheme, InterpolationIsContinuous) {
+  test::every_scheme([]<class S>() {
+    const S scheme = S::with_precision(12.0);
+    RadialTable<S> table(scheme);
+    for (std::size_t i = 0; i < scheme.size(); ++i) table.radii()[i] = 10.0 + scheme.direction(i).sum();
+    for (const Vec3& u : test::random_directions(20000, 83)) {
+      const Vec3 v = (u + 1e-9 * u.unitOrthogonal()).normalized();
+      ASSERT_NEAR(table.radius_at(u), table.radius_at(v), 1e-7) << S::name << " at " << u.transpose();
+    }
+  });
+}
+
+TEST(Scheme, ACellHasOneStencil) {
+  test::every_scheme([]<class S>() {
+    for (const double precision : {45.0, 15.0, 3.0}) {
+      const S scheme = S::with_precision(precision);
+      std::vector<Stencil> seen(scheme.cells());
+      for (const Vec3& u : test::random_directions(100000, 72)) {
+        Stencil stencil = scheme.stencil(u);
+        std::sort(stencil.entry.begin(), stencil.entry.begin() + stencil.taps);
+        Stencil& first = seen[stencil.cell];
+        if (first.taps == 0) first = stencil;
+        ASSERT_EQ(first.entry, stencil.entry) << S::name << " cell " << stencil.cell;
+      }
+    }
+  });
+}
+
+TEST(Scheme, RadiiHoldForFewEntries) {
+  test::every_scheme([]<class S>() {
+    for (double n = 2.0; n < 20.0; n += 1.0) {
+      const auto scheme = scheme_of_precision<S>(180.0 / n);
+      if (!scheme) continue;
+      for (const Vec3& u : test::random_directions(5000, 54)) {
+        const Stencil stencil = scheme->stencil(u);
+        for (std::size_t k = 0; k < stencil.taps; ++k) {
+          ASSERT_LE(angle_between(u, scheme->direction(stencil.entry[k])),
+                    scheme->stencil_radius() * (1.0 + 1e-12))
+              << S::name << ' ' << n;
+        }
+      }
+      const double gap = test::climbed_gap(*scheme, 1.0, 1000, 85);
+      EXPECT_LE(gap, scheme->covering_radius() * (1.0 + 1e-12)) << S::name << ' ' << n;
+      EXPECT_GE(gap, 0.75 * scheme->covering_radius()) << S::name << ' ' << n;
+    }
+  });
+}
+
+TEST(Scheme, FineTablesAreDescribedWithoutBeingMade) {
+  const Vec3 u = Vec3(0.3, -0.8, 0.1).normalized();
+  test::every_scheme([&u]<class S>() {
+    for (const double precision : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      const auto scheme = scheme_of_precision<S>(precision);
+      if (!scheme) continue;
+      const Stencil stencil = scheme->stencil(u);
+      for (std::size_t k = 0; k < stencil.taps; ++k) {
+        EXPECT_LE(angle_between(u, scheme->direction(stencil.entry[k])),
+                  scheme->stencil_radius() * (1.0 + 1e-6))
+            << S::name << ' ' << precision;
+      }
+    }
+  });
+}
+
 TEST(Scheme, StencilDoesNotDependOnLength) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(1.0);
     for (const Vec3& u : test::random_directions(2000, 8)) {
       EXPECT_EQ(scheme.stencil(u).entry, scheme.stencil(std::ldexp(1.0, 30) * u).entry) << S::name;
@@ -94,7 +161,7 @@ TEST(Scheme, StencilDoesNotDependOnLength) {
 }
 
 TEST(Scheme, DirectionsOfEntriesRoundTrip) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(kCoarse);
     for (std::size_t i = 0; i < scheme.size(); ++i) {
       const Vec3 u = scheme.direction(i);
@@ -104,13 +171,15 @@ TEST(Scheme, DirectionsOfEntriesRoundTrip) {
       for (std::size_t k = 0; k < stencil.taps; ++k) {
         if ((scheme.direction(stencil.entry[k]) - u).norm() < 1e-12) at_entry += stencil.weight[k];
       }
-      ASSERT_NEAR(at_entry, 1.0, 1e-12) << S::name << " entry " << i;
+      ASSERT_NEAR(at_entry, 1.0, 1e-12)
+          << S::name << " entry " << i << ": the stencil of its direction reads other entries. Schemes whose"
+          << " parts overlap (overset grids) cannot be used, see sphere/scheme.hpp";
     }
   });
 }
 
 TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(kCoarse);
     std::vector<Vec3> entries;
     for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
@@ -134,13 +203,13 @@ TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
 // A million directions. The nearest tap is mostly near enough; where it is not, some other entry must be.
 TEST(Scheme, NoDirectionIsBeyondTheCoveringRadius) {
   const std::vector<Vec3> directions = test::random_directions(1000000, 12);
-  for_each_scheme([&directions]<class S>() {
+  test::every_scheme([&directions]<class S>() {
     const S scheme = S::with_precision(4.0);
     std::vector<Vec3> entries;
     for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
     const double rho = scheme.covering_radius();
     const double near_enough = std::cos(rho);
-    const auto& walker = scheme.walker();
+    const auto& walker = walker_of(scheme);
     for (const Vec3& u : directions) {
       const Stencil stencil = scheme.stencil(u);
       double cosine = -1.0;
@@ -154,10 +223,9 @@ TEST(Scheme, NoDirectionIsBeyondTheCoveringRadius) {
 }
 
 TEST(Scheme, AreasArePositiveAndSumToTheSphere) {
-  int claims = 0;
-  for_each_scheme([&claims]<class S>() {
+  static_assert(AreaScheme<Rsid>);
+  test::every_scheme([]<class S>() {
     if constexpr (AreaScheme<S>) {
-      ++claims;
       for (const double precision : {60.0, 10.0, 1.0}) {
         const S scheme = S::with_precision(precision);
         double sum = 0.0;
@@ -178,10 +246,10 @@ TEST(Scheme, AreasArePositiveAndSumToTheSphere) {
       }
     }
   });
-  EXPECT_GT(claims, 0);
 }
 
-// The walker finds what a loop over all entries finds: once each, with the numbers of direction().
+// A walker, the scheme's own or that of any scheme, finds what a loop over all entries finds: once each, with
+// the numbers of direction().
 TEST(Scheme, EntriesInsideATriangleAreThoseOfBruteForce) {
   const auto u = test::random_directions(300, 10);
   std::vector<TriangleCone> cones;
@@ -194,11 +262,9 @@ TEST(Scheme, EntriesInsideATriangleAreThoseOfBruteForce) {
   cones.emplace_back(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1));
   cones.emplace_back(Vec3(1, -0.5, 0), Vec3(1, 0.5, 0), Vec3(1, 0, 1));  // across the seam
   cones.emplace_back(Vec3(-1, -1, -1), Vec3(1, -1, -1), Vec3(0, 1, -1));
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(5.0);
-    const auto& walker = scheme.walker();
-    for (const TriangleCone& cone : cones) {
-      if (cone.edge_on()) continue;
+    const auto check = [&](const auto& walker, const TriangleCone& cone) {
       std::multiset<std::size_t> found;
       for_each_entry_inside(walker, cone, [&](std::size_t i, const Vec3& direction) {
         found.insert(i);
@@ -209,34 +275,44 @@ TEST(Scheme, EntriesInsideATriangleAreThoseOfBruteForce) {
         if (cone.contains(scheme.direction(i))) expected.insert(i);
       }
       ASSERT_EQ(found, expected) << S::name;
+    };
+    const WalkerTree tree(scheme);
+    for (const TriangleCone& cone : cones) {
+      if (cone.edge_on()) continue;
+      check(walker_of(scheme), cone);
+      check(tree, cone);
     }
   });
 }
 
 TEST(Scheme, WalkerFindsEntriesWithinAMargin) {
   const auto u = test::random_directions(90, 11);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(5.0);
     for (std::size_t k = 0; k + 2 < u.size(); k += 3) {
       const TriangleCone cone(u[k], (u[k] + 0.2 * u[k + 1]).normalized(),
                               (u[k] + 0.2 * u[k + 2]).normalized());
-      std::set<std::size_t> found;
-      scheme.walker().visit_near(cone, 0.1, [&](const DirectionRun& run) {
-        for (std::size_t i = 0; i < run.count; ++i) found.insert(run.first + i);
-      });
-      for (std::size_t i = 0; i < scheme.size(); ++i) {
-        const bool near_corner = std::ranges::any_of(
-            cone.corners(), [&](const Vec3& v) { return angle_between(v, scheme.direction(i)) < 0.1; });
-        if (near_corner || cone.contains(scheme.direction(i))) {
-          ASSERT_TRUE(found.contains(i)) << S::name;
+      const auto check = [&](const auto& walker) {
+        std::set<std::size_t> found;
+        walker.visit_near(cone, 0.1, [&](const DirectionRun& run) {
+          for (std::size_t i = 0; i < run.count; ++i) found.insert(run.first + i);
+        });
+        for (std::size_t i = 0; i < scheme.size(); ++i) {
+          const bool near_corner = std::ranges::any_of(
+              cone.corners(), [&](const Vec3& v) { return angle_between(v, scheme.direction(i)) < 0.1; });
+          if (near_corner || cone.contains(scheme.direction(i))) {
+            ASSERT_TRUE(found.contains(i)) << S::name;
+          }
         }
-      }
+      };
+      check(walker_of(scheme));
+      check(WalkerTree(scheme));
     }
   });
 }
 
 TEST(Scheme, RefusesPrecisionsThatMakeNoSense) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     for (const double precision : {0.0, -1.0, std::nan(""), HUGE_VAL, 1e-300}) {
       EXPECT_THROW(S::with_precision(precision), std::invalid_argument) << S::name << ' ' << precision;
     }
@@ -244,7 +320,7 @@ TEST(Scheme, RefusesPrecisionsThatMakeNoSense) {
 }
 
 TEST(SchemeChoice, FindsEachNameAndNamesAllWhenItDoesNot) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     std::string found;
     with_scheme(S::name, [&found]<class T>() { found = T::name; });
     EXPECT_EQ(found, S::name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for every scheme on a spiral: fine tables lose no entry to rounding, areas are those between
-// half places, and runs hold the numbers of direction().
+// What holds for every scheme on a spiral: places are whole at entries, fine tables lose no entry to
+// rounding, areas are those between half places, and runs hold the numbers of direction().
 #include "sphere/spiral.hpp"
 
 #include <cmath>
@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sphere/entries_inside.hpp"
 #include "sphere/schemes/conchoid.hpp"
 #include "sphere/schemes/helix_isotropic.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "sphere/schemes/usid_arc.hpp"
+#include "sphere/walker.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -56,6 +56,28 @@ TYPED_TEST(Spirals, FindEntriesAtCornersOfTriangles) {
       ASSERT_EQ(found.count(entry), 1U) << precision << " entry " << entry;
     }
   }
+}
+
+// (w - 1) (1 - cos phi_i) / 2 = i of the thesis' helix: the lookup of Section 4.3 without an error.
+TYPED_TEST(Spirals, PlacesAreWholeAtEntriesAndBothPolesAreEntries) {
+  for (const double precision : {10.0, 1.0, 0.05}) {
+    const TypeParam scheme = TypeParam::with_precision(precision);
+    EXPECT_EQ(scheme.direction(0), Vec3(0, 0, 1));
+    EXPECT_EQ(scheme.direction(scheme.size() - 1), Vec3(0, 0, -1));
+    for (std::size_t i = 0; i < scheme.size(); i += 1 + scheme.size() / 5000) {
+      ASSERT_NEAR(scheme.place(to_angles(scheme.direction(i)).phi), static_cast<double>(i),
+                  1e-14 * static_cast<double>(scheme.size()));
+    }
+  }
+}
+
+TEST(HelixIsotropic, PrecisionIsTheSpacingBothWays) {
+  const HelixIsotropic helix = HelixIsotropic::with_precision(1.0);
+  EXPECT_EQ(helix.size(), 41253U);  // square degrees on the sphere
+  EXPECT_EQ(helix.equator_points(), 360U);
+  EXPECT_NEAR(helix.precision_deg(), 1.0, 1e-4);
+  const std::size_t equator = helix.size() / 2;
+  EXPECT_NEAR(angle_between(helix.direction(equator), helix.direction(equator + 1)), kDegree, 1e-3 * kDegree);
 }
 
 TYPED_TEST(Spirals, AFineTableIsLookedUpAtItsEntries) {

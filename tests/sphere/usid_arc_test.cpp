@@ -10,7 +10,7 @@
 
 #include "sphere/elliptic.hpp"
 #include "sphere/schemes/usid.hpp"
-#include "support/covering.hpp"
+#include "support/directions.hpp"
 #include "support/quadrature.hpp"
 
 namespace impinge {
@@ -72,16 +72,6 @@ TEST(UsidArc, EntriesStandOnTheHelix) {
   }
 }
 
-TEST(UsidArc, BothPolesAreEntriesAndPlacesAreWhole) {
-  const UsidArc helix = UsidArc::with_precision(1.0);
-  EXPECT_EQ(helix.direction(0), Vec3(0, 0, 1));
-  EXPECT_EQ(helix.direction(helix.size() - 1), Vec3(0, 0, -1));
-  for (std::size_t i = 0; i < helix.size(); i += 7) {
-    ASSERT_NEAR(helix.place(to_angles(helix.direction(i)).phi), static_cast<double>(i),
-                1e-14 * static_cast<double>(helix.size()));
-  }
-}
-
 // T with the true spacing is off by as much as (w - 1) / (4 k) entries, near to k / 4: 56 at k = 229 and 1145
 // at k = 4584, so that the taps are entries elsewhere on the turn.
 TEST(UsidArc, TheThesisLookupReadsOtherEntries) {
@@ -107,12 +97,6 @@ TEST(UsidArc, TheThesisLookupReadsOtherEntries) {
     ASSERT_NEAR(sum, 1.0, 4e-16);
   }
   EXPECT_GT(farthest, 10.0 * helix.stencil_radius());
-}
-
-TEST(UsidArc, CoveringConstant) {
-  const UsidArc helix = UsidArc::with_precision(1.0);
-  const double closed_form = 4.0 + kPi * kPi / 4.0;
-  EXPECT_NEAR(test::covering_constant(helix, helix.covering_radius()), closed_form, 0.02 * closed_form);
 }
 
 }  // namespace

@@ -2,17 +2,14 @@
 // USID: theta = 2 k phi, w = k^2, cos(phi_i) = 1 - 2 i / (w - 1) (thesis, Eq. 9-10, Tables 6-7).
 #include "sphere/schemes/usid.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sphere/radial_table.hpp"
-#include "support/covering.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -30,41 +27,6 @@ TEST(Usid, TurnsAndSizesAreThoseOfTables6And7) {
     EXPECT_EQ(helix.equator_points(), equator[k]);
     EXPECT_EQ(RadialTable<Usid>::bytes(helix), entries[k] * 8);
     EXPECT_NEAR(helix.precision_deg(), precision[k], 2e-3 * precision[k]);
-  }
-}
-
-// cos phi and theta against a computation in long double.
-TEST(Usid, EntriesStandOnTheHelix) {
-  for (const std::size_t turns : {std::size_t{2}, std::size_t{10}, std::size_t{4584}, std::size_t{100000}}) {
-    const Usid helix = Usid::with_turns(turns);
-    const auto last = static_cast<long double>(helix.size() - 1);
-    for (std::size_t part = 0; part <= 1000; ++part) {
-      const std::size_t i = static_cast<std::size_t>(last * static_cast<long double>(part) / 1000.0L);
-      const long double share = static_cast<long double>(i) / last;
-      const long double phi = 2.0L * std::atan2(std::sqrt(share), std::sqrt(1.0L - share));
-      const long double theta = 2.0L * static_cast<long double>(turns) * phi;
-      const Vec3 expected(static_cast<double>(std::sin(phi) * std::cos(theta)),
-                          static_cast<double>(std::sin(phi) * std::sin(theta)),
-                          static_cast<double>(1.0L - 2.0L * share));
-      ASSERT_LT((helix.direction(i) - expected).norm(), 6e-16 + 1e-15 * static_cast<double>(turns));
-    }
-  }
-}
-
-TEST(Usid, BothPolesAreEntries) {
-  const Usid helix = Usid::with_precision(1.0);
-  EXPECT_EQ(helix.direction(0), Vec3(0, 0, 1));
-  EXPECT_EQ(helix.direction(helix.size() - 1), Vec3(0, 0, -1));
-}
-
-// (w - 1) (1 - cos phi_i) / 2 = i: the lookup of Section 4.3 without an error.
-TEST(Usid, LookupIndexIsExact) {
-  for (const double precision : {10.0, 1.0, 0.05}) {
-    const Usid helix = Usid::with_precision(precision);
-    for (std::size_t i = 0; i < helix.size(); i += 1 + helix.size() / 5000) {
-      const double index = helix.place(to_angles(helix.direction(i)).phi);
-      ASSERT_NEAR(index, static_cast<double>(i), 1e-14 * static_cast<double>(helix.size()));
-    }
   }
 }
 
@@ -99,30 +61,6 @@ TEST(Usid, InterpolatesBetweenTheTurns) {
   }
 }
 
-// The stencil is continuous: a small step changes the value of a smooth table little, seam and poles
-// included.
-TEST(Usid, InterpolationIsContinuous) {
-  const Usid helix = Usid::with_turns(12);
-  RadialTable<Usid> table(helix);
-  for (std::size_t i = 0; i < helix.size(); ++i) table.radii()[i] = 10.0 + helix.direction(i).sum();
-  for (const Vec3& u : test::random_directions(20000, 51)) {
-    const Vec3 v = (u + 1e-9 * u.unitOrthogonal()).normalized();
-    ASSERT_NEAR(table.radius_at(u), table.radius_at(v), 1e-7) << u.transpose();
-  }
-}
-
-// Each cell is one patch: neighbours on a line of constant theta or along the strip, and its taps one set.
-TEST(Usid, ACellHasOneStencil) {
-  const Usid helix = Usid::with_turns(9);
-  std::vector<Stencil> seen(helix.cells());
-  for (const Vec3& u : test::random_directions(100000, 52)) {
-    const Stencil stencil = helix.stencil(u);
-    Stencil& first = seen[stencil.cell];
-    if (first.taps == 0) first = stencil;
-    ASSERT_EQ(first.entry, stencil.entry) << "cell " << stencil.cell;
-  }
-}
-
 // A way from u to a tap, along the strip between two turns, meets only cells that for_each_cell_across()
 // names.
 TEST(Usid, CellsAcrossHoldTheWaysToTheTaps) {
@@ -148,33 +86,6 @@ TEST(Usid, CellsAcrossHoldTheWaysToTheTaps) {
         ASSERT_TRUE(across.contains(helix.stencil(v).cell)) << u.transpose() << " tap " << k;
       }
     }
-  }
-}
-
-TEST(Usid, CoveringConstant) {
-  const Usid helix = Usid::with_precision(1.0);
-  const double closed_form = 4.0 + kPi * kPi / 4.0;
-  EXPECT_NEAR(test::covering_constant(helix, helix.covering_radius()), closed_form, 0.02 * closed_form);
-  const double away_from_poles = test::climbed_gap(helix, 0.98, 20000, 53);
-  EXPECT_NEAR(test::covering_constant(helix, away_from_poles), closed_form, 0.01 * closed_form);
-}
-
-TEST(Usid, RadiiHoldForFewTurns) {
-  for (std::size_t turns = 2; turns < 16; ++turns) {
-    const Usid helix = Usid::with_turns(turns);
-    double farthest = 0.0;
-    for (const Vec3& u : test::random_directions(5000, 54)) {
-      double nearest = kPi;
-      for (std::size_t i = 0; i < helix.size(); ++i)
-        nearest = std::min(nearest, angle_between(u, helix.direction(i)));
-      farthest = std::max(farthest, nearest);
-      const Stencil stencil = helix.stencil(u);
-      for (std::size_t k = 0; k < stencil.taps; ++k) {
-        ASSERT_LE(angle_between(u, helix.direction(stencil.entry[k])), helix.stencil_radius()) << turns;
-      }
-    }
-    EXPECT_LE(farthest, helix.covering_radius()) << turns;
-    EXPECT_GE(farthest, 0.9 * helix.covering_radius()) << turns;
   }
 }
 

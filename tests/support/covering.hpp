@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sphere/scheme.hpp"
+#include "sphere/walker.hpp"
 #include "support/directions.hpp"
 
 namespace impinge::test {
@@ -26,7 +27,7 @@ double nearest_entry(const Walker& walker, const Vec3& u, double margin) {
 // bound of the covering radius, within 1e-3 of it where starts are many.
 template <SamplingScheme S>
 double climbed_gap(const S& scheme, double z_max, std::size_t starts, unsigned seed) {
-  const auto& walker = scheme.walker();
+  const auto& walker = walker_of(scheme);
   const double rho = scheme.covering_radius();
   const double margin = 1.01 * rho;
   double best = 0.0;

@@ -25,7 +25,6 @@ class Wrapped {
   double covering_radius() const { return held_.covering_radius(); }
   double stencil_radius() const { return held_.stencil_radius(); }
   std::size_t equator_points() const { return held_.equator_points(); }
-  auto walker() const { return held_.walker(); }
   friend bool operator==(const Wrapped&, const Wrapped&) = default;
 
  protected:

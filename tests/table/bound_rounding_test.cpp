@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/bound_probes.hpp"
 #include "support/dice.hpp"
+#include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
 #include "support/wrapped_scheme.hpp"
 #include "table/error_bound.hpp"
@@ -103,7 +103,7 @@ TEST(BoundRounding, ABoundAboveTheSurfaceIsNone) {
 double rounding_of_turns(std::size_t turns) { return 8.0 * 0x1p-53 * 2.0 * kPi * static_cast<double>(turns); }
 
 TEST(DirectionDoubt, IsNoLessThanTheRoundingOfAllTurns) {
-  for_each_scheme([]<class S>() {
+  test::every_scheme([]<class S>() {
     const S scheme = S::with_precision(2.0);
     EXPECT_GE(direction_doubt(scheme), rounding_of_turns(scheme.equator_points() + 1)) << S::name;
   });

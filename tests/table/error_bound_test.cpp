@@ -14,8 +14,8 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/scheme_list.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 
@@ -88,7 +88,7 @@ TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
   const std::array bodies{probed(pair.ball), probed(tilted), probed(cone()),
                           probed(sphere(22.0, 300, {12.0, 3.0, -9.0}))};
   const Probed socket = probed(pair.socket, Layer::nearest);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     for (const double precision : {10.0, 3.0, 1.0}) expect_bounds<S>(bodies, socket, precision);
   });
 }
@@ -96,7 +96,7 @@ TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
 TEST(ErrorBound, FallsWithThePrecision) {
   const TriangleMesh ball = make_ball_socket_pair(1000).ball;
   const std::vector<Vec3> directions = test::random_directions(1000, 41);
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     double last = HUGE_VAL;
     for (const double precision : {3.0, 1.5, 0.75}) {
       const S scheme = S::with_precision(precision);

@@ -9,7 +9,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/scheme_list.hpp"
+#include "support/every_scheme.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
@@ -18,7 +18,7 @@ namespace {
 constexpr double kRelative = 1e-9;
 
 void expect_same_everywhere(const TriangleMesh& mesh, double precision, Layer layer) {
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(precision);
     const auto oracle = fill_pairwise(mesh, scheme, layer);
     const auto table = fill_exact(mesh, scheme, layer);

@@ -13,9 +13,9 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "sphere/scheme_list.hpp"
 #include "sphere/stored_table.hpp"
 #include "support/directions.hpp"
+#include "support/every_scheme.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -35,7 +35,7 @@ TEST(Rim, AHoleBetweenEntriesIsMasked) {
   const Face& face = whole.faces[7002];
   const Vec3 into_hole =
       (corner(whole, face, 0) + corner(whole, face, 1) + corner(whole, face, 2)).normalized();
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(5.0);
     const auto table = fill_exact(with_small_hole(), scheme, Layer::nearest);
     if (HasKnownBorders<S>) {
@@ -56,7 +56,7 @@ TEST(Rim, NothingIsMetOutsideOfTheRim) {
     for (const double off : {1e-9, 1e-6, 1e-4, 1e-3, 0.01})
       near_rim.push_back((middle - Vec3(0, 0, off)).normalized());
   }
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const auto table = fill_exact(socket, S::with_precision(1.0), Layer::nearest);
     for (const Vec3& u : near_rim) {
       ASSERT_TRUE(std::isnan(oracle.cast(u, Layer::nearest)));
@@ -85,7 +85,7 @@ TEST(Rim, MeshExactReachesAcrossNoRimEither) {
   const auto directions = directions_near_the_rim(mesh, 10000);
   std::vector<double> truth;
   for (const Vec3& u : directions) truth.push_back(oracle.cast(u, Layer::nearest));
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     if constexpr (PlaneExactScheme<S>) {
       const RadialTable<S> smooth = fill_exact(mesh, S::with_precision(4.0), Layer::nearest);
       const InverseDepthTable<S> table(smooth);
@@ -101,7 +101,7 @@ TEST(Rim, MeshExactReachesAcrossNoRimEither) {
 // Less than two cells inside of the rim the surface is there again.
 TEST(Rim, TheMaskIsNoWiderThanItMustBe) {
   const TriangleMesh socket = make_ball_socket_pair(3000).socket;
-  for_each_scheme([&]<class S>() {
+  test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(1.0);
     const auto table = fill_exact(socket, scheme, Layer::nearest);
     const double inside = 87.0 * kDegree - 2.5 * scheme.stencil_radius();
@@ -145,7 +145,7 @@ TEST(Rim, AFoldIsAJump) {
     const RayCaster oracle(mesh);
     std::vector<double> truth;
     for (const Vec3& u : directions) truth.push_back(oracle.cast(u, Layer::nearest));
-    for_each_scheme([&]<class S>() {
+    test::every_scheme([&]<class S>() {
       const S scheme = S::with_precision(5.0);
       const auto table = fill_exact(mesh, scheme, Layer::nearest);
       const auto slopes = largest_slopes(mesh, scheme);
@@ -290,28 +290,29 @@ TEST(Rim, AnEdgeOnAGridLineMasksBothSides) {
 
 // All cells in which a line spends more than a step, as found by very short steps.
 TEST(Rim, ALineIsFollowedThroughEveryCell) {
-  for_each_scheme([]<class S>() {
-    if constexpr (!HasKnownBorders<S>) return;
-    const S scheme = S::with_precision(5.0);
-    const auto ends = test::random_directions(60, 34);
-    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-      // Half of them pass close to a pole, where cells are bent most.
-      const Vec3 pole = Vec3(0.0, 0.0, k % 4 == 0 ? 1.0 : -1.0);
-      const Vec3 from = (k % 3 == 0 ? Vec3(ends[k]) : Vec3(pole + 0.3 * ends[k])).normalized();
-      const Vec3 to = (k % 3 == 0 ? Vec3(ends[k + 1]) : Vec3(pole + 0.3 * ends[k + 1])).normalized();
-      std::set<std::size_t> visited;
-      for_each_cell_along(scheme, RimLine{from, to},
-                          [&](const Stencil& s, const Vec3&, const Vec3&) { visited.insert(s.cell); });
-      const double step = 0.01 * scheme.covering_radius();
-      const auto pieces = static_cast<int>(angle_between(from, to) / step) + 1;
-      std::size_t last = scheme.cells();
-      int stretch = 0;
-      for (int i = 0; i <= pieces; ++i) {
-        const std::size_t cell = scheme.stencil(from + static_cast<double>(i) / pieces * (to - from)).cell;
-        stretch = cell == last ? stretch + 1 : 0;
-        last = cell;
-        if (stretch < 30) continue;
-        ASSERT_TRUE(visited.contains(cell)) << S::name << " line " << k;
+  test::every_scheme([]<class S>() {
+    if constexpr (HasKnownBorders<S>) {
+      const S scheme = S::with_precision(5.0);
+      const auto ends = test::random_directions(60, 34);
+      for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+        // Half of them pass close to a pole, where cells are bent most.
+        const Vec3 pole = Vec3(0.0, 0.0, k % 4 == 0 ? 1.0 : -1.0);
+        const Vec3 from = (k % 3 == 0 ? Vec3(ends[k]) : Vec3(pole + 0.3 * ends[k])).normalized();
+        const Vec3 to = (k % 3 == 0 ? Vec3(ends[k + 1]) : Vec3(pole + 0.3 * ends[k + 1])).normalized();
+        std::set<std::size_t> visited;
+        for_each_cell_along(scheme, RimLine{from, to},
+                            [&](const Stencil& s, const Vec3&, const Vec3&) { visited.insert(s.cell); });
+        const double step = 0.01 * scheme.covering_radius();
+        const auto pieces = static_cast<int>(angle_between(from, to) / step) + 1;
+        std::size_t last = scheme.cells();
+        int stretch = 0;
+        for (int i = 0; i <= pieces; ++i) {
+          const std::size_t cell = scheme.stencil(from + static_cast<double>(i) / pieces * (to - from)).cell;
+          stretch = cell == last ? stretch + 1 : 0;
+          last = cell;
+          if (stretch < 30) continue;
+          ASSERT_TRUE(visited.contains(cell)) << S::name << " line " << k;
+        }
       }
     }
   });

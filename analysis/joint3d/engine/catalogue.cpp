@@ -9,7 +9,6 @@
 #include "hip/recorded_range.hpp"
 #include "motion/named_motion.hpp"
 #include "sphere/scheme_list.hpp"
-#include "sphere/scheme_precision.hpp"
 
 namespace impinge {
 namespace {

@@ -205,19 +205,13 @@ void Fibonacci::visit_near(const TriangleCone& cone, double margin, Visit&& visi
   // The smallest Fibonacci number whose step in azimuth is within the interval, and the next two.
   const auto shift = [](std::size_t step) { return std::min(azimuth(step), ~azimuth(step) + 1); };
   while (!all && shift(steps[0]) >= width) steps = {steps[1], steps[2], steps[1] + steps[2]};
-  DirectionRun run;
-  run.count = 1;
   while (static_cast<double>(entry) <= last) {
     if (!is_inside(entry)) {
       ++entry;
       continue;
     }
-    const Vec3 u = direction(entry);
-    run.first = entry;
-    run.x[0] = u.x();
-    run.y[0] = u.y();
-    run.z[0] = u.z();
-    visit(static_cast<const DirectionRun&>(run));
+    visit_in_runs(
+        entry, 1, [&](std::size_t) { return direction(entry); }, visit);
     const auto* step =
         std::find_if(steps.begin(), steps.end(), [&](std::size_t s) { return is_inside(entry + s); });
     entry += step == steps.end() ? 1 : *step;

@@ -23,9 +23,9 @@
 #include <Eigen/Geometry>
 
 #include "sphere/arc_borders.hpp"
-#include "sphere/circumradius.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
+#include "sphere/largest_gap.hpp"
 #include "sphere/ring_walker.hpp"
 #include "sphere/scheme.hpp"
 
@@ -157,8 +157,8 @@ inline Ring OctahedralEqualArea::ring(std::size_t k) const {
   const double r = static_cast<double>(s) / static_cast<double>(n_);
   const double z = 1.0 - r * r;
   const CosSin polar{north ? z : -z, r * std::sqrt(2.0 - r * r)};
-  if (s == 0) return {north ? 0 : size() - 1, 1, 0, polar};
-  return {north ? 1 + 2 * s * (s - 1) : size() - 1 - 2 * s * (s + 1), 4 * s, 0, polar};
+  if (s == 0) return {{north ? 0 : size() - 1, 1, 0}, polar};
+  return {{north ? 1 + 2 * s * (s - 1) : size() - 1 - 2 * s * (s + 1), 4 * s, 0}, polar};
 }
 
 /// The widest gaps are those between two rings beside theta = 0, where four entries nearly make a rectangle.

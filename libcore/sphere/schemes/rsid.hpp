@@ -16,6 +16,7 @@
 #include "sphere/angular_box.hpp"
 #include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
+#include "sphere/ring_walker.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {
@@ -118,43 +119,23 @@ class Rsid::Walker {
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
     const AngularBox box = angular_box(cone.corners(), margin);
     const double spacing = scheme_.spacing();
-    const auto columns = static_cast<long>(scheme_.columns());
-    const auto top = static_cast<std::size_t>(std::ceil(box.phi_min / spacing - kSlack));
+    const auto top = static_cast<std::size_t>(std::ceil(box.phi_min / spacing - kRingSlack));
     const auto bottom =
-        std::min(static_cast<std::size_t>(box.phi_max / spacing + kSlack), scheme_.rows() - 1);
-    const auto left = static_cast<long>(std::ceil(box.theta_min / spacing - kSlack));
-    const auto right =
-        std::min(static_cast<long>(std::floor((box.theta_min + box.theta_width) / spacing + kSlack)),
-                 left + columns - 1);
-    if (left > right) return;
-    const auto first = static_cast<std::size_t>(((left % columns) + columns) % columns);
-    const std::size_t count = static_cast<std::size_t>(right - left) + 1;
-    const std::size_t before_seam = std::min(count, scheme_.columns() - first);
-    for (std::size_t i = top; i <= bottom; ++i) {
-      visit_row(i, first, before_seam, visit);
-      visit_row(i, 0, count - before_seam, visit);
-    }
+        std::min(static_cast<std::size_t>(box.phi_max / spacing + kRingSlack), scheme_.rows() - 1);
+    const double from = box.theta_min / spacing;
+    const double to = (box.theta_min + box.theta_width) / spacing;
+    for_each_part(from, to, scheme_.columns(), [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = top; i <= bottom; ++i) {
+        const CosSin phi{cos_[i], sin_[i]};
+        const auto direction_of = [&](std::size_t k) {
+          return direction(phi, {cos_[first + k], sin_[first + k]});
+        };
+        visit_in_runs(i * scheme_.columns() + first, count, direction_of, visit);
+      }
+    });
   }
 
  private:
-  static constexpr double kSlack = 1e-6;  // of a spacing: rounding of the divisions above
-
-  template <class Visit>
-  void visit_row(std::size_t row, std::size_t column, std::size_t count, Visit&& visit) const {
-    DirectionRun run;
-    const double sin_phi = sin_[row];
-    for (std::size_t done = 0; done < count; done += run.count) {
-      run.first = row * scheme_.columns() + column + done;
-      run.count = std::min(count - done, DirectionRun::kMost);
-      for (std::size_t k = 0; k < run.count; ++k) {
-        run.x[k] = sin_phi * cos_[column + done + k];
-        run.y[k] = sin_phi * sin_[column + done + k];
-        run.z[k] = cos_[row];
-      }
-      visit(static_cast<const DirectionRun&>(run));
-    }
-  }
-
   Rsid scheme_;
   std::vector<double> cos_;
   std::vector<double> sin_;

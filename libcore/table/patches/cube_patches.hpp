@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -56,7 +57,13 @@ inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Mag
           quarter * quarter * root * b_most * b_most * std::sin(2.0 * quarter * s.most) / (least * least)};
 }
 
+/// Warps whose lines are known to move so. A cube map with another warp tells no patches.
 template <class Warp>
+concept HasLineMotion = requires(const Magnitude& size) {
+  { line_motion(Warp{}, size, size) } -> std::same_as<LineMotion>;
+};
+
+template <HasLineMotion Warp>
 class CubePatches {
  public:
   /// Coordinates of the grid lines, from -1 to 1.
@@ -98,7 +105,7 @@ class CubePatches {
   std::vector<double> lines_;
 };
 
-template <class Warp>
+template <HasLineMotion Warp>
 CubePatches<Warp> patches_of(const CubeMap<Warp>& scheme) {
   std::vector<double> lines;
   const auto n = static_cast<double>(scheme.divisions());

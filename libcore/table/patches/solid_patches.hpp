@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 #include "sphere/icosahedral_grid.hpp"
@@ -116,17 +117,17 @@ class IcosahedralPatches {
   }
 
   static Vec3 weights(const Vec3& fraction) {
-    if constexpr (Warp::kFlatCells) {
-      return fraction;
-    } else {
+    if constexpr (kSine) {
       return (Warp::kAngle * fraction).array().sin();
+    } else {
+      return fraction;
     }
   }
 
   /// x = sum sin(w f_k) c_k bends by at most sum w^2 sin(w f_k) (df_k)^2 along a straight line of f.
   std::array<double, 2> bendings(const Patch& patch, const Rect& rect) const {
     std::array<double, 2> bending{};
-    if constexpr (!Warp::kFlatCells) {
+    if constexpr (kSine) {
       const std::array<Vec3, 3> f = nodes(patch);
       const Vec3 most = weights(f[0].cwiseMax(f[1]).cwiseMax(f[2]));
       const Vec3 along_s = (f[1] - f[0]).cwiseAbs().cwiseMax((f[2] - f[0]).cwiseAbs()) * rect.width(0);
@@ -137,12 +138,16 @@ class IcosahedralPatches {
     return bending;
   }
 
+  static constexpr bool kSine = std::same_as<Warp, SineIcosahedralWarp>;
+
   std::size_t n_;
   bool flat_;
 };
 
+/// A grid with another curved warp tells no patches but flat ones.
 template <class Warp>
-IcosahedralPatches<Warp> patches_of(const IcosahedralGrid<Warp>& scheme) {
+requires(Warp::kFlatCells || std::same_as<Warp, SineIcosahedralWarp>)
+    IcosahedralPatches<Warp> patches_of(const IcosahedralGrid<Warp>& scheme) {
   return {scheme.divisions(), false};
 }
 
