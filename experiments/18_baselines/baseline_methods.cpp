@@ -16,8 +16,8 @@
 #include "methods/maciel_triangles.hpp"
 #include "methods/table_check.hpp"
 #include "reference/closest_point.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/schemes/rsid.hpp"
-#include "sphere/walker.hpp"
 
 namespace impinge::lab {
 namespace {

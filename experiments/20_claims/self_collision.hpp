@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "sphere/walker.hpp"
+#include "sphere/entries_inside.hpp"
 
 namespace impinge::lab {
 

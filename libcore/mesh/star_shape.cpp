@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "mesh/lengths.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/triangle_cone.hpp"
-#include "sphere/walker.hpp"
 
 namespace impinge {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "mesh/lengths.hpp"
+#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
-#include "sphere/walker.hpp"
 #include "table/layer.hpp"
 #include "table/rim.hpp"
 

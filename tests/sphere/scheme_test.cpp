@@ -17,9 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sphere/entries_inside.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
-#include "sphere/walker.hpp"
 #include "support/covering.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "sphere/entries_inside.hpp"
 #include "sphere/schemes/conchoid.hpp"
 #include "sphere/schemes/helix_isotropic.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "sphere/schemes/usid_arc.hpp"
-#include "sphere/walker.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sphere/entries_inside.hpp"
 #include "sphere/schemes/usid.hpp"
-#include "sphere/walker.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
