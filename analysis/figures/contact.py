@@ -15,7 +15,7 @@ def main() -> None:
     """Writes figures/contact-time.svg, .png and .pdf."""
     options = common.arguments(__doc__)
     table = contact.load(options.results)
-    looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
+    looks = common.look(list(table.line[~table.method.isin(contact.NOT_DRAWN)].unique()))
     common.style()
     figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):

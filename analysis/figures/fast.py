@@ -16,7 +16,7 @@ def main() -> None:
     options = common.arguments(__doc__)
     table = fast.load(options.results)
     rows = with_one_embree(shown(fast.plain_rows(table)))
-    looks = common.scheme_looks([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
+    looks = common.scheme_looks(list(rows.line[rows.method != "floor"].unique()))
     common.style()
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.2), sharey=True)
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
