@@ -58,8 +58,8 @@ TEST(BaselineMethods, LoseLessWithMoreResolution) {
   const auto at = [&methods](std::string_view name, double size) -> const BaselineCase& {
     return *std::ranges::find_if(methods, [&](const auto& m) { return m.name == name && m.size == size; });
   };
-  const BaselineMethod& coarse = at("maciel_triangles", 10.0);
-  const BaselineMethod& fine = at("maciel_triangles", 100.0);
+  const BaselineCase& coarse = at("maciel_triangles", 10.0);
+  const BaselineCase& fine = at("maciel_triangles", 100.0);
   EXPECT_GE(coarse.missed_faces, 200.0) << "100 rays refer to 100 faces at most";
   EXPECT_EQ(fine.missed_faces, 0.0);
   EXPECT_GT(ask(coarse, points).missed, ask(fine, points).missed);
