@@ -7,18 +7,6 @@ import pandas as pd
 
 import common
 
-NAMES = {
-    "fcl_distance": "FCL, distance",
-    "vtk_collide": "VTK, touch",
-    "all_vertices": "all gaps, 16 bits",
-    "all_corners": "all gaps, corners",
-    "all_corners_2_threads": "all gaps, corners, two threads",
-    "all_corners_sampled": "all gaps, corners, not centred",
-    "fcl_collide": "FCL, touch",
-    "culled_least_gap": "smallest gap, culled",
-    "culled": "touch, culled",
-    "coherent": "touch, culled, from pose to pose",
-}
 NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_sampled"]  # in the figure
 CASES = {"over 2 mm": "gap over 2 mm", "0.5 mm": "gap 0.5 mm", "touching": "touching in most poses"}
 TOUCH = {3000: 250, 12000: 200, 100000: 75, 400000: 25}  # triangles of a model, and what is aimed at there
@@ -29,7 +17,7 @@ TRIANGLES = 12000  # of each model of the joint of the paper's numbers
 def load(results: Path) -> pd.DataFrame:
     """data/contact.csv with a readable `line` for each method."""
     table = common.load(results, "contact")
-    table["line"] = table.method.map(NAMES)
+    table["line"] = table.method.map(table.attrs["labels"])
     return table
 
 

@@ -12,32 +12,18 @@ TRIANGLES = 12000  # of each model of the joint that is shown
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
 RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
 CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
-NAMES = {
-    "embree_ray1": "Embree, 1 ray",
-    "embree_ray8": "Embree, 8 rays",
-    "embree_ray16": "Embree, 16 rays",
-    "embree_closest": "Embree, closest point (Euclidean)",
-    "cgal_first_hit": "CGAL, first hit",
-    "cgal_closest": "CGAL, closest point (Euclidean)",
-    "vtk_first_hit": "VTK, first hit",
-    "vtk_closest": "VTK, closest point (Euclidean)",
-    "vdb_grid": "OpenVDB voxels (Euclidean)",
-    "floor": "floor",
-    "rsid_scalar": "RSID, scalar",
-    "rsid": "RSID kernel",
-    "usid_scalar": "USID, scalar",
-    "usid": "USID kernel",
-    "cube_gnomonic_mesh_exact": "cube kernel",
-    "cube_cells_exact": "exact cells",
-    "cube_certified": "certified cube",
-}
+PEERS = [
+    *RAYS,
+    *CLOSEST,
+    "vdb_grid",
+]  # exact, and asked point by point, but for the voxels; not in every figure
 
 
 def load(results: Path, state: str = "warm") -> pd.DataFrame:
     """The warm or the cold rows of data/fast.csv with a readable `line` for each method and storage."""
     table = common.load(results, "fast")
     table = table[table.state == state].copy()
-    table["line"] = measured.lines(table, NAMES, stored=~table.method.isin(["floor", "vdb_grid"]))
+    table["line"] = measured.lines(table, table.attrs["labels"], stored=~table.method.isin(["floor", "vdb_grid"]))
     return table
 
 

@@ -12,11 +12,6 @@ from common import measured
 TRIANGLES = 12000  # of each model of the joint that is shown
 WAY = ["method", "storage", "memory", "threads"]
 SCENE = ["triangles", "cells", "memory"]
-NAMES = {
-    "cube_at_once": "at once",
-    "cube_in_double": "entry by entry, double",
-    "embree_fill": "Embree, tree and rays",
-}
 
 
 def load(results: Path) -> pd.DataFrame:
@@ -25,7 +20,7 @@ def load(results: Path) -> pd.DataFrame:
     rays = table[table.method == "embree_fill"].set_index(SCENE).median_ms
     table["times_embree"] = rays.loc[pd.MultiIndex.from_frame(table[SCENE])].to_numpy() / table.median_ms
     own = table.method == "cube_at_once"
-    table["line"] = measured.lines(table, NAMES, stored=own)
+    table["line"] = measured.lines(table, table.attrs["labels"], stored=own)
     table.loc[own, "line"] += table.threads.map({1: ", 1 thread", 2: ", 2 threads"})
     return table
 

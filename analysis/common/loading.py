@@ -7,6 +7,8 @@ import pandas as pd
 
 from common.sidecars import sidecar
 
+LABELS_READ: dict[str, str] = {}  # of methods, from the sidecars read so far; the first one says
+
 
 def load(results: Path, name: str) -> pd.DataFrame:
     """data/NAME.csv with its sidecar in attrs; yes and no become booleans."""
@@ -17,4 +19,6 @@ def load(results: Path, name: str) -> pd.DataFrame:
         if table[column].isin(["yes", "no"]).all() and len(table):
             table[column] = table[column] == "yes"
     table.attrs.update(record)
+    for name, text in record.get("labels", {}).items():
+        LABELS_READ.setdefault(name, text)
     return table

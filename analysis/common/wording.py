@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from common.loading import load
+from common.loading import LABELS_READ, load
 
-# How methods and schemes are called in a legend; one that is not here goes by its own name.
+# How methods and schemes are called in a legend; one that is not here goes by its own name. Labels of the methods of
+# experiments/methods/ come with the data: load() adds those of the sidecar.
 LABELS = {
     "pairwise": "pairwise",
     "pairwise_thesis": "pairwise, each pair by itself (thesis)",
@@ -20,26 +21,13 @@ LABELS = {
     "usid_thesis": "USID, resampled (thesis)",
     "usid_thesis_kept": "USID, resampled (thesis), tables kept",
     "usid_pairwise": "USID, pairwise",
-    "fcl_obb": "OBB tree (FCL)",
     "rapid": "OBB tree (RAPID)",
-    "embree_ray1": "Embree, a ray at a time",
-    "embree_ray8": "Embree, 8 rays at a time",
-    "embree_ray16": "Embree, 16 rays at a time",
-    "embree_closest": "Embree, closest point",
-    "cgal_first_hit": "CGAL, first hit",
-    "cgal_closest": "CGAL, closest point",
-    "fcl_collide": "FCL, collide",
-    "fcl_distance": "FCL, distance",
-    "distance_grid": "Cartesian distance grid",
-    "hu_voxels": "Voxels (Hu)",
-    "maciel_triangles": "Triangles (Maciel)",
-    "cartesian_field": "Cartesian distance field",
 }
 
 
 def label(name: str) -> str:
     """What a reader calls a method or scheme."""
-    return LABELS.get(name, name.replace("_", " "))
+    return LABELS.get(name) or LABELS_READ.get(name, name.replace("_", " "))
 
 
 def scheme_labels(results: Path) -> dict[str, str]:

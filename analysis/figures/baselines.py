@@ -10,13 +10,12 @@ import pandas as pd
 import common
 
 FLOOR = 0.02  # per cent: where none is drawn on a logarithmic axis
-METHODS = ["hu_voxels", "maciel_triangles", "cartesian_field", "rsid"]
 
 
 def main(options) -> common.Figure:
     table = common.load(options.results, "baselines")
     table = table[table.joint == table.joint.iloc[0]]
-    looks = common.look(METHODS)
+    looks = common.look(list(table.method.unique()))
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 6.2))
     lost(axes[0, 0], table, looks)
     wrong(axes[0, 1], table, looks)
@@ -29,7 +28,7 @@ def main(options) -> common.Figure:
 
 def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, values: pd.Series) -> None:
     """One line a method, memory along x."""
-    for method in METHODS:
+    for method in looks:
         mine = table.method == method
         if values[mine].notna().any():
             axes.plot(table.bytes[mine] / 1e3, values[mine], label=common.label(method), **looks[method])

@@ -13,7 +13,7 @@ from common import contact
 
 def main(options) -> common.Figure:
     table = contact.load(options.results)
-    looks = common.look([name for method, name in contact.NAMES.items() if method not in contact.NOT_DRAWN])
+    looks = common.look(list(table.line[~table.method.isin(contact.NOT_DRAWN)].unique()))
     figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)

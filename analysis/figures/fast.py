@@ -14,7 +14,7 @@ from common import fast
 def main(options) -> common.Figure:
     table = fast.load(options.results)
     rows = with_one_embree(shown(fast.plain_rows(table)))
-    looks = common.scheme_looks([line for line in rows.line.unique() if line != fast.NAMES["floor"]])
+    looks = common.scheme_looks(list(rows.line[rows.method != "floor"].unique()))
     figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.2), sharey=True)
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)

@@ -20,7 +20,7 @@ def main(options) -> common.Table:
 
 def latex(table: pd.DataFrame) -> str:
     """One line a way and direction."""
-    names = fast.NAMES | contact.NAMES
+    names = table.attrs["labels"]
     head = (
         r"of a vertex (a pose: touch) & & instructions & $\times$ floor & "
         r"time $\times$ floor & misses, 32 KiB & 1 MiB \\"

@@ -2,13 +2,26 @@
 // Timing the methods of detection on several joints: the form that Table 4 and the real joints share.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "harness/driver.hpp"
 #include "harness/timing.hpp"
-#include "methods/detection_benchmark.hpp"
+#include "methods/pose_set.hpp"
 
 namespace impinge::lab {
+
+/// One joint with the methods of the thesis' Tables 4 and 9, the poses they are timed over and the oracle
+/// that each of them must agree with first.
+struct DetectionBenchmark {
+  std::shared_ptr<const BallSocketPair> pair;  // that the methods refer to
+  std::vector<NamedPose> poses;                // that all of them are asked
+  TouchCase oracle;                            // exact predicates
+  std::vector<TouchCase> methods;              // all that say whether a pose touches
+};
+
+/// Meshes in their centre frames, mm; the precision is that of tables.
+DetectionBenchmark make_detection_benchmark(const BallSocketPair& pair, double precision_deg);
 
 // One row of the table for each method.
 struct BenchmarkJoint {
@@ -24,7 +37,7 @@ BenchmarkJoint make_benchmark_joint(std::vector<Cell> before, const BallSocketPa
 
 // The mean over the poses, after the method agreed with the oracle in all of them. All that is referred to
 // must outlive the case.
-TimedCase benchmark_case(std::vector<Cell> key, TouchMethod& method, const DetectionBenchmark& bench);
+TimedCase benchmark_case(std::vector<Cell> key, const TouchCase& method, const DetectionBenchmark& bench);
 
 // What of the slowest method is measured, and what scaled.
 struct DetectionOptions {

@@ -4,7 +4,7 @@
 // @writes-with-bones  detection_time_bones detection_time_bones_samples
 // @timing    yes
 // @seconds   62 260
-// @links     harness real_joints methods hip
+// @links     harness real_joints methods touch_methods hip
 //
 // Tables 4 and 9 have "generic models" up to 3,000 triangles, here the generated pair, and the "real model
 // from CT" of a patient at 12,000. His hip is not public. In its place is, of the real joints that are given,
@@ -126,9 +126,10 @@ void vary_precision(DriverRun& run) {
   for (const std::size_t n : kPrecisionLevels) {
     for (const double precision : kPrecisions) {
       benches.push_back(make_detection_benchmark(make_ball_socket_pair(n), precision));
+      add_labels(result.labels, benches.back().methods);
       for (const auto& method : benches.back().methods) {
-        if (!method->gives_distance()) continue;
-        cases.push_back(benchmark_case({method->name(), precision, n}, *method, benches.back()));
+        if (!method.gives_distance) continue;
+        cases.push_back(benchmark_case({method.name, precision, n}, method, benches.back()));
       }
     }
   }

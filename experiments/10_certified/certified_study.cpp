@@ -10,7 +10,7 @@
 #include "files/file_bytes.hpp"
 #include "files/stopwatch.hpp"
 #include "harness/statistics.hpp"
-#include "methods/cgal_tree.hpp"
+#include "methods/cgal.hpp"
 #include "reference/shadow.hpp"
 
 namespace impinge::lab {
@@ -63,13 +63,13 @@ void add_delay(const SurfaceOverlay& joint, const ContactPose& pose, PoseSummary
     summary.later.push_back(std::max(0.0, *by_vertices - *pose.contact) * path_length(pose.path));
 }
 
-void add_pose(CertifiedStudy& study, CertifiedJoint& joint, TouchMethod& tree, const Pose& pose,
+void add_pose(CertifiedStudy& study, CertifiedJoint& joint, const Touch& tree, const Pose& pose,
               PoseSummary& summary) {
   JudgedPose judged = judge(joint.overlay, pose);
   Stopwatch watch;
   const bool impinged = joint.overlay.impinged(pose);
   summary.overlay_s += watch.lap_s();
-  const bool common = tree.touches(pose);
+  const bool common = tree(pose);
   if (impinged != judged.surfaces || (common && !impinged)) {
     refute(study, joint.name, pose, "the surfaces have the wrong verdict");
     ++summary.wrong;
@@ -155,7 +155,7 @@ CertifiedJoint judge_joint(CertifiedStudy& study, std::string name, const BallSo
   PoseSummary summary;
   const std::vector<ContactPose> poses = contact_poses(joint.overlay, options);
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    add_pose(study, joint, *tree, poses[k].pose, summary);
+    add_pose(study, joint, tree, poses[k].pose, summary);
     if (k % kPosesPerPath == 0 && k / kPosesPerPath < options.ways)
       add_delay(joint.overlay, poses[k], summary);
   }

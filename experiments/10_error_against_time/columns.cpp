@@ -61,8 +61,8 @@ BenchmarkTables make_benchmark_tables() {
 
 BenchmarkOptions quick_benchmark() {
   BenchmarkOptions options;
-  options.tables = {{2.0, 1.0}, 30000, 12000, {1.05, 2000}};
-  options.grid_nodes = {16, 32};
+  options.sizes.tables = {{2.0, 1.0}, 30000, 12000, {1.05, 2000}};
+  options.sizes.grid_nodes = {16, 32};
   options.radial = {5000, 200, 1};
   options.euclidean = {300, 50, 1};
   options.ascent.starts = 3;
@@ -77,8 +77,8 @@ BenchmarkOptions quick_benchmark() {
 
 BenchmarkOptions full_benchmark() {
   BenchmarkOptions options;
-  options.tables = {{2.0, 1.0, 0.5, 0.2}, 110000, 12000, {1.05, 100000}};
-  options.grid_nodes = {16, 32, 64, 128};
+  options.sizes.tables = {{2.0, 1.0, 0.5, 0.2}, 110000, 12000, {1.05, 100000}};
+  options.sizes.grid_nodes = {16, 32, 64, 128};
   options.radial = {240000, 4000, 1};
   options.euclidean = {20000, 1000, 1};
   options.ascent.starts = 16;

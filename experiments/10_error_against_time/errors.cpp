@@ -16,9 +16,9 @@
 namespace impinge::lab {
 namespace {
 
-double error_at(RadiusMethod& method, const BenchmarkProbes& probes, const Vec3& x) {
+double error_at(const PointQuery& query, const BenchmarkProbes& probes, const Vec3& x) {
   double answer = 0.0;
-  method.answer(std::span(&x, 1), std::span(&answer, 1));
+  query.answer(std::span(&x, 1), std::span(&answer, 1));
   return answer - probes.truth_at(x);
 }
 
@@ -30,9 +30,9 @@ void take(BenchmarkErrors& errors, double error, const Vec3& x) {
 }
 
 // Largest |error| that a start leads to, as far from the centre as the start.
-double climb(RadiusMethod& method, const BenchmarkProbes& probes, const AscentOptions& ascent, Vec3 x,
+double climb(const PointQuery& query, const BenchmarkProbes& probes, const AscentOptions& ascent, Vec3 x,
              BenchmarkErrors& errors) {
-  double best = std::abs(error_at(method, probes, x));
+  double best = std::abs(error_at(query, probes, x));
   double step = ascent.first_step;
   std::size_t asked = 0;
   while (asked < ascent.steps) {
@@ -41,7 +41,7 @@ double climb(RadiusMethod& method, const BenchmarkProbes& probes, const AscentOp
     bool better = false;
     for (const auto& [a, b] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}) {
       const Vec3 next = x.norm() * (x.normalized() + step * (a * across + b * along)).normalized();
-      const double error = error_at(method, probes, next);
+      const double error = error_at(query, probes, next);
       ++asked;
       take(errors, error, next);
       if (!(std::abs(error) > best)) continue;
@@ -87,12 +87,12 @@ void summarise_uniform(BenchmarkErrors& errors, std::span<const double> error) {
 
 }  // namespace
 
-BenchmarkErrors measure_errors(RadiusMethod& method, const BenchmarkProbes& probes,
+BenchmarkErrors measure_errors(const PointQuery& query, const BenchmarkProbes& probes,
                                const AscentOptions& ascent) {
   BenchmarkErrors errors;
   errors.directions = probes.points.size();
   std::vector<double> error(probes.points.size());
-  method.answer(probes.points, error);
+  query.answer(probes.points, error);
   for (std::size_t k = 0; k < error.size(); ++k) {
     const bool answered = !std::isnan(error[k]);
     const bool there = !std::isnan(probes.truth[k]);
@@ -105,16 +105,16 @@ BenchmarkErrors measure_errors(RadiusMethod& method, const BenchmarkProbes& prob
   }
   summarise_uniform(errors, std::span(error).first(probes.uniform));
   for (const std::size_t place : worst_places(error, ascent.starts)) {
-    const double found = climb(method, probes, ascent, probes.points[place], errors);
+    const double found = climb(query, probes, ascent, probes.points[place], errors);
     errors.adversarial_max = std::max(errors.adversarial_max, found);
   }
   return errors;
 }
 
-BenchmarkErrors measure_pose(RadiusMethod& method, double truth) {
+BenchmarkErrors measure_pose(const PointQuery& query, double truth) {
   double answer = 0.0;
   const Vec3 none = Vec3::Zero();
-  method.answer(std::span(&none, 1), std::span(&answer, 1));
+  query.answer(std::span(&none, 1), std::span(&answer, 1));
   BenchmarkErrors errors;
   errors.directions = 1;
   errors.misses = truth == 0.0 && answer != 0.0 ? 1 : 0;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "10_error_against_time/probes.hpp"
-#include "methods/radius_method.hpp"
+#include "methods/points.hpp"
 
 namespace impinge::lab {
 
@@ -38,12 +38,12 @@ struct AscentOptions {
 };
 
 // Not for Measure::pose.
-BenchmarkErrors measure_errors(RadiusMethod& method, const BenchmarkProbes& probes,
+BenchmarkErrors measure_errors(const PointQuery& query, const BenchmarkProbes& probes,
                                const AscentOptions& ascent);
 
 // A method that answers for a whole pose, beside the true smallest distance (mm). Where it says no more than
 // that the surfaces do not touch (NaN), a wrong answer is a miss or a false hit.
-BenchmarkErrors measure_pose(RadiusMethod& method, double truth);
+BenchmarkErrors measure_pose(const PointQuery& query, double truth);
 
 // An error above its bound. Truth and look-ups are worked out in double: that much is let pass.
 inline constexpr double kBenchmarkRounding = 1e-10;  // mm

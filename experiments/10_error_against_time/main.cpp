@@ -5,7 +5,7 @@
 // @cache     yes
 // @timing    yes
 // @seconds   32 1200
-// @links     harness real_joints reference_cache methods
+// @links     harness real_joints reference_cache methods points_methods
 //
 // The posed ball's vertices are asked against the surface of the socket. Errors are measured before anything
 // is timed, on the very tables that are timed, and the largest is held against the proven bound: if it is
@@ -43,11 +43,11 @@ std::vector<BenchmarkScene> scenes(DriverRun& run) {
 }
 
 nlohmann::json parameters_of(const BenchmarkOptions& options) {
-  return {{"precisions_deg", options.tables.precisions},
-          {"grid_nodes", options.grid_nodes},
-          {"most_entries_of_a_searched_bound", options.tables.most_entries},
-          {"most_faces_of_a_searched_bound", options.tables.most_faces},
-          {"halvings_of_a_bound", options.tables.search.budget},
+  return {{"precisions_deg", options.sizes.tables.precisions},
+          {"grid_nodes", options.sizes.grid_nodes},
+          {"most_entries_of_a_searched_bound", options.sizes.tables.most_entries},
+          {"most_faces_of_a_searched_bound", options.sizes.tables.most_faces},
+          {"halvings_of_a_bound", options.sizes.tables.search.budget},
           {"bound_of_other_tables", "of first order"},
           {"uniform_directions", options.radial.uniform},
           {"directions_of_each_feature", options.radial.each_feature},
@@ -82,6 +82,7 @@ void body(DriverRun& run) {
   }
   Result result;
   result.parameters = parameters_of(options);
+  result.labels = tables.labels;
   const auto write = [&](const char* name, const char* question, Table& table) {
     result.name = name;
     result.question = question;

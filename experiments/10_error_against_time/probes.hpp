@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "methods/radius_method.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 

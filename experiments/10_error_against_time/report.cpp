@@ -17,12 +17,12 @@ constexpr const char* kBaselineSetting = "fast";
 
 // A method with everything that was found out about it.
 struct Measured {
-  MethodMaker maker;
+  PointCase method;
   BenchmarkErrors errors;
   MethodBound bound;
   BenchmarkCosts costs;
 
-  bool is_pose() const { return maker.measure == Measure::pose; }
+  bool is_pose() const { return method.measure == Measure::pose; }
 };
 
 struct Truth {
@@ -31,34 +31,34 @@ struct Truth {
   double pose = 0.0;
 };
 
-BenchmarkErrors errors_of(RadiusMethod& method, Measure measure, const Truth& truth,
+BenchmarkErrors errors_of(const PointQuery& query, Measure measure, const Truth& truth,
                           const AscentOptions& ascent) {
   switch (measure) {
     case Measure::radial:
-      return measure_errors(method, truth.radial, ascent);
+      return measure_errors(query, truth.radial, ascent);
     case Measure::euclidean:
-      return measure_errors(method, truth.euclidean, ascent);
+      return measure_errors(query, truth.euclidean, ascent);
     case Measure::pose:
-      return measure_pose(method, truth.pose);
+      return measure_pose(query, truth.pose);
   }
   return {};
 }
 
 void examine(Measured& measured, const BenchmarkScene& scene, const Truth& truth,
              const BenchmarkOptions& options) {
-  const auto method = measured.maker.make();
-  measured.errors = errors_of(*method, measured.maker.measure, truth, options.ascent);
-  if (measured.maker.bound) measured.bound = measured.maker.bound(*method);
+  const PointQuery query = measured.method.make();
+  measured.errors = errors_of(query, measured.method.measure, truth, options.ascent);
+  if (measured.method.bound) measured.bound = measured.method.bound(query);
   auto violation = find_violation(measured.errors, measured.bound);
   if (!violation) return;
   violation->scene = scene.name;
-  violation->method = measured.maker.name;
-  violation->setting = measured.maker.setting;
+  violation->method = measured.method.name;
+  violation->setting = measured.method.setting;
   throw BoundViolated(*violation);
 }
 
 std::vector<Cell> key_of(const Measured& measured, const BenchmarkScene& scene) {
-  return {scene.name, measured.maker.name, measured.maker.setting};
+  return {scene.name, measured.method.name, measured.method.setting};
 }
 
 // Micrometres; an infinite bound promises nothing.
@@ -69,7 +69,7 @@ Cell cell_if(bool there, double value) { return there ? Cell(value) : Cell(); }
 
 void add_main(Table& table, const Measured& measured, const BenchmarkScene& scene) {
   const BenchmarkErrors& errors = measured.errors;
-  const bool answered = !measured.is_pose() || measured.maker.name != "fcl_collide";
+  const bool answered = measured.method.says_how_far;
   std::vector<Cell> row = key_of(measured, scene);
   row.insert(row.end(), {summarise(measured.costs.build_ms).median, summarise(measured.costs.warm_ns).median,
                          measured.costs.bytes, cell_if(answered, kMicrometres * errors.max_over),
@@ -82,21 +82,21 @@ void add_main(Table& table, const Measured& measured, const BenchmarkScene& scen
 
 void add_spread(Table& table, const Measured& measured, const BenchmarkScene& scene,
                 const BenchmarkCosts& baseline) {
-  const MethodMaker& maker = measured.maker;
+  const PointCase& method = measured.method;
   const BenchmarkErrors& errors = measured.errors;
   const Summary cold = summarise(measured.costs.cold_ns);
   const bool many = !measured.is_pose();
   std::vector<Cell> row = key_of(measured, scene);
   row.insert(
       row.end(),
-      {maker.kind, maker.scheme, maker.precision_deg, maker.interpolant, maker.storage,
-       name_of(maker.measure),
+      {method.kind, method.scheme, method.precision_deg, method.interpolant, method.storage,
+       name_of(method.measure),
        cell_if(measured.costs.build_ms.size() > 1, summarise(measured.costs.build_ms).iqr),
        summarise(measured.costs.warm_ns).iqr, cold.median, cold.iqr, errors.directions, errors.false_hits,
        cell_if(many, kMicrometres * errors.uniform_max), cell_if(many, kMicrometres * errors.feature_max),
        cell_if(many, kMicrometres * errors.adversarial_max), kMicrometres * measured.bound.attained_mm,
        errors.max() / measured.bound.bound_mm, control_ratio(measured.costs.warm_ns)});
-  const bool reference = maker.name == kBaseline && maker.setting == kBaselineSetting;
+  const bool reference = method.name == kBaseline && method.setting == kBaselineSetting;
   row.emplace_back(reference ? "reference" : compare_times(measured.costs.warm_ns, baseline.warm_ns));
   table.add_row(std::move(row));
 }
@@ -114,16 +114,10 @@ void add_samples(Table& table, const Measured& measured, const BenchmarkScene& s
   add("query_cold_ns", measured.costs.cold_ns);
 }
 
-std::vector<MethodMaker> all_methods(const BenchmarkScene& scene, const BenchmarkOptions& options) {
-  std::vector<MethodMaker> all = other_methods(scene, options.grid_nodes);
-  for (auto&& more : {thesis_methods(scene, options.tables), table_methods(scene, options.tables)})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 const BenchmarkCosts& baseline_of(const std::vector<Measured>& all) {
   for (const Measured& measured : all) {
-    if (measured.maker.name == kBaseline && measured.maker.setting == kBaselineSetting) return measured.costs;
+    if (measured.method.name == kBaseline && measured.method.setting == kBaselineSetting)
+      return measured.costs;
   }
   throw std::logic_error("the benchmark lacks the method that times are compared with");
 }
@@ -139,17 +133,18 @@ void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options,
                    Progress& progress) {
   const Truth truth{radial_probes(scene, options.radial), euclidean_probes(scene, options.euclidean),
                     surface_distance(scene)};
-  const std::vector<MethodMaker> makers = all_methods(scene, options);
-  progress.say(scene.name + ": errors of " + std::to_string(makers.size()) + " methods");
+  const std::vector<PointCase> methods = cases_of(points_methods(), &Method::points, scene, options.sizes);
+  add_labels(tables.labels, methods);
+  progress.say(scene.name + ": errors of " + std::to_string(methods.size()) + " methods");
   std::vector<Measured> all;
-  progress.begin(static_cast<double>(makers.size()));
-  for (const MethodMaker& maker : makers) {
-    all.push_back({maker, {}, {}, {}});
+  progress.begin(static_cast<double>(methods.size()));
+  for (const PointCase& method : methods) {
+    all.push_back({method, {}, {}, {}});
     examine(all.back(), scene, truth, options);
-    progress.advance(1.0, maker.name + " " + maker.setting);
+    progress.advance(1.0, method.name + " " + method.setting);
   }
   progress.say(scene.name + ": times");
-  std::vector<BenchmarkCosts> costs = time_methods(makers, scene, options.timing, progress);
+  std::vector<BenchmarkCosts> costs = time_methods(methods, scene, options.timing, progress);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].costs = std::move(costs[i]);
   const BenchmarkCosts& baseline = baseline_of(all);
   for (const Measured& measured : all) {

@@ -3,12 +3,12 @@
 // tables that they fill.
 #pragma once
 
-#include <cstddef>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "10_error_against_time/errors.hpp"
-#include "10_error_against_time/methods.hpp"
 #include "10_error_against_time/timing.hpp"
 #include "files/csv.hpp"
 
@@ -16,12 +16,11 @@ namespace impinge::lab {
 
 // What runs, where errors are measured, and how costs are timed.
 struct BenchmarkOptions {
-  TableBenchmark tables;                // of every scheme
-  std::vector<std::size_t> grid_nodes;  // a side
-  ProbeOptions radial;                  // of methods that answer radii
-  ProbeOptions euclidean;               // of methods that answer distances
-  AscentOptions ascent;                 // from the worst probes
-  BenchmarkTimingOptions timing;        // of the costs
+  PointSizes sizes;               // of the methods
+  ProbeOptions radial;            // of methods that answer radii
+  ProbeOptions euclidean;         // of methods that answer distances
+  AscentOptions ascent;           // from the worst probes
+  BenchmarkTimingOptions timing;  // of the costs
 };
 
 // What small machines and short runs can do, and the whole of it.
@@ -30,9 +29,10 @@ BenchmarkOptions full_benchmark();  // the latter
 
 // The three results, row by row.
 struct BenchmarkTables {
-  Table main;     // error_against_time.csv
-  Table spread;   // error_against_time_spread.csv
-  Table samples;  // error_against_time_samples.csv
+  Table main;                                      // error_against_time.csv
+  Table spread;                                    // error_against_time_spread.csv
+  Table samples;                                   // error_against_time_samples.csv
+  std::map<std::string, std::string> labels = {};  // of the methods
 };
 BenchmarkTables make_benchmark_tables();  // with their columns, and no row
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
@@ -27,8 +29,8 @@ double milliseconds(Work&& work) {
 
 // One method between the rounds.
 struct Runner {
-  const MethodMaker* maker = nullptr;
-  std::unique_ptr<RadiusMethod> kept;
+  const PointCase* method = nullptr;
+  std::optional<PointQuery> kept;
   std::vector<Vec3> batch;
   std::vector<double> out;
   double points = 0.0;  // that one batch answers for
@@ -43,14 +45,14 @@ void flush(std::vector<char>& block) {
 }
 
 // As many of the points as one batch has time for, evenly through all of them.
-void choose_batch(Runner& runner, RadiusMethod& method, const std::vector<Vec3>& all,
+void choose_batch(Runner& runner, const PointQuery& query, const std::vector<Vec3>& all,
                   const BenchmarkTimingOptions& options) {
   runner.points = static_cast<double>(all.size());
   runner.batch = all;
   runner.out.resize(all.size());
-  if (runner.maker->measure == Measure::pose) return;
+  if (runner.method->measure == Measure::pose) return;
   const std::size_t first = std::min(kFirstBatch, all.size());
-  const double trial = milliseconds([&] { method.answer(std::span(all).first(first), runner.out); });
+  const double trial = milliseconds([&] { query.answer(std::span(all).first(first), runner.out); });
   const double affordable = options.batch_ms / trial * static_cast<double>(first);
   if (affordable >= runner.points) return;
   const std::size_t count = std::max(first, static_cast<std::size_t>(affordable));
@@ -60,29 +62,29 @@ void choose_batch(Runner& runner, RadiusMethod& method, const std::vector<Vec3>&
   runner.points = static_cast<double>(count);
 }
 
-void ask(Runner& runner, RadiusMethod& method) {
-  method.answer(runner.batch, runner.out);
+void ask(Runner& runner, const PointQuery& query) {
+  query.answer(runner.batch, runner.out);
   benchmark::DoNotOptimize(runner.out.data());
   benchmark::ClobberMemory();
 }
 
 void run_round(Runner& runner, const std::vector<Vec3>& all, const BenchmarkTimingOptions& options,
                std::vector<char>& block) {
-  std::unique_ptr<RadiusMethod> method = std::move(runner.kept);
-  if (!method) runner.costs.build_ms.push_back(milliseconds([&] { method = runner.maker->make(); }));
-  if (runner.batch.empty()) choose_batch(runner, *method, all, options);
+  std::optional<PointQuery> query = std::exchange(runner.kept, std::nullopt);
+  if (!query) runner.costs.build_ms.push_back(milliseconds([&] { query = runner.method->make(); }));
+  if (runner.batch.empty()) choose_batch(runner, *query, all, options);
   flush(block);
-  runner.costs.cold_ns.push_back(kNanoseconds * milliseconds([&] { ask(runner, *method); }) / runner.points);
-  const double once = milliseconds([&] { ask(runner, *method); });
+  runner.costs.cold_ns.push_back(kNanoseconds * milliseconds([&] { ask(runner, *query); }) / runner.points);
+  const double once = milliseconds([&] { ask(runner, *query); });
   if (runner.costs.warm_ns.empty())
     runner.repeats = static_cast<std::size_t>(std::ceil(options.warm_ms / std::max(once, 1e-5)));
   const double warm = milliseconds([&] {
-    for (std::size_t k = 0; k < runner.repeats; ++k) ask(runner, *method);
+    for (std::size_t k = 0; k < runner.repeats; ++k) ask(runner, *query);
   });
   runner.costs.warm_ns.push_back(kNanoseconds * warm / (runner.points * static_cast<double>(runner.repeats)));
-  runner.costs.bytes = method->bytes();
+  runner.costs.bytes = query->bytes;
   runner.costs.batch = runner.batch.size();
-  if (runner.costs.build_ms.front() > options.slow_build_ms) runner.kept = std::move(method);
+  if (runner.costs.build_ms.front() > options.slow_build_ms) runner.kept = std::move(query);
 }
 
 // Samples of every second round.
@@ -94,13 +96,13 @@ std::vector<double> half(std::span<const double> samples, std::size_t first) {
 
 }  // namespace
 
-std::vector<BenchmarkCosts> time_methods(std::span<const MethodMaker> methods, const BenchmarkScene& scene,
+std::vector<BenchmarkCosts> time_methods(std::span<const PointCase> methods, const BenchmarkScene& scene,
                                          const BenchmarkTimingOptions& options, Progress& progress) {
   if (options.rounds < 2) throw std::invalid_argument("a control needs two rounds of timing or more");
   const std::vector<Vec3> all = scene.queries();
   std::vector<char> block(options.flush_bytes);
   std::vector<Runner> runners(methods.size());
-  for (std::size_t i = 0; i < methods.size(); ++i) runners[i].maker = &methods[i];
+  for (std::size_t i = 0; i < methods.size(); ++i) runners[i].method = &methods[i];
   std::vector<std::size_t> order(methods.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937_64 random(options.seed);

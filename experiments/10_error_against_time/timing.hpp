@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "harness/progress.hpp"
-#include "methods/radius_method.hpp"
+#include "methods/points.hpp"
 
 namespace impinge::lab {
 
@@ -42,7 +42,7 @@ struct BenchmarkCosts {
 };
 
 // In the order of the methods. std::invalid_argument for fewer than two rounds.
-std::vector<BenchmarkCosts> time_methods(std::span<const MethodMaker> methods, const BenchmarkScene& scene,
+std::vector<BenchmarkCosts> time_methods(std::span<const PointCase> methods, const BenchmarkScene& scene,
                                          const BenchmarkTimingOptions& options, Progress& progress);
 
 // Median of the odd rounds over that of the even ones.

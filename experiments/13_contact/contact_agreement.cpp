@@ -7,7 +7,7 @@
 
 #include "contact/coherent_contact.hpp"
 #include "harness/contact_poses.hpp"
-#include "methods/fcl_obb.hpp"
+#include "methods/contact.hpp"
 #include "sphere/uniform_directions.hpp"
 
 namespace impinge::lab {
@@ -19,7 +19,7 @@ class ContactReferee {
       : overlay_(joint.ball, joint.socket),
         culled_(joint),
         coherent_(culled_),
-        fcl_(make_fcl_obb(joint.ball, joint.socket)) {}
+        fcl_(std::ranges::find(cases_, "fcl_collide", &ContactCase::name)->touches) {}
 
   const CulledJoint& culled() const { return culled_; }
 
@@ -31,7 +31,7 @@ class ContactReferee {
     count.culled_wrong += culled_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.coherent_wrong += coherent_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.least_gap_wrong += (least && least->gap_mm <= 0.0) != truth ? 1U : 0U;
-    const bool contact = fcl_->touches(pose);
+    const bool contact = fcl_(pose);
     if (contact == truth) return;
     if (truth) {
       ++count.beyond;
@@ -46,7 +46,8 @@ class ContactReferee {
   SurfaceOverlay overlay_;
   CulledJoint culled_;
   CoherentContact coherent_;
-  std::unique_ptr<TouchMethod> fcl_;
+  std::vector<ContactCase> cases_ = cases_of(contact_methods(), &Method::contact, culled_);
+  Touch fcl_;
 };
 
 PosePath any_path(std::mt19937_64& random) {

@@ -43,7 +43,7 @@ std::optional<Pose> pushed(const CulledJoint& joint, Pose pose, const Vec3& way,
 }
 
 // All of a motion, or nothing where a gap is not within the limits.
-std::vector<Pose> turned_on(const CulledJoint& joint, const GapCase& gap, const Pose& first,
+std::vector<Pose> turned_on(const CulledJoint& joint, const MotionGap& gap, const Pose& first,
                             const Vec3& axis) {
   std::vector<Pose> poses;
   for (std::size_t k = 0; k < kMotionPoses; ++k) {
@@ -60,7 +60,7 @@ std::vector<Pose> turned_on(const CulledJoint& joint, const GapCase& gap, const 
 
 }  // namespace
 
-std::vector<Pose> contact_motions(const CulledJoint& joint, const GapCase& gap, std::uint64_t seed) {
+std::vector<Pose> contact_motions(const CulledJoint& joint, const MotionGap& gap, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Pose> poses;
   for (int k = 0; k < kTries && poses.size() < kMotions * kMotionPoses; ++k) {

@@ -15,7 +15,7 @@ namespace impinge::lab {
 // The ball is turned by up to a radian about any axis and pushed towards the socket, in a direction up to a
 // quarter turn from its axis, until the smallest gap is as wanted; then it turns on, the gap staying within
 // the limits.
-struct GapCase {
+struct MotionGap {
   std::string_view name;  // in the results
   double from_mm;         // smallest gap in the first pose of a motion, drawn evenly
   double to_mm;
@@ -23,15 +23,15 @@ struct GapCase {
   double most_mm;
 };
 // From free to touching.
-inline constexpr std::array kGapCases{GapCase{"over 2 mm", 2.1, 2.5, 2.0, 3.0},
-                                      GapCase{"0.5 mm", 0.45, 0.55, 0.4, 0.6},
-                                      GapCase{"touching", -0.3, 0.05, -0.5, 0.1}};
+inline constexpr std::array kMotionGaps{MotionGap{"over 2 mm", 2.1, 2.5, 2.0, 3.0},
+                                        MotionGap{"0.5 mm", 0.45, 0.55, 0.4, 0.6},
+                                        MotionGap{"touching", -0.3, 0.05, -0.5, 0.1}};
 
 inline constexpr std::size_t kMotions = 16;      // of each case
 inline constexpr std::size_t kMotionPoses = 16;  // of each, one after the other
 inline constexpr double kMotionStepDeg = 0.5;    // from one to the next, about any axis
 
 // Poses of all motions, one motion after the other. std::runtime_error where there are not so many.
-std::vector<Pose> contact_motions(const CulledJoint& joint, const GapCase& gap, std::uint64_t seed);
+std::vector<Pose> contact_motions(const CulledJoint& joint, const MotionGap& gap, std::uint64_t seed);
 
 }  // namespace impinge::lab

@@ -4,23 +4,42 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "13_contact/contact_methods.hpp"
+#include <benchmark/benchmark.h>
+
 #include "13_contact/contact_motions.hpp"
+#include "13_contact/exact_gaps.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge::lab {
 namespace {
 
-// What is timed and said of one way in poses of one gap.
-struct ContactCase {
+constexpr std::size_t kSlowStride = 16;  // slow methods are asked in one pose of so many
+constexpr double kExactTests = 3e5;      // vertices looked at for each joint and case, to compare
+
+// A joint and all that says whether it touches. It stays where it is made: the methods refer to it.
+struct Stage {
+  explicit Stage(std::size_t triangles) : pair(make_ball_socket_pair(triangles)), culled(pair) {}
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  BallSocketPair pair;  // mm
+  CulledJoint culled;
+  std::vector<ContactCase> methods = cases_of(contact_methods(), &Method::contact, culled);
+};
+
+// What is timed and said of one method in poses of one gap.
+struct Measured {
   TimedCase timed;
   std::size_t poses = 0;
-  std::size_t touching = 0;      // of these, by this way
+  std::size_t touching = 0;      // of these, by this method
   double least_gap_mm = 0.0;     // median over the poses
-  double error_mm = kNoSurface;  // largest of a gap of a table in the poses compared; NaN for other ways
+  double error_mm = kNoSurface;  // largest of a gap of a table in the poses compared; NaN for other methods
 };
 
 double median_gap(const CulledJoint& joint, const std::vector<Pose>& poses) {
@@ -30,20 +49,63 @@ double median_gap(const CulledJoint& joint, const std::vector<Pose>& poses) {
   return summarise(gaps).median;
 }
 
-void add_cases(ContactStage& stage, const GapCase& gap, const ContactOptionsTimed& options,
-               std::vector<ContactCase>& cases) {
+[[noreturn]] void differs(const ContactCase& method, const char* from) {
+  throw std::runtime_error(method.name + ": an answer is not that of " + from +
+                           ": its time means nothing until that is resolved");
+}
+
+// Compares answers in some of the poses. The largest error of a gap, mm, by the method.
+std::map<std::string, double> compare(const Stage& stage, const std::vector<Pose>& poses) {
+  std::map<std::string, double> largest;
+  const auto vertices =
+      static_cast<double>(stage.pair.ball.vertices.size() + stage.pair.socket.vertices.size());
+  const auto most = static_cast<std::size_t>(kExactTests / vertices) + 1;
+  const std::size_t stride = std::max<std::size_t>(1, poses.size() / most);
+  for (std::size_t k = 0; k < poses.size(); k += stride) {
+    const Pose& pose = poses[k];
+    const bool truth = any_impinged(stage.culled, pose);
+    const ExactGaps exact = exact_gaps(stage.culled, pose);
+    std::optional<bool> faces;
+    for (const ContactCase& method : stage.methods) {
+      if (method.contact == Contact::gaps) {
+        double& error = largest[method.name];
+        error = std::max(error, gap_error(method, exact, pose));
+        continue;
+      }
+      const bool touches = method.touches(pose);
+      if (method.contact == Contact::vertices && touches != truth) differs(method, "all vertices");
+      if (method.contact == Contact::faces && touches != faces.value_or(touches))
+        differs(method, "another library");
+      if (method.contact == Contact::faces) faces = touches;
+    }
+  }
+  return largest;
+}
+
+std::function<void()> run_of(const ContactCase& method, std::vector<Pose> poses) {
+  if (method.run) return [run = method.run, poses = std::move(poses)] { run(poses); };
+  return [touches = method.touches, poses = std::move(poses)] {
+    for (const Pose& pose : poses) benchmark::DoNotOptimize(touches(pose));
+  };
+}
+
+void add_cases(const Stage& stage, const MotionGap& gap, const ContactOptionsTimed& options,
+               std::vector<Measured>& cases) {
   const std::vector<Pose> poses = contact_motions(stage.culled, gap, options.seed);
+  std::vector<Pose> few;
+  for (std::size_t k = 0; k < poses.size(); k += kSlowStride) few.push_back(poses[k]);
   const std::map<std::string, double> errors = compare(stage, poses);
-  for (const AskedContact& asked : contact_methods(stage, poses)) {
-    ContactCase added;
-    added.poses = asked.poses.size();
-    added.touching = static_cast<std::size_t>(std::ranges::count_if(asked.poses, asked.touches));
-    added.least_gap_mm = median_gap(stage.culled, asked.poses);
-    if (errors.contains(asked.method)) added.error_mm = errors.at(asked.method);
-    added.timed.key = {asked.method, gap.name, stage.pair.ball.faces.size()};
-    added.timed.units = static_cast<double>(asked.poses.size());
+  for (const ContactCase& method : stage.methods) {
+    const std::vector<Pose>& asked = method.few ? few : poses;
+    Measured added;
+    added.poses = asked.size();
+    added.touching = static_cast<std::size_t>(std::ranges::count_if(asked, method.touches));
+    added.least_gap_mm = median_gap(stage.culled, asked);
+    if (errors.contains(method.name)) added.error_mm = errors.at(method.name);
+    added.timed.key = {method.name, gap.name, stage.pair.ball.faces.size()};
+    added.timed.units = static_cast<double>(asked.size());
     added.timed.rounds = options.rounds;
-    added.timed.run = [asked] { asked.run(asked.poses); };
+    added.timed.run = run_of(method, asked);
     cases.push_back(std::move(added));
   }
 }
@@ -53,7 +115,7 @@ double median_of(const TimingRun& run, const std::string& method, const Timing& 
   return find(run, {method, like.key[1], like.key[2]}).summary.median;
 }
 
-Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run) {
+Table contact_table(const std::vector<Measured>& cases, const TimingRun& run) {
   constexpr double kMicroseconds = 1e3;  // in a millisecond
   constexpr double kMicrons = 1e3;       // in a millimetre
   Table table{contact_keys(), {}};
@@ -86,23 +148,30 @@ Table contact_table(const std::vector<ContactCase>& cases, const TimingRun& run)
 }  // namespace
 
 std::vector<Column> contact_keys() {
-  return {contact_method_column(),
-          {"gap_case", "", "smallest gap in the poses"},
-          {"triangles", "1", "of each of the two models"}};
+  return {
+      {"method", "",
+       "fcl_collide, vtk_collide: trees of oriented boxes; fcl_distance: smallest distance; "
+       "all_vertices: both scans by the kernels, all gaps, of tables in 16 bits; all_corners: of tables with "
+       "the corners of a cell together and centred errors, as accurate; all_corners_2_threads: the same, two "
+       "threads sharing the poses; all_corners_sampled: corners of finer tables, not centred, as accurate; "
+       "culled: touch; coherent: touch, from one pose to the next; culled_least_gap: smallest gap"},
+      {"gap_case", "", "smallest gap in the poses"},
+      {"triangles", "1", "of each of the two models"}};
 }
 
 ContactTables contact_tables(const ContactOptionsTimed& options, Progress& progress) {
-  std::vector<std::unique_ptr<ContactStage>> stages;
-  std::vector<ContactCase> cases;
+  std::vector<std::unique_ptr<Stage>> stages;
+  std::vector<Measured> cases;
+  ContactTables tables;
   for (const std::size_t triangles : options.triangles) {
-    stages.push_back(std::make_unique<ContactStage>(triangles));
-    for (const GapCase& gap : kGapCases) add_cases(*stages.back(), gap, options, cases);
+    stages.push_back(std::make_unique<Stage>(triangles));
+    add_labels(tables.labels, stages.back()->methods);
+    for (const MotionGap& gap : kMotionGaps) add_cases(*stages.back(), gap, options, cases);
     progress.say("made the poses of " + std::to_string(triangles) + " triangles");
   }
   std::vector<TimedCase> timed;
   timed.reserve(cases.size());
-  for (const ContactCase& one : cases) timed.push_back(one.timed);
-  ContactTables tables;
+  for (const Measured& one : cases) timed.push_back(one.timed);
   tables.timing = run_interleaved(timed, options.timing, progress);
   tables.table = contact_table(cases, tables.timing);
   return tables;

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "files/csv.hpp"
@@ -22,8 +24,9 @@ struct ContactOptionsTimed {
 
 // The result and its times.
 struct ContactTables {
-  Table table;       // a row a case
-  TimingRun timing;  // of all cases
+  Table table;                                     // a row a case
+  TimingRun timing;                                // of all cases
+  std::map<std::string, std::string> labels = {};  // of the methods
 };
 
 // method, gap_case, triangles.

@@ -4,7 +4,7 @@
 // @writes    contact contact_samples contact_agreement
 // @timing    yes
 // @seconds   21 140
-// @links     harness contact_poses methods methods_vtk contact kernels
+// @links     harness contact_poses contact_methods
 //
 // Poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; meshes of ever more triangles. First
 // the answers are compared, close to contact too, with the exact test of every vertex and with FCL. Warm.
@@ -47,6 +47,7 @@ void body(DriverRun& run) {
   result.question = "Time of a pose of every way to say whether the joint touches, or its smallest gap?";
   result.parameters = {{"warm", true}, {"step_deg", 0.5}, {"motions", 16}};
   result.table = std::move(tables.table);
+  result.labels = tables.labels;
   write_timed(run, std::move(result), contact_keys(), tables.timing);
 }
 

@@ -2,18 +2,15 @@
 #include "13_counts/count_study.hpp"
 
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <sstream>
 #include <string>
 
 #include <Eigen/Geometry>
 
 #include "13_fast/fast_study.hpp"
-#include "contact/coherent_contact.hpp"
 #include "kernels/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
-#include "methods/fcl_obb.hpp"
+#include "methods/contact.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -31,34 +28,34 @@ std::string label_of(std::vector<Cell> words, double units) {
   return label;
 }
 
-std::string main_setting() { return "n=" + std::to_string(kMainCells); }
-
 // One of each kind, as it is recommended; building the certified table takes too long under valgrind.
-bool is_counted(const GapMethodMaker& maker) {
-  static constexpr std::array kTables{"cube_gnomonic_mesh_exact", "rsid", "usid"};
-  const bool corners = maker.storage == kCorners && maker.setting == main_setting();
-  if (std::ranges::find(kTables, maker.name) != kTables.end()) return maker.storage == "uint16" || corners;
-  if (maker.name == "cube_cells_exact") return maker.setting.starts_with("4");
-  if (maker.name == "floor") return maker.setting == main_setting();
-  return maker.name.starts_with("embree_ray") || maker.name.ends_with("_scalar");
+std::vector<GapCase> counted_scans(const AskedSurface& surface) {
+  const GapSizes sizes{{kMainCells}, {0.5}, {0.5}, false, {}, {kMainCells}};
+  std::vector<GapCase> methods = cases_of(gaps_methods(), &Method::gaps, surface, sizes);
+  std::erase_if(methods, [](const GapCase& method) { return !method.counted; });
+  return methods;
+}
+
+std::vector<ContactCase> counted_touches(const CulledJoint& joint) {
+  std::vector<ContactCase> methods = cases_of(contact_methods(), &Method::contact, joint);
+  std::erase_if(methods, [](const ContactCase& method) { return !method.counted; });
+  return methods;
 }
 
 void count_scans(const AskedSurface& surface, const AskedPoints& asked, int poses) {
-  for (const GapMethodMaker& maker :
-       fast_methods(surface, {{kMainCells}, {0.5}, {0.5}, false, {}, {kMainCells}})) {
-    if (!is_counted(maker)) continue;
-    const auto method = maker.make();
-    GapMethod::Scratch scratch;
+  for (const GapCase& method : counted_scans(surface)) {
+    const GapQuery query = method.make();
+    GapScratch scratch;
     for (const std::string& set : instruction_sets()) {
-      if (!maker.kernel && set != instruction_sets().front()) continue;
+      if (!method.kernel && set != instruction_sets().front()) continue;
       use_instruction_set(set);
       const std::string direction = surface.scanned == Surface::ball ? "ball->socket" : "socket->ball";
       const auto units = static_cast<double>(poses) * static_cast<double>(asked.points.size());
-      count_run(label_of({maker.name, maker.setting, maker.storage, direction,
-                          maker.kernel ? set : std::string("none"), "vertex"},
+      count_run(label_of({method.name, method.setting, method.storage, direction,
+                          method.kernel ? set : std::string("none"), "vertex"},
                          units),
                 [&] {
-                  for (int k = 0; k < poses; ++k) method->scan(asked, motion_pose(k), scratch);
+                  for (int k = 0; k < poses; ++k) query.scan(asked, motion_pose(k), scratch);
                 });
     }
   }
@@ -84,18 +81,13 @@ std::vector<Pose> near_poses(const CulledJoint& joint) {
 
 void count_touch(const BallSocketPair& pair) {
   const CulledJoint culled(pair);
-  CoherentContact coherent(culled);
-  const auto fcl = make_fcl_obb(pair.ball, pair.socket);
   const std::vector<Pose> poses = near_poses(culled);
   std::size_t touching = 0;
-  const auto count = [&](const char* name, const std::function<bool(const Pose&)>& touches) {
-    count_run(label_of({name, "none", "none", "both", "none", "pose"}, kTouchPoses), [&] {
-      for (const Pose& pose : poses) touching += touches(pose) ? 1U : 0U;
+  for (const ContactCase& method : counted_touches(culled)) {
+    count_run(label_of({method.name, "none", "none", "both", "none", "pose"}, kTouchPoses), [&] {
+      for (const Pose& pose : poses) touching += method.touches(pose) ? 1U : 0U;
     });
-  };
-  count("fcl_collide", [&](const Pose& pose) { return fcl->touches(pose); });
-  count("culled", [&](const Pose& pose) { return culled.impinged(pose).has_value(); });
-  count("coherent", [&](const Pose& pose) { return coherent.impinged(pose).has_value(); });
+  }
 }
 
 }  // namespace
@@ -106,6 +98,15 @@ void run_counted(const CountOptions& options) {
               options.poses);
   count_scans({pair.socket, Layer::nearest, Surface::ball}, AskedPoints(pair.ball.vertices), options.poses);
   count_touch(pair);
+}
+
+std::map<std::string, std::string> counted_labels() {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  std::map<std::string, std::string> labels;
+  add_labels(labels, counted_scans({pair.socket, Layer::nearest, Surface::ball}));
+  const CulledJoint joint(pair);
+  add_labels(labels, counted_touches(joint));
+  return labels;
 }
 
 Table count_table(const std::vector<EventCounts>& counts) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "files/csv.hpp"
@@ -18,6 +20,9 @@ struct CountOptions {
 
 // The program that is counted: every way, a run of it each, with every instruction set that valgrind knows.
 void run_counted(const CountOptions& options);
+
+/// What a reader calls the methods that are counted.
+std::map<std::string, std::string> counted_labels();
 
 // The counts of that program, a row a way, each event over the vertices or poses of the run.
 Table count_table(const std::vector<EventCounts>& counts);

@@ -2,7 +2,7 @@
 // @question  How many instructions does a gap take, and does a table fit the caches?
 // @writes    counts
 // @seconds   12 12
-// @links     harness 13_fast contact
+// @links     harness 13_fast contact_methods
 //
 // Counted by valgrind, not timed: instructions are the same in every run. The program starts itself under it,
 // with an option of its own. Each way is counted in its third run, with warm caches; on instruction sets up
@@ -30,6 +30,7 @@ void body(DriverRun& run) {
   result.parameters = {
       {"triangles", options.triangles}, {"poses", options.poses}, {"counted_by", "callgrind"}};
   result.table = count_table(count_events({self, kCounted}, run.record.folder));
+  result.labels = counted_labels();
   run.write(result);
 }
 

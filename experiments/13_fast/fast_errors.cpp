@@ -19,10 +19,10 @@ constexpr double kMostFalseHits = 0.01;      // of the points: those on the rim 
 constexpr std::size_t kEuclideanShare = 16;  // a distance takes so many times as long as a ray
 constexpr const char* kCure = ": its time means nothing until its answers are right";
 
-void require_good(const FastErrors& errors, const GapMethodMaker& maker) {
+void require_good(const FastErrors& errors, const GapCase& method) {
   const double false_share = static_cast<double>(errors.false_hits) / static_cast<double>(errors.probes);
   if (errors.largest_mm > kMostError || false_share > kMostFalseHits) {
-    throw std::runtime_error(maker.name + " " + maker.setting + " " + maker.storage + " is off by " +
+    throw std::runtime_error(method.name + " " + method.setting + " " + method.storage + " is off by " +
                              std::to_string(errors.largest_mm) + " mm, with " +
                              std::to_string(errors.false_hits) + " false hits" + kCure);
   }
@@ -37,13 +37,13 @@ double distance_of(const TriangleMesh& mesh, const Vec3& x) {
   return std::sqrt(squared);
 }
 
-FastErrors distance_errors(GapMethod& method, const FastProbes& probes) {
+FastErrors distance_errors(const GapQuery& query, const FastProbes& probes) {
   FastErrors errors;
-  GapMethod::Scratch scratch;
-  method.scan(probes.asked, {}, scratch);
+  GapScratch scratch;
+  query.scan(probes.asked, {}, scratch);
   errors.probes = probes.distances.size();
   for (std::size_t k = 0; k < probes.distances.size(); ++k) {
-    const double distance = method.gap(scratch, k * kEuclideanShare);
+    const double distance = scratch.gap(k * kEuclideanShare);
     if (std::isnan(distance)) {
       ++errors.misses;
       continue;
@@ -72,26 +72,26 @@ FastProbes fast_probes(const AskedSurface& surface, std::size_t count, std::uint
   return {AskedPoints(std::move(points)), std::move(truth), std::move(distances)};
 }
 
-FastErrors fast_errors(GapMethod& method, const FastProbes& probes, const GapMethodMaker& maker) {
+FastErrors fast_errors(const GapQuery& query, const FastProbes& probes, const GapCase& method) {
   FastErrors errors;
-  if (!method.answers()) return {kNoSurface};
-  if (method.measure() == Measure::euclidean) {
-    errors = distance_errors(method, probes);
-    require_good(errors, maker);
+  if (!query.answers) return {kNoSurface};
+  if (query.measure == Measure::euclidean) {
+    errors = distance_errors(query, probes);
+    require_good(errors, method);
     return errors;
   }
-  GapMethod::Scratch scratch;
-  method.scan(probes.asked, {}, scratch);
+  GapScratch scratch;
+  query.scan(probes.asked, {}, scratch);
   errors.probes = probes.truth.size();
-  errors.undecided = method.undecided(scratch);
+  errors.undecided = scratch.certified.undecided.size();
   for (std::size_t i = 0; i < probes.truth.size(); ++i) {
-    const double gap = method.gap(scratch, i);
+    const double gap = scratch.gap(i);
     const double exact = probes.truth[i];
     if (std::isnan(gap) != std::isnan(exact)) ++(std::isnan(gap) ? errors.misses : errors.false_hits);
     if (std::isnan(gap) || std::isnan(exact)) continue;
     errors.largest_mm = std::max(errors.largest_mm, std::abs(gap - exact));
   }
-  require_good(errors, maker);
+  require_good(errors, method);
   return errors;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "13_fast/fast_methods.hpp"
+#include "methods/gaps.hpp"
 
 namespace impinge::lab {
 
@@ -29,6 +29,6 @@ struct FastErrors {
 };
 
 // std::runtime_error, which names the method, for an error or a share of false hits that no right method has.
-FastErrors fast_errors(GapMethod& method, const FastProbes& probes, const GapMethodMaker& maker);
+FastErrors fast_errors(const GapQuery& query, const FastProbes& probes, const GapCase& method);
 
 }  // namespace impinge::lab

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -44,16 +45,16 @@ struct Stage {
 };
 
 struct Work {
-  std::shared_ptr<GapMethod> method;
+  std::shared_ptr<const GapQuery> query;
   const AskedPoints& asked;
   std::string instruction_set;
   int threads;
   int poses;
 };
 
-void scan_poses(const Work& work, GapMethod::Scratch& scratch) {
+void scan_poses(const Work& work, GapScratch& scratch) {
   for (int k = 0; k < work.poses; ++k) {
-    work.method->scan(work.asked, motion_pose(k % kMotionTurns), scratch);
+    work.query->scan(work.asked, motion_pose(k % kMotionTurns), scratch);
     benchmark::DoNotOptimize(scratch.floats.data());
     benchmark::DoNotOptimize(scratch.doubles.data());
     benchmark::ClobberMemory();
@@ -62,7 +63,7 @@ void scan_poses(const Work& work, GapMethod::Scratch& scratch) {
 
 // Each thread does all poses of its own.
 std::function<void()> run_of(const Work& work) {
-  auto scratches = std::make_shared<std::vector<GapMethod::Scratch>>(work.threads);
+  auto scratches = std::make_shared<std::vector<GapScratch>>(work.threads);
   return [work, scratches] {
     use_instruction_set(work.instruction_set);
     std::vector<std::jthread> others;
@@ -74,11 +75,11 @@ std::function<void()> run_of(const Work& work) {
 
 // One pose of the motion after the other, each after what overwrites the caches.
 std::function<void()> pose_after_pose(const Work& work) {
-  auto scratch = std::make_shared<GapMethod::Scratch>();
+  auto scratch = std::make_shared<GapScratch>();
   auto turn = std::make_shared<int>(0);
   return [work, scratch, turn] {
     use_instruction_set(work.instruction_set);
-    work.method->scan(work.asked, motion_pose((*turn)++ % kMotionTurns), *scratch);
+    work.query->scan(work.asked, motion_pose((*turn)++ % kMotionTurns), *scratch);
   };
 }
 
@@ -86,6 +87,7 @@ struct Asking {
   const FastOptions& options;
   std::vector<FastCase>& cases;
   std::vector<FastCase>& cold;
+  std::map<std::string, std::string>& labels;
 };
 
 void add_cold(const Asking& asking, const std::vector<Cell>& key, const Work& work, FastErrors errors) {
@@ -94,8 +96,8 @@ void add_cold(const Asking& asking, const std::vector<Cell>& key, const Work& wo
   added.timed.run = pose_after_pose(work);
   added.timed.units = static_cast<double>(work.asked.points.size());
   added.errors = errors;
-  added.bytes = work.method->bytes();
-  added.measure = work.method->measure();
+  added.bytes = work.query->bytes;
+  added.measure = work.query->measure;
   asking.cold.push_back(std::move(added));
 }
 
@@ -107,8 +109,8 @@ void add_case(const Asking& asking, const std::vector<Cell>& key, const Work& wo
   added.timed.units =
       static_cast<double>(work.threads) * work.poses * static_cast<double>(work.asked.points.size());
   added.errors = errors;
-  added.bytes = work.method->bytes();
-  added.measure = work.method->measure();
+  added.bytes = work.query->bytes;
+  added.measure = work.query->measure;
   asking.cases.push_back(std::move(added));
 }
 
@@ -119,16 +121,16 @@ struct Thoroughness {
 };
 
 // One method.
-void add_method(const Asking& asking, const GapMethodMaker& maker, const std::vector<Cell>& where, Work work,
+void add_method(const Asking& asking, const GapCase& method, const std::vector<Cell>& where, Work work,
                 const FastProbes& probes, Thoroughness how) {
-  work.method = maker.make();
-  const FastErrors errors = fast_errors(*work.method, probes, maker);
-  const std::size_t questions = maker.kernel ? kKernelQuestions : maker.few ? 1 : kOtherQuestions;
+  work.query = std::make_shared<const GapQuery>(method.make());
+  const FastErrors errors = fast_errors(*work.query, probes, method);
+  const std::size_t questions = method.kernel ? kKernelQuestions : method.few ? 1 : kOtherQuestions;
   work.poses = static_cast<int>(questions / work.asked.points.size()) + 1;
   const auto key = [&](const std::string& set, int threads, const char* state) {
-    std::vector<Cell> cells{maker.name, maker.setting, maker.storage};
+    std::vector<Cell> cells{method.name, method.setting, method.storage};
     cells.insert(cells.end(), where.begin(), where.end());
-    cells.emplace_back(maker.kernel ? Cell(set) : Cell("none"));
+    cells.emplace_back(method.kernel ? Cell(set) : Cell("none"));
     cells.emplace_back(threads);
     cells.emplace_back(state);
     return cells;
@@ -139,7 +141,7 @@ void add_method(const Asking& asking, const GapMethodMaker& maker, const std::ve
     if (set == instruction_sets().front() || how.sets) add_case(asking, key(set, 1, "warm"), work, errors);
   }
   work.instruction_set = instruction_sets().front();
-  if (how.cold && !maker.few) add_cold(asking, key(work.instruction_set, 1, "cold"), work, errors);
+  if (how.cold && !method.few) add_cold(asking, key(work.instruction_set, 1, "cold"), work, errors);
   if (!how.threads) return;
   work.threads = kThreads;
   add_case(asking, key(work.instruction_set, kThreads, "warm"), work, errors);
@@ -153,12 +155,12 @@ void add_scan(const Asking& asking, const FastJoint& joint, const Stage& stage, 
   const auto probes =
       fast_probes(surface, static_cast<std::size_t>(asking.options.ray_tests / faces), asking.options.seed);
   const std::vector<Cell> where{joint.triangles, ball ? "ball->socket" : "socket->ball"};
-  for (const GapMethodMaker& maker : fast_methods(surface, joint.sizes)) {
-    const bool widely = maker.kernel && maker.name != "cube_certified" && maker.storage != "float" &&
-                        maker.setting == "n=" + std::to_string(kMainCells);
-    const AskedPoints& asked = (maker.few ? stage.few : stage.all)[ball ? 0 : 1];
-    add_method(asking, maker, where, {nullptr, asked, "", 1, 1}, probes,
-               {widely && joint.thorough, widely, joint.thorough});
+  const std::vector<GapCase> methods = cases_of(gaps_methods(), &Method::gaps, surface, joint.sizes);
+  add_labels(asking.labels, methods);
+  for (const GapCase& method : methods) {
+    const AskedPoints& asked = (method.few ? stage.few : stage.all)[ball ? 0 : 1];
+    add_method(asking, method, where, {nullptr, asked, "", 1, 1}, probes,
+               {method.widely && joint.thorough, method.widely, joint.thorough});
   }
 }
 
@@ -182,18 +184,18 @@ Pose motion_pose(int turn) {
 }
 
 FastTables fast_tables(const FastOptions& options, Progress& progress) {
+  FastTables tables;
   std::vector<FastCase> cases;
   std::vector<FastCase> cold;
   std::vector<std::unique_ptr<Stage>> stages;
   for (const FastJoint& joint : options.joints) {
     stages.push_back(std::make_unique<Stage>(joint.triangles));
     for (const Surface scanned : {Surface::ball, Surface::socket})
-      add_scan({options, cases, cold}, joint, *stages.back(), scanned);
+      add_scan({options, cases, cold, tables.labels}, joint, *stages.back(), scanned);
   }
   std::vector<TimedCase> timed;
   timed.reserve(cases.size());
   for (const FastCase& one : cases) timed.push_back(one.timed);
-  FastTables tables;
   tables.timing = run_interleaved(timed, options.timing, progress);
   std::ranges::move(timed_cold(cold, options), std::back_inserter(tables.timing.timings));
   use_best_instruction_set();

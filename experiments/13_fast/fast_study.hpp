@@ -5,9 +5,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
-#include "13_fast/fast_methods.hpp"
 #include "13_fast/fast_table.hpp"
 #include "harness/timing.hpp"
 
@@ -16,7 +17,7 @@ namespace impinge::lab {
 // One generated pair, of so many triangles a model, and the tables that are tried on it.
 struct FastJoint {
   std::size_t triangles = 0;  // of each surface
-  FastSizes sizes;            // of the tables
+  GapSizes sizes;             // of the tables
   bool thorough = false;      // are its methods asked cold, too, and with every instruction set?
 };
 
@@ -31,8 +32,9 @@ struct FastOptions {
 
 // The result and its times.
 struct FastTables {
-  Table table;       // as fast_table() makes it
-  TimingRun timing;  // of all cases
+  Table table;                                     // as fast_table() makes it
+  TimingRun timing;                                // of all cases
+  std::map<std::string, std::string> labels = {};  // of the methods
 };
 
 inline constexpr int kMotionTurns = 24;  // poses of the motion, after which it begins again

@@ -3,7 +3,7 @@
 // @writes    fast fast_samples
 // @timing    yes
 // @seconds   27 165
-// @links     harness methods methods_vdb methods_vtk memory_floor kernels
+// @links     harness gaps_methods kernels
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
 // both directions, in one interleaved run. Errors against all triangles come first, and what is too far off
@@ -31,7 +31,7 @@ FastOptions quick_options() {
 
 FastOptions full_options() {
   FastOptions options;
-  const FastSizes few{{kMainCells}, {0.5}};
+  const GapSizes few{{kMainCells}, {0.5}};
   const std::vector<std::size_t> corners{128, kCornersOfAMebibyte, kMainCells, 728};
   options.joints = {
       {300, few},
@@ -54,6 +54,7 @@ void body(DriverRun& run) {
   result.question = "Time of a vertex, error and bytes of every way to find all gaps of a pose?";
   result.parameters = {{"ray_tests_of_the_truth", options.ray_tests}, {"poses", 24}};
   result.table = std::move(tables.table);
+  result.labels = tables.labels;
   write_timed(run, std::move(result), fast_keys(), tables.timing);
 }
 

@@ -13,7 +13,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include "13_fill/fill_methods.hpp"
 #include "mesh/generated_pair.hpp"
 #include "table/exact_raster.hpp"
 
@@ -24,21 +23,14 @@ namespace {
 struct FillStage {
   std::shared_ptr<const BallSocketPair> pair;
   CubeGnomonic scheme;
-  std::shared_ptr<const RayDirections> directions;
+  std::shared_ptr<const FloatDirections> directions;
 };
 
-using Fillings = std::array<std::unique_ptr<TableFilling>, 2>;  // of ball and socket
+using Fillings = std::array<TableFilling, 2>;  // of ball and socket
 
-Fillings fillings_of(const FillingMaker& maker, const FillStage& stage) {
-  return {maker.make({stage.pair->ball, Layer::farthest, stage.scheme, stage.directions}, maker.threads),
-          maker.make({stage.pair->socket, Layer::nearest, stage.scheme, stage.directions}, maker.threads)};
-}
-
-std::shared_ptr<const RayDirections> directions_of(const CubeGnomonic& scheme) {
-  std::vector<Vec3> directions;
-  directions.reserve(scheme.size());
-  for (std::size_t e = 0; e < scheme.size(); ++e) directions.push_back(scheme.direction(e));
-  return std::make_shared<const RayDirections>(directions);
+Fillings fillings_of(const FillCase& method, const FillStage& stage) {
+  return {method.make({stage.pair->ball, Layer::farthest, stage.scheme, stage.directions}, method.threads),
+          method.make({stage.pair->socket, Layer::nearest, stage.scheme, stage.directions}, method.threads)};
 }
 
 // Lets the C library keep blocks that are freed for the next to ask, or hand back all large ones at once.
@@ -53,25 +45,25 @@ void keep_memory(bool kept) {
 
 // Entries with a surface must have its radius, within the tolerance of the way.
 void require_right(const TableFilling& filling, const RadialTable<CubeGnomonic>& exact,
-                   const FillingMaker& maker) {
+                   const FillCase& method) {
   std::size_t off = 0;
   for (std::size_t e = 0; e < exact.radii().size(); ++e) {
     const double expected = exact.radii()[e];
     if (!std::isnan(expected) && !(std::abs(filling.radius(e) - expected) <= filling.tolerance())) ++off;
   }
-  if (static_cast<double>(off) > maker.most_off * static_cast<double>(exact.radii().size())) {
-    throw std::runtime_error(maker.name + " " + maker.storage + " has " + std::to_string(off) +
+  if (static_cast<double>(off) > method.most_off * static_cast<double>(exact.radii().size())) {
+    throw std::runtime_error(method.name + " " + method.storage + " has " + std::to_string(off) +
                              " entries that are off: its time means nothing until they are right");
   }
 }
 
-TimedCase fill_case(const FillStage& stage, const FillingMaker& maker, bool again, int rounds) {
-  auto both = std::make_shared<Fillings>(fillings_of(maker, stage));
+TimedCase fill_case(const FillStage& stage, const FillCase& method, bool again, int rounds) {
+  auto both = std::make_shared<Fillings>(fillings_of(method, stage));
   TimedCase timed;
-  timed.key = {maker.name,
-               maker.storage,
+  timed.key = {method.name,
+               method.storage,
                again ? "used again" : "fresh",
-               maker.threads,
+               method.threads,
                stage.pair->ball.faces.size(),
                stage.scheme.divisions(),
                2 * stage.scheme.size()};
@@ -79,22 +71,22 @@ TimedCase fill_case(const FillStage& stage, const FillingMaker& maker, bool agai
   timed.run = [both, again, pair = stage.pair] {
     keep_memory(again);
     for (const auto& filling : *both) {
-      filling->fill();
+      filling.fill();
       benchmark::ClobberMemory();
-      if (!again) filling->forget();
+      if (!again) filling.forget();
     }
   };
   return timed;
 }
 
-void check(const FillStage& stage) {
+void check(const FillStage& stage, const std::vector<FillCase>& methods) {
   const auto ball = fill_exact(stage.pair->ball, stage.scheme, Layer::farthest);
   const auto socket = fill_exact(stage.pair->socket, stage.scheme, Layer::nearest);
-  for (const FillingMaker& maker : filling_methods()) {
-    const Fillings both = fillings_of(maker, stage);
-    for (const auto& filling : both) filling->fill();
-    require_right(*both[0], ball, maker);
-    require_right(*both[1], socket, maker);
+  for (const FillCase& method : methods) {
+    const Fillings both = fillings_of(method, stage);
+    for (const auto& filling : both) filling.fill();
+    require_right(both[0], ball, method);
+    require_right(both[1], socket, method);
   }
 }
 
@@ -112,20 +104,20 @@ std::vector<Column> fill_keys() {
           {"entries", "1", "of both tables"}};
 }
 
-TimingRun time_filling(const FillOptions& options, Progress& progress) {
+TimingRun time_filling(const FillOptions& options, const std::vector<FillCase>& methods, Progress& progress) {
   std::vector<std::shared_ptr<const BallSocketPair>> pairs;
   for (const std::size_t triangles : options.triangles)
     pairs.push_back(std::make_shared<const BallSocketPair>(make_ball_socket_pair(triangles)));
   std::vector<TimedCase> cases;
   for (const std::size_t cells : options.cells) {
     const auto scheme = CubeGnomonic::with_precision(90.0 / static_cast<double>(cells));
-    const auto directions = directions_of(scheme);
+    const auto directions = std::make_shared<const FloatDirections>(scheme);
     for (const auto& pair : pairs) {
       const FillStage stage{pair, scheme, directions};
-      check(stage);
-      for (const FillingMaker& maker : filling_methods()) {
-        cases.push_back(fill_case(stage, maker, false, options.rounds));
-        cases.push_back(fill_case(stage, maker, true, options.rounds));
+      check(stage, methods);
+      for (const FillCase& method : methods) {
+        cases.push_back(fill_case(stage, method, false, options.rounds));
+        cases.push_back(fill_case(stage, method, true, options.rounds));
       }
     }
   }

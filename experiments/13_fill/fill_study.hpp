@@ -7,6 +7,7 @@
 
 #include "files/csv.hpp"
 #include "harness/timing.hpp"
+#include "methods/fill.hpp"
 
 namespace impinge::lab {
 
@@ -23,6 +24,6 @@ std::vector<Column> fill_keys();
 
 // One run fills the tables of ball and socket. std::runtime_error for a way whose tables are not right,
 // before any is timed.
-TimingRun time_filling(const FillOptions& options, Progress& progress);
+TimingRun time_filling(const FillOptions& options, const std::vector<FillCase>& methods, Progress& progress);
 
 }  // namespace impinge::lab

@@ -3,7 +3,7 @@
 // @writes    fill fill_samples
 // @timing    yes
 // @seconds   16 150
-// @links     harness methods kernels
+// @links     harness fill_methods
 //
 // Cube maps of both surfaces of the generated pair. Each way is held against the exact rasteriser first.
 // Fresh memory comes from the system in each run, as in a program's first; else the C library keeps it
@@ -22,8 +22,10 @@ void fill_body(DriverRun& run) {
   FillOptions options{{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}, 5, {}};
   if (run.quick()) options = {{3000, 12000}, {128, 256}, 7, {}};
   options.timing.min_round_ms = 5.0;
-  const TimingRun timed = time_filling(options, run.progress);
+  const std::vector<FillCase> methods = cases_of(fill_methods(), &Method::fill);
+  const TimingRun timed = time_filling(options, methods, run.progress);
   Result result;
+  add_labels(result.labels, methods);
   result.name = "fill";
   result.question = "How long do the tables of ball and socket take to fill?";
   result.parameters = {{"pair", "generated, default shape"},

@@ -11,12 +11,17 @@
 
 namespace impinge::lab {
 
+namespace {
+
+// At most `most` of the points, evenly chosen.
 std::vector<Vec3> some_of(const std::vector<Vec3>& points, std::size_t most) {
   std::vector<Vec3> some;
   const std::size_t stride = points.size() / most + 1;
   for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
   return some;
 }
+
+}  // namespace
 
 BaselineAnswers judge_answers(const std::vector<double>& answers, const std::vector<double>& exact) {
   BaselineAnswers summary;

@@ -33,7 +33,4 @@ BaselinePoints baseline_points(const BallSocketPair& joint, std::size_t most);
 // Errors of the answers, where there is one, against the exact ones.
 BaselineAnswers judge_answers(const std::vector<double>& answers, const std::vector<double>& exact);
 
-// At most `most` of the points, evenly chosen.
-std::vector<Vec3> some_of(const std::vector<Vec3>& points, std::size_t most);
-
 }  // namespace impinge::lab

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "harness/contact_poses.hpp"
-#include "methods/cgal_tree.hpp"
+#include "methods/cgal.hpp"
 #include "sphere/uniform_directions.hpp"
 
 namespace impinge::lab {
@@ -28,22 +28,22 @@ std::vector<BaselinePose> baseline_poses(const BallSocketPair& joint, const Base
     path.axis = uniform_direction(random);
     path.from_turn = path.to_turn = ways.turn * uniform(random);
     path.shift = ways.shift * uniform_direction(random);
-    const auto contact = first_contact(path, [&oracle](const Pose& pose) { return oracle->touches(pose); });
+    const auto contact = first_contact(path, oracle);
     if (!contact) continue;
     for (const double offset : kOffsets) {
       for (const double beyond : {-offset, offset}) {
         const Pose pose = path.at(*contact + beyond / ways.shift);
-        poses.push_back({pose, beyond, oracle->touches(pose)});
+        poses.push_back({pose, beyond, oracle(pose)});
       }
     }
   }
   return poses;
 }
 
-BaselineVerdicts judge(TouchMethod& method, const std::vector<BaselinePose>& poses) {
+BaselineVerdicts judge(const Touch& touches, const std::vector<BaselinePose>& poses) {
   BaselineVerdicts verdicts;
   for (const BaselinePose& judged : poses) {
-    const bool answer = method.touches(judged.pose);
+    const bool answer = touches(judged.pose);
     if (answer == judged.touches) continue;
     ++(answer ? verdicts.false_touches : verdicts.missed_touches);
     verdicts.wrong_within_mm = std::max(verdicts.wrong_within_mm, std::abs(judged.beyond_mm));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/ball_socket_pair.hpp"
-#include "methods/touch_method.hpp"
+#include "methods/method.hpp"
 
 namespace impinge::lab {
 
@@ -38,6 +38,6 @@ struct BaselineVerdicts {
 };
 
 // Asks the method about all of them.
-BaselineVerdicts judge(TouchMethod& method, const std::vector<BaselinePose>& poses);
+BaselineVerdicts judge(const Touch& touches, const std::vector<BaselinePose>& poses);
 
 }  // namespace impinge::lab

@@ -17,7 +17,8 @@ constexpr std::size_t kPosesTimed = 14;
 struct Prepared {
   const BaselineJoint* joint = nullptr;
   std::vector<BaselinePose> poses;
-  std::vector<BaselineMethod> methods;
+  std::vector<BaselineCase> methods;
+  std::vector<BaselineAnswers> answers;
   std::vector<BaselineVerdicts> verdicts;
 };
 
@@ -25,18 +26,21 @@ Prepared prepare(const BaselineJoint& joint, Progress& progress) {
   Prepared prepared;
   prepared.joint = &joint;
   prepared.poses = baseline_poses(joint.meshes, joint.ways);
-  prepared.methods = baseline_methods(joint.meshes, joint.sizes, baseline_points(joint.meshes, joint.points));
-  for (const BaselineMethod& method : prepared.methods)
-    prepared.verdicts.push_back(judge(*method.touch, prepared.poses));
+  prepared.methods = cases_of(baseline_methods(), &Method::baseline, joint.meshes, joint.sizes);
+  const BaselinePoints points = baseline_points(joint.meshes, joint.points);
+  for (const BaselineCase& method : prepared.methods) {
+    prepared.answers.push_back(ask(method, points));
+    prepared.verdicts.push_back(judge(method.touches, prepared.poses));
+  }
   progress.say("judged " + std::to_string(prepared.poses.size()) + " poses of " + joint.name);
   return prepared;
 }
 
-std::vector<Cell> key_of(const Prepared& prepared, const BaselineMethod& method, const char* step) {
+std::vector<Cell> key_of(const Prepared& prepared, const BaselineCase& method, const char* step) {
   return {prepared.joint->name, method.name, method.setting, step};
 }
 
-TimedCase build_case(const Prepared& prepared, const BaselineMethod& method, const BaselineOptions& options) {
+TimedCase build_case(const Prepared& prepared, const BaselineCase& method, const BaselineOptions& options) {
   TimedCase timed;
   timed.key = key_of(prepared, method, "build");
   timed.run = method.build;
@@ -51,14 +55,14 @@ TimedCase build_case(const Prepared& prepared, const BaselineMethod& method, con
   return timed;
 }
 
-TimedCase pose_case(const Prepared& prepared, const BaselineMethod& method, const BaselineOptions& options) {
+TimedCase pose_case(const Prepared& prepared, const BaselineCase& method, const BaselineOptions& options) {
   TimedCase timed;
   timed.key = key_of(prepared, method, "pose");
   const std::size_t count = std::min(kPosesTimed, prepared.poses.size());
   timed.units = static_cast<double>(count);
   timed.rounds = options.pose_rounds;
-  timed.run = [&poses = prepared.poses, &touch = *method.touch, count] {
-    for (std::size_t i = 0; i < count; ++i) benchmark::DoNotOptimize(touch.touches(poses[i].pose));
+  timed.run = [&poses = prepared.poses, &method, count] {
+    for (std::size_t i = 0; i < count; ++i) benchmark::DoNotOptimize(method.touches(poses[i].pose));
   };
   return timed;
 }
@@ -66,7 +70,7 @@ TimedCase pose_case(const Prepared& prepared, const BaselineMethod& method, cons
 std::vector<TimedCase> cases_of(const std::vector<Prepared>& all, const BaselineOptions& options) {
   std::vector<TimedCase> cases;
   for (const Prepared& prepared : all) {
-    for (const BaselineMethod& method : prepared.methods) {
+    for (const BaselineCase& method : prepared.methods) {
       if (method.build) cases.push_back(build_case(prepared, method, options));
       if (!prepared.poses.empty()) cases.push_back(pose_case(prepared, method, options));
     }
@@ -81,13 +85,13 @@ struct BuildTime {
   bool extrapolated = false;
 };
 
-BuildTime build_time(const TimingRun& timing, const Prepared& prepared, const BaselineMethod& method) {
+BuildTime build_time(const TimingRun& timing, const Prepared& prepared, const BaselineCase& method) {
   if (method.build) {
     const Summary summary = find(timing, key_of(prepared, method, "build")).summary;
     return {summary.median, summary.iqr, false};
   }
-  const BaselineMethod* largest = nullptr;
-  for (const BaselineMethod& other : prepared.methods) {
+  const BaselineCase* largest = nullptr;
+  for (const BaselineCase& other : prepared.methods) {
     if (other.name == method.name && other.build && (!largest || other.work > largest->work))
       largest = &other;
   }
@@ -97,7 +101,7 @@ BuildTime build_time(const TimingRun& timing, const Prepared& prepared, const Ba
 }
 
 std::vector<Cell> row_of(const TimingRun& timing, const Prepared& prepared, std::size_t m) {
-  const BaselineMethod& method = prepared.methods[m];
+  const BaselineCase& method = prepared.methods[m];
   const BaselineVerdicts& verdicts = prepared.verdicts[m];
   const BuildTime build = build_time(timing, prepared, method);
   Cell pose_us;
@@ -107,7 +111,7 @@ std::vector<Cell> row_of(const TimingRun& timing, const Prepared& prepared, std:
     pose_us = 1e3 * pose.median;
     pose_iqr_us = 1e3 * pose.iqr;
   }
-  const BaselineAnswers& answers = method.answers;
+  const BaselineAnswers& answers = prepared.answers[m];
   const bool asked = answers.points > 0;
   return {prepared.joint->name,
           method.name,
@@ -129,17 +133,32 @@ std::vector<Cell> row_of(const TimingRun& timing, const Prepared& prepared, std:
           verdicts.false_touches,
           verdicts.missed_touches,
           verdicts.wrong_within_mm,
-          method.touch->gives_distance()};
+          method.gives_distance};
 }
 
 }  // namespace
+
+BaselineAnswers ask(const BaselineCase& method, const BaselinePoints& points) {
+  if (!method.radius && !method.distance) return {};
+  const std::vector<double>& exact = method.radius ? points.radius : points.distance;
+  std::vector<double> answers;
+  for (const Vec3& x : method.radius ? points.on_socket : points.on_ball) {
+    answers.push_back(method.radius ? method.radius(x) : method.distance(x));
+    if (answers.back() > exact[answers.size() - 1] + method.slack_mm)
+      broken(method.name, "an answer exceeds the exact one by more than is proven");
+  }
+  return judge_answers(answers, exact);
+}
 
 BaselineTables baseline_tables(const std::vector<BaselineJoint>& joints, const BaselineOptions& options,
                                Progress& progress) {
   std::vector<Prepared> all;
   all.reserve(joints.size());
-  for (const BaselineJoint& joint : joints) all.push_back(prepare(joint, progress));
   BaselineTables tables;
+  for (const BaselineJoint& joint : joints) {
+    all.push_back(prepare(joint, progress));
+    add_labels(tables.labels, all.back().methods);
+  }
   tables.timing = run_interleaved(cases_of(all, options), {}, progress);
   tables.table.columns = baseline_columns();
   for (const Prepared& prepared : all) {

@@ -2,12 +2,14 @@
 // What baselines.csv says: bytes, times, lost triangles and wrong answers of every method of Section 3.6.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "18_baselines/baseline_methods.hpp"
+#include "18_baselines/baseline_points.hpp"
 #include "18_baselines/baseline_poses.hpp"
 #include "harness/timing.hpp"
+#include "methods/baseline.hpp"
 
 namespace impinge::lab {
 
@@ -29,9 +31,14 @@ struct BaselineOptions {
 
 // The result and its times.
 struct BaselineTables {
-  Table table;       // baselines.csv
-  TimingRun timing;  // of building and asking
+  Table table;                                     // baselines.csv
+  TimingRun timing;                                // of building and asking
+  std::map<std::string, std::string> labels = {};  // of the methods
 };
+
+/// The answers of a method about the points beside the exact ones; nothing for one that gives none. Throws
+/// std::runtime_error for an answer that breaks what is proven.
+BaselineAnswers ask(const BaselineCase& method, const BaselinePoints& points);
 
 // Columns of the table, and keys of the timed cases.
 std::vector<Column> baseline_columns();

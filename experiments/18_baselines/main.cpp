@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   13 120
-// @links     harness contact_poses real_joints methods reference
+// @links     harness contact_poses real_joints methods baseline_methods reference
 //
 // Hu's table of voxels, Maciel's table of triangles and a Cartesian distance field, each at several
 // resolutions, beside RSID. Each is checked against exact distances or radii before it is timed, and judged
@@ -66,6 +66,7 @@ void body(DriverRun& run) {
       {"maciel_triangles", "filled by all pairs, as published"},
       {"poses", "0.05, 0.1, 0.2, 0.5, 1, 2 and 4 mm of way before and after exact first contacts"}};
   result.table = std::move(tables.table);
+  result.labels = tables.labels;
   write_timed(run, std::move(result), baseline_keys(), tables.timing);
 }
 

@@ -6,8 +6,8 @@
 
 #include "20_claims/claims_study.hpp"
 #include "mesh/generated_pair.hpp"
-#include "methods/detection_benchmark.hpp"
 #include "methods/heap_use.hpp"
+#include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 

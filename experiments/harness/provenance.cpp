@@ -85,6 +85,7 @@ json sidecar(const RunRecord& run, const Result& result, const std::string& csv)
               {"csv_sha256", sha256_hex(csv)}};
   record["columns"] = columns_of(result.table);
   if (!result.timing.is_null()) record["timing"] = result.timing;
+  if (!result.labels.empty()) record["labels"] = result.labels;
   add_build(record);
   add_machine(record);
   const std::chrono::duration<double> duration = std::chrono::system_clock::now() - run.start;

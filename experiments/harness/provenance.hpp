@@ -4,13 +4,14 @@
 //
 // Keys of the sidecar: name, question, columns (name, unit, meaning), rows, parameters, seed, profile,
 // driver, driver_sha256, command, commit, dirty (null when unknown), compiler, flags, build_type, libraries,
-// cpu, cores, memory_mib, governor, load, system, started_utc (ISO 8601), duration_s, csv_sha256, and timing
-// for timed results.
+// cpu, cores, memory_mib, governor, load, system, started_utc (ISO 8601), duration_s, csv_sha256, timing
+// for timed results, and labels of methods.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,7 @@ struct Result {
   Table table;                                           // the rows
   nlohmann::json parameters = nlohmann::json::object();  // everything that was chosen
   nlohmann::json timing;                                 // protocol and control of a timed result, else null
+  std::map<std::string, std::string> labels = {};        // what a reader calls the methods, by their names
 };
 
 // What all results of one run of a driver share.

@@ -7,24 +7,22 @@
 
 #include <vector>
 
+#include "gap/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "methods/grid_field.hpp"
-#include "methods/touch_method.hpp"
 
 namespace impinge::lab {
 
 // Signed distances (mm, in float) at every node: CGAL's closest points, and the sign by its first hit.
 GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape& shape);
 
-class CartesianField final : public TouchMethod {
+class CartesianField {
  public:
   // Meshes in their centre frames, mm.
   CartesianField(const TriangleMesh& ball, GridField socket)
       : ball_(ball.vertices), socket_(std::move(socket)), distance_(ball_.size()) {}
 
-  std::string_view name() const override { return "cartesian_field"; }
-  bool gives_distance() const override { return true; }
-  bool touches(const Pose& pose) override {
+  bool touches(const Pose& pose) {
     bool touching = false;
     for (std::size_t i = 0; i < ball_.size(); ++i) {
       distance_[i] = socket_.at(to_socket(pose, ball_[i]));

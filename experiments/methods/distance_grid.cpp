@@ -1,50 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/distance_grid.hpp"
+// @can     points
+// @links   gap method_cgal
+//
+// Method distance_grid: distances from the surface on the nodes of a regular Cartesian grid, by cgal_closest,
+// in float, interpolated trilinearly. The thesis (Section 3.6.2) argues that its memory grows with the cube
+// of the resolution, where that of a table grows with the square.
 
-#include <algorithm>
-#include <numbers>
-#include <vector>
+#include <memory>
 
-#include "methods/cgal_distances.hpp"
+#include "methods/cgal.hpp"
+#include "methods/grid_field.hpp"
 
 namespace impinge::lab {
 namespace {
 
-class DistanceGrid final : public RadiusMethod {
- public:
-  DistanceGrid(const TriangleMesh& mesh, const DistanceGridShape& shape)
-      : distances_(shape, [closest = make_cgal_closest(mesh)](const std::vector<Vec3>& nodes,
-                                                              std::vector<double>& out) {
-          closest->answer(nodes, out);
-        }) {}
-
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    for (std::size_t i = 0; i < points.size(); ++i) out[i] = distances_.at(points[i]);
-  }
-  double bytes() const override { return static_cast<double>(distances_.bytes()); }
-
- private:
-  GridField distances_;
-};
+PointQuery make_grid(const TriangleMesh& mesh, const DistanceGridShape& shape) {
+  const auto field = std::make_shared<const GridField>(
+      shape, [closest = make_cgal_closest(mesh)](const std::vector<Vec3>& nodes, std::vector<double>& out) {
+        closest.answer(nodes, out);
+      });
+  return one_by_one([field](const Vec3& x) { return field->at(x); }, static_cast<double>(field->bytes()));
+}
 
 }  // namespace
 
-DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nodes) {
-  double half_width = 0.0;
-  for (const Vec3& v : scene.pair.socket.vertices)
-    half_width = std::max(half_width, v.lpNorm<Eigen::Infinity>());
-  for (const Vec3& v : scene.queries()) half_width = std::max(half_width, v.lpNorm<Eigen::Infinity>());
-  return {half_width, nodes};
-}
-
-std::unique_ptr<RadiusMethod> make_distance_grid(const TriangleMesh& mesh, const DistanceGridShape& shape) {
-  return std::make_unique<DistanceGrid>(mesh, shape);
-}
-
-double distance_grid_bound(const DistanceGridShape& shape) {
-  // No point of the cube is farther from the surface, which is in it, than its diagonal.
-  const double largest = 2.0 * std::numbers::sqrt3 * shape.half_width;
-  return 0.5 * std::numbers::sqrt3 * spacing_of(shape) + 0x1p-23 * largest;
+Method distance_grid_method() {
+  Method method{.name = "distance_grid", .label = "Cartesian distance grid"};
+  method.lacks = "points outside of its cube";
+  method.points = [](const BenchmarkScene& scene, const PointSizes& sizes) {
+    std::vector<PointCase> cases;
+    for (const std::size_t nodes : sizes.grid_nodes) {
+      const DistanceGridShape shape = grid_shape(scene, nodes);
+      PointCase one;
+      one.setting = "grid " + std::to_string(nodes);
+      one.place = 15;
+      one.kind = "grid";
+      one.storage = "float";
+      one.measure = Measure::euclidean;
+      one.make = [&mesh = scene.surface(), shape] { return make_grid(mesh, shape); };
+      one.bound = [shape](const PointQuery&) { return MethodBound{distance_grid_bound(shape)}; };
+      cases.push_back(std::move(one));
+    }
+    return cases;
+  };
+  return method;
 }
 
 }  // namespace impinge::lab

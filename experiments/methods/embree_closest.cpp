@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/embree_closest.hpp"
+// @can     points gaps
+// @links   gap gap_queries peer::embree
+//
+// Method embree_closest: distance of a point from the surface by Embree's point query. Embree walks its tree
+// in float and leaves the distance from a triangle to the caller: that is in double here.
 
 #include <cmath>
 #include <limits>
@@ -7,6 +11,7 @@
 
 #include "mesh/triangle_distance.hpp"
 #include "methods/embree_scene.hpp"
+#include "methods/gaps.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -32,41 +37,53 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-class EmbreeClosest final : public RadiusMethod {
- public:
-  explicit EmbreeClosest(TriangleMesh mesh) : mesh_(std::move(mesh)), scene_(mesh_, EmbreeQuality::robust) {}
+// A copy of the mesh beside Embree's tree.
+struct Searched {
+  explicit Searched(TriangleMesh of) : mesh(std::move(of)), scene(mesh, EmbreeQuality::robust) {}
 
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    for (std::size_t i = 0; i < points.size(); ++i) out[i] = distance(points[i]);
-  }
-
-  double bytes() const override {
-    return scene_.bytes() + static_cast<double>(mesh_.vertices.size() * sizeof(Vec3)) +
-           static_cast<double>(mesh_.faces.size() * sizeof(Face));
-  }
-
- private:
   double distance(const Vec3& x) const {
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    Search search{&mesh_, x, std::numeric_limits<double>::infinity()};
+    Search search{&mesh, x, std::numeric_limits<double>::infinity()};
     RTCPointQuery query{};
     query.x = static_cast<float>(x.x());
     query.y = static_cast<float>(x.y());
     query.z = static_cast<float>(x.z());
     query.radius = std::numeric_limits<float>::infinity();
-    rtcPointQuery(scene_.get(), &query, &context, visit_triangle, &search);
+    rtcPointQuery(scene.get(), &query, &context, visit_triangle, &search);
     return std::sqrt(search.squared);
   }
 
-  TriangleMesh mesh_;
-  EmbreeScene scene_;
+  TriangleMesh mesh;
+  EmbreeScene scene;
 };
+
+PointCase closest(const TriangleMesh& mesh) {
+  PointCase one = library_case("embree_closest", "Embree, closest point", Measure::euclidean, [&mesh] {
+    const auto surface = std::make_shared<const Searched>(mesh);
+    const std::size_t copied = mesh.vertices.size() * sizeof(Vec3) + mesh.faces.size() * sizeof(Face);
+    return one_by_one([surface](const Vec3& x) { return surface->distance(x); },
+                      surface->scene.bytes() + static_cast<double>(copied));
+  });
+  one.setting = "robust";
+  return one;
+}
 
 }  // namespace
 
-std::unique_ptr<RadiusMethod> make_embree_closest(const TriangleMesh& mesh) {
-  return std::make_unique<EmbreeClosest>(mesh);
+Method embree_closest_method() {
+  Method method;
+  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
+    PointCase one = closest(scene.surface());
+    one.place = 11;
+    return std::vector{one};
+  };
+  method.gaps = [](const AskedSurface& surface, const GapSizes&) {
+    GapCase one = point_gaps(surface, closest(surface.mesh));
+    one.place = 64;
+    return std::vector{one};
+  };
+  return method;
 }
 
 }  // namespace impinge::lab

@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/embree_fill.hpp"
+// @can     fill
+// @links   gap kernels peer::embree
+//
+// Method embree_fill: what a table asks of a surface, by Embree: its tree, then coherent rays from the
+// centre, 16 in a packet, along the directions of the entries.
 
 #include <algorithm>
 #include <limits>
+
+#include "kernels/thread_team.hpp"
+#include "methods/embree_scene.hpp"
+#include "methods/fill.hpp"
+#include "sphere/table_memory.hpp"
 
 namespace impinge::lab {
 namespace {
 
 constexpr std::size_t kPacket = 16;
+constexpr double kMostMissed = 0.01;  // of the rays
+constexpr double kRayError = 1e-3;    // mm, of a ray in float
 
-void cast_packet(RTCScene scene, const RayDirections& directions, RayRange rays, float* radii) {
+void cast_packet(RTCScene scene, const FloatDirections& directions, const Share& rays, float* radii) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -31,23 +42,46 @@ void cast_packet(RTCScene scene, const RayDirections& directions, RayRange rays,
                                                                : packet.ray.tfar[k];
 }
 
-}  // namespace
+// The tree is built by one thread.
+struct Rays {
+  FilledSurface surface;
+  std::size_t threads;
+  TableMemory<float> radii = {};
 
-RayDirections::RayDirections(std::span<const Vec3> directions) {
-  for (auto* axis : {&x, &y, &z}) axis->reserve(directions.size());
-  for (const Vec3& u : directions) {
-    x.push_back(static_cast<float>(u.x()));
-    y.push_back(static_cast<float>(u.y()));
-    z.push_back(static_cast<float>(u.z()));
+  void fill() {
+    const EmbreeScene scene(surface.mesh, EmbreeQuality::fast);
+    const std::size_t count = surface.directions->x.size();
+    radii.resize(count);
+    on_threads(threads, [&](std::size_t thread) {
+      const Share share = share_of(count, thread, threads);
+      for (std::size_t first = share.first; first < share.end; first += kPacket) {
+        const Share packet{first, std::min(first + kPacket, share.end)};
+        cast_packet(scene.get(), *surface.directions, packet, radii.data() + first);
+      }
+    });
   }
+};
+
+TableFilling make_filling(const FilledSurface& surface, int threads) {
+  const auto rays = std::make_shared<Rays>(Rays{surface, static_cast<std::size_t>(threads)});
+  return {[rays] { rays->fill(); }, [rays] { rays->radii = {}; },
+          [rays](std::size_t entry) { return static_cast<double>(rays->radii[entry]); },
+          [] { return kRayError; }};
 }
 
-void cast_coherent(const EmbreeScene& scene, const RayDirections& directions, RayRange rays,
-                   std::span<float> radii) {
-  for (std::size_t first = rays.first; first < rays.end; first += kPacket) {
-    const RayRange packet{first, std::min(first + kPacket, rays.end)};
-    cast_packet(scene.get(), directions, packet, radii.data() + first);
-  }
+}  // namespace
+
+Method embree_fill_method() {
+  Method method{.name = "embree_fill", .label = "Embree, tree and rays"};
+  method.lacks = "the farthest layer, since a ray ends at its first triangle";
+  method.fill = [] {
+    FillCase one;
+    one.storage = "float";
+    one.most_off = kMostMissed;
+    one.make = make_filling;
+    return std::vector{one};
+  };
+  return method;
 }
 
 }  // namespace impinge::lab

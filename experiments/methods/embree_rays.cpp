@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/embree_rays.hpp"
+// @can     points gaps
+// @links   gap gap_queries peer::embree
+//
+// Methods embree_ray1, embree_ray8 and embree_ray16: the first triangle that a ray from the centre meets, by
+// Embree, one ray at a time or 8 or 16 in a packet. Rays and triangles in float.
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
+#include "methods/embree_scene.hpp"
+#include "methods/gaps.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge::lab {
@@ -20,32 +23,19 @@ double radius_of(unsigned geometry, float parameter, const Vec3& point) {
   return geometry == RTC_INVALID_GEOMETRY_ID ? kNoSurface : static_cast<double>(parameter) * point.norm();
 }
 
-class SingleRays final : public RadiusMethod {
- public:
-  SingleRays(const TriangleMesh& mesh, EmbreeQuality quality) : scene_(mesh, quality) {}
-
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    for (std::size_t i = 0; i < points.size(); ++i) out[i] = cast(points[i]);
-  }
-  double bytes() const override { return scene_.bytes(); }
-
- private:
-  double cast(const Vec3& x) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRayHit ray{};
-    ray.ray.dir_x = static_cast<float>(x.x());
-    ray.ray.dir_y = static_cast<float>(x.y());
-    ray.ray.dir_z = static_cast<float>(x.z());
-    ray.ray.tfar = kForever;
-    ray.ray.mask = ~0U;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_.get(), &context, &ray);
-    return radius_of(ray.hit.geomID, ray.ray.tfar, x);
-  }
-
-  EmbreeScene scene_;
-};
+double cast_one(RTCScene scene, const Vec3& x) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit ray{};
+  ray.ray.dir_x = static_cast<float>(x.x());
+  ray.ray.dir_y = static_cast<float>(x.y());
+  ray.ray.dir_z = static_cast<float>(x.z());
+  ray.ray.tfar = kForever;
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &ray);
+  return radius_of(ray.hit.geomID, ray.ray.tfar, x);
+}
 
 void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit8* rays) {
   rtcIntersect8(valid, scene, context, rays);
@@ -55,57 +45,82 @@ void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, R
 }
 
 template <class Packet>
-class PacketRays final : public RadiusMethod {
- public:
-  PacketRays(const TriangleMesh& mesh, EmbreeQuality quality) : scene_(mesh, quality) {}
+constexpr std::size_t kWidth = std::extent_v<decltype(Packet{}.ray.dir_x)>;
 
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    for (std::size_t begin = 0; begin < points.size(); begin += kWidth) {
-      const std::size_t count = std::min(kWidth, points.size() - begin);
-      cast(points.subspan(begin, count), out.subspan(begin, count));
-    }
+template <class Packet>
+void cast_packet(RTCScene scene, std::span<const Vec3> points, std::span<double> out) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  Packet rays{};
+  alignas(64) int valid[kWidth<Packet>] = {};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    valid[k] = -1;
+    rays.ray.dir_x[k] = static_cast<float>(points[k].x());
+    rays.ray.dir_y[k] = static_cast<float>(points[k].y());
+    rays.ray.dir_z[k] = static_cast<float>(points[k].z());
+    rays.ray.tfar[k] = kForever;
+    rays.ray.mask[k] = ~0U;
+    rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }
-  double bytes() const override { return scene_.bytes(); }
+  intersect(valid, scene, &context, &rays);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    out[k] = radius_of(rays.hit.geomID[k], rays.ray.tfar[k], points[k]);
+}
 
- private:
-  static constexpr std::size_t kWidth = std::extent_v<decltype(Packet{}.ray.dir_x)>;
+template <class Packet>
+PointQuery packets(const std::shared_ptr<const EmbreeScene>& scene) {
+  return {[scene](std::span<const Vec3> points, std::span<double> out) {
+            for (std::size_t begin = 0; begin < points.size(); begin += kWidth<Packet>) {
+              const std::size_t count = std::min(kWidth<Packet>, points.size() - begin);
+              cast_packet<Packet>(scene->get(), points.subspan(begin, count), out.subspan(begin, count));
+            }
+          },
+          scene->bytes()};
+}
 
-  void cast(std::span<const Vec3> points, std::span<double> out) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    Packet rays{};
-    alignas(64) int valid[kWidth] = {};
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      valid[k] = -1;
-      rays.ray.dir_x[k] = static_cast<float>(points[k].x());
-      rays.ray.dir_y[k] = static_cast<float>(points[k].y());
-      rays.ray.dir_z[k] = static_cast<float>(points[k].z());
-      rays.ray.tfar[k] = kForever;
-      rays.ray.mask[k] = ~0U;
-      rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    }
-    intersect(valid, scene_.get(), &context, &rays);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      out[k] = radius_of(rays.hit.geomID[k], rays.ray.tfar[k], points[k]);
-  }
+PointQuery rays(const TriangleMesh& mesh, int width, EmbreeQuality quality) {
+  const auto scene = std::make_shared<const EmbreeScene>(mesh, quality);
+  if (width == 8) return packets<RTCRayHit8>(scene);
+  if (width == 16) return packets<RTCRayHit16>(scene);
+  return one_by_one([scene](const Vec3& x) { return cast_one(scene->get(), x); }, scene->bytes());
+}
 
-  EmbreeScene scene_;
-};
+PointCase rays_case(const TriangleMesh& mesh, int width, bool robust) {
+  const std::string many = std::to_string(width);
+  PointCase one =
+      library_case("embree_ray" + many, "Embree, " + (width == 1 ? "a ray" : many + " rays") + " at a time",
+                   Measure::radial, [&mesh, width, robust] {
+                     return rays(mesh, width, robust ? EmbreeQuality::robust : EmbreeQuality::fast);
+                   });
+  one.setting = robust ? "robust" : "fast";
+  one.place = 10;
+  one.in_float = true;
+  if (width == 1) one.stability = "embree_" + one.setting;
+  return one;
+}
 
 }  // namespace
 
-std::unique_ptr<RadiusMethod> make_embree_rays(const TriangleMesh& mesh, const EmbreeRays& rays) {
-  switch (rays.width) {
-    case 1:
-      return std::make_unique<SingleRays>(mesh, rays.quality);
-    case 8:
-      return std::make_unique<PacketRays<RTCRayHit8>>(mesh, rays.quality);
-    case 16:
-      return std::make_unique<PacketRays<RTCRayHit16>>(mesh, rays.quality);
-    default:
-      throw std::invalid_argument("Embree takes 1, 8 or 16 rays at a time, not " +
-                                  std::to_string(rays.width));
-  }
+Method embree_rays_method() {
+  Method method;
+  method.lacks = "the farthest layer, since a ray ends at its first triangle";
+  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
+    std::vector<PointCase> cases;
+    for (const bool robust : {false, true})
+      for (const int width : {1, 8, 16}) cases.push_back(rays_case(scene.surface(), width, robust));
+    return cases;
+  };
+  method.gaps = [](const AskedSurface& surface, const GapSizes&) {
+    std::vector<GapCase> cases;
+    for (const int width : {1, 8, 16}) {
+      cases.push_back(point_gaps(surface, rays_case(surface.mesh, width, /*robust=*/false)));
+      cases.back().label = "Embree, " + std::to_string(width) + (width == 1 ? " ray" : " rays");
+      cases.back().few = false;
+      cases.back().counted = true;
+    }
+    return cases;
+  };
+  return method;
 }
 
 }  // namespace impinge::lab

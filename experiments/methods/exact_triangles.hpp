@@ -16,6 +16,21 @@ using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 // Faces of the posed mesh in socket coordinates. Faces that are exactly degenerate have no interior to cross
 // and are left out: CGAL's predicates do not take them.
-std::vector<ExactPredicates::Triangle_3> exact_triangles(const TriangleMesh& mesh, const Pose& pose = {});
+inline std::vector<ExactPredicates::Triangle_3> exact_triangles(const TriangleMesh& mesh,
+                                                                const Pose& pose = {}) {
+  std::vector<ExactPredicates::Point_3> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vec3& vertex : mesh.vertices) {
+    const Vec3 x = to_socket(pose, vertex);
+    points.emplace_back(x.x(), x.y(), x.z());
+  }
+  std::vector<ExactPredicates::Triangle_3> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const ExactPredicates::Triangle_3 triangle(points[face[0]], points[face[1]], points[face[2]]);
+    if (!triangle.is_degenerate()) triangles.push_back(triangle);
+  }
+  return triangles;
+}
 
 }  // namespace impinge::lab

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "methods/benchmark_scene.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge::lab {
@@ -22,6 +24,25 @@ struct DistanceGridShape {
 // Distance of neighbouring nodes, mm.
 inline double spacing_of(const DistanceGridShape& shape) {
   return 2.0 * shape.half_width / static_cast<double>(shape.nodes - 1);
+}
+
+/// The cube that holds ball and socket in the pose of the scene.
+inline DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nodes) {
+  double half_width = 0.0;
+  for (const Vec3& v : scene.pair.socket.vertices)
+    half_width = std::max(half_width, v.lpNorm<Eigen::Infinity>());
+  for (const Vec3& v : scene.queries()) half_width = std::max(half_width, v.lpNorm<Eigen::Infinity>());
+  return {half_width, nodes};
+}
+
+/// Proven bound on the error of a distance between the nodes, mm. A distance changes by no more than the way,
+/// so that an answer, a mean of the eight nodes with weights w, errs by at most
+///   sum w_i |x - x_i| <= sqrt(sum w_i |x - x_i|^2) = h sqrt(sum_k t_k (1 - t_k)) <= h sqrt(3) / 2,
+/// h the spacing and t the place in the cell. Floats add 2^-24 of the largest distance: no point of the cube
+/// is farther from the surface, which is in it, than its diagonal.
+inline double distance_grid_bound(const DistanceGridShape& shape) {
+  const double largest = 2.0 * std::numbers::sqrt3 * shape.half_width;
+  return 0.5 * std::numbers::sqrt3 * spacing_of(shape) + 0x1p-23 * largest;
 }
 
 class GridField {

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-#include "methods/touch_method.hpp"
+#include "gap/pose.hpp"
 #include "methods/voxel_table.hpp"
 
 namespace impinge::lab {
@@ -21,15 +21,13 @@ namespace impinge::lab {
 // Farthest that the surfaces are apart where a voxel is hit, in voxels' sides.
 inline constexpr double kVoxelReach = 1.5 * std::numbers::sqrt3;
 
-class HuVoxels final : public TouchMethod {
+class HuVoxels {
  public:
   // Meshes in their centre frames, mm; size is the side of a voxel, mm. Throws as surface_voxels() does.
   HuVoxels(const TriangleMesh& ball, const TriangleMesh& socket, double size);
 
-  std::string_view name() const override { return "hu_voxels"; }
-  bool gives_distance() const override { return false; }
   // All voxels of the ball are looked up, as the method reports each collided point.
-  bool touches(const Pose& pose) override { return !collided(pose).empty(); }
+  bool touches(const Pose& pose) { return !collided(pose).empty(); }
 
   // Middles of the ball's voxels that hit, in the socket's frame, mm.
   const std::vector<Vec3>& collided(const Pose& pose);

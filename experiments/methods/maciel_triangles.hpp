@@ -8,21 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "methods/touch_method.hpp"
+#include "gap/pose.hpp"
 #include "methods/triangle_table.hpp"
 
 namespace impinge::lab {
 
-class MacielTriangles final : public TouchMethod {
+class MacielTriangles {
  public:
   // The table is that of the ball, farthest layer. Meshes in their centre frames, mm; they are copied.
   MacielTriangles(TriangleMesh ball, const TriangleMesh& socket, TriangleTable table)
       : ball_(std::move(ball)), socket_(socket.vertices), table_(std::move(table)), gap_(socket_.size()) {}
 
-  std::string_view name() const override { return "maciel_triangles"; }
-  // Published without; its projection on the triangle would give the radial gap of the tested vertices.
-  bool gives_distance() const override { return false; }
-  bool touches(const Pose& pose) override;
+  bool touches(const Pose& pose);
+  // Of the ball along a point of its frame, mm; NaN where the triangle of its direction is not met.
+  double radius(const Vec3& y) const { return radius_at(table_, ball_, y); }
 
   // |y| - B(y) of the socket's vertices in the last pose that was tested, mm; NaN where none was tested.
   const std::vector<double>& gaps() const { return gap_; }

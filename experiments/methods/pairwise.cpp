@@ -1,42 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/pairwise.hpp"
+// @can     points touch
+// @links   gap heap_use CGAL::CGAL
+//
+// Method pairwise: everything against every triangle, the O(n^2) baseline of the thesis (Tables 4 and 9).
+//
+// Of a pose: CGAL's triangle test (Guigue and Devillers 2003) on exact predicates. What is counted: placing
+// the ball and all pairs of a pose that is free. A pose that touches stops at the first pair that meets.
+// Nothing is culled. Of a point: its ray against every triangle (table/pairwise.hpp).
 
-#include <utility>
-#include <vector>
+#include "table/pairwise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include <CGAL/intersections.h>
 
 #include "methods/exact_triangles.hpp"
+#include "methods/heap_use.hpp"
+#include "methods/points.hpp"
 
 namespace impinge::lab {
 namespace {
 
-class Pairwise final : public TouchMethod {
- public:
-  Pairwise(TriangleMesh ball, const TriangleMesh& socket)
-      : ball_(std::move(ball)), socket_(exact_triangles(socket)) {}
+constexpr double kUnitRounding = 8.0 * 0x1p-53;
 
-  std::string_view name() const override { return "pairwise"; }
-  bool gives_distance() const override { return false; }
+// The surface of the scene.
+PointQuery rays(const TriangleMesh& mesh) {
+  const double before = heap_bytes();
+  const auto caster = std::make_shared<const RayCaster>(mesh);
+  return one_by_one(
+      [caster](const Vec3& x) {
+        // Normalised once more a unit vector may move by an ulp, over the edge that it goes through.
+        const bool is_unit = std::abs(x.squaredNorm() - 1.0) < kUnitRounding;
+        return caster->cast(is_unit ? x : x.normalized(), BenchmarkScene::kLayer);
+      },
+      heap_bytes() - before);
+}
 
-  bool touches(const Pose& pose) override {
-    for (const auto& moved : exact_triangles(ball_, pose)) {
-      for (const auto& fixed : socket_) {
-        if (CGAL::do_intersect(moved, fixed)) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  TriangleMesh ball_;
-  std::vector<ExactPredicates::Triangle_3> socket_;
-};
+Touch pairs(const TriangleMesh& ball, const TriangleMesh& socket) {
+  return [ball, fixed = exact_triangles(socket)](const Pose& pose) {
+    return std::ranges::any_of(exact_triangles(ball, pose), [&](const auto& moved) {
+      return std::ranges::any_of(fixed, [&](const auto& other) { return CGAL::do_intersect(moved, other); });
+    });
+  };
+}
 
 }  // namespace
 
-std::unique_ptr<TouchMethod> make_pairwise(const TriangleMesh& ball, const TriangleMesh& socket) {
-  return std::make_unique<Pairwise>(ball, socket);
+Method pairwise_method() {
+  Method method{.name = "pairwise", .label = "pairwise"};
+  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
+    PointCase one;
+    one.kind = "brute";
+    one.place = 14;
+    one.stability = "pairwise";
+    one.make = [&mesh = scene.surface()] { return rays(mesh); };
+    return std::vector{one};
+  };
+  method.touch = [](const BallSocketPair& pair, double /*precision_deg*/) {
+    TouchCase one;
+    one.place = 0;
+    one.touches = pairs(pair.ball, pair.socket);
+    return std::vector{one};
+  };
+  return method;
 }
 
 }  // namespace impinge::lab

@@ -7,7 +7,6 @@
 
 #include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
-#include "table/exact_raster.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -40,13 +39,9 @@ Pose approach(TableScan<Rsid>& scan, Pose pose, const Vec3& axis, double target)
 
 }  // namespace
 
-std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& socket) {
-  const Rsid scheme = Rsid::with_precision(kPrecision);
-  TableScan<Rsid> scan(
-      ball, socket,
-      std::make_shared<TablePair<Rsid>>(TablePair<Rsid>{fill_exact(ball, scheme, Layer::farthest),
-                                                        fill_exact(socket, scheme, Layer::nearest)}));
-  const Vec3 axis = axis_of(socket);
+std::vector<NamedPose> pose_set(const BallSocketPair& pair) {
+  TableScan<Rsid> scan(pair.ball, pair.socket, make_tables<Rsid>(pair, kPrecision));
+  const Vec3 axis = axis_of(pair.socket);
   std::vector<NamedPose> poses;
   for (const double turn : {0.0, kTurn}) {
     Pose pose;
@@ -59,18 +54,18 @@ std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& so
   return poses;
 }
 
-void require_agreement(TouchMethod& method, TouchMethod& oracle, const std::vector<NamedPose>& poses) {
+void require_agreement(const TouchCase& method, const TouchCase& oracle,
+                       const std::vector<NamedPose>& poses) {
   for (const NamedPose& named : poses) {
     const bool expected = oracle.touches(named.pose);
     if (method.touches(named.pose) == expected) continue;
-    throw std::runtime_error(std::string(method.name()) + " disagrees with " + std::string(oracle.name()) +
-                             " in the pose \"" + named.name + "\", where the surfaces " +
-                             (expected ? "touch" : "are free") +
+    throw std::runtime_error(method.name + " disagrees with " + oracle.name + " in the pose \"" + named.name +
+                             "\", where the surfaces " + (expected ? "touch" : "are free") +
                              ": its time means nothing until that is resolved");
   }
 }
 
-int count_touching(TouchMethod& method, const std::vector<NamedPose>& poses) {
+int count_touching(const TouchCase& method, const std::vector<NamedPose>& poses) {
   int touching = 0;
   for (const NamedPose& named : poses) touching += method.touches(named.pose) ? 1 : 0;
   return touching;

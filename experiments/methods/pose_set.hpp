@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
-#include "methods/touch_method.hpp"
+#include "methods/method.hpp"
 
 namespace impinge::lab {
 
@@ -22,12 +21,12 @@ struct NamedPose {
 //   touching  moved on until the smallest gap is at most -0.5 mm.
 // Gaps by RSID tables at 1 degree. Meshes in their centre frames, mm. Throws std::runtime_error when 20 mm do
 // not bring the surfaces together.
-std::vector<NamedPose> pose_set(const TriangleMesh& ball, const TriangleMesh& socket);
+std::vector<NamedPose> pose_set(const BallSocketPair& pair);
 
 // Throws std::runtime_error that names method and pose when the two methods differ in one.
-void require_agreement(TouchMethod& method, TouchMethod& oracle, const std::vector<NamedPose>& poses);
+void require_agreement(const TouchCase& method, const TouchCase& oracle, const std::vector<NamedPose>& poses);
 
 // Number of poses that touch: one answer a pose, which makes it the work that is timed.
-int count_touching(TouchMethod& method, const std::vector<NamedPose>& poses);
+int count_touching(const TouchCase& method, const std::vector<NamedPose>& poses);
 
 }  // namespace impinge::lab

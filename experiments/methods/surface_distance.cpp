@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "mesh/triangle_distance.hpp"
-#include "methods/cgal_distances.hpp"
-#include "methods/cgal_tree.hpp"
+#include "methods/cgal.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -35,7 +34,7 @@ std::vector<Held> held_triangles(const TriangleMesh& mesh, const Pose& pose) {
   return all;
 }
 
-std::vector<double> distances(RadiusMethod& closest, const std::vector<Vec3>& points) {
+std::vector<double> distances(const PointQuery& closest, const std::vector<Vec3>& points) {
   std::vector<double> out(points.size());
   closest.answer(points, out);
   return out;
@@ -44,15 +43,15 @@ std::vector<double> distances(RadiusMethod& closest, const std::vector<Vec3>& po
 }  // namespace
 
 double surface_distance(const BenchmarkScene& scene) {
-  if (make_cgal_tree(scene.pair.ball, scene.pair.socket)->touches(scene.pose)) return 0.0;
+  if (make_cgal_tree(scene.pair.ball, scene.pair.socket)(scene.pose)) return 0.0;
   const auto closest = make_cgal_closest(scene.pair.socket);
   const auto socket = held_triangles(scene.pair.socket, {});
   const auto ball = held_triangles(scene.pair.ball, scene.pose);
-  double least = std::ranges::min(distances(*closest, scene.queries()));
+  double least = std::ranges::min(distances(closest, scene.queries()));
   std::vector<Vec3> middles;
   middles.reserve(ball.size());
   for (const Held& held : ball) middles.push_back(held.middle);
-  const std::vector<double> from_middle = distances(*closest, middles);
+  const std::vector<double> from_middle = distances(closest, middles);
   for (std::size_t i = 0; i < ball.size(); ++i) {
     if (from_middle[i] - ball[i].reach > least + kMargin) continue;
     for (const Held& other : socket) {

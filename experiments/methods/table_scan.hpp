@@ -16,8 +16,8 @@
 
 #include "gap/gap_scan.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "methods/touch_method.hpp"
 #include "sphere/radial_table.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge::lab {
 
@@ -28,8 +28,16 @@ struct TablePair {
   RadialTable<S> socket;  // its nearest layer
 };
 
+/// Tables of both surfaces by the exact raster: farthest layer of the ball, nearest of the socket.
 template <SamplingScheme S>
-class TableScan final : public TouchMethod {
+std::shared_ptr<const TablePair<S>> make_tables(const BallSocketPair& pair, double precision_deg) {
+  const S scheme = S::with_precision(precision_deg);
+  return std::make_shared<const TablePair<S>>(TablePair<S>{fill_exact(pair.ball, scheme, Layer::farthest),
+                                                           fill_exact(pair.socket, scheme, Layer::nearest)});
+}
+
+template <SamplingScheme S>
+class TableScan {
  public:
   // Meshes in their centre frames, mm. Their vertices are copied; the tables are shared.
   TableScan(const TriangleMesh& ball, const TriangleMesh& socket, std::shared_ptr<const TablePair<S>> tables)
@@ -38,9 +46,7 @@ class TableScan final : public TouchMethod {
         tables_(std::move(tables)),
         gap_(ball_.size() + socket_.size()) {}
 
-  std::string_view name() const override { return S::name; }
-  bool gives_distance() const override { return true; }
-  bool touches(const Pose& pose) override { return smallest_gap(pose) <= 0.0; }
+  bool touches(const Pose& pose) { return smallest_gap(pose) <= 0.0; }
 
   // Millimetres; NaN where no vertex meets the other surface.
   double smallest_gap(const Pose& pose) {

@@ -12,7 +12,6 @@
 #include <Eigen/Geometry>
 
 #include "mesh/jump_edges.hpp"
-#include "methods/table_method.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/conditions.hpp"
 
@@ -103,17 +102,16 @@ StabilityCase blank(const StabilityMethod& method, double magnitude, double thre
 
 StabilityCase measure_one(Shared& shared, const StabilityMethod& method, StabilityCase result) {
   if (!result.refused.empty()) return result;
-  const std::unique_ptr<RadiusMethod> answering = method.maker.make();
+  const PointQuery answering = method.maker.make();
   std::vector<double> answers(shared.along.directions.size());
-  answering->answer(shared.along.directions, answers);
-  const auto* keeper = dynamic_cast<const KeepsRadii*>(answering.get());
-  if (keeper == nullptr) {
+  answering.answer(shared.along.directions, answers);
+  if (!answering.stored) {
     judge(result, shared.along, answers);
   } else {
-    const StoredRadii table = keeper->stored();
+    const StoredRadii table = answering.stored();
     judge(result, shared.at_entries(method.maker.scheme, table.directions), table.radii);
     judge_look_ups(result, shared, table, answers);
-    result.bound_um = kMicrometres * method.maker.bound(*answering).bound_mm;
+    result.bound_um = kMicrometres * method.maker.bound(answering).bound_mm;
   }
   judge_twins(result, shared.scene, answers);
   return result;

@@ -2,11 +2,10 @@
 // The methods that a case of radii goes through: ours, and the others beside them.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "methods/radius_method.hpp"
+#include "methods/points.hpp"
 #include "stress/family.hpp"
 #include "stress/scene.hpp"
 #include "table/table_bound.hpp"
@@ -18,18 +17,18 @@ bool is_met(const TriangleCone& cone, const Vec3& x, const Vec3& u);
 
 // The rays of the rasteriser without a table: of all faces whose cone contains the direction, exactly, the
 // nearest radius(). What fills every table, asked along any direction.
-std::unique_ptr<RadiusMethod> make_cone_rays(const TriangleMesh& mesh);
+PointQuery make_cone_rays(const TriangleMesh& mesh);
 
 // A method that is asked, or why it cannot be.
 struct StabilityMethod {
-  MethodMaker maker;                // how it comes to be
+  PointCase maker;                  // how it comes to be
   Scalar scalar = Scalar::float64;  // that it computes in, or stores
   std::string refused = {};         // the one line of a refusal; else empty
 };
 
-// cone_rays and the tables of every scheme, interpolant and storage in double and float (kind ours), pairwise
-// rays (brute), Embree's fast and robust rays and CGAL's first hit (library). A scheme that has no table at
-// the precision of the scene is there with its refusal. The scene outlives the methods.
+// cone_rays, and of all that answer points those with a name for stiff cases: ours, brute force, libraries. A
+// scheme that has no table at the precision of the scene is there with its refusal. The scene outlives the
+// methods.
 std::vector<StabilityMethod> stability_methods(const StabilityScene& scene, const BoundOptions& search);
 
 // The entries of every scheme at a precision.

@@ -56,11 +56,11 @@ Precise PreciseSlide::contact() const {
   return atan2(c, b) - acos((radius_ - a) / sqrt(b * b + c * c));
 }
 
-std::optional<double> touching_angle(RadiusMethod& method, const Slide& slide, double start) {
+std::optional<double> touching_angle(const PointQuery& query, const Slide& slide, double start) {
   const auto touches = [&](double angle) {
     const std::array point{slide.vertex(angle)};
     std::array<double, 1> radius{};
-    method.answer(point, radius);
+    query.answer(point, radius);
     return radius[0] - point[0].norm() <= 0.0;
   };
   double free = start;

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "methods/radius_method.hpp"
+#include "methods/points.hpp"
 #include "sphere/direction.hpp"
 #include "stress/precise.hpp"
 
@@ -45,6 +45,6 @@ class PreciseSlide {
 
 // The first angle from `start` to 0 at which the method sees no gap, by bisection down to neighbouring
 // doubles; none where it sees none at the start, or one at 0.
-std::optional<double> touching_angle(RadiusMethod& method, const Slide& slide, double start);
+std::optional<double> touching_angle(const PointQuery& query, const Slide& slide, double start);
 
 }  // namespace impinge::lab

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adding a sampling scheme is adding one file: nothing else changes, and it is in the data, plots and tables.
+"""Adding a sampling scheme or a method is adding one file: nothing else changes, and it is in the data, plots and tables.
 
-A copy of the project's sources gets tests/data/example_scheme.hpp, builds and runs the experiments on schemes and,
-by tests/check_scheme, what is tested of every scheme, and makes plots and the paper's table.
+A copy of the project's sources gets tests/data/example_scheme.hpp and example_method.cpp, builds and runs the experiments
+on schemes, that on detection and, by tests/check_scheme, what is tested of every scheme, and makes plots and the paper's
+tables.
 """
 
 from __future__ import annotations
@@ -20,10 +21,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "tests" / "data" / "example_scheme.hpp"
+METHOD = ROOT / "tests" / "data" / "example_method.cpp"
 NAME = "example_scheme"
 LABEL = "Example scheme"
 GENERATED = {"build", ".git", "__pycache__"}
-DRIVERS = ["01_memory", "08_schemes", "08_scheme_savings", "09_lookup_time"]
+DRIVERS = ["01_memory", "08_schemes", "08_scheme_savings", "09_lookup_time", "03_detection_time"]
 FIGURES = {"figures/scheme_covering": "scheme-covering", "figures/covering_cost": "covering-cost"}
 
 
@@ -64,6 +66,7 @@ class AddScheme(unittest.TestCase):
         cls.build = cls.project / "build" / "release"
         copy_sources(cls.project)
         shutil.copy(EXAMPLE, cls.project / "libcore" / "sphere" / "schemes")
+        shutil.copy(METHOD, cls.project / "experiments" / "methods")
         run("cmake", "--preset", "release", "-DIMPINGE_RESULTS=OFF", cwd=cls.project)
         run("cmake", "--build", cls.build, "--target", *DRIVERS, cwd=cls.project)
         for driver in DRIVERS:
@@ -112,6 +115,16 @@ class AddScheme(unittest.TestCase):
         self.assertIn(LABEL, (self.results / "tables" / "scheme-comparison.tex").read_text())
         labels = [row["label"] for row in rows(self.results / "tables" / "scheme-comparison.csv")]
         self.assertEqual(labels.count(LABEL), 1)
+
+    def test_method_in_the_benchmark(self):
+        """A method that was dropped in is timed on every joint, drawn and tabled by its label."""
+        own = [row for row in rows(self.results / "data" / "detection_time.csv") if row["method"] == "example_method"]
+        self.assertEqual([row["triangles"] for row in own], ["300", "1000", "3000", "12000"])
+        self.script("figures/detection_time")
+        text = run("pdftotext", self.results / "figures" / "detection-time.pdf", "-")
+        self.assertIn("Example method", " ".join(text.split()))
+        self.script("tables/query_time")
+        self.assertIn("Example method", (self.results / "tables" / "table-9-queries.tex").read_text())
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
-#include "methods/cgal_tree.hpp"
+#include "methods/cgal.hpp"
 #include "support/cells.hpp"
 
 namespace impinge::lab {
@@ -24,17 +24,6 @@ BaselineJoint small_joint() {
   return joint;
 }
 
-class Always final : public TouchMethod {
- public:
-  explicit Always(bool answer) : answer_(answer) {}
-  std::string_view name() const override { return "always"; }
-  bool gives_distance() const override { return false; }
-  bool touches(const Pose& /*pose*/) override { return answer_; }
-
- private:
-  bool answer_;
-};
-
 TEST(BaselinePoses, LieOnEitherSideOfAContact) {
   const BaselineJoint joint = small_joint();
   const auto poses = baseline_poses(joint.meshes, joint.ways);
@@ -42,15 +31,15 @@ TEST(BaselinePoses, LieOnEitherSideOfAContact) {
   const auto oracle = make_cgal_tree(joint.meshes.ball, joint.meshes.socket);
   std::size_t touching = 0;
   for (const BaselinePose& judged : poses) {
-    EXPECT_EQ(judged.touches, oracle->touches(judged.pose));
+    EXPECT_EQ(judged.touches, oracle(judged.pose));
     EXPECT_TRUE(judged.touches == (judged.beyond_mm > 0.0) || std::abs(judged.beyond_mm) > 0.5);
     touching += judged.touches ? 1U : 0U;
   }
-  const BaselineVerdicts right = judge(*oracle, poses);
+  const BaselineVerdicts right = judge(oracle, poses);
   EXPECT_EQ(right.false_touches + right.missed_touches, 0U);
   EXPECT_EQ(right.wrong_within_mm, 0.0);
-  Always yes(true);
-  Always no(false);
+  const Touch yes = [](const Pose&) { return true; };
+  const Touch no = [](const Pose&) { return false; };
   EXPECT_EQ(judge(yes, poses).false_touches, poses.size() - touching);
   EXPECT_EQ(judge(yes, poses).missed_touches, 0U);
   EXPECT_EQ(judge(no, poses).missed_touches, touching);
@@ -64,22 +53,22 @@ TEST(BaselineMethods, LoseLessWithMoreResolution) {
   EXPECT_GT(points.on_socket.size(), 50U);
   for (std::size_t i = 0; i < points.on_socket.size(); ++i)
     EXPECT_LT(points.radius[i], points.on_socket[i].norm());
-  const auto methods = baseline_methods(joint.meshes, joint.sizes, points);
+  const auto methods = cases_of(baseline_methods(), &Method::baseline, joint.meshes, joint.sizes);
   ASSERT_EQ(methods.size(), 7U);
-  const auto at = [&methods](std::string_view name, double size) -> const BaselineMethod& {
+  const auto at = [&methods](std::string_view name, double size) -> const BaselineCase& {
     return *std::ranges::find_if(methods, [&](const auto& m) { return m.name == name && m.size == size; });
   };
-  const BaselineMethod& coarse = at("maciel_triangles", 10.0);
-  const BaselineMethod& fine = at("maciel_triangles", 100.0);
+  const BaselineCase& coarse = at("maciel_triangles", 10.0);
+  const BaselineCase& fine = at("maciel_triangles", 100.0);
   EXPECT_GE(coarse.missed_faces, 200.0) << "100 rays refer to 100 faces at most";
   EXPECT_EQ(fine.missed_faces, 0.0);
-  EXPECT_GT(coarse.answers.missed, fine.answers.missed);
+  EXPECT_GT(ask(coarse, points).missed, ask(fine, points).missed);
   EXPECT_TRUE(coarse.build) << "as many pairs as are timed at most";
   EXPECT_FALSE(fine.build);
   EXPECT_EQ(fine.work, 100.0 * coarse.work);
   EXPECT_GT(at("rsid", 20.0).missed_faces, 0.0);
   EXPECT_EQ(at("rsid", 0.5).missed_faces, 0.0);
-  EXPECT_LT(at("rsid", 0.5).answers.rms_mm, at("rsid", 20.0).answers.rms_mm);
+  EXPECT_LT(ask(at("rsid", 0.5), points).rms_mm, ask(at("rsid", 20.0), points).rms_mm);
   EXPECT_GE(at("rsid", 20.0).bytes, 2.0 * 10 * 18 * 8);
   EXPECT_EQ(at("cartesian_field", 12.0).bytes, 12.0 * 12 * 12 * 4);
   EXPECT_TRUE(std::isnan(at("hu_voxels", 1.0).missed_faces));

@@ -8,7 +8,7 @@
 
 #include "10_error_against_time/errors.hpp"
 #include "10_error_against_time/scenes.hpp"
-#include "methods/table_method.hpp"
+#include "methods/table_query.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/stored_table.hpp"
 #include "table/probe_directions.hpp"
@@ -19,17 +19,10 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Answers by a function.
-class Formula final : public RadiusMethod {
- public:
-  explicit Formula(std::function<double(const Vec3&)> formula) : formula_(std::move(formula)) {}
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    std::ranges::transform(points, out.begin(), formula_);
-  }
-  double bytes() const override { return 0.0; }
-
- private:
-  std::function<double(const Vec3&)> formula_;
-};
+template <class Answer>
+PointQuery formula(Answer answer) {
+  return one_by_one(std::move(answer), 0.0);
+}
 
 // The truth is 20 mm everywhere but below z = -0.5, where there is no surface.
 double truth_at(const Vec3& x) { return x.normalized().z() < -0.5 ? kNone : 20.0; }
@@ -46,7 +39,7 @@ BenchmarkProbes sphere_probes() {
 
 TEST(BenchmarkErrors, AreSignedAndWeightedBySolidAngle) {
   // 0.01 mm above on the upper half, 0.02 mm below on the rest.
-  Formula method([](const Vec3& x) { return truth_at(x) + (x.z() > 0.0 ? 0.01 : -0.02); });
+  const PointQuery method = formula([](const Vec3& x) { return truth_at(x) + (x.z() > 0.0 ? 0.01 : -0.02); });
   const BenchmarkErrors errors = measure_errors(method, sphere_probes(), {.starts = 0});
   EXPECT_NEAR(errors.max_over, 0.01, 1e-12);
   EXPECT_NEAR(errors.max_under, 0.02, 1e-12);
@@ -61,7 +54,7 @@ TEST(BenchmarkErrors, AreSignedAndWeightedBySolidAngle) {
 }
 
 TEST(BenchmarkErrors, AbsentAnswersAreCountedAndNotDropped) {
-  Formula method([](const Vec3& x) { return x.normalized().x() > 0.8 ? kNone : 20.0; });
+  const PointQuery method = formula([](const Vec3& x) { return x.normalized().x() > 0.8 ? kNone : 20.0; });
   const BenchmarkProbes probes = sphere_probes();
   const BenchmarkErrors errors = measure_errors(method, probes, {});
   std::size_t misses = 0;
@@ -80,7 +73,7 @@ TEST(BenchmarkErrors, AbsentAnswersAreCountedAndNotDropped) {
 // An error that peaks so sharply that no probe is on top of it; the ascent gets there.
 TEST(BenchmarkErrors, TheAscentFindsThePeak) {
   const Vec3 top = Vec3(0.3, -0.4, 0.6).normalized();
-  Formula method(
+  const PointQuery method = formula(
       [&](const Vec3& x) { return truth_at(x) + 0.1 * std::exp(-50.0 * (x.normalized() - top).norm()); });
   const BenchmarkErrors without = measure_errors(method, sphere_probes(), {.starts = 0});
   const BenchmarkErrors with = measure_errors(method, sphere_probes(), {.starts = 4, .steps = 200});
@@ -93,12 +86,12 @@ TEST(BenchmarkErrors, TheAscentFindsThePeak) {
 }
 
 TEST(BenchmarkErrors, OfAPoseAreThoseOfOneAnswer) {
-  Formula distance([](const Vec3&) { return 1.25; });
+  const PointQuery distance = formula([](const Vec3&) { return 1.25; });
   EXPECT_NEAR(measure_pose(distance, 1.0).max_over, 0.25, 1e-15);
-  Formula apart([](const Vec3&) { return kNone; });
+  const PointQuery apart = formula([](const Vec3&) { return kNone; });
   EXPECT_EQ(measure_pose(apart, 1.0).misses, 0U);
   EXPECT_EQ(measure_pose(apart, 0.0).misses, 1U);
-  Formula touching([](const Vec3&) { return 0.0; });
+  const PointQuery touching = formula([](const Vec3&) { return 0.0; });
   EXPECT_EQ(measure_pose(touching, 1.0).false_hits, 1U);
   EXPECT_EQ(measure_pose(touching, 0.0).false_hits, 0U);
 }
@@ -125,7 +118,7 @@ TEST(Violation, AHalvedBoundIsFound) {
   const auto radius = [](const Vec3& x) { return 24.0 + 3.0 * std::sin(1000.0 * x.normalized().x()); };
   for (std::size_t i = 0; i < table.scheme().size(); ++i)
     table.radii()[i] = radius(table.scheme().direction(i));
-  TableMethod<Uint16Table<CubeGnomonic>> method{Uint16Table<CubeGnomonic>(table)};
+  const PointQuery method = table_query(Uint16Table<CubeGnomonic>(table));
   BenchmarkProbes probes;
   probes.points = uniform_directions(5000, 9);
   probes.uniform = probes.points.size();
@@ -134,8 +127,8 @@ TEST(Violation, AHalvedBoundIsFound) {
   probes.truth_at = [&table](const Vec3& x) { return table.radius_at(x); };
   for (const Vec3& x : probes.points) probes.truth.push_back(probes.truth_at(x));
   const BenchmarkErrors errors = measure_errors(method, probes, {});
-  EXPECT_FALSE(find_violation(errors, {.bound_mm = method.storage_bound()}));
-  EXPECT_TRUE(find_violation(errors, {.bound_mm = 0.5 * method.storage_bound()}));
+  EXPECT_FALSE(find_violation(errors, {.bound_mm = method.storage_bound}));
+  EXPECT_TRUE(find_violation(errors, {.bound_mm = 0.5 * method.storage_bound}));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // With l <= y - Y <= h in a cell, y = 1 / depth of the surface and Y interpolated, a centred table errs by at
 // most half of what the largest h and the least l of a cell and its neighbours are apart: half as much as the
 // table it was made of where the surface bends one way, and nowhere more.
-#include "13_contact/centred_table.hpp"
+#include "methods/centred_table.hpp"
 
 #include <cmath>
 #include <map>
@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "13_contact/error_range.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/error_range.hpp"
 #include "support/bits.hpp"
 #include "support/bound_probes.hpp"
 #include "table/exact_raster.hpp"

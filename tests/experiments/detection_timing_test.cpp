@@ -62,19 +62,12 @@ TEST(DetectionTiming, PairwiseBeyondTheLimitIsScaledByThePairs) {
 }
 
 // A method that misses a contact must not be timed.
-class Blind final : public TouchMethod {
- public:
-  std::string_view name() const override { return "blind"; }
-  bool gives_distance() const override { return false; }
-  bool touches(const Pose& /*pose*/) override { return false; }
-};
-
 TEST(DetectionTiming, AWrongMethodEndsTheMeasurement) {
   const TemporaryFolder folder;
   DriverRun driver = driver_in(folder.path());
   std::vector<BenchmarkJoint> joints;
   joints.push_back(make_benchmark_joint({"subject"}, make_ball_socket_pair(100), {100}, 2.0));
-  joints[0].bench.methods.push_back(std::make_unique<Blind>());
+  joints[0].bench.methods.push_back({{"blind"}, [](const Pose&) { return false; }});
   EXPECT_THROW(write_benchmark(driver, {}, {}, joints, {}), std::runtime_error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

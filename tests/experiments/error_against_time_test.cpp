@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "10_error_against_time/methods.hpp"
 #include "10_error_against_time/report.hpp"
 #include "10_error_against_time/scenes.hpp"
 #include "methods/surface_distance.hpp"
@@ -18,6 +17,10 @@
 
 namespace impinge::lab {
 namespace {
+
+std::vector<PointCase> methods_of(const BenchmarkScene& scene, const PointSizes& sizes) {
+  return cases_of(points_methods(), &Method::points, scene, sizes);
+}
 
 TEST(BenchmarkScenes, TheGeneratedOneIsFreeWithItsCamUnderTheSocket) {
   const double distance = surface_distance(generated_scene(1000));
@@ -70,8 +73,10 @@ TEST(BenchmarkMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
   std::set<std::string> schemes;
   std::set<std::string> mesh_exact;
   std::set<std::string> keys;
-  const auto makers = table_methods(scene, {{4.0, 2.0}, 0, 0, {}});
-  for (const MethodMaker& maker : makers) {
+  std::size_t count = 0;
+  for (const PointCase& maker : methods_of(scene, {{{4.0, 2.0}, 0, 0, {}}, {}})) {
+    if (maker.kind != "ours") continue;
+    ++count;
     (maker.interpolant == "smooth" ? schemes : mesh_exact).insert(maker.name);
     EXPECT_TRUE(keys.insert(maker.name + '/' + maker.setting).second) << maker.name << maker.setting;
   }
@@ -84,7 +89,7 @@ TEST(BenchmarkMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
   EXPECT_EQ(schemes.size(), all);
   EXPECT_TRUE(keys.contains("rsid/4deg"));
   EXPECT_TRUE(keys.contains("cube_gnomonic_mesh_exact/2deg uint16"));
-  EXPECT_EQ(makers.size(), 2 * 3 * (schemes.size() + mesh_exact.size()));
+  EXPECT_EQ(count, 2 * 3 * (schemes.size() + mesh_exact.size()));
 }
 
 // One method of each kind on its own: fewer bytes for fewer bits, and bounds that hold.
@@ -94,19 +99,16 @@ TEST(BenchmarkMethods, KeepTheirBounds) {
   const BenchmarkProbes euclidean = euclidean_probes(scene, {100, 20, 1});
   std::map<std::string, double> bytes;
   std::size_t bounded = 0;
-  auto makers = table_methods(scene, {{4.0}, 100000, 1000, {}});
-  for (auto&& more : {thesis_methods(scene, {{4.0}, 100000, 1000, {}}), other_methods(scene, {8})})
-    makers.insert(makers.end(), more.begin(), more.end());
-  for (const MethodMaker& maker : makers) {
+  for (const PointCase& maker : methods_of(scene, {{{4.0}, 100000, 1000, {}}, {8}})) {
     if (maker.measure == Measure::pose) continue;
     if (maker.kind == "ours" && maker.scheme != "rsid" && maker.scheme != "cube_gnomonic") continue;
-    const auto method = maker.make();
-    bytes[maker.name + '/' + maker.setting] = method->bytes();
+    const PointQuery query = maker.make();
+    bytes[maker.name + '/' + maker.setting] = query.bytes;
     const BenchmarkErrors errors =
-        measure_errors(*method, maker.measure == Measure::radial ? radial : euclidean, {.starts = 2});
+        measure_errors(query, maker.measure == Measure::radial ? radial : euclidean, {.starts = 2});
     EXPECT_LT(errors.misses, errors.directions / 10) << maker.name;
     if (!maker.bound) continue;
-    const MethodBound bound = maker.bound(*method);
+    const MethodBound bound = maker.bound(query);
     const auto violation = find_violation(errors, bound);
     EXPECT_FALSE(violation) << maker.name << ' ' << maker.setting << ' ' << violation->text();
     bounded += std::isfinite(bound.bound_mm) ? 1U : 0U;
@@ -120,11 +122,11 @@ TEST(BenchmarkMethods, KeepTheirBounds) {
 TEST(BenchmarkMethods, HalfOfATablesBoundIsViolated) {
   const BenchmarkScene scene = generated_scene(300);
   const BenchmarkProbes radial = radial_probes(scene, {2000, 200, 1});
-  for (const MethodMaker& maker : table_methods(scene, {{4.0}, 100000, 1000, {}})) {
+  for (const PointCase& maker : methods_of(scene, {{{4.0}, 100000, 1000, {}}, {}})) {
     if (maker.name != "cube_gnomonic" && maker.name != "cube_gnomonic_mesh_exact") continue;
-    const auto method = maker.make();
-    const BenchmarkErrors errors = measure_errors(*method, radial, {.starts = 4});
-    MethodBound bound = maker.bound(*method);
+    const PointQuery query = maker.make();
+    const BenchmarkErrors errors = measure_errors(query, radial, {.starts = 4});
+    MethodBound bound = maker.bound(query);
     EXPECT_FALSE(find_violation(errors, bound)) << maker.name << ' ' << maker.setting;
     bound.bound_mm *= 0.5;
     EXPECT_TRUE(find_violation(errors, bound)) << maker.name << ' ' << maker.setting;
@@ -136,23 +138,17 @@ struct Tally {
   int built = 0;
   std::size_t asked = 0;
 };
-class Counting final : public RadiusMethod {
- public:
-  explicit Counting(Tally& tally) : tally_(tally) { ++tally_.built; }
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    tally_.asked += points.size();
-    std::ranges::fill(out, 1.0);
-  }
-  double bytes() const override { return 77.0; }
-
- private:
-  Tally& tally_;
-};
-
-MethodMaker counting_maker(Tally& tally) {
-  MethodMaker maker;
+PointCase counting_maker(Tally& tally) {
+  PointCase maker;
   maker.name = "counting";
-  maker.make = [&tally] { return std::make_unique<Counting>(tally); };
+  maker.make = [&tally] {
+    ++tally.built;
+    return PointQuery{[&tally](std::span<const Vec3> points, std::span<double> out) {
+                        tally.asked += points.size();
+                        std::ranges::fill(out, 1.0);
+                      },
+                      77.0};
+  };
   return maker;
 }
 
@@ -160,7 +156,7 @@ TEST(BenchmarkTiming, EveryRoundBuildsAsksColdAndAsksWarm) {
   const BenchmarkScene scene = generated_scene(300);
   Tally first;
   Tally second;
-  const std::vector<MethodMaker> makers{counting_maker(first), counting_maker(second)};
+  const std::vector<PointCase> makers{counting_maker(first), counting_maker(second)};
   BenchmarkTimingOptions options;
   options.rounds = 3;
   options.warm_ms = 0.0;

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
-#include "methods/distance_grid.hpp"
 #include "support/directions.hpp"
 
 namespace impinge::lab {

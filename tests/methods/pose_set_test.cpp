@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generated_pair.hpp"
-#include "methods/cgal_tree.hpp"
-#include "methods/detection_benchmark.hpp"
+#include "methods/cgal.hpp"
 #include "methods/table_check.hpp"
+#include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 TEST(PoseSet, IsClearNearAndTouchingAtEveryLevel) {
   for (const std::size_t faces : {300U, 1000U, 3000U}) {
     const BallSocketPair pair = make_ball_socket_pair(faces);
-    const auto poses = pose_set(pair.ball, pair.socket);
+    const auto poses = pose_set(pair);
     ASSERT_EQ(poses.size(), 6U);
     TableScan<Rsid> scan(pair.ball, pair.socket, make_tables<Rsid>(pair, 0.5));
     for (const NamedPose& named : poses) {
@@ -28,31 +28,26 @@ TEST(PoseSet, IsClearNearAndTouchingAtEveryLevel) {
       const double expected = clear ? 4.0 : named.name.starts_with("near") ? 0.5 : -0.5;
       EXPECT_NEAR(gap, expected, clear ? 0.5 : 0.15) << faces << " faces, " << named.name;
     }
-    EXPECT_EQ(count_touching(*make_cgal_tree(pair.ball, pair.socket), poses), 2);
+    EXPECT_EQ(count_touching({{"cgal_tree"}, make_cgal_tree(pair.ball, pair.socket)}, poses), 2);
   }
 }
 
 TEST(PoseSet, SaysSoWhenTheSurfacesAreNowhereNear) {
   const BallSocketPair pair = make_ball_socket_pair(300);
   BallSocketPair far = make_ball_socket_pair(300, PairShape{.socket_radius = 60.0});
-  EXPECT_THROW(pose_set(pair.ball, far.socket), std::runtime_error);
+  far.ball = pair.ball;
+  EXPECT_THROW(pose_set(far), std::runtime_error);
 }
 
-// A method that is wrong whenever the surfaces touch.
-class Blind final : public TouchMethod {
- public:
-  std::string_view name() const override { return "blind"; }
-  bool gives_distance() const override { return false; }
-  bool touches(const Pose& /*pose*/) override { return false; }
-};
-
 TEST(PoseSet, AWrongMethodIsNamedWithThePose) {
-  const DetectionBenchmark bench = make_detection_benchmark(make_ball_socket_pair(300), 0.5);
-  for (const auto& method : bench.methods)
-    EXPECT_NO_THROW(require_agreement(*method, *bench.oracle, bench.poses));
-  Blind blind;
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  const TouchCase oracle{{"cgal_tree"}, make_cgal_tree(pair.ball, pair.socket)};
+  const auto poses = pose_set(pair);
+  for (const TouchCase& method : cases_of(touch_methods(), &Method::touch, pair, 0.5))
+    EXPECT_NO_THROW(require_agreement(method, oracle, poses));
+  const TouchCase blind{{"blind"}, [](const Pose&) { return false; }};  // wrong whenever the surfaces touch
   try {
-    require_agreement(blind, *bench.oracle, bench.poses);
+    require_agreement(blind, oracle, poses);
     FAIL() << "a blind method passed";
   } catch (const std::runtime_error& error) {
     const std::string text = error.what();

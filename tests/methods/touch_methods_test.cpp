@@ -4,6 +4,8 @@
 //   |t| < S - R - sag   free
 //   |t| > S - R + sag   touching
 // sag: how far a face lies inside of its sphere, the only way in which the meshes differ from the spheres.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -15,11 +17,9 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
-#include "methods/cgal_tree.hpp"
-#include "methods/detection_benchmark.hpp"
-#include "methods/fcl_obb.hpp"
-#include "methods/pairwise.hpp"
-#include "methods/vtk_collision.hpp"
+#include "methods/cgal.hpp"
+#include "methods/contact.hpp"
+#include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 
@@ -29,12 +29,24 @@ namespace {
 constexpr double kBall = 22.0;
 constexpr double kShell = 26.0;
 
-std::vector<std::unique_ptr<TouchMethod>> all_methods(const BallSocketPair& pair, double precision_deg) {
-  DetectionBenchmark bench = make_detection_benchmark(pair, precision_deg);
-  std::vector<std::unique_ptr<TouchMethod>> all = std::move(bench.methods);
-  all.push_back(std::move(bench.oracle));
-  all.push_back(make_vtk_collision(pair.ball, pair.socket));
-  return all;
+// A joint with all that says whether a pose touches.
+struct Answers {
+  explicit Answers(BallSocketPair of, double precision_deg) : pair(std::move(of)) {
+    methods = cases_of(touch_methods(), &Method::touch, pair, precision_deg);
+    methods.push_back({{"cgal_tree"}, make_cgal_tree(pair.ball, pair.socket)});
+    for (const ContactCase& one : cases_of(contact_methods(), &Method::contact, culled))
+      methods.push_back({{one.name}, one.touches});
+  }
+
+  BallSocketPair pair;
+  CulledJoint culled{pair};
+  std::vector<TouchCase> methods;
+};
+
+// Do they look at faces, exactly, and not at vertices alone?
+bool is_exact(const TouchCase& method) {
+  return std::ranges::any_of(std::array{"pairwise", "cgal_", "fcl_", "vtk_"},
+                             [&](const char* start) { return method.name.starts_with(start); });
 }
 
 // A rotation and a translation of the given length, both random.
@@ -67,25 +79,25 @@ TEST(TouchMethods, AgreeWithTheKnownAnswerOfConcentricSpheres) {
   const double margin = sag(pair.ball) + sag(pair.socket);
   ASSERT_LT(margin, 1.0) << "too coarse to tell";
   std::mt19937_64 random(11);
-  for (const auto& method : all_methods(pair, 0.5)) {
+  const Answers answers(pair, 0.5);
+  for (const TouchCase& method : answers.methods) {
     for (int i = 0; i < 12; ++i) {
       const Pose free = random_pose(random, kShell - kBall - margin);
       const Pose touching = random_pose(random, kShell - kBall + margin);
-      EXPECT_FALSE(method->touches(free)) << method->name() << " in pose " << i;
-      EXPECT_TRUE(method->touches(touching)) << method->name() << " in pose " << i;
+      EXPECT_FALSE(method.touches(free)) << method.name << " in pose " << i;
+      EXPECT_TRUE(method.touches(touching)) << method.name << " in pose " << i;
     }
   }
 }
 
 TEST(TouchMethods, ABallOutsideOfTheSocketIsFree) {
-  const BallSocketPair pair = make_ball_socket_pair(300);
   Pose away;
   away.translation = Vec3(0.0, 0.0, -100.0);
-  DetectionBenchmark bench = make_detection_benchmark(pair, 1.0);
-  for (const auto& method : bench.methods) {
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  for (const TouchCase& method : cases_of(touch_methods(), &Method::touch, pair, 1.0)) {
     // The scans see a socket from inside alone: the ball's vertices are not in front of it, but its own
     // vertices are within no direction of the ball that would be nearer than the ball's surface.
-    EXPECT_FALSE(method->touches(away)) << method->name();
+    EXPECT_FALSE(method.touches(away)) << method.name;
   }
 }
 
@@ -94,24 +106,26 @@ TEST(TouchMethods, ABallOutsideOfTheSocketIsFree) {
 // within the sag of the faces.
 TEST(TouchMethods, AgreeOverManyPosesOfTheGeneratedPair) {
   const PairShape shape = impinging_cam();
-  const BallSocketPair pair = make_ball_socket_pair(1000, shape);
+  const Answers answers(make_ball_socket_pair(1000, shape), 0.5);
+  const BallSocketPair& pair = answers.pair;
   const double margin = 2.0 * sag(make_ball_socket_pair(1000, PairShape{.cam_height = 0.0}).ball) + 0.1;
   ASSERT_LT(margin, 0.6);
-  DetectionBenchmark bench = make_detection_benchmark(pair, 0.5);
-  const auto vtk = make_vtk_collision(pair.ball, pair.socket);
-  auto& rsid = dynamic_cast<TableScan<Rsid>&>(bench.method("rsid"));
-  auto& usid = dynamic_cast<TableScan<Usid>&>(bench.method("usid"));
+  const Touch oracle = make_cgal_tree(pair.ball, pair.socket);
+  TableScan<Rsid> rsid(pair.ball, pair.socket, make_tables<Rsid>(pair, 0.5));
+  TableScan<Usid> usid(pair.ball, pair.socket, make_tables<Usid>(pair, 0.5));
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> length(0.0, 6.0);
   int touching = 0;
   int compared = 0;
   for (int i = 0; i < 60; ++i) {
     const Pose pose = random_pose(random, length(random));
-    const bool truth = bench.oracle->touches(pose);
+    const bool truth = oracle(pose);
     touching += truth ? 1 : 0;
-    EXPECT_EQ(bench.method("pairwise").touches(pose), truth) << "pose " << i;
-    EXPECT_EQ(bench.method("fcl_obb").touches(pose), truth) << "pose " << i;
-    EXPECT_EQ(vtk->touches(pose), truth) << "pose " << i;
+    for (const TouchCase& method : answers.methods) {
+      if (is_exact(method)) {
+        EXPECT_EQ(method.touches(pose), truth) << method.name << ", pose " << i;
+      }
+    }
     for (const auto& [gap, touches] : {std::pair{rsid.smallest_gap(pose), rsid.touches(pose)},
                                        {usid.smallest_gap(pose), usid.touches(pose)}}) {
       if (std::abs(gap) <= margin) continue;
@@ -130,23 +144,22 @@ TEST(TouchMethods, DegenerateFacesChangeNothing) {
   pair.socket.faces.push_back({2, 2, 2});
   Pose touching;
   touching.translation = Vec3(0.0, 0.0, 5.0);
-  for (const bool expected : {false, true}) {
-    const Pose pose = expected ? touching : Pose{};
-    EXPECT_EQ(make_pairwise(pair.ball, pair.socket)->touches(pose), expected);
-    EXPECT_EQ(make_cgal_tree(pair.ball, pair.socket)->touches(pose), expected);
-    EXPECT_EQ(make_fcl_obb(pair.ball, pair.socket)->touches(pose), expected);
-    EXPECT_EQ(make_vtk_collision(pair.ball, pair.socket)->touches(pose), expected);
+  const Answers answers(pair, 1.0);
+  for (const TouchCase& method : answers.methods) {
+    EXPECT_FALSE(method.touches({})) << method.name;
+    EXPECT_TRUE(method.touches(touching)) << method.name;
   }
 }
 
 TEST(TouchMethods, OnlyTheScansGiveDistances) {
-  const DetectionBenchmark bench = make_detection_benchmark(make_ball_socket_pair(300), 1.0);
-  ASSERT_EQ(bench.methods.size(), 4U);
-  EXPECT_FALSE(bench.method("pairwise").gives_distance());
-  EXPECT_FALSE(bench.method("fcl_obb").gives_distance());
-  EXPECT_TRUE(bench.method("rsid").gives_distance());
-  EXPECT_TRUE(bench.method("usid").gives_distance());
-  EXPECT_THROW(bench.method("rapid"), std::out_of_range);
+  const BallSocketPair pair = make_ball_socket_pair(300);
+  std::vector<std::string> names;
+  for (const TouchCase& method : cases_of(touch_methods(), &Method::touch, pair, 1.0)) {
+    names.push_back(method.name);
+    EXPECT_EQ(method.gives_distance, method.name == "rsid" || method.name == "usid");
+    EXPECT_FALSE(method.label.empty());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"pairwise", "fcl_obb", "rsid", "usid"}));
 }
 
 // Contract: the gap of a concentric pair is S - B at every vertex, up to the sag of the face on the other

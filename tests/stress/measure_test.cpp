@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
-#include "methods/table_method.hpp"
 #include "reference/exact_radius.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
@@ -28,24 +26,15 @@ StabilityScene open_scene() {
   return scene;
 }
 
-// Answers with what it is told to, or with the truth times a factor.
-class Told final : public RadiusMethod {
- public:
-  explicit Told(std::vector<double> answers) : answers_(std::move(answers)) {}
-  void answer(std::span<const Vec3> /*points*/, std::span<double> out) override {
-    std::ranges::copy(answers_, out.begin());
-  }
-  double bytes() const override { return 0.0; }
-
- private:
-  std::vector<double> answers_;
-};
-
+// Answers with what it is told to.
 StabilityMethod told(std::vector<double> answers) {
   StabilityMethod method;
   method.maker.name = "told";
   method.maker.kind = "ours";
-  method.maker.make = [answers = std::move(answers)] { return std::make_unique<Told>(answers); };
+  method.maker.make = [answers = std::move(answers)] {
+    return PointQuery{
+        [=](std::span<const Vec3>, std::span<double> out) { std::ranges::copy(answers, out.begin()); }};
+  };
   return method;
 }
 
@@ -115,27 +104,17 @@ TEST(Measure, TheSameDirectionTwiceHasTheSameBits) {
 }
 
 // Look-ups of a table: a bound that is too small by any amount, and silence far from any rim.
-class BadTable final : public RadiusMethod, public KeepsRadii {
- public:
-  BadTable(double answer, double reach) : answer_(answer), reach_(reach) {}
-  void answer(std::span<const Vec3> /*points*/, std::span<double> out) override {
-    std::ranges::fill(out, answer_);
-  }
-  double bytes() const override { return 0.0; }
-  StoredRadii stored() const override { return {{Vec3::UnitZ()}, {20.0}, reach_}; }
-
- private:
-  double answer_;
-  double reach_;
-};
-
 StabilityCase look_ups(double answer, double reach, double bound_mm) {
   StabilityScene scene;
   scene.mesh = cup(20.0, 60.0, 100);  // a vertex on +z
   scene.directions = {Vec3::UnitZ()};
   StabilityMethod method = told({});
-  method.maker.make = [=] { return std::make_unique<BadTable>(answer, reach); };
-  method.maker.bound = [=](const RadiusMethod& /*method*/) { return MethodBound{bound_mm}; };
+  method.maker.make = [=] {
+    PointQuery query = one_by_one([=](const Vec3&) { return answer; }, 0.0);
+    query.stored = [=] { return StoredRadii{{Vec3::UnitZ()}, {20.0}, reach}; };
+    return query;
+  };
+  method.maker.bound = [=](const PointQuery&) { return MethodBound{bound_mm}; };
   const std::vector methods{method};
   return measure(scene, 1.0, {}, methods).front();
 }

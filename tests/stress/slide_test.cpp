@@ -45,21 +45,13 @@ TEST(Slide, IsAsStiffAsItsAngle) {
 }
 
 // The octahedron in closed form, `off` mm too far out.
-class Octahedron final : public RadiusMethod {
- public:
-  explicit Octahedron(double off) : off_(off) {}
-  void answer(std::span<const Vec3> points, std::span<double> out) override {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out[i] = octahedron_mesh_radius(points[i].normalized(), kRadius) + off_;
-  }
-  double bytes() const override { return 0.0; }
-
- private:
-  double off_;
-};
+PointQuery octahedron_query(double off) {
+  return one_by_one([off](const Vec3& x) { return octahedron_mesh_radius(x.normalized(), kRadius) + off; },
+                    0.0);
+}
 
 TEST(Slide, ItsContactIsFoundToItsCondition) {
-  Octahedron exact(0.0);
+  const PointQuery exact = octahedron_query(0.0);
   for (const double contact : {-0.1, -1e-2, -1e-4}) {
     const Slide slide = slide_touching_at(contact, kRadius);
     const double truth = PreciseSlide(slide, kRadius).contact().convert_to<double>();
@@ -71,9 +63,9 @@ TEST(Slide, ItsContactIsFoundToItsCondition) {
 
 TEST(Slide, NoContactIsTold) {
   const Slide slide = slide_touching_at(-1e-3, kRadius);
-  Octahedron too_far(0.1);
+  const PointQuery too_far = octahedron_query(0.1);
   EXPECT_FALSE(touching_angle(too_far, slide, -0.5).has_value());
-  Octahedron touching_at_once(-5.0);
+  const PointQuery touching_at_once = octahedron_query(-5.0);
   EXPECT_FALSE(touching_angle(touching_at_once, slide, -0.5).has_value());
 }
 

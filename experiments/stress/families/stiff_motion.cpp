@@ -3,7 +3,6 @@
 // slides along a rim: at which angle do they touch?
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,7 +38,7 @@ StabilityCase blank(const StabilityMethod& method, double magnitude) {
 }
 
 // A table of radii interpolates between entries: there the bound decides. Elsewhere rounding does.
-void judge_contact(const StabilityMethod& method, RadiusMethod& answering, const Slide& slide,
+void judge_contact(const StabilityMethod& method, const PointQuery& answering, const Slide& slide,
                    StabilityCase& row) {
   const PreciseSlide truth(slide, kRadius);
   const Precise contact = truth.contact();
@@ -69,7 +68,7 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
   scene.precision_deg = options.quick ? 6.0 : 2.0;
   std::vector<StabilityCase> rows;
   for (const StabilityMethod& method : stability_methods(scene, {1.05, options.quick ? 200U : 2000U})) {
-    std::unique_ptr<RadiusMethod> answering;
+    std::optional<PointQuery> answering;
     if (method.refused.empty()) answering = method.maker.make();
     for (const double angle : kAngles) {
       rows.push_back(blank(method, angle));

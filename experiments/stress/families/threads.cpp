@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <thread>
 #include <vector>
@@ -20,7 +19,7 @@ namespace {
 constexpr std::array<std::size_t, 5> kThreads{1, 2, 3, 4, 8};
 
 // Each thread reads its stripe of the directions from one table.
-std::vector<double> answers_of_one_table(RadiusMethod& table, std::span<const Vec3> directions,
+std::vector<double> answers_of_one_table(const PointQuery& table, std::span<const Vec3> directions,
                                          std::size_t threads) {
   std::vector<double> answers(directions.size());
   std::vector<std::jthread> running;
@@ -35,13 +34,13 @@ std::vector<double> answers_of_one_table(RadiusMethod& table, std::span<const Ve
 }
 
 // Each thread builds the method for itself, all at the same time.
-std::vector<std::vector<double>> answers_of_own_tables(const MethodMaker& maker,
+std::vector<std::vector<double>> answers_of_own_tables(const PointCase& maker,
                                                        std::span<const Vec3> directions,
                                                        std::size_t threads) {
   std::vector<std::vector<double>> answers(threads, std::vector<double>(directions.size()));
   std::vector<std::jthread> running;
   for (std::size_t k = 0; k < threads; ++k) {
-    running.emplace_back([&maker, directions, &own = answers[k]] { maker.make()->answer(directions, own); });
+    running.emplace_back([&maker, directions, &own = answers[k]] { maker.make().answer(directions, own); });
   }
   running.clear();
   return answers;
@@ -65,16 +64,16 @@ StabilityCase threaded(const StabilityMethod& method, const std::vector<Vec3>& d
   row.threshold = 0.0;
   row.refused = method.refused;
   if (!row.refused.empty()) return row;
-  const std::unique_ptr<RadiusMethod> alone = method.maker.make();
+  const PointQuery alone = method.maker.make();
   std::vector<double> expected(directions.size());
-  alone->answer(directions, expected);
+  alone.answer(directions, expected);
   for (const std::vector<double>& own : answers_of_own_tables(method.maker, directions, threads)) {
     row.questions += own.size();
     row.wrong += different(expected, own);
   }
   if (!method.maker.scheme.empty()) {  // of a table answer() reads alone
     row.questions += expected.size();
-    row.wrong += different(expected, answers_of_one_table(*alone, directions, threads));
+    row.wrong += different(expected, answers_of_one_table(alone, directions, threads));
   }
   row.condition = 1.0;
   row.relative_error = 0.0;

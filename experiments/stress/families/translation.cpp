@@ -3,14 +3,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mesh/bodies.hpp"
-#include "methods/pairwise_rays.hpp"
-#include "methods/table_method.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "stress/family.hpp"
 #include "stress/measure.hpp"
@@ -66,13 +63,13 @@ StabilityCase against_the_joint(const StabilityMethod& method, const StabilitySc
   const bool stored_in_float = row.kind == "ours" && row.scalar == Scalar::float32;
   const double alone = (stored_in_float ? kStoredThreshold : kRadiusThreshold) + kMoved;
   row.threshold = alone * factor;  // while it is judged
-  const std::unique_ptr<RadiusMethod> answering = method.maker.make();
-  if (const auto* keeper = dynamic_cast<const KeepsRadii*>(answering.get())) {
-    const StoredRadii stored = keeper->stored();
+  const PointQuery answering = method.maker.make();
+  if (answering.stored) {
+    const StoredRadii stored = answering.stored();
     judge(row, truths.of(method.maker.scheme, stored.directions), stored.radii);
   } else {
     std::vector<double> answers(moved.directions.size());
-    answering->answer(moved.directions, answers);
+    answering.answer(moved.directions, answers);
     judge(row, truths.of("rays", moved.directions), answers);
   }
   row.threshold = alone;
@@ -109,12 +106,12 @@ std::vector<StabilityCase> run(const StabilityRun& options) {
       rows.push_back(against_the_joint(method, scene, distance, truths));
     StabilityScene rounded = scene;
     rounded.mesh = float_first(file, centre);
-    StabilityMethod naive;
-    naive.maker.name = "float_before_centre";
-    naive.maker.kind = "brute";
-    naive.maker.make = [&rounded] { return make_pairwise_rays(rounded.mesh, BenchmarkScene::kLayer); };
-    naive.scalar = Scalar::float32;
-    rows.push_back(against_the_joint(naive, rounded, distance, truths));
+    for (StabilityMethod& naive : stability_methods(rounded, {})) {
+      if (naive.maker.kind != "brute") continue;
+      naive.maker.name = "float_before_centre";
+      naive.scalar = Scalar::float32;
+      rows.push_back(against_the_joint(naive, rounded, distance, truths));
+    }
   }
   return rows;
 }

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <memory>
 #include <vector>
 
 #include "mesh/bodies.hpp"
-#include "methods/table_method.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "stress/family.hpp"
 #include "stress/methods.hpp"
@@ -38,11 +36,11 @@ StabilityScene scene_in_units(int exponent, std::size_t directions) {
 
 // Look-ups or rays, then what a table keeps.
 std::vector<double> answers_of(const StabilityMethod& method, const StabilityScene& scene) {
-  const std::unique_ptr<RadiusMethod> answering = method.maker.make();
+  const PointQuery answering = method.maker.make();
   std::vector<double> answers(scene.directions.size());
-  answering->answer(scene.directions, answers);
-  if (const auto* keeper = dynamic_cast<const KeepsRadii*>(answering.get())) {
-    const StoredRadii stored = keeper->stored();
+  answering.answer(scene.directions, answers);
+  if (answering.stored) {
+    const StoredRadii stored = answering.stored();
     answers.insert(answers.end(), stored.radii.begin(), stored.radii.end());
   }
   return answers;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "13_contact/exact_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace impinge::lab {
+namespace {
+
+constexpr double kMostError = 1.0;      // mm, of the coarsest mesh here
+constexpr double kLeastAnswered = 0.9;  // of the vertices that meet the other surface; others are at the rim
+
+// Of the gaps of one pose.
+struct Misfit {
+  double largest = 0.0;      // error, mm
+  std::size_t faced = 0;     // vertices that meet the other surface
+  std::size_t answered = 0;  // of these, by the table
+};
+
+void add_misfit(Misfit& misfit, const std::vector<float>& gaps, const std::vector<double>& exact) {
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (std::isnan(exact[i])) continue;
+    ++misfit.faced;
+    if (std::isnan(gaps[i])) continue;
+    ++misfit.answered;
+    misfit.largest = std::max(misfit.largest, std::abs(static_cast<double>(gaps[i]) - exact[i]));
+  }
+}
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+}  // namespace
+
+bool any_impinged(const CulledJoint& joint, const Pose& pose) {
+  return std::ranges::any_of(kSurfaces, [&](Surface scanned) {
+    return std::ranges::any_of(mesh_of(joint.meshes(), scanned).vertices, [&](const Vec3& x) {
+      return joint.exactly_impinged(scanned, to_other(scanned, pose, x));
+    });
+  });
+}
+
+ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose) {
+  ExactGaps gaps;
+  for (const Vec3& v : joint.meshes().ball.vertices)
+    gaps.ball.push_back(joint.gap(Surface::ball, to_socket(pose, v)));
+  for (const Vec3& v : joint.meshes().socket.vertices)
+    gaps.socket.push_back(joint.gap(Surface::socket, to_ball(pose, v)));
+  return gaps;
+}
+
+double gap_error(const ContactCase& method, const ExactGaps& exact, const Pose& pose) {
+  const std::span<const JointGaps> gaps = method.gaps(pose);
+  Misfit misfit;
+  add_misfit(misfit, gaps[0].ball, exact.ball);
+  add_misfit(misfit, gaps[0].socket, exact.socket);
+  if (misfit.largest > kMostError ||
+      static_cast<double>(misfit.answered) < kLeastAnswered * static_cast<double>(misfit.faced)) {
+    throw std::runtime_error(method.name + ": a gap is off by " + std::to_string(misfit.largest) +
+                             " mm, and " + std::to_string(misfit.answered) + " of " +
+                             std::to_string(misfit.faced) +
+                             " are answered: its time means nothing until that is resolved");
+  }
+  for (const JointGaps& other : gaps) {
+    if (!same_bits(other.ball, gaps[0].ball) || !same_bits(other.socket, gaps[0].socket))
+      throw std::runtime_error(method.name + ": threads find different gaps in one pose");
+  }
+  return misfit.largest;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @can     points touch contact
+// @links   gap contact heap_use peer::fcl
+//
+// FCL's trees of boxes on both surfaces, one answer for a whole pose. fcl_obb and fcl_collide: oriented
+// boxes, do the surfaces meet? One contact is asked for, without its depth, and ends the search. The thesis
+// compares with RAPID (Gottschalk, Lin and Manocha 1996), which is not free software: its licence allows no
+// commercial use. FCL is its kept descendant, from the same group, with the same tree. fcl_distance: boxes
+// with a rectangle swept by a sphere inside, smallest distance, to the last digits (no tolerance is given
+// away).
+
+#include <algorithm>
+#include <memory>
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include "methods/contact.hpp"
+#include "methods/heap_use.hpp"
+#include "methods/points.hpp"
+#include "sphere/radial_table.hpp"
+
+namespace impinge::lab {
+namespace {
+
+template <class Volume>
+void fill(fcl::BVHModel<Volume>& model, const TriangleMesh& mesh) {
+  std::vector<fcl::Triangle> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) triangles.emplace_back(face[0], face[1], face[2]);
+  model.beginModel(static_cast<int>(mesh.faces.size()), static_cast<int>(mesh.vertices.size()));
+  model.addSubModel(mesh.vertices, triangles);
+  model.endModel();
+}
+
+template <class Volume>
+struct Trees {
+  explicit Trees(const BallSocketPair& pair) {
+    fill(ball, pair.ball);
+    fill(socket, pair.socket);
+  }
+  fcl::BVHModel<Volume> ball;
+  fcl::BVHModel<Volume> socket;
+};
+
+// From the ball's frame to the socket's.
+fcl::Transform3<double> placed(const Pose& pose) {
+  fcl::Transform3<double> transform = fcl::Transform3<double>::Identity();
+  transform.linear() = pose.rotation;
+  transform.translation() = pose.translation;
+  return transform;
+}
+
+Touch collide(const BallSocketPair& pair) {
+  return [trees = std::make_shared<const Trees<fcl::OBB<double>>>(pair)](const Pose& pose) {
+    const fcl::CollisionRequest<double> request(1, /*enable_contact_=*/false);
+    fcl::CollisionResult<double> result;
+    fcl::collide(&trees->ball, placed(pose), &trees->socket, fcl::Transform3<double>::Identity(), request,
+                 result);
+    return result.isCollision();
+  };
+}
+
+// mm, 0 where they touch.
+std::function<double(const Pose&)> smallest_distance(const BallSocketPair& pair) {
+  return [trees = std::make_shared<const Trees<fcl::OBBRSS<double>>>(pair)](const Pose& pose) {
+    const fcl::DistanceRequest<double> request;
+    fcl::DistanceResult<double> result;
+    return std::max(fcl::distance(&trees->ball, placed(pose), &trees->socket,
+                                  fcl::Transform3<double>::Identity(), request, result),
+                    0.0);
+  };
+}
+
+// 0 mm where they touch, else NaN: FCL says no more.
+std::function<double(const Pose&)> touch_as_distance(const BallSocketPair& pair) {
+  return [touches = collide(pair)](const Pose& pose) { return touches(pose) ? 0.0 : kNoSurface; };
+}
+
+template <class Make>
+PointCase pose_case(const char* name, const char* label, const BenchmarkScene& scene, const Make& make) {
+  PointCase one = library_case(name, label, Measure::pose, [&scene, make] {
+    const double before = heap_bytes();
+    const auto of = make(scene.pair);
+    return PointQuery{
+        [of, pose = scene.pose](std::span<const Vec3>, std::span<double> out) { out[0] = of(pose); },
+        heap_bytes() - before};
+  });
+  one.place = 13;
+  return one;
+}
+
+}  // namespace
+
+Method fcl_method() {
+  Method method;
+  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
+    std::vector cases{pose_case("fcl_collide", "FCL, collide", scene, touch_as_distance),
+                      pose_case("fcl_distance", "FCL, distance", scene, smallest_distance)};
+    cases[0].says_how_far = false;
+    return cases;
+  };
+  method.touch = [](const BallSocketPair& pair, double /*precision_deg*/) {
+    return std::vector{TouchCase{{"fcl_obb", "OBB tree (FCL)", "", 1}, collide(pair)}};
+  };
+  method.contact = [](const CulledJoint& joint) {
+    std::vector<ContactCase> cases(2);
+    static_cast<Case&>(cases[0]) = {"fcl_collide", "FCL, touch", "", 0};
+    cases[0].touches = collide(joint.meshes());
+    cases[0].counted = true;
+    static_cast<Case&>(cases[1]) = {"fcl_distance", "FCL, distance", "", 1};
+    cases[1].touches = [distance = smallest_distance(joint.meshes())](const Pose& pose) {
+      return distance(pose) <= 0.0;
+    };
+    cases[1].few = true;
+    return cases;
+  };
+  return method;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gap at every vertex of one surface in a pose.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gap/surface.hpp"
+#include "kernels/certified_table.hpp"
+#include "kernels/packed_vertices.hpp"
+#include "methods/points.hpp"
+
+namespace impinge::lab {
+
+/// Points to ask, as every method wants them.
+struct AskedPoints {
+  explicit AskedPoints(std::vector<Vec3> asked);  // rounds them to float as well
+
+  std::vector<Vec3> points;        // mm, in the frame of the mesh that they are of
+  PackedVertices<float> floats;    // the same points
+  PackedVertices<double> doubles;  // the same points
+};
+
+/// The surface that is asked, and by whom. The mesh outlives the methods.
+struct AskedSurface {
+  const TriangleMesh& mesh;  // centre frame
+  Layer layer;               // of it that counts
+  Surface scanned;           // whose vertices ask
+};
+
+/// Memory of one thread: the points as moved, and the answers. It grows on its first use.
+struct GapScratch {
+  std::vector<Vec3> moved;      // mm, in the frame of the surface
+  std::vector<double> doubles;  // answers of methods that work in double, mm
+  std::vector<float> floats;    // answers of methods that work in float, mm
+  CertifiedGaps certified;      // answers of certified methods
+
+  double gap(std::size_t i) const;  // answer i, mm; NaN where there is none
+};
+
+/// What was built, to be asked. Threads may ask at the same time, each with its own scratch.
+struct GapQuery {
+  /// The gap of every point with the ball in that pose; what is timed.
+  std::function<void(const AskedPoints&, const Pose&, GapScratch&)> scan;
+  double bytes = 0.0;                 // of everything that was built
+  Measure measure = Measure::radial;  // what the answers are
+  bool answers = true;                // do they mean something?
+};
+
+/// The points moved to the frame of the surface and asked there; radii become gaps, distances stay without a
+/// sign.
+GapQuery gaps_by_points(PointQuery query, Measure measure, Surface scanned);
+
+/// One setting, and how it comes to be.
+struct GapCase : Case {
+  std::string storage = "none";    // double, float, uint16, corners or none
+  bool kernel = false;             // does its time depend on the instruction set?
+  bool few = false;                // so slow that few points are asked
+  bool widely = false;             // timed with two threads, too, and with every instruction set
+  bool counted = false;            // are its instructions counted?
+  std::function<GapQuery()> make;  // builds the table or tree
+};
+
+/// A case of a library that is asked point by point.
+GapCase point_gaps(const AskedSurface& surface, const PointCase& of);
+
+/// Cells along an edge of a cube map of which 16 bits an entry take just less than 1 MiB, and than half of
+/// what RSID takes in double at half a degree.
+inline constexpr std::size_t kMainCells = 291;
+
+/// Cells along an edge of a table of corners that takes just less than 1 MiB; one of kMainCells takes 2.
+inline constexpr std::size_t kCornersOfAMebibyte = 208;
+
+/// At which sizes methods are tried. A certified table takes seconds to prove for 100,000 triangles.
+struct GapSizes {
+  std::vector<std::size_t> cube_cells;    // of cube maps: cells along an edge of the cube
+  std::vector<double> rsid_degrees;       // precisions
+  std::vector<double> usid_degrees = {};  // precisions
+  bool certified = true;                  // is the certified table tried, too?
+  std::vector<double> voxels_mm = {};     // of OpenVDB's grids
+  std::vector<std::size_t> corner_cells = {kMainCells, kCornersOfAMebibyte};  // of tables of corners
+};
+
+/// A number as short as it can be written.
+std::string trimmed(double value);
+
+}  // namespace impinge::lab

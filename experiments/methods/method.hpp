@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A method: one way to do the work, ours or another library's. Adding one is adding a file to
+// experiments/methods/ whose head says what it can do and what it is linked with,
+//   // @can     points touch
+//   // @links   gap peer::embree
+// and in which NAME.cpp defines Method NAME_method(). The build puts it into the list of each of these
+// abilities; an experiment asks such a list for its cases and names no method itself. A method whose library
+// is not installed is left out.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "gap/pose.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge {
+class CulledJoint;
+}
+
+namespace impinge::lab {
+
+/// A method in one setting: what results call it. Names begin with the name of the library where there is
+/// one.
+struct Case {
+  std::string name = {};     // in the results; empty: that of the method
+  std::string label = {};    // what a reader calls it; empty: that of the method
+  std::string setting = {};  // such as "1deg float"
+  int place = 100;  // among the cases of all methods; of one place: by file, then as the method gives them
+};
+
+/// Do the surfaces meet in this pose? It may keep scratch memory between poses: one thread at a time.
+using Touch = std::function<bool(const Pose&)>;
+
+/// Whether a pose touches: Tables 4 and 9 of the thesis.
+struct TouchCase : Case {
+  Touch touches;
+  bool gives_distance = false;  // does the same work yield the distance between the surfaces, everywhere?
+};
+
+// The other abilities, each in the header of its name.
+struct BenchmarkScene;
+struct PointSizes;
+struct PointCase;
+struct AskedSurface;
+struct GapSizes;
+struct GapCase;
+struct ContactCase;
+struct FillCase;
+struct BaselineSizes;
+struct BaselineCase;
+
+/// What a method can do; empty: it cannot. Meshes in their centre frames, mm; they outlive the cases.
+struct Method {
+  std::string name = {};   // of its cases, where they have none of their own
+  std::string label = {};  // likewise
+  std::string lacks = {};  // where it does not apply, and why
+  /// points.hpp: how far the surface is, point by point.
+  std::function<std::vector<PointCase>(const BenchmarkScene&, const PointSizes&)> points = {};
+  /// gaps.hpp: the gap at every vertex of one surface in a pose.
+  std::function<std::vector<GapCase>(const AskedSurface&, const GapSizes&)> gaps = {};
+  /// With tables of a precision in degrees.
+  std::function<std::vector<TouchCase>(const BallSocketPair&, double)> touch = {};
+  /// contact.hpp: whether the joint touches, in many poses of a motion.
+  std::function<std::vector<ContactCase>(const CulledJoint&)> contact = {};
+  /// fill.hpp: the table of a surface.
+  std::function<std::vector<FillCase>()> fill = {};
+  /// baseline.hpp: at several resolutions, beside what the thesis compares itself with.
+  std::function<std::vector<BaselineCase>(const BallSocketPair&, const BaselineSizes&)> baseline = {};
+};
+
+// Those of each ability, in alphabetical order of their files. Each list is a library,
+// impinge::ABILITY_methods.
+std::vector<Method> points_methods();
+std::vector<Method> gaps_methods();
+std::vector<Method> touch_methods();
+std::vector<Method> contact_methods();
+std::vector<Method> fill_methods();
+std::vector<Method> baseline_methods();
+
+/// The cases of all methods with an ability, in the order of their places: cases_of(touch_methods(),
+/// &Method::touch, pair, 0.1).
+template <class OneCase, class... Of>
+std::vector<OneCase> cases_of(const std::vector<Method>& methods,
+                              std::function<std::vector<OneCase>(Of...)> Method::*ability,
+                              std::type_identity_t<Of>... of) {
+  std::vector<OneCase> all;
+  for (const Method& method : methods) {
+    for (OneCase& one : (method.*ability)(of...)) {
+      if (one.name.empty()) one.name = method.name;
+      if (one.label.empty()) one.label = method.label;
+      all.push_back(std::move(one));
+    }
+  }
+  std::ranges::stable_sort(all, {}, [](const Case& one) { return one.place; });
+  return all;
+}
+
+/// What a reader calls each name, for the sidecar of a result; without those that have no label.
+template <class Cases>
+void add_labels(std::map<std::string, std::string>& labels, const Cases& cases) {
+  for (const Case& one : cases) {
+    if (!one.label.empty()) labels.emplace(one.name, one.label);
+  }
+}
+
+}  // namespace impinge::lab

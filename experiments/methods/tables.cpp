@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @can     points
+// @links   gap
+//
+// Every scheme of every precision it can have, in double, float and 16 bits; those whose entries lie on a
+// solid also with inverse depths, as SCHEME_mesh_exact. Filled exactly.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "methods/table_bounds.hpp"
+#include "methods/table_query.hpp"
+#include "sphere/scheme_list.hpp"
+#include "sphere/stored_table.hpp"
+
+namespace impinge::lab {
+namespace {
+
+// The bound of a table in double, worked out when it is first asked for and shared by the ways to store it.
+using SharedBound = std::function<MethodBound()>;
+SharedBound once(std::function<MethodBound()> work) {
+  return [work = std::move(work), known = std::make_shared<std::optional<MethodBound>>()] {
+    if (!*known) *known = work();
+    return **known;
+  };
+}
+
+// What the cases of one table share.
+struct TableCase {
+  const BenchmarkScene& scene;
+  TableBenchmark bench;
+  double precision = 0.0;
+  std::string_view scheme;
+  bool mesh_exact = false;
+  SharedBound bound;
+
+  template <class Table, class Source>
+  PointCase stored(std::string_view storage, const Source& fill) const {
+    PointCase one;
+    one.name = std::string(scheme) + (mesh_exact ? "_mesh_exact" : "");
+    one.setting = degrees_text(precision) + (storage == "double" ? "" : " " + std::string(storage));
+    one.place = 1000;
+    one.kind = "ours";
+    one.scheme = scheme;
+    one.precision_deg = precision;
+    one.interpolant = mesh_exact ? "mesh_exact" : "smooth";
+    one.storage = storage;
+    one.in_float = storage == FloatValues::name;
+    // Steps of one size are an error without relative bound.
+    if (storage != Uint16Values::name) one.stability = one.name;
+    one.make = [&mesh = scene.surface(), precision = precision, fill] {
+      return table_query(Table(fill(mesh, precision)));
+    };
+    one.bound = [bound = bound](const PointQuery& query) {
+      MethodBound of_double = bound();
+      of_double.bound_mm += query.storage_bound;
+      return of_double;
+    };
+    return one;
+  }
+};
+
+template <class Table, class Float, class Uint16, class Source>
+void add_storages(std::vector<PointCase>& cases, TableCase now, const Source& fill) {
+  now.bound = once([&scene = now.scene, precision = now.precision, bench = now.bench, fill] {
+    return bound_of(scene, Table(fill(scene.surface(), precision)), bench);
+  });
+  cases.push_back(now.stored<Table>("double", fill));
+  cases.push_back(now.stored<Float>(FloatValues::name, fill));
+  cases.push_back(now.stored<Uint16>(Uint16Values::name, fill));
+}
+
+template <SamplingScheme S>
+void add_scheme(std::vector<PointCase>& cases, TableCase now) {
+  now.scheme = S::name;
+  add_storages<RadialTable<S>, FloatTable<S>, Uint16Table<S>>(cases, now, exact_radii_of<S>);
+  if constexpr (PlaneExactScheme<S>) {
+    now.mesh_exact = true;
+    add_storages<InverseDepthTable<S>, FloatInverseDepthTable<S>, Uint16InverseDepthTable<S>>(
+        cases, now, exact_radii_of<S>);
+  }
+}
+
+}  // namespace
+
+Method tables_method() {
+  Method method;
+  method.points = [](const BenchmarkScene& scene, const PointSizes& sizes) {
+    std::vector<PointCase> cases;
+    for_each_scheme([&]<class S>() {
+      for (const double precision : sizes.tables.precisions) {
+        if (scheme_of_precision<S>(precision))
+          add_scheme<S>(cases, {scene, sizes.tables, precision, {}, false, {}});
+      }
+    });
+    return cases;
+  };
+  return method;
+}
+
+}  // namespace impinge::lab
