@@ -107,10 +107,9 @@ void follow(const JumpEdge& edge, const RimLine& line, Layer layer, StoredRim<Va
   });
 }
 
-}  // namespace
-
-template <PackedValue Value>
-void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
+// mark_rim(), in the unnamed namespace as what it captures is.
+template <class Value>
+void mark_all(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   StoredRim<Value> rim(task);
   std::vector<DoubtfulRim> doubtful;
   for_each_side(edges, task.mesh, [&](const JumpEdge& edge, const RimLine& line) {
@@ -118,6 +117,13 @@ void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
   });
   rim.drop_marked(doubtful);
   mask_doubtful(task.mesh, doubtful, rim);
+}
+
+}  // namespace
+
+template <PackedValue Value>
+void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges) {
+  mark_all(task, edges);
 }
 
 template void mark_rim(const RimTask<float>&, const std::vector<JumpEdge>&);

@@ -60,6 +60,10 @@ TurnContacts TurnLimits::contacts(const JointTurn& turn, double largest_gap) con
                        largest_gap});
 }
 
+std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
+  return answers_->vertices.least_gap(pose_at(turn, angle_deg * kDegree));
+}
+
 bool TurnLimits::impinged(const JointTurn& turn, double angle_deg) const {
   return answers_->surfaces.impinged(pose_at(turn, angle_deg * kDegree));
 }

@@ -82,6 +82,9 @@ class TurnLimits {
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                  const CentreQuestion& question) const;
 
+  /// Smallest gap of a vertex with the turn at that angle; none where no vertex meets the other surface.
+  std::optional<LeastGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
+
   /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
   bool impinged(const JointTurn& turn, double angle_deg) const;
 

@@ -29,7 +29,8 @@ class ConeNeighbourhood {
     // A cap of less than a quarter turn is convex: it holds the triangle if it holds the corners.
     reach_ = radius < 0.5 * kPi - kRounding ? radius + margin_ : kPi;
     for (std::size_t k = 0; k < 3; ++k) plane_[k] = cone.corners()[k].cross(cone.corners()[(k + 1) % 3]);
-    if (cone.side() < 0) std::ranges::for_each(plane_, [](Vec3& normal) { normal = -normal; });
+    if (cone.side() < 0)
+      for (Vec3& normal : plane_) normal = -normal;
     if (cone.side() == 0) {  // an arc, with both sides of its plane
       plane_[0] = *std::ranges::max_element(plane_, {}, &Vec3::squaredNorm);
       plane_[1] = -plane_[0];
@@ -169,8 +170,8 @@ class WalkerTree {
     Eigen::Index widest = 0;
     (high - low).maxCoeff(&widest);
     const std::size_t half = leaves.size() / 2;
-    std::ranges::nth_element(leaves, leaves.begin() + static_cast<std::ptrdiff_t>(half), {},
-                             [widest](const Leaf& leaf) { return leaf.axis[widest]; });
+    std::nth_element(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(half), leaves.end(),
+                     [widest](const Leaf& a, const Leaf& b) { return a.axis[widest] < b.axis[widest]; });
     build(leaves.first(half));
     build(leaves.subspan(half));
     nodes_[here].after = nodes_.size();

@@ -6,6 +6,8 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,12 @@
 
 namespace impinge::lab {
 namespace {
+
+PointSizes tables_of(std::vector<double> precisions_deg) {
+  PointSizes sizes;
+  sizes.tables.precisions = std::move(precisions_deg);
+  return sizes;
+}
 
 std::vector<PointCase> methods_of(const BenchmarkScene& scene, const PointSizes& sizes) {
   return cases_of(points_methods(), &Method::points, scene, sizes);
@@ -74,7 +82,7 @@ TEST(BenchmarkMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
   std::set<std::string> mesh_exact;
   std::set<std::string> keys;
   std::size_t count = 0;
-  for (const PointCase& maker : methods_of(scene, {{{4.0, 2.0}, 0, 0, {}}, {}})) {
+  for (const PointCase& maker : methods_of(scene, tables_of({4.0, 2.0}))) {
     if (maker.kind != "ours") continue;
     ++count;
     (maker.interpolant == "smooth" ? schemes : mesh_exact).insert(maker.name);
@@ -99,7 +107,11 @@ TEST(BenchmarkMethods, KeepTheirBounds) {
   const BenchmarkProbes euclidean = euclidean_probes(scene, {100, 20, 1});
   std::map<std::string, double> bytes;
   std::size_t bounded = 0;
-  for (const PointCase& maker : methods_of(scene, {{{4.0}, 100000, 1000, {}}, {8}})) {
+  PointSizes sizes = tables_of({4.0});
+  sizes.tables.most_entries = 100000;
+  sizes.tables.most_faces = 1000;
+  sizes.grid_nodes = {8};
+  for (const PointCase& maker : methods_of(scene, sizes)) {
     if (maker.measure == Measure::pose) continue;
     if (maker.kind == "ours" && maker.scheme != "rsid" && maker.scheme != "cube_gnomonic") continue;
     const PointQuery query = maker.make();
@@ -122,7 +134,10 @@ TEST(BenchmarkMethods, KeepTheirBounds) {
 TEST(BenchmarkMethods, HalfOfATablesBoundIsViolated) {
   const BenchmarkScene scene = generated_scene(300);
   const BenchmarkProbes radial = radial_probes(scene, {2000, 200, 1});
-  for (const PointCase& maker : methods_of(scene, {{{4.0}, 100000, 1000, {}}, {}})) {
+  PointSizes sizes = tables_of({4.0});
+  sizes.tables.most_entries = 100000;
+  sizes.tables.most_faces = 1000;
+  for (const PointCase& maker : methods_of(scene, sizes)) {
     if (maker.name != "cube_gnomonic" && maker.name != "cube_gnomonic_mesh_exact") continue;
     const PointQuery query = maker.make();
     const BenchmarkErrors errors = measure_errors(query, radial, {.starts = 4});

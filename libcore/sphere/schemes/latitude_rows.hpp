@@ -51,7 +51,9 @@ class LatitudeRows : public RingInterpolation<LatitudeRows> {
   double ring_position(double phi) const { return phi / row_height() - 0.5; }
   double polar_angle(std::size_t k) const { return (static_cast<double>(k) + 0.5) * row_height(); }
   std::size_t ring_of(std::size_t entry) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(*first_, entry) - first_->begin()) - 1;
+    return static_cast<std::size_t>(std::upper_bound(first_->begin(), first_->end(), entry) -
+                                    first_->begin()) -
+           1;
   }
 
   Vec3 direction(std::size_t entry) const {
