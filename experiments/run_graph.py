@@ -236,12 +236,14 @@ class Draft:
         self.thread = threading.Thread(target=self.follow, daemon=True)
         self.ended = threading.Event()
         self.publishing = threading.Lock()
+        self.cleared = b""
         self.clear()
         self.wanted = not self.page.is_file()
 
     def clear(self) -> None:
-        """Removes what is not finished: Ninja must see that the report is not there."""
+        """Removes what is not finished: Ninja must see that the report is not there, when it starts."""
         if self.page.is_file() and self.MARK in self.page.read_text(errors="replace")[:1000]:
+            self.cleared = self.page.read_bytes()
             self.page.unlink()
         self.tidy()
 
@@ -268,7 +270,17 @@ class Draft:
         """Until the report itself is being made."""
         pause = 5.0
         while not self.ended.wait(pause):
+            self.put_back()  # a timing may be long
             pause = max(self.EVERY, 20 * self.write())
+
+    def put_back(self) -> None:
+        """What clear() removed, now that Ninja has seen that it is not there."""
+        with self.publishing, contextlib.suppress(OSError):
+            if self.cleared and not self.ended.is_set():
+                self.staging.mkdir(parents=True, exist_ok=True)
+                (self.staging / "cleared.html").write_bytes(self.cleared)
+                os.replace(self.staging / "cleared.html", self.page)
+            self.cleared = b""
 
     def end(self) -> None:
         """From now on nothing is put in the report's place."""
