@@ -12,10 +12,11 @@ KEYS = ["method", "setting", "storage", "direction", "instruction_set"]
 
 
 def load(results: Path) -> pd.DataFrame:
-    """data/counts.csv, and of the rows that 13_fast timed with the same instructions their `ns_vertex`; the ratios of
+    """data/counts.csv with the label of each method as `name`, and of the rows that 13_fast timed with the same instructions their `ns_vertex`; the ratios of
     both to the floor with the same instructions. What has no instruction set of its own may have run on others when
     it was timed: no time stands beside it."""
     table = common.load(results, "counts")
+    table["name"] = table.method.map(table.attrs["labels"])
     timed = fast.load(results)
     timed = timed[
         (timed.triangles == fast.TRIANGLES) & (timed.threads == 1) & (timed.instruction_set != "none")

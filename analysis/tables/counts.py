@@ -20,14 +20,13 @@ def main(options) -> common.Table:
 
 def latex(table: pd.DataFrame) -> str:
     """One line a way and direction."""
-    names = table.attrs["labels"]
     head = (
         r"of a vertex (a pose: touch) & & instructions & $\times$ floor & "
         r"time $\times$ floor & misses, 32 KiB & 1 MiB \\"
     )
     lines = []
     for row in table.itertuples():
-        name = names[row.method] + (", corners" if row.storage == "corners" else "")
+        name = row.name + (", corners" if row.storage == "corners" else "")
         cells = [name, fast.DIRECTIONS.get(row.direction, "")]
         cells += [common.digits(row.instructions, 3)]
         cells += [common.digits(value, 2) or "---" for value in (row.over_floor, row.time_over_floor)]
