@@ -148,6 +148,7 @@ void add_scheme(const AskedSurface& s, const std::string& label, double precisio
 
 std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& sizes) {
   std::vector<GapCase> cases;
+  cases.reserve(kFloorCells.size() + 2);
   for (const std::size_t cells : kFloorCells) cases.push_back(floor_case(cells));
   for (const int cells : {4, 1}) cases.push_back(exact_case(surface, cells));
   if (sizes.certified) cases.push_back(certified_case(surface));

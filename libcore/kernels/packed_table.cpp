@@ -91,7 +91,7 @@ PackedTable<CubeGnomonic, Value> packed_table(const RadialTable<CubeGnomonic>& f
   const InverseDepthTable<CubeGnomonic> table(filled);
   require_packed_entries(table.scheme().size());
   const std::size_t n = table.scheme().divisions();
-  const auto numbers = table.values();
+  const auto& numbers = table.values();
   const Rows rows{{numbers.begin(), numbers.end()}, n + 1};
   PackedTable<CubeGnomonic, Value> lanes;
   lanes.divisions = n;

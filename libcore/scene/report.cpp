@@ -62,7 +62,8 @@ std::string describe_zones(const SessionJoint& joint, const std::vector<ClockZon
     const std::string from = clock_text(zone.from);
     const std::string to = clock_text(zone.to);
     if (from == to) return "all round the clock";
-    text += (text.empty() ? "" : ", ") + from + "-" + to;
+    if (!text.empty()) text += ", ";
+    text.append(from).append("-").append(to);
   }
   return text.empty() ? "nowhere" : "at " + text + " o'clock";
 }
