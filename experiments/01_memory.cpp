@@ -43,7 +43,8 @@ struct TableBytes {
 };
 
 // Of a filled table that is really there: of its copy, since filling also makes what schemes keep for
-// themselves. Throws std::runtime_error when it has no rim or holds more memory than radii and mask.
+// themselves. Throws std::runtime_error when it holds more memory than radii and mask, or has no mask: only
+// where a scheme does not say where its cells end, entries beside a rim are left out instead.
 template <SamplingScheme S>
 TableBytes measured_bytes(const TriangleMesh& socket, const S& scheme) {
   const RadialTable<S> filled = fill_exact(socket, scheme, Layer::nearest);
@@ -53,7 +54,7 @@ TableBytes measured_bytes(const TriangleMesh& socket, const S& scheme) {
   const TableBytes bytes{table.radii().size_bytes(), table.rim_cells().bytes()};
   const std::size_t all = bytes.radii + bytes.mask;
   const std::size_t more = kAllocatorShare + (bytes.radii < kLargePage ? 0 : 2 * kLargePage);
-  if (bytes.mask == 0 || handed_out < all || handed_out > all + more) {
+  if ((bytes.mask == 0 && HasKnownBorders<S>) || handed_out < all || handed_out > all + more) {
     throw std::runtime_error(std::string(S::name) + ": a table of " + std::to_string(bytes.radii) +
                              " bytes of radii and " + std::to_string(bytes.mask) + " of rim mask took " +
                              std::to_string(handed_out) +
