@@ -57,7 +57,7 @@ struct BaselineCase;
 /// What a method can do; empty: it cannot. Meshes in their centre frames, mm; they outlive the cases.
 struct Method {
   std::string name = {};   // of its cases, where they have none of their own
-  std::string label = {};  // likewise
+  std::string label = {};  // of its cases, as a reader calls them
   std::string lacks = {};  // where it does not apply, and why
   /// points.hpp: how far the surface is, point by point.
   std::function<std::vector<PointCase>(const BenchmarkScene&, const PointSizes&)> points = {};
