@@ -251,7 +251,7 @@ double spiral_stencil_radius(const P& placement) {
   return std::min(largest, kPi);
 }
 
-/// Compiled once for the placements of the library, in spiral_radii.cpp.
+/// Compiled once for the placements of the library, each with its own.
 class ArcSteps;
 class ConchoidSteps;
 class HeightSteps;
