@@ -2,7 +2,7 @@
 """experiments/reproduce from end to end, in the order in which a user meets it.
 
 The first test makes everything in a temporary results folder (killed twice on the way); the others look at
-what is there. With IMPINGE_BONES set, real joints are part of it.
+what is there. With IMPINGE_BONES set, real joints are part of it. ctest runs the steps one by one: test_reproduce.py FOLDER STEP.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ import hashlib
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
+import sys
 import tarfile
 import tempfile
 import time
@@ -448,6 +450,12 @@ class Reproduce(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) == 3:  # one step, in a folder that the first one empties
+        RESULTS, step = Path(sys.argv[1]), sys.argv[2]
+        if step.startswith("test_a"):
+            shutil.rmtree(RESULTS, ignore_errors=True)
+            RESULTS.mkdir(parents=True)
+        unittest.main(argv=["test_reproduce.py", f"Reproduce.{step}"], verbosity=2)
     with tempfile.TemporaryDirectory() as folder:
         RESULTS = Path(folder)
         unittest.main(verbosity=2, failfast=True)
