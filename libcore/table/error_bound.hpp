@@ -63,7 +63,7 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   return slopes;
 }
 
-/// Compiled once for the schemes of the library, in table/scheme_tables.cpp.
+/// Compiled once for the schemes of the library, in table/table_bound.cpp.
 #define IMPINGE_SLOPES(S) extern template std::vector<float> largest_slopes(const TriangleMesh&, const S&);
 IMPINGE_SCHEMES(IMPINGE_SLOPES)
 #undef IMPINGE_SLOPES

@@ -34,7 +34,7 @@ RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer
   return table;
 }
 
-/// Compiled once for the schemes of the library, in table/scheme_tables.cpp.
+/// Compiled once for the schemes of the library, in table/exact_raster.cpp.
 #define IMPINGE_FILL(S) extern template RadialTable<S> fill_exact(const TriangleMesh&, const S&, Layer);
 IMPINGE_SCHEMES(IMPINGE_FILL)
 #undef IMPINGE_FILL

@@ -296,7 +296,7 @@ TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& tab
   }
 }
 
-/// Compiled once for the schemes of the library, in table/scheme_tables.cpp.
+/// Compiled once for the schemes of the library, in table/table_bound.cpp.
 #define IMPINGE_BOUND(S)                                                                    \
   extern template TableBound table_bound(const TriangleMesh&, const RadialTable<S>&, Layer, \
                                          const BoundOptions&);
