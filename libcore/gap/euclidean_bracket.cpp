@@ -19,6 +19,8 @@ constexpr double kGridPrecision = 1.0;     // degrees
 constexpr double kFarthest = 0.45;         // of |x|: no lower end for a distance beyond it
 constexpr double kAngleSlack = 1e-9;       // radians, for rounding
 constexpr double kRestRounding = 0x1p-49;  // of 1 - q^2 tan^2 psi: 5 roundings of at most 1, and to spare
+constexpr std::size_t kClump = 16;         // jump edges
+constexpr double kFirstShare = 0.125;      // of the largest D that may count
 constexpr int kHalvings = 8;               // of the range of D
 
 // Largest tan psi of a face, off by less than 512 u (1 + tan psi) of itself (table/error_bound.hpp), from
@@ -64,8 +66,23 @@ EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
   }
   for (const JumpEdge& edge : jump_edges(mesh_))
     jumps_.push_back({mesh_.vertices[edge.from], mesh_.vertices[edge.to]});
+  clump_jumps();
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) list_face(f);
   index_.sort();
+}
+
+// Neighbours in the list are neighbours on the mesh, mostly.
+void EuclideanBracket::clump_jumps() {
+  for (std::size_t first = 0; first < jumps_.size(); first += kClump) {
+    const std::size_t last = std::min(first + kClump, jumps_.size());
+    Clump clump{{jumps_[first].from, 0.0}, first, last};
+    for (std::size_t k = first; k < last; ++k) {
+      for (const Vec3& end : {jumps_[k].from, jumps_[k].to})
+        clump.round.radius = std::max(clump.round.radius, (end - clump.round.middle).norm());
+    }
+    clump.round.radius += kDistanceAllowance * (clump.round.radius + clump.round.middle.norm());
+    clumps_.push_back(clump);
+  }
 }
 
 void EuclideanBracket::list_face(std::size_t f) {
@@ -130,8 +147,12 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
     if (cone.largest_slope() <= kSteepSlope) found.upper_mm = std::min(found.upper_mm, gap);
     for (const Vec3& v : cone.corners()) found.upper_mm = std::min(found.upper_mm, (x - v).norm());
   }
-  for (const auto& [from, to] : jumps_)
-    found.edge_mm = std::min(found.edge_mm, std::sqrt(squared_distance_to_segment(x, from, to)));
+  for (const auto& [round, first, last] : clumps_) {
+    if ((x - round.middle).norm() - round.radius > found.edge_mm) continue;
+    for (std::size_t k = first; k < last; ++k)
+      found.edge_mm =
+          std::min(found.edge_mm, std::sqrt(squared_distance_to_segment(x, jumps_[k].from, jumps_[k].to)));
+  }
   found.upper_mm = std::min(found.upper_mm, found.edge_mm);
   for (const auto& [middle, radius] : edge_on_)
     found.upper_mm = std::min(found.upper_mm, (x - middle).norm() + radius);
@@ -167,13 +188,19 @@ std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x
   return slopes;
 }
 
-// The largest min(D, m / L(D)), nearly.
+// The largest min(D, m / L(D)), nearly. As L grows with D, no D beyond one with m / L(D) < D is better: faces
+// are gathered from near to far until there is one.
 double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) const {
   const double m = std::min(found.gap_mm, found.edge_mm);
-  double high = std::min(found.upper_mm, kFarthest * x.norm());
-  const std::vector<Slope> slopes = slopes_near(x, high);
+  const double most = std::min(found.upper_mm, kFarthest * x.norm());
+  std::vector<Slope> slopes;
   const auto end = [&](double D) { return m / stretch(slopes, x.norm(), D); };
-  if (end(high) >= high) return high;
+  double high = kFirstShare * most;
+  for (;; high = std::min(2.0 * high, most)) {
+    slopes = slopes_near(x, high);
+    if (end(high) < high) break;
+    if (high == most) return high;
+  }
   double low = 0.0;
   for (int step = 0; step < kHalvings; ++step) {
     const double middle = 0.5 * (low + high);

@@ -74,6 +74,12 @@ class EuclideanBracket {
     Vec3 middle;
     double radius;
   };
+  /// Some jump edges, and a ball that holds them.
+  struct Clump {
+    Ball round;
+    std::size_t first;  // of jumps_
+    std::size_t last;   // one beyond
+  };
   /// Of the faces within the covering radius of an entry. Lengths in mm.
   struct Near {
     double slope = 0.0;   // largest tan psi
@@ -89,6 +95,7 @@ class EuclideanBracket {
     double radius;
   };
 
+  void clump_jumps();
   void list_face(std::size_t f);
   std::size_t entry_next_to(const Vec3& u) const;
   DistanceBracket gap_and_edge(const Vec3& x, const Vec3& u) const;
@@ -105,6 +112,7 @@ class EuclideanBracket {
   double listed_within_;        // radians
   std::vector<Near> near_;      // of each entry of the grid
   std::vector<Segment> jumps_;  // jump edges
+  std::vector<Clump> clumps_;   // of them
   std::vector<Ball> edge_on_;   // round the faces whose plane holds the centre
 };
 

@@ -80,22 +80,25 @@ std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCon
   std::vector<Cap> caps;
   caps.reserve(cones.size());
   for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
   const Lists buckets = bucket_faces(cones);
-  for (std::size_t entry = 0; entry < buckets.size(); ++entry) {
-    const auto bucket = buckets[entry];
-    if (bucket.size() > kMostInBucket) return std::nullopt;
-    for (std::size_t i = 0; i < bucket.size(); ++i) {
-      for (std::size_t k = i + 1; k < bucket.size(); ++k) {
-        if (caps_meet(caps[bucket[i]], caps[bucket[k]])) near.emplace_back(bucket[i], bucket[k]);
+  std::vector<Lists::Pair> listed;
+  for (std::uint32_t entry = 0; entry < buckets.size(); ++entry) {
+    if (buckets[entry].size() > kMostInBucket) return std::nullopt;
+    for (const std::uint32_t f : buckets[entry]) listed.push_back({f, entry});
+  }
+  const Lists entries(cones.size(), listed);
+  std::vector<std::uint32_t> last(cones.size(), 0);  // the face that each was last compared with
+  std::size_t found = 0;
+  for (std::uint32_t f = 1; f < cones.size(); ++f) {
+    for (const std::uint32_t entry : entries[f]) {
+      for (const std::uint32_t g : buckets[entry]) {  // rising
+        if (g >= f) break;
+        if (std::exchange(last[g], f) == f || !caps_meet(caps[f], caps[g])) continue;
+        found += cones_overlap(cones[g].corners(), cones[f].corners()) ? 1U : 0U;
       }
     }
   }
-  std::ranges::sort(near);
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  return static_cast<std::size_t>(std::ranges::count_if(near, [&](const auto& pair) {
-    return cones_overlap(cones[pair.first].corners(), cones[pair.second].corners());
-  }));
+  return found;
 }
 
 void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& report) {

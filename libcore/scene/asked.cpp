@@ -44,8 +44,8 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
     asked["motion"] = options.limit->name;
   } else {
     asked["surfaces"] = surfaces_name(options);
-    asked["scheme"] = options.scheme;
-    asked["precision_deg"] = options.precision_deg;
+    asked["scheme"] = options.by_tables() ? json(options.scheme) : json(nullptr);
+    asked["precision_deg"] = options.precision_deg ? json(*options.precision_deg) : json(nullptr);
     asked["max_error_mm"] = options.max_error_mm ? json(*options.max_error_mm) : json(nullptr);
   }
   return asked;

@@ -18,6 +18,7 @@ namespace {
 // The options as they are typed; the empty text stands for an option not given.
 struct Typed {
   std::string centre = "fit";
+  std::string scheme;
   std::string precision;
   std::string max_error;
   std::string pose;
@@ -86,9 +87,14 @@ void set_accuracy(const Typed& typed, SceneOptions& options) {
     options.precision_deg =
         parse_number("--precision", typed.precision, "is no precision; give a number of degrees");
   }
+  if (!typed.scheme.empty()) {
+    options.scheme = typed.scheme;
+    if (!options.by_tables()) options.precision_deg = kUsualPrecision;
+  }
   for_option("--scheme", [&] {
     with_scheme(options.scheme, [&]<class S>() {
-      for_option("--precision", [&] { return S::with_precision(options.precision_deg); });
+      for_option("--precision",
+                 [&] { return S::with_precision(options.precision_deg.value_or(kUsualPrecision)); });
     });
     return 0;
   });
@@ -226,8 +232,10 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
                  "gaps.csv, distances.csv and summary.json")
       ->required();
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
-  app.add_option("--scheme", options.scheme, "sampling scheme: " + scheme_names())->capture_default_str();
-  auto* precision = app.add_option("--precision", typed.precision, "spacing of the table in degrees [0.5]");
+  app.add_option("--scheme", typed.scheme,
+                 "answer by tables of this sampling scheme, and not by the faces: " + scheme_names());
+  auto* precision = app.add_option("--precision", typed.precision,
+                                   "answer by tables of that spacing, degrees [0.5 with --scheme]");
   app.add_option("--max-error", typed.max_error, "or the proven error of every gap in mm")
       ->excludes(precision);
   app.add_option(

@@ -21,6 +21,7 @@ std::string describe_centre(const Joint& joint) {
 }
 
 std::string describe_table(const SceneOptions& options, const Measurement& found) {
+  if (!options.by_tables()) return "table               none: gaps are those of the faces\n";
   if (!options.max_error_mm) {
     return formatted("table               %s at %g degrees, %zu entries a surface\n", options.scheme.c_str(),
                      found.precision_deg, found.entries);
@@ -47,7 +48,7 @@ std::string describe_smallest(const SmallestOfPose& smallest, const SurfaceAnswe
                                name(smallest.surface).data(), i);
   if (smallest.hours) text += ", " + clock_text(*smallest.hours) + " o'clock";
   if (!of.bound.empty() && std::isfinite(of.bound[i]))
-    text += " (error of this gap by the table at most " + rounded_up(of.bound[i], 3) + " mm)";
+    text += " (error of this gap at most " + rounded_up(of.bound[i], 3) + " mm)";
   if (!of.distance.empty()) {
     text += "\nEuclidean distance  " + rounded_down(of.distance[i].lower_mm, 3) + " to " +
             rounded_up(of.distance[i].upper_mm, 3) + " mm there";

@@ -2,19 +2,23 @@
 #include "session/measurement.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "files/machine.hpp"
 #include "files/stopwatch.hpp"
+#include "gap/exact_side.hpp"
 #include "gap/formatted.hpp"
+#include "gap/measured_gap.hpp"
+#include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
 
-// How the gaps were found. Without times, which are in a summary's times_ms: the rest of it is the same in
-// every run.
+// How the gaps of whole tables were found. Without times, which are in a summary's times_ms: the rest of it
+// is the same in every run.
 constexpr const char* kWholeTables =
     "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
     "most that faster kernels could save";
@@ -33,7 +37,7 @@ void require_memory(std::size_t entries, double precision_deg, double bytes_an_e
 
 // A table that keeps few entries still has a directory of all of them.
 AnyScheme partly_kept(const PoseQuestion& asked) {
-  AnyScheme scheme(asked.scheme, asked.precision_deg);
+  AnyScheme scheme(asked.scheme, asked.precision_deg.value_or(kUsualPrecision));
   require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
   return scheme;
 }
@@ -49,12 +53,12 @@ Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
   double precision_deg = 0.0;
   with_scheme(asked.scheme, [&]<class S>() {
     constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
-    const S scheme = S::with_precision(asked.precision_deg);
+    const S scheme = S::with_precision(*asked.precision_deg);
     precision_deg = scheme.precision_deg();
-    require_memory(scheme.size(), asked.precision_deg, kEntry, "");
+    require_memory(scheme.size(), *asked.precision_deg, kEntry, "");
   });
   fill_tables(session, {.scheme = asked.scheme,
-                        .precision_deg = asked.precision_deg,
+                        .precision_deg = *asked.precision_deg,
                         .storage = Storage::double_precision,
                         .flat_cube = false,
                         .halvings = 1'000'000});
@@ -88,6 +92,103 @@ Measurement by_plan(const SessionJoint& joint, const PoseQuestion& asked) {
   result.way = std::move(answer.way);
   result.left_out = std::move(answer.left_out);
   return result;
+}
+
+// Gaps of the vertices of one surface, measured on the faces of the other one, and what they are off by at
+// most; none of a surface that is not asked for.
+struct MeasuredScan {
+  std::vector<double> gap;    // mm, NaN where there is none
+  std::vector<double> bound;  // mm, NaN with it
+};
+
+bool is_scanned(const PoseQuestion& asked, Surface of) {
+  return of == Surface::ball ? asked.scan_ball : asked.scan_socket;
+}
+
+// The middle of the ends, or the gap as tables have it where a face is nearly edge-on, so that these are far
+// apart.
+double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const CertifiedGap& ends) {
+  constexpr double kApart = 1e-6;  // mm
+  const double middle = 0.5 * (ends.low + ends.high);
+  if (ends.high - ends.low < kApart) return middle;
+  const double radius = faces.radius(x.normalized(), facing_layer(other(of)));
+  return std::isnan(radius) ? middle : signed_gap(of, radius, x.norm());
+}
+
+MeasuredScan measured_scan(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose, Surface of) {
+  MeasuredScan scan;
+  if (!is_scanned(asked, of)) return scan;
+  const NearFaces& faces = joint.faces(other(of));
+  const std::vector<Vec3> places = places_in_other(joint, pose, of);
+  scan.gap.assign(places.size(), kNoSurface);
+  scan.bound = scan.gap;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!joint.part(of).used[i]) continue;
+    const CertifiedGap ends = measured_gap(of, faces, places[i]);
+    if (ends.cover == Cover::none) continue;
+    scan.gap[i] = likely_gap(of, faces, places[i], ends);
+    scan.bound[i] = std::max(ends.high - scan.gap[i], scan.gap[i] - ends.low);
+  }
+  return scan;
+}
+
+// Is some vertex of the surface impinged? Exact.
+bool some_impinged(SessionJoint& joint, const Pose& pose, Surface of) {
+  const NearFaces& faces = joint.faces(other(of));
+  const std::vector<Vec3> places = places_in_other(joint, pose, of);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (joint.part(of).used[i] && exactly_impinged(of, faces, places[i])) return true;
+  }
+  return false;
+}
+
+std::string way_of_faces(const SessionJoint& joint) {
+  const std::size_t vertices =
+      joint.mesh(Surface::ball).vertices.size() + joint.mesh(Surface::socket).vertices.size();
+  const AnyScheme spared(PoseQuestion{}.scheme, kUsualPrecision);
+  return formatted(
+      "each of the %zu vertices is measured on the faces near it, for one pose: this saves tables of "
+      "%zu entries and the search for their bounds",
+      vertices, 2 * spared.size());
+}
+
+Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
+  Stopwatch watch;
+  const Pose pose = pose_of(joint, asked.motion);
+  MeasuredScan ball = measured_scan(joint, asked, pose, Surface::ball);
+  MeasuredScan socket = measured_scan(joint, asked, pose, Surface::socket);
+  const double scan_ms = watch.lap_ms();
+  Measurement result;
+  static_cast<PoseAnswer&>(result) =
+      answer_of_gaps(joint, pose, std::move(ball.gap), std::move(socket.gap), asked.cartilage_mm);
+  result.scan_ms = scan_ms;
+  result.way = way_of_faces(joint);
+  if (!asked.outputs.bounds && !asked.outputs.verdicts) return result;
+  result.ball.bound = std::move(ball.bound);
+  result.socket.bound = std::move(socket.bound);
+  return result;
+}
+
+// Touch by exact signs, the smallest gap by the faces.
+SceneAnswer question_by_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose) {
+  SceneAnswer answer;
+  answer.way = way_of_faces(joint);
+  const bool touch = asked.question == Question::touch;
+  if (touch) answer.touches.assign(1, false);
+  for (const Surface of : kSurfaces) {
+    if (!is_scanned(asked, of)) continue;
+    answer.cost.look_ups += joint.mesh(of).vertices.size();
+    if (touch) {
+      answer.touches[0] = answer.touches[0] || some_impinged(joint, pose, of);
+      continue;
+    }
+    const std::vector<double> gap = measured_scan(joint, asked, pose, of).gap;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      if (gap[i] < (answer.smallest ? answer.smallest->gap_mm : kInfinity))
+        answer.smallest = SmallestGap{gap[i], of, 0, i};
+    }
+  }
+  return answer;
 }
 
 // The bound of each gap is how far it can be from that of the faces. std::runtime_error where that is above
@@ -137,8 +238,10 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
   const PoseOutputs& outputs = asked.outputs;
   const bool bounds = outputs.bounds || outputs.verdicts;
   const bool whole = bounds && !asked.max_error_mm;
-  Measurement result = whole ? by_whole_tables(session, asked) : by_plan(joint, asked);
-  if (bounds && !whole) bound_on_faces(joint, *asked.max_error_mm, result);
+  Measurement result = !asked.by_tables() ? by_faces(joint, asked)
+                       : whole            ? by_whole_tables(session, asked)
+                                          : by_plan(joint, asked);
+  if (bounds && asked.max_error_mm) bound_on_faces(joint, *asked.max_error_mm, result);
   if (bounds) result.proven = verdicts_of(joint, result);
   if (outputs.distances) bracket_distances(joint, result);
   if (outputs.verdicts) {
@@ -150,11 +253,12 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
   return result;
 }
 
-QuestionAnswer answer_question(const SessionJoint& joint, const PoseQuestion& asked) {
+QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
   QuestionAnswer found;
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;
-  found.answer = planned(joint, asked, found.pose, partly_kept(asked));
+  found.answer = asked.by_tables() ? planned(joint, asked, found.pose, partly_kept(asked))
+                                   : question_by_faces(joint, asked, found.pose);
   found.milliseconds = watch.lap_ms();
   return found;
 }

@@ -16,7 +16,7 @@ namespace impinge {
 
 /// All gaps, and what else was asked for.
 struct Measurement : PoseAnswer {
-  double precision_deg = 0.0;              // of both tables; 0 with an accuracy
+  double precision_deg = 0.0;              // of both tables; 0 without, and with an accuracy
   std::size_t entries = 0;                 // of each table; worked out in both, with an accuracy
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
@@ -28,17 +28,11 @@ struct Measurement : PoseAnswer {
   std::vector<LeftOut> left_out;           // work and memory that the question did not need
 };
 
-/// Fills a table for each surface at the precision asked for, and scans both. Where neither bounds nor
-/// verdicts are asked for, only what the gaps need is done (session/scene_plan.hpp). With an accuracy, gaps
-/// that no table is proven to keep that accurate are measured on the faces, and bounds, where they are asked
-/// for, are those of holding each gap against the faces (gap/measured_gap.hpp).
-///
-/// Tables are filled and scanned in double, without the kernels of libcore/kernels. Those have tables of the
-/// cube map, RSID and USID in fewer bits, whose bounds are wider, and there is little that they could save:
-/// 0.8 to 1.4 % of a run with default options, of a generated hip of 12,000 faces a surface, a femoral head
-/// of as many in its acetabulum, and a whole femur of 73,000. The bounds of all gaps take 50 to 64 % of it,
-/// reading, fit and checks of the meshes and writing 24 to 35 %, Euclidean distances 9 to 14 %, verdicts
-/// below 1 %. A summary has those times of its own run.
+/// Measures each gap, with its bound, on the faces (gap/measured_gap.hpp). Where a precision is asked for, it
+/// fills a table in double for each surface and scans both; where neither bounds nor verdicts are asked for,
+/// only what the gaps need is done (session/scene_plan.hpp). With an accuracy, gaps that no table is proven
+/// to keep that accurate are measured on the faces, and bounds, where they are asked for, are those of
+/// holding each gap against the faces.
 ///
 /// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take) or
 /// the accuracy is below what rounding leaves.
@@ -51,6 +45,6 @@ struct QuestionAnswer {
   double milliseconds = 0.0;  // of planning and answering
 };
 /// Plans and answers the question in the pose that the motion names.
-QuestionAnswer answer_question(const SessionJoint& joint, const PoseQuestion& asked);
+QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked);
 
 }  // namespace impinge

@@ -10,6 +10,8 @@
 
 namespace impinge {
 
+inline constexpr double kUsualPrecision = 0.5;  // degrees, of tables that are asked for without one
+
 /// What is worked out besides the answer to the question.
 struct PoseOutputs {
   bool gaps = true;       // of every vertex
@@ -20,8 +22,8 @@ struct PoseOutputs {
 
 /// Lengths in mm, angles in degrees.
 struct PoseQuestion {
-  std::string scheme = "rsid";             // name of the sampling scheme
-  double precision_deg = 0.5;              // of the tables
+  std::string scheme = "rsid";             // name of the sampling scheme of the tables
+  std::optional<double> precision_deg;     // of the tables
   std::optional<double> max_error_mm;      // chooses the precision instead
   Motion motion;                           // of the femur from the pose of the scan
   double cartilage_mm = 4.0;               // both layers together; the thesis' value
@@ -29,6 +31,10 @@ struct PoseQuestion {
   bool scan_ball = true;                   // the first scan: vertices of the ball against the socket
   bool scan_socket = true;                 // the second scan
   PoseOutputs outputs;                     // with all_gaps
+
+  /// Of a single pose the faces answer sooner than any table would be filled: tables where they are asked
+  /// for.
+  bool by_tables() const { return precision_deg || max_error_mm; }
 };
 
 }  // namespace impinge

@@ -2,6 +2,7 @@
 #include "sphere/arc_steps.hpp"
 
 #include "sphere/haversine.hpp"
+#include "sphere/spiral_radii.hpp"
 #include "sphere/turn_angle.hpp"
 
 namespace impinge {
@@ -33,5 +34,8 @@ Vec3 ArcSteps::direction(std::size_t entry) const {
   const double turns = turn(from_pole);
   return spiral_point(haversine(from_pole), south, south ? -turns : turns);
 }
+
+template double spiral_covering_radius(const ArcSteps&);
+template double spiral_stencil_radius(const ArcSteps&);
 
 }  // namespace impinge

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sphere/haversine.hpp"
+#include "sphere/spiral_radii.hpp"
 #include "sphere/turn_angle.hpp"
 
 namespace impinge {
@@ -53,5 +54,8 @@ Vec3 ConchoidSteps::direction(std::size_t entry) const {
   const double end = turns() - std::floor(turns());
   return spiral_point(y, south, south ? end - turned : turned);
 }
+
+template double spiral_covering_radius(const ConchoidSteps&);
+template double spiral_stencil_radius(const ConchoidSteps&);
 
 }  // namespace impinge

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "sphere/spiral_radii.hpp"
 #include "sphere/turn_angle.hpp"
 #include "sphere/vector_clones.hpp"
 
@@ -85,5 +86,8 @@ Vec3 HeightSteps::direction(std::size_t entry) const {
 }
 
 void HeightSteps::fill(DirectionRun& run) const { fill_run(curve_, run); }
+
+template double spiral_covering_radius(const HeightSteps&);
+template double spiral_stencil_radius(const HeightSteps&);
 
 }  // namespace impinge

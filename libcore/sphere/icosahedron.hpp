@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Geometry>
-
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -30,10 +28,7 @@ struct Icosahedron {
   static constexpr double kEdge = 1.0514622242382672;         // length of an edge, 1 / sin 72 degrees
 
   /// The one icosahedron, made at first use.
-  static const Icosahedron& instance() {
-    static const Icosahedron all;
-    return all;
-  }
+  static const Icosahedron& instance();
 
   /// Face whose middle is nearest to x, among ten and the ten opposite to them.
   std::size_t face_of(const Vec3& x) const {
@@ -52,39 +47,8 @@ struct Icosahedron {
   }
 
  private:
-  Icosahedron() {
-    for (long k = 0; k < 5; ++k) {
-      set_diamond(static_cast<std::size_t>(k), Vec3::UnitZ(), ring(2 * k, 1.0), ring(2 * k + 1, -1.0),
-                  ring(2 * k + 2, 1.0));
-      set_diamond(static_cast<std::size_t>(k) + 5, ring(2 * k + 2, 1.0), ring(2 * k + 1, -1.0),
-                  -Vec3::UnitZ(), ring(2 * k + 3, -1.0));
-    }
-    for (std::size_t f = 0; f < 10; ++f) {
-      middle_[f] = face[f].axis;
-      for (std::size_t other = 10; other < 20; ++other) {
-        if (face[other].axis.dot(middle_[f]) < face[opposite_[f]].axis.dot(middle_[f])) opposite_[f] = other;
-      }
-    }
-  }
-
-  /// Corner at azimuth 36 k degrees.
-  static Vec3 ring(long k, double side) {
-    const CosSin azimuth = half_turn_fraction(k, 5);
-    const double z = 1.0 / std::sqrt(5.0);
-    return {2.0 * z * azimuth.cos, 2.0 * z * azimuth.sin, side * z};
-  }
-
-  void set_diamond(std::size_t d, const Vec3& a, const Vec3& p, const Vec3& f, const Vec3& q) {
-    face[2 * d] = make_face(a, p, q);
-    face[2 * d + 1] = make_face(f, q, p);
-  }
-
-  static Face make_face(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double volume = a.cross(b).dot(c);
-    Face made{{a, b, c}, {b.cross(c) / volume, c.cross(a) / volume, a.cross(b) / volume}, Vec3::Zero()};
-    made.axis = made.dual[0] + made.dual[1] + made.dual[2];
-    return made;
-  }
+  Icosahedron();
+  void set_diamond(std::size_t d, const Vec3& a, const Vec3& p, const Vec3& f, const Vec3& q);
 
   std::array<Vec3, 10> middle_;             // axes of the first ten faces
   std::array<std::size_t, 10> opposite_{};  // the faces opposite to them

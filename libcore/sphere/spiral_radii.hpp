@@ -251,4 +251,15 @@ double spiral_stencil_radius(const P& placement) {
   return std::min(largest, kPi);
 }
 
+/// Compiled once for the placements of the library, each with its own.
+class ArcSteps;
+class ConchoidSteps;
+class HeightSteps;
+extern template double spiral_covering_radius(const ArcSteps&);
+extern template double spiral_covering_radius(const ConchoidSteps&);
+extern template double spiral_covering_radius(const HeightSteps&);
+extern template double spiral_stencil_radius(const ArcSteps&);
+extern template double spiral_stencil_radius(const ConchoidSteps&);
+extern template double spiral_stencil_radius(const HeightSteps&);
+
 }  // namespace impinge

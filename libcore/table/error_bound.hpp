@@ -24,6 +24,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/scheme_list.hpp"
 #include "sphere/walker.hpp"
 
 namespace impinge {
@@ -61,6 +62,11 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   }
   return slopes;
 }
+
+/// Compiled once for the schemes of the library, in table/table_bound.cpp.
+#define IMPINGE_SLOPES(S) extern template std::vector<float> largest_slopes(const TriangleMesh&, const S&);
+IMPINGE_SCHEMES(IMPINGE_SLOPES)
+#undef IMPINGE_SLOPES
 
 /// Bound on |table.radius_at(x) - radius of the mesh along x|, mm, for a table filled exactly and its
 /// largest_slopes(). kNoSurface where the table has no surface; infinite where the

@@ -8,6 +8,7 @@
 
 #include "mesh/lengths.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/scheme_list.hpp"
 #include "sphere/walker.hpp"
 #include "table/layer.hpp"
 #include "table/rim.hpp"
@@ -32,5 +33,10 @@ RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer
   mask_rim(mesh, layer, table);
   return table;
 }
+
+/// Compiled once for the schemes of the library, in table/exact_raster.cpp.
+#define IMPINGE_FILL(S) extern template RadialTable<S> fill_exact(const TriangleMesh&, const S&, Layer);
+IMPINGE_SCHEMES(IMPINGE_FILL)
+#undef IMPINGE_FILL
 
 }  // namespace impinge

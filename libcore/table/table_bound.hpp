@@ -296,4 +296,11 @@ TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& tab
   }
 }
 
+/// Compiled once for the schemes of the library, in table/table_bound.cpp.
+#define IMPINGE_BOUND(S)                                                                    \
+  extern template TableBound table_bound(const TriangleMesh&, const RadialTable<S>&, Layer, \
+                                         const BoundOptions&);
+IMPINGE_SCHEMES(IMPINGE_BOUND)
+#undef IMPINGE_BOUND
+
 }  // namespace impinge

@@ -33,7 +33,8 @@ void require_consistent_question(const SceneOptions& options) {
 void require_in_range(const SceneOptions& options) {
   require(!options.ball.empty() && !options.socket.empty() && !options.out.empty(), "files have names");
   require(!options.centre || options.centre->allFinite(), "a centre is finite");
-  require(options.precision_deg > 0.0 && options.precision_deg <= 180.0, "a precision is an angle");
+  require(!options.precision_deg || (*options.precision_deg > 0.0 && *options.precision_deg <= 180.0),
+          "a precision is an angle");
   require(!options.max_error_mm || (*options.max_error_mm > 0.0 && std::isfinite(*options.max_error_mm)),
           "an error is above 0");
   require(options.cartilage_mm >= 0.0 && std::isfinite(options.cartilage_mm), "a thickness is 0 or more");

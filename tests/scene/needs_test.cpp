@@ -65,6 +65,45 @@ TEST(SceneNeeds, AQuestionIsAnsweredAsAllGapsAnswerIt) {
   }
 }
 
+// Asked for no table, a single pose is measured on the faces: gaps are those of rays, a table's are within
+// its bounds of them, and the other questions answer alike.
+TEST(SceneNeeds, TheFacesAnswerASinglePose) {
+  Session session = hip();
+  for (const char* angle : {"0", "30", "60"}) {
+    SceneOptions options = flexed(angle);
+    const Measurement table = measure(session, options);
+    options.precision_deg.reset();
+    const Measurement faces = measure(session, options);
+    EXPECT_EQ(faces.entries, 0U);
+    EXPECT_LT(faces.proven->largest_mm, 1e-9);
+    EXPECT_EQ(faces.certificate->surfaces_impinged, table.certificate->surfaces_impinged);
+    EXPECT_EQ(faces.certificate->ball.impinged, table.certificate->ball.impinged);
+    EXPECT_EQ(faces.certificate->ball.refuted + faces.certificate->socket.refuted, 0U);
+    const RayCaster socket(session.joint->joint.socket.mesh);
+    for (std::size_t i = 0; i < faces.ball.gap.size(); ++i) {
+      const Vec3 x = to_socket(faces.pose, session.joint->joint.ball.mesh.vertices[i]);
+      const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
+      ASSERT_EQ(std::isnan(faces.ball.gap[i]), std::isnan(gap)) << i;
+      if (std::isnan(gap)) continue;
+      EXPECT_LE(std::abs(gap - faces.ball.gap[i]), faces.ball.bound[i] + 1e-11) << i;
+      if (std::isnan(table.ball.gap[i])) continue;
+      EXPECT_LE(std::abs(gap - table.ball.gap[i]), table.ball.bound[i] + 1e-11) << i;
+    }
+    options.question = Question::first_contact;
+    EXPECT_EQ(answer_question(*session.joint, options).answer.smallest->gap_mm, faces.smallest->gap_mm);
+    options.question = Question::touch;
+    EXPECT_EQ(answer_question(*session.joint, options).answer.touches[0],
+              faces.certificate->vertices_impinged());
+    options.question = Question::all_gaps;
+    options.scan_socket = false;
+    options.outputs = {true, false, false, false};
+    const Measurement ball = measure(session, options);
+    expect_same(ball.ball.gap, faces.ball.gap);
+    EXPECT_TRUE(ball.socket.gap.empty() && ball.ball.bound.empty());
+    EXPECT_NE(ball.way.find("measured on the faces near it"), std::string::npos) << ball.way;
+  }
+}
+
 // On the faces where no table is proven to be that accurate: any accuracy can be promised.
 TEST(SceneNeeds, AnAccuracyThatNoTablePromisesIsKept) {
   Session session = hip();

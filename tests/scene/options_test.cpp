@@ -24,7 +24,8 @@ TEST(SceneOptions, Defaults) {
   EXPECT_EQ(options->out, "o");
   EXPECT_FALSE(options->centre);
   EXPECT_EQ(options->scheme, "rsid");
-  EXPECT_EQ(options->precision_deg, 0.5);
+  EXPECT_FALSE(options->by_tables()) << "the faces answer a single pose";
+  EXPECT_EQ(parse({"--scheme", "usid"})->precision_deg, 0.5);
   EXPECT_FALSE(options->max_error_mm);
   EXPECT_FALSE(options->side);
   EXPECT_EQ(options->axes, "RAS");
