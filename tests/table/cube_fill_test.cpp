@@ -14,6 +14,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/soup.hpp"
+#include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge {
@@ -62,12 +63,6 @@ void expect_as_exact(const TriangleMesh& mesh, std::size_t n, Layer layer) {
   EXPECT_EQ(filled<std::uint16_t>(mesh, fill).none, none);
 }
 
-TriangleMesh askew(TriangleMesh mesh) {
-  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.7, Vec3(0.36, 0.48, 0.8)).toRotationMatrix();
-  for (Vec3& v : mesh.vertices) v = rotation * v;
-  return mesh;
-}
-
 void append_inside_out(const TriangleMesh& other, TriangleMesh& mesh) {
   const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
   for (const Face& f : other.faces) mesh.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
@@ -81,16 +76,16 @@ TEST(CubeFill, GeneratedJoint) {
     expect_as_exact(pair.ball, n, Layer::farthest);
     expect_as_exact(pair.socket, n, Layer::nearest);
   }
-  expect_as_exact(askew(pair.ball), 64, Layer::farthest);
-  expect_as_exact(askew(pair.socket), 64, Layer::nearest);
+  expect_as_exact(test::askew(pair.ball), 64, Layer::farthest);
+  expect_as_exact(test::askew(pair.socket), 64, Layer::nearest);
 }
 
 // Faces of a quarter of the sphere, with corners in the middle of the cube's faces, and beside them.
 TEST(CubeFill, FacesThatSpanTheCube) {
   expect_as_exact(octahedron(20.0), 33, Layer::farthest);
   expect_as_exact(octahedron(20.0), 64, Layer::farthest);
-  expect_as_exact(askew(octahedron(20.0)), 40, Layer::farthest);
-  expect_as_exact(askew(cone()), 40, Layer::farthest);
+  expect_as_exact(test::askew(octahedron(20.0)), 40, Layer::farthest);
+  expect_as_exact(test::askew(cone()), 40, Layer::farthest);
 }
 
 TEST(CubeFill, OffCentreBody) {
