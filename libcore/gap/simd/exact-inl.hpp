@@ -78,8 +78,8 @@ HWY_INLINE bool look_up_blocks(const ExactCells& cells, std::size_t i, Chunk& ch
       best = hn::Max(best, hn::IfThenElse(hn::Gt(least, doubtful), row(block.plane, k), none));
     }
   }
-  const float met = hn::GetLane(hn::MaxOfLanes(d, best));
-  for (std::size_t k = 0; k < kPlanes; ++k) chunk.s[kPlanes * i + k] = met;
+  const float hit = hn::GetLane(hn::MaxOfLanes(d, best));
+  for (std::size_t k = 0; k < kPlanes; ++k) chunk.s[kPlanes * i + k] = hit;
   return !hn::AllFalse(d, hn::Le(closest, doubtful));
 }
 

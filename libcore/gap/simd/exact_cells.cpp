@@ -39,12 +39,12 @@ std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
 
 // Faces of each cell, as places in the order of the blocks, rising.
 Lists faces_of_cells(const ExactCells& made, const CellGrid& grid) {
-  std::vector<std::uint32_t> met;
+  std::vector<std::uint32_t> cells;
   std::vector<Lists::Pair> pairs;
   for (std::uint32_t place = 0; place < made.face.size(); ++place) {
-    met.clear();
-    add_hit_cells(grid, cone_of(made.mesh, made.mesh.faces[made.face[place]]), met);
-    for (const std::uint32_t cell : met) pairs.push_back({cell, place});
+    cells.clear();
+    add_hit_cells(grid, cone_of(made.mesh, made.mesh.faces[made.face[place]]), cells);
+    for (const std::uint32_t cell : cells) pairs.push_back({cell, place});
   }
   return Lists(made.cells.size(), pairs);
 }

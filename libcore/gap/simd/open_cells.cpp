@@ -17,15 +17,15 @@ constexpr double kSteepestInDouble = 1e8;
 
 std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid) {
   grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
-  std::vector<std::uint32_t> met;
-  for (const JumpEdge& edge : jump_edges(mesh)) add_hit_cells(grid, cone_of(mesh, edge), met);
+  std::vector<std::uint32_t> cells;
+  for (const JumpEdge& edge : jump_edges(mesh)) add_hit_cells(grid, cone_of(mesh, edge), cells);
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
-    if (cone.edge_on() || cone.largest_slope() > kSteepestInDouble) add_hit_cells(grid, cone, met);
+    if (cone.edge_on() || cone.largest_slope() > kSteepestInDouble) add_hit_cells(grid, cone, cells);
   }
   const std::size_t lines = grid.divisions + 1;
   std::vector<bool> open(6 * lines * lines);
-  for (const std::uint32_t cell : met) open[cell] = true;
+  for (const std::uint32_t cell : cells) open[cell] = true;
   return open;
 }
 

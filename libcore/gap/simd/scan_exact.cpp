@@ -25,7 +25,7 @@ class ExactScan {
       move(count, chunk);
       const std::size_t doubtful = look_up_all(count, chunk);
       finish(count, chunk);
-      for (std::size_t j = 0; j < doubtful; ++j) settle(chunk.doubt[j], chunk);
+      for (std::size_t j = 0; j < doubtful; ++j) answer_exactly(chunk.doubt[j], chunk);
       std::memcpy(scan_.gap + begin, chunk.gap, count * sizeof(float));
     }
   }
@@ -83,14 +83,14 @@ class ExactScan {
       const auto s = hn::Mul(hn::Load(d, chunk.turn + i), best);
       const auto size = hn::Load(d, chunk.size + i);
       const auto gap = hn::Mul(hn::Mul(hn::Set(d, scan_.sign), size), hn::Div(hn::Sub(one, s), s));
-      const auto met = hn::And(hn::Gt(best, hn::Set(d, -std::numeric_limits<float>::infinity())),
+      const auto hit = hn::And(hn::Gt(best, hn::Set(d, -std::numeric_limits<float>::infinity())),
                                hn::Gt(size, hn::Zero(d)));
-      hn::Store(hn::IfThenElse(met, gap, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d,
+      hn::Store(hn::IfThenElse(hit, gap, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d,
                 chunk.gap + i);
     }
   }
 
-  void settle(std::size_t i, Chunk& chunk) const {
+  void answer_exactly(std::size_t i, Chunk& chunk) const {
     if (chunk.size[i] > 0.0F) chunk.gap[i] = in_doubt(i, chunk);
   }
 

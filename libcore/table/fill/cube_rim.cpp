@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "table/fill/edge_cells.hpp"
 #include "table/rim.hpp"
 
 namespace impinge {
@@ -69,24 +68,6 @@ class StoredRim {
   double nearer_to_a_jump_ = 1.0;
 };
 
-// Calls visit(entry, first, last) for each cell along the edge on one side of it, by its first entry, with
-// the ends of the stretch in it, in any frame about the centre.
-template <class Visit>
-void for_each_rim_cell(const CubeGnomonic& scheme, const RimLine& line, Visit&& visit) {
-  const std::size_t n = scheme.divisions();
-  const SeenCorner start = seen_corner(line.point(0.0), n);
-  const SeenCorner end = seen_corner(line.point(1.0), n);
-  if (start.face == end.face) {
-    for_each_cell_of_line(start, end, n, [&](const EdgeCell& cell) {
-      visit((start.face * (n + 1) + cell.row) * (n + 1) + cell.column, cell.first, cell.last);
-    });
-  } else {  // round an edge of the cube
-    for_each_cell_along(scheme, line, [&](const Stencil& stencil, const Vec3& first, const Vec3& last) {
-      visit(stencil.entry[0], first, last);
-    });
-  }
-}
-
 // Marks the cells along one side of an edge where it may be seen; the others are put down as doubtful. It
 // only saves time not to put down all of them: the faces at the edge are within the reach of every tap, so
 // that mask_doubtful() marks what they make visible as well.
@@ -95,7 +76,8 @@ void follow(const JumpEdge& edge, const RimLine& line, Layer layer, StoredRim<Va
             std::vector<DoubtfulRim>& doubtful) {
   const double reach = rim.scheme().stencil_radius();
   const double most = std::exp(2.0 * edge.slope * reach);
-  for_each_rim_cell(rim.scheme(), line, [&](std::size_t entry, const Vec3& first, const Vec3& last) {
+  for_each_cell_along(rim.scheme(), line, [&](const Stencil& at, const Vec3& first, const Vec3& last) {
+    const std::size_t entry = at.entry[0];
     if (rim.marked(entry)) return;
     const double radius = radius_to_be_seen(first, last, layer);
     const double change = rim.squared_change(entry, radius * radius);

@@ -36,10 +36,6 @@ std::uint64_t beyond(const Vec3& v, double share) {
 
 }  // namespace
 
-SeenCorner seen_corner(const Vec3& v, std::size_t divisions) {
-  return project(v, cube_face(v), 0.5 * static_cast<double>(divisions));
-}
-
 CubeView::CubeView(const TriangleMesh& mesh, std::size_t divisions)
     : mesh_(&mesh),
       divisions_(divisions),

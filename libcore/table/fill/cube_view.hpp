@@ -26,9 +26,6 @@ struct SeenCorner {
   std::uint32_t face = 0;  // through which it is seen
 };
 
-/// A point through the face of the cube that it is in front of. The centre itself is seen through none.
-SeenCorner seen_corner(const Vec3& v, std::size_t divisions);
-
 /// How a face of the mesh is seen through a face of the cube.
 struct SeenFace {
   std::array<SeenCorner, 3> corners;  // through that face
