@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "13_fast/fast_study.hpp"
-#include "kernels/instruction_set.hpp"
+#include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/contact.hpp"
 

@@ -12,8 +12,8 @@
 #include <benchmark/benchmark.h>
 
 #include "13_fast/fast_table.hpp"
+#include "gap/simd/instruction_set.hpp"
 #include "harness/cold_timing.hpp"
-#include "kernels/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace impinge::lab {

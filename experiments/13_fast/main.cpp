@@ -3,7 +3,7 @@
 // @writes    fast fast_samples
 // @timing    yes
 // @seconds   27 165
-// @links     harness gaps_methods kernels
+// @links     harness gaps_methods gap_simd
 //
 // Kernels with vector instructions, the library's scalar scan, and Embree with 1, 8 and 16 rays at a time, in
 // both directions, in one interleaved run. Errors against all triangles come first, and what is too far off

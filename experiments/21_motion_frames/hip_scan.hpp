@@ -7,9 +7,9 @@
 
 #include "gap/gap_summary.hpp"
 #include "gap/pose.hpp"
+#include "gap/simd/joint_scan.hpp"
 #include "hip/anatomy.hpp"
 #include "hip/close_zones.hpp"
-#include "kernels/joint_scan.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge::lab {

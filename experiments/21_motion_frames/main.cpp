@@ -5,7 +5,7 @@
 // @files     motion_frames/patient_b-ball.ply motion_frames/patient_b-socket.ply
 // @timing    no
 // @seconds   1 3
-// @links     harness kernels hip ply_series
+// @links     harness gap_simd hip ply_series
 //
 // On stand-ins: the patients' scans are not public (hip/hip_presets.hpp).
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     contact
-// @links   contact kernels centred_table
+// @links   contact gap_simd centred_table
 //
 // The gaps of all vertices of a joint by the kernels: all_vertices, of tables in 16 bits; all_corners, of
 // tables with the corners of a cell together and centred errors, as accurate; all_corners_2_threads, the
@@ -11,12 +11,12 @@
 #include <memory>
 #include <utility>
 
-#include "kernels/corner_table.hpp"
-#include "kernels/joint_scan.hpp"
-#include "kernels/thread_team.hpp"
+#include "gap/simd/corner_table.hpp"
+#include "gap/simd/joint_scan.hpp"
 #include "methods/centred_table.hpp"
 #include "methods/contact.hpp"
 #include "table/exact_raster.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge::lab {
 namespace {

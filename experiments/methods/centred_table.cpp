@@ -83,7 +83,7 @@ class ErrorRanges {
     const TriangleMesh& mesh = faces_.mesh();
     const Vec3 u = place.on_cube.normalized();
     const double own = place.on_cube.norm() / place.inverse_depth;
-    return faces_.any_met(u, [&](std::uint32_t f, int /*side*/) {
+    return faces_.any_hit(u, [&](std::uint32_t f, int /*side*/) {
       const Face& face = mesh.faces[f];
       const auto has = [&face](VertexIndex v) { return std::ranges::find(face, v) != face.end(); };
       if (has(edge[0]) && has(edge[1])) return false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     fill
-// @links   gap kernels
+// @links   gap table_fill
 //
 // Methods cube_at_once: a cube map drawn and stored at once; cube_in_double: the rasteriser of all schemes,
 // in double.
 
-#include "kernels/cube_fill.hpp"
+#include "table/fill/cube_fill.hpp"
 
 #include <concepts>
 #include <memory>

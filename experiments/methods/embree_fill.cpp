@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     fill
-// @links   gap kernels peer::embree
+// @links   gap table_fill peer::embree
 //
 // Method embree_fill: what a table asks of a surface, by Embree: its tree, then coherent rays from the
 // centre, 16 in a packet, along the directions of the entries.
@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernels/thread_team.hpp"
 #include "methods/embree_scene.hpp"
 #include "methods/fill.hpp"
 #include "sphere/table_memory.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/gap_kernels.hpp"
+#include "gap/simd/gap_kernels.hpp"
 
 namespace impinge::lab {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "gap/simd/certified_table.hpp"
+#include "gap/simd/packed_vertices.hpp"
 #include "gap/surface.hpp"
-#include "kernels/certified_table.hpp"
-#include "kernels/packed_vertices.hpp"
 #include "methods/points.hpp"
 
 namespace impinge::lab {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     gaps
-// @links   gap kernels gap_queries memory_floor
+// @links   gap gap_simd gap_queries memory_floor
 //
 // The library's scans: kernels with vector instructions on tables of several kinds and storages, the scalar
 // scan in double, and the least that a look-up can do.
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "gap/gap_scan.hpp"
-#include "kernels/corner_table.hpp"
-#include "kernels/exact_cells.hpp"
+#include "gap/simd/corner_table.hpp"
+#include "gap/simd/exact_cells.hpp"
 #include "methods/floor_scan.hpp"
 #include "methods/gaps.hpp"
 #include "methods/table_query.hpp"

@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "kernels/scan_lanes-inl.hpp"
+#include "gap/simd/scan-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace impinge::lab::HWY_NAMESPACE {

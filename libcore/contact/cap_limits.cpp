@@ -38,14 +38,13 @@ std::vector<Vec3> entries(std::size_t cells) {
 // Adds levels, one after the other.
 class LevelsBuilder {
  public:
-  LevelsBuilder(const TriangleMesh& mesh, Layer layer, double margin)
-      : search_(mesh, layer), margin_(margin) {
+  LevelsBuilder(const TriangleMesh& mesh, Layer layer) : search_(mesh, layer) {
     limits.assign(24, search_.limit({Vec3::UnitZ(), 4.0}, 0.0));
   }
 
   void add(std::int32_t cells, float reach) {
     const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(cells);
-    const double radius = nearest_entry + static_cast<double>(reach) + margin_ + kNodeSlack;
+    const double radius = nearest_entry + static_cast<double>(reach) + kNodeSlack;
     steps.push_back(static_cast<std::int32_t>(limits.size() << CapLimits::kLineBits) + cells);
     for (const Vec3& axis : entries(static_cast<std::size_t>(cells)))
       limits.push_back(search_.limit({axis, radius}, kResolution * nearest_entry));
@@ -56,13 +55,12 @@ class LevelsBuilder {
 
  private:
   CapSearch search_;
-  double margin_;
 };
 
 }  // namespace
 
-CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer, double margin) {
-  LevelsBuilder builder(mesh, layer, margin);
+CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer) {
+  LevelsBuilder builder(mesh, layer);
   const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
   const auto cells = static_cast<std::int32_t>(std::clamp(most, 4.0, kMostCells));
   while (reach(finest_) > kFinestReach / static_cast<float>(cells)) {

@@ -3,15 +3,14 @@
 // look-up.
 //
 // A levels of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
-// a direction within c + reach + margin of it, c = sqrt(2) / n being the farthest that a direction is from
+// a direction within c + reach of it, c = sqrt(2) / n being the farthest that a direction is from
 // the entry nearest to it on the grid (that way is along a straight line of the gnomonic plane, and central
 // projection makes no length longer); the reaches are 2, 1.75, 1.5, 1.25, 1, 0.875 ... radians. So
 //
 //   within(x, angle), angle <= reach: no face has a smaller radius (a larger one for Layer::farthest) in any
-//   direction within `angle` of x, nor within the margin of such a direction
+//   direction within `angle` of x
 //
-// There is one grid more, finer, with a reach of kAloneReach, for single vertices. A table whose look-ups
-// read entries within the margin, and answer with a mean of them, keeps the limits too.
+// There is one grid more, finer, with a reach of kAloneReach, for single vertices.
 #pragma once
 
 #include <algorithm>
@@ -45,9 +44,9 @@ class CapLimits {
   static constexpr int kLineBits = 9;          // of a step that hold the cells along an edge
   static constexpr std::int32_t kMostLines = (1 << kLineBits) - 1;  // most cells along an edge
 
-  /// mesh in the centre frame; margin in radians. O(faces). Faces whose plane holds the centre cover no
+  /// mesh in the centre frame. O(faces). Faces whose plane holds the centre cover no
   /// direction and are left out.
-  CapLimits(const TriangleMesh& mesh, Layer layer, double margin = 0.0);
+  CapLimits(const TriangleMesh& mesh, Layer layer);
 
   /// The limit of a cap.
   struct Limit {

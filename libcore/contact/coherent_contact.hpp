@@ -29,6 +29,7 @@ class CoherentContact {
  public:
   /// The joint must outlive this.
   explicit CoherentContact(const CulledJoint& joint);
+  explicit CoherentContact(const CulledJoint&&) = delete;
 
   /// As CulledJoint::impinged(); which vertex is found may differ.
   std::optional<ScannedVertex> impinged(const Pose& pose);

@@ -115,8 +115,8 @@ std::optional<LeastGap> CulledJoint::least_gap(const Pose& pose) const {
 
 double CulledJoint::gap(Surface scanned, const Vec3& x) const {
   if (x.isZero(0.0)) return kNoSurface;
-  const Surface met = other(scanned);
-  return signed_gap(scanned, faces(met).radius(x.normalized(), facing_layer(met)), x.norm());
+  const Surface facing = other(scanned);
+  return signed_gap(scanned, faces(facing).radius(x.normalized(), facing_layer(facing)), x.norm());
 }
 
 std::size_t CulledJoint::bytes() const {

@@ -23,6 +23,7 @@ class CulledJoint {
  public:
   /// Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
   explicit CulledJoint(const BallSocketPair& joint);
+  explicit CulledJoint(const BallSocketPair&&) = delete;
 
   /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); none
   /// exactly if there is none.

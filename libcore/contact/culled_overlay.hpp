@@ -22,6 +22,7 @@ class CulledOverlay {
  public:
   /// The joint must outlive this. O(faces).
   explicit CulledOverlay(const CulledJoint& joint);
+  explicit CulledOverlay(const CulledJoint&&) = delete;
 
   /// Is the pose impinged? Exact.
   bool impinged(const Pose& pose) const;

@@ -26,11 +26,10 @@ CapTree tree_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-CulledScan::CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
-                       double margin)
+CulledScan::CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& facing)
     : scanned_(scanned),
       tree_(tree_of(checked(vertices_of))),
-      limits_(checked(asked), facing_layer(other(scanned)), margin) {
+      limits_(checked(facing), facing_layer(other(scanned))) {
   const std::vector<std::uint32_t> used = surface_vertices(vertices_of);
   for (const std::uint32_t item : tree_.order()) {
     vertex_.push_back(used[item]);

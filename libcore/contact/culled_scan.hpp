@@ -25,8 +25,7 @@ class CulledScan {
  public:
   /// Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
   /// lengths of either beyond those of floats in mesh/lengths.hpp.
-  CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& asked,
-             double margin = 0.0);
+  CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& facing);
 
   Surface scanned() const { return scanned_; }         // whose vertices are scanned
   const CapTree& tree() const { return tree_; }        // of these vertices

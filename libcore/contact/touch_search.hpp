@@ -3,8 +3,7 @@
 // at once; what is left over is asked item by item, of whoever is given. The answer is that of asking all
 // items.
 //
-// Whoever is asked must keep to the limits: its radii are those of the mesh, or means of radii within the
-// margin of the direction (see contact/cap_limits.hpp).
+// Whoever is asked must keep to the limits: its radii are those of the mesh, see contact/cap_limits.hpp.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-// One file on its way. Undoes itself unless it was settled.
+// One file on its way. Undoes itself unless it was kept.
 class FileSet::Change {
  public:
   Change(const std::filesystem::path& file, std::string_view bytes) : part_(file) { part_.write(bytes); }
@@ -39,7 +39,7 @@ class FileSet::Change {
     replaced_ = true;
   }
 
-  void settle() { replaced_ = false; }
+  void keep() { replaced_ = false; }
 
  private:
   std::string old() const { return part_.target().string() + ".old" + std::to_string(::getpid()); }
@@ -62,7 +62,7 @@ void FileSet::commit() {
   changes_.clear();
   for (const auto& change : changes) change->keep_old();
   for (const auto& change : changes) change->replace();
-  for (const auto& change : changes) change->settle();
+  for (const auto& change : changes) change->keep();
 }
 
 }  // namespace impinge

@@ -5,11 +5,11 @@
 
 namespace impinge {
 
-bool exactly_impinged(Surface of, const NearFaces& met, const Vec3& x) {
-  if (x.isZero(0.0)) return of == Surface::socket && !met.empty();
+bool exactly_impinged(Surface of, const NearFaces& faces, const Vec3& x) {
+  if (x.isZero(0.0)) return of == Surface::socket && !faces.empty();
   // A face for which the order, +1 with x beyond it and -1 with x before it, is not opposite.
-  return met.any_met(x, [&](std::uint32_t f, int side) {
-    const auto corners = corners_of(met.mesh(), met.mesh().faces[f]);
+  return faces.any_hit(x, [&](std::uint32_t f, int side) {
+    const auto corners = corners_of(faces.mesh(), faces.mesh().faces[f]);
     if (place_in_cone(corners, side, x) < 0) return false;
     return gap_sign<int>(of) * side * plane_side(corners[0], corners[1], corners[2], x) >= 0;
   });

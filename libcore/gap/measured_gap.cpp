@@ -25,7 +25,7 @@ RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
 RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
   const Vec3 u = x.stableNormalized();
   RadiusRange found;
-  surface.any_met(x, [&](std::uint32_t f, int side) {
+  surface.any_hit(x, [&](std::uint32_t f, int side) {
     const TriangleCone cone = cone_of(surface.mesh(), surface.mesh().faces[f]);
     if (place_in_cone(cone.corners(), side, x) < 0) return false;
     const RadiusRange here = radius_range(cone, u);
@@ -43,9 +43,9 @@ RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
 
 }  // namespace
 
-CertifiedGap measured_gap(Surface of, const NearFaces& met, const Vec3& x) {
+CertifiedGap measured_gap(Surface of, const NearFaces& faces, const Vec3& x) {
   if (x.isZero(0.0)) return {};
-  const RadiusRange range = layer_range(met, x, facing_layer(other(of)));
+  const RadiusRange range = layer_range(faces, x, facing_layer(other(of)));
   if (range.empty()) return {};
   const double length = x.norm();
   const double error = kLengthSteps * length;

@@ -20,7 +20,7 @@
 namespace impinge {
 
 /// Of a vertex of that surface, at x in the frame of the other one, mm, whose facing layer counts.
-CertifiedGap measured_gap(Surface of, const NearFaces& met, const Vec3& x);
+CertifiedGap measured_gap(Surface of, const NearFaces& faces, const Vec3& x);
 
 /// Gaps of one scan by a table and what is proven about them, by vertex, mm.
 struct BoundedScan {

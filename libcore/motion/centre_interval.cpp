@@ -97,14 +97,14 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
   const double r = question_.within_mm;
   const bool all = question_.gap_mm > 0.0;
   const std::vector<Edge> edges = possible_jumps(mesh, r);
-  const std::vector<VertexIndex> met = asked_of(other, possible_jumps(other, r), all);
+  const std::vector<VertexIndex> facing = asked_of(other, possible_jumps(other, r), all);
   WallQuestion walls{is_socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
-  for (const VertexIndex v : met) {
+  for (const VertexIndex v : facing) {
     walls.nearest = std::min(walls.nearest, other.vertices[v].norm());
     walls.farthest = std::max(walls.farthest, other.vertices[v].norm());
   }
   Side made{SweptParts(faces_of(mesh)),
-            SweptParts(met.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
+            SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
             SweptParts(points_of(mesh, asked_of(mesh, edges, all))), jump_edges(mesh), HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
@@ -140,19 +140,20 @@ double CentreIntervals::shift(const Pose& pose) const {
 // See the header. x is the vertex in the frame of the other surface.
 bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, double shift) const {
   const bool of_ball = at.scanned == Surface::ball;
-  const Side& met = of_ball ? socket_ : ball_;
+  const Side& facing = of_ball ? socket_ : ball_;
   const BallSocketPair& meshes = joint_.meshes();
   const Vec3 x = to_other(at.scanned, pose, mesh_of(meshes, at.scanned).vertices[at.vertex]);
   const double r = question_.within_mm;
   const double length = x.norm() + (of_ball ? question_.gap_mm : -question_.gap_mm);
   if (!(x.norm() > 4.0 * r) || !(length > 4.0 * r)) return false;
-  const double rounding = kCertainMargin * (x.norm() + met.nearest);
+  const double rounding = kCertainMargin * (x.norm() + facing.nearest);
   const double moved = shift + 2.0 * question_.gap_mm * r / std::min(length, x.norm()) + rounding;
-  const double sine = of_ball ? std::max(r, moved) / met.nearest : (r + moved) / length;
+  const double sine = of_ball ? std::max(r, moved) / facing.nearest : (r + moved) / length;
   if (!(sine < 0.5)) return false;
   const Vec3 p = length / x.norm() * x;
-  return met.faces.farther_than(moved, p) &&
-         clear_of_jumps(mesh_of(meshes, other(at.scanned)), met.jumps, p, std::asin(sine) + kCertainMargin);
+  return facing.faces.farther_than(moved, p) &&
+         clear_of_jumps(mesh_of(meshes, other(at.scanned)), facing.jumps, p,
+                        std::asin(sine) + kCertainMargin);
 }
 
 bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {

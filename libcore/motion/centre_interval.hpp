@@ -66,6 +66,7 @@ class CentreIntervals {
  public:
   /// The meshes of the joint are without edge-on faces (mesh/surface_vertices.hpp); it must outlive this.
   CentreIntervals(const CulledJoint& joint, const CentreQuestion& question);
+  CentreIntervals(const CulledJoint&&, const CentreQuestion&) = delete;
 
   /// The lower end, `to_deg` at most: no centre is free beyond the lower end of the origin. 0 where the start
   /// is within reach of a contact. The start must not be impinged: then no faces pierce each other there

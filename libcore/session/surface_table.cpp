@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "gap/gap_scan.hpp"
-#include "kernels/gap_kernels.hpp"
+#include "gap/simd/gap_kernels.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/stored_table.hpp"
 #include "table/direction_bounds.hpp"

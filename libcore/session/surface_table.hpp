@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gap/pose.hpp"
-#include "kernels/packed_vertices.hpp"
+#include "gap/simd/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/layer.hpp"
 #include "table/partial_table.hpp"
@@ -47,7 +47,7 @@ class SurfaceBounds {
 
   /// On the error of an answer along x, in the frame of the table, mm: of the interpolation there
   /// (table/direction_bounds.hpp) and of the storage (sphere/stored_table.hpp). The kernels' own
-  /// roundings, below a micrometre, come on top (kernels/gap_kernels.hpp). NaN where there is no answer,
+  /// roundings, below a micrometre, come on top (gap/simd/gap_kernels.hpp). NaN where there is no answer,
   /// infinite where nothing is proven.
   virtual double at(const Vec3& x) const = 0;
 
@@ -75,7 +75,7 @@ class SurfaceTable {
 };
 
 /// `cube_gnomonic` with flat_cube and `rsid` in float and 16 bits are scanned by the kernels
-/// (kernels/gap_kernels.hpp), all else vertex by vertex. std::invalid_argument for a scheme or a precision
+/// (gap/simd/gap_kernels.hpp), all else vertex by vertex. std::invalid_argument for a scheme or a precision
 /// that there is not. mesh in the centre frame.
 std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const TriangleMesh& mesh,
                                          Layer layer);

@@ -43,6 +43,8 @@ class DirectionBounds {
     everywhere_ = table_bound(mesh, table, layer, options).bound_mm;
   }
 
+  DirectionBounds(const TriangleMesh&, const RadialTable<S>&&, Layer, BoundOptions = {}) = delete;
+
   /// Of the whole table, mm; infinite where none is proven.
   double everywhere() const { return everywhere_; }
 
@@ -76,6 +78,8 @@ class FlatDirectionBounds {
     }
     everywhere_ = table_bound(mesh, table, layer, options).bound_mm;
   }
+
+  FlatDirectionBounds(const TriangleMesh&, const InverseDepthTable<S>&&, Layer, BoundOptions = {}) = delete;
 
   double everywhere() const { return everywhere_; }  // as in DirectionBounds
 

@@ -33,6 +33,7 @@ class NearFaces {
   /// mesh in the centre frame; it must outlive this. margin in radians. Faces whose
   /// plane holds the centre cover no direction and are not listed, but their slope is infinite.
   NearFaces(const TriangleMesh& mesh, double margin);
+  NearFaces(const TriangleMesh&&, double) = delete;
 
   /// x of any length. Nothing is known about the centre, which has no direction.
   Near near(const Vec3& x) const;
@@ -47,7 +48,7 @@ class NearFaces {
   /// Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
   /// of its corners.
   template <class Test>
-  bool any_met(const Vec3& x, Test&& test) const {
+  bool any_hit(const Vec3& x, Test&& test) const {
     const Vec3 u = x.stableNormalized();
     for (const std::uint32_t f : index_.shortest(index_.grid().stencil(u))) {
       const Cap& cap = caps_[f];

@@ -77,7 +77,7 @@ struct PatchView {
 struct PatchBound {
   double bound = 0.0;     // mm, on the error over the rectangle
   std::size_t split = 0;  // the direction that adds most to it
-  bool settled = false;   // no smaller rectangle would do better
+  bool tight = false;     // no smaller rectangle would do better
 };
 
 /// Bounds rectangles one after the other; keeps scratch memory.

@@ -105,7 +105,7 @@ class BoundSearch {
     open(node);
     if (options_.of_cells != nullptr) note_bound_of_cell(node);
     if (node.bound > enough()) sample_middle(patch);
-    if (open_.size() > kMostOpen) close_settled();
+    if (open_.size() > kMostOpen) close_tight();
   }
 
   /// Of a whole patch. A float may round down; one step up keeps the bound.
@@ -122,14 +122,14 @@ class BoundSearch {
     node.split = found.split;
     const bool small = node.rect.width(0) < kLeastShare * node.patch.rect.width(0) ||
                        node.rect.width(1) < kLeastShare * node.patch.rect.width(1);
-    if (found.settled || small || found.bound <= enough() || options_.budget == 0) {
+    if (found.tight || small || found.bound <= enough() || options_.budget == 0) {
       closed_ = std::max(closed_, found.bound);
     } else {
       open_.push_back(node);
     }
   }
 
-  void close_settled() {
+  void close_tight() {
     std::erase_if(open_, [this](const Node& node) {
       if (node.bound > enough()) return false;
       closed_ = std::max(closed_, node.bound);

@@ -79,8 +79,8 @@ TEST(CoherentContact, AnswersAsIndependentPosesFromAnyPoseToAnyOther) {
   const CulledJoint joint(meshes);
   for (const double shift : {2.0, 5.0, 30.0})
     expect_same_answers(joint, test::random_poses(60, 3.0, shift, 41));
-  expect_same_answers(CulledJoint(BallSocketPair{octahedron(16.0), octahedron(16.0)}),
-                      test::random_poses(5, 1.0, 1.0, 42));
+  const BallSocketPair alike{octahedron(16.0), octahedron(16.0)};
+  expect_same_answers(CulledJoint(alike), test::random_poses(5, 1.0, 1.0, 42));
 }
 
 // The same pose again and again uses nothing up; small motions use up what they are.

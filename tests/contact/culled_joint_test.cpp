@@ -10,9 +10,12 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
+#include "contact/coherent_contact.hpp"
+#include "contact/culled_overlay.hpp"
 #include "harness/contact_poses.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
@@ -25,6 +28,11 @@ namespace {
 using namespace lab;
 
 using test::EveryVertex;
+
+// What is kept by reference is no temporary.
+static_assert(!std::is_constructible_v<CulledJoint, BallSocketPair>);
+static_assert(!std::is_constructible_v<CoherentContact, CulledJoint>);
+static_assert(!std::is_constructible_v<CulledOverlay, CulledJoint>);
 
 // Poses that touch, and poses that do not, of all of them.
 struct Seen {

@@ -14,6 +14,7 @@
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
+#include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {
@@ -62,15 +63,10 @@ Findings examine(const std::vector<Truth>& truths, const RangeTable<S>& table, d
   return found;
 }
 
-TriangleMesh tilted(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
-  return mesh;
-}
-
 // Two spheres, one in the other: two layers everywhere.
 TriangleMesh two_layers() {
   TriangleMesh mesh = sphere(20.0, 60);
-  const TriangleMesh outer = tilted(sphere(24.0, 100, {1.0, 0.0, 0.0}));
+  const TriangleMesh outer = test::askew(sphere(24.0, 100, {1.0, 0.0, 0.0}));
   const auto first = static_cast<VertexIndex>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), outer.vertices.begin(), outer.vertices.end());
   for (const Face& f : outer.faces) mesh.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
@@ -79,7 +75,7 @@ TriangleMesh two_layers() {
 
 TEST(RangeTable, HoldsTheSurfaceWithEveryScheme) {
   const BallSocketPair pair = make_ball_socket_pair(100);
-  for (const TriangleMesh& mesh : {pair.ball, tilted(pair.socket)}) {
+  for (const TriangleMesh& mesh : {pair.ball, test::askew(pair.socket)}) {
     const auto truths = truth_of(mesh, 300);
     test::every_scheme([&]<class S>() {
       for (const double precision : {10.0, 3.0}) {
@@ -91,7 +87,7 @@ TEST(RangeTable, HoldsTheSurfaceWithEveryScheme) {
 }
 
 TEST(RangeTable, HoldsTheSurfaceOfBodiesOfAllKinds) {
-  const std::vector<TriangleMesh> meshes{make_ball_socket_pair(300).socket, tilted(octahedron(20.0)),
+  const std::vector<TriangleMesh> meshes{make_ball_socket_pair(300).socket, test::askew(octahedron(20.0)),
                                          cone({.sides = 24}), two_layers(),
                                          sphere(22.0, 100, {12.0, 3.0, -9.0})};
   for (const TriangleMesh& mesh : meshes) {
@@ -104,7 +100,7 @@ TEST(RangeTable, HoldsTheSurfaceOfBodiesOfAllKinds) {
 }
 
 TEST(RangeTable, SaysWhereTheSurfaceEnds) {
-  const TriangleMesh socket = tilted(cup(26.0, 80.0, 2000));
+  const TriangleMesh socket = test::askew(cup(26.0, 80.0, 2000));
   const auto truths = truth_of(socket, 20000);
   const auto found = examine(truths, fill_ranges(socket, Rsid::with_precision(1.0)));
   EXPECT_EQ(found.wrong, 0U);

@@ -15,17 +15,13 @@
 #include "mesh/generated_pair.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {
 namespace {
-
-TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
-  for (Vec3& v : mesh.vertices) v = rotation * v;
-  return mesh;
-}
 
 const Eigen::Matrix3d kTilt = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
 
@@ -38,7 +34,7 @@ TEST(Resampled, TheRasterHasThePrecisionOfTable6) {
 
 // Entry i of the helix of k turns: cos(phi) = 1 - 2 i / (k^2 - 1), theta = 2 k phi (Eq. 9), written anew.
 TEST(Resampled, ReadsTheThesisRasterBilinearly) {
-  const TriangleMesh ball = turned(make_ball_socket_pair(1000).ball, kTilt);
+  const TriangleMesh ball = test::turned(make_ball_socket_pair(1000).ball, kTilt);
   const Usid helix = Usid::with_precision(2.0);
   const auto raster = fill_thesis(ball, Rsid::with_precision(2.0), Layer::farthest);
   const auto table = fill_resampled(ball, helix, Layer::farthest);
@@ -89,7 +85,7 @@ TEST(Resampled, KeepsItsBound) {
   const TriangleMesh ball = make_ball_socket_pair(300).ball;
   const TriangleMesh aside = sphere(22.0, 1000, {5.0, -4.0, 3.0});
   test::every_scheme([&]<class S>() {
-    for (const TriangleMesh& mesh : {ball, turned(octahedron(20.0), kTilt)}) worst_share<S>(mesh, 5.0);
+    for (const TriangleMesh& mesh : {ball, test::turned(octahedron(20.0), kTilt)}) worst_share<S>(mesh, 5.0);
   });
   for (const double precision : {2.0, 1.0}) {
     for (const TriangleMesh& mesh : {ball, aside}) {
@@ -107,7 +103,7 @@ TEST(Resampled, TheBoundIsInfiniteForAnEdgeOnFace) {
 
 // An entry has a surface exactly where the cell of the raster that it lies in has one: not in a rim cell.
 TEST(Resampled, AnEntryInARimCellOfTheRasterHasNoSurface) {
-  const TriangleMesh socket = turned(make_ball_socket_pair(300).socket, kTilt);
+  const TriangleMesh socket = test::turned(make_ball_socket_pair(300).socket, kTilt);
   const auto raster = fill_thesis(socket, Rsid::with_precision(3.0), Layer::nearest);
   test::every_scheme([&]<class S>() {
     const S scheme = S::with_precision(3.0);

@@ -17,6 +17,7 @@
 #include "mesh/generated_pair.hpp"
 #include "methods/chart.hpp"
 #include "support/random_cases.hpp"
+#include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {
@@ -75,9 +76,8 @@ TEST(ThesisRaster, IsLinearOnTheChart) {
   expect_linear_on_the_chart(octahedron(20.0), 5.0);                      // case 1: the pole is a vertex
   expect_linear_on_the_chart(octahedron_turned_about_x(kPi / 4.0), 5.0);  // case 2: on an edge
   expect_linear_on_the_chart(octahedron_turned_about_x(0.6), 5.0);
-  TriangleMesh tilted = octahedron_turned_about_x(0.6);
-  for (Vec3& v : tilted.vertices) v = Eigen::AngleAxisd(0.5, Vec3::UnitY()) * v;
-  expect_linear_on_the_chart(tilted, 5.0);  // case 3: inside a face
+  // Case 3: inside a face.
+  expect_linear_on_the_chart(test::turned(octahedron_turned_about_x(0.6), 0.5, Vec3::UnitY()), 5.0);
   expect_linear_on_the_chart(sphere(22.0, 300, {4.0, -3.0, 6.0}), 3.0);
 }
 

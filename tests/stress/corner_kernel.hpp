@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of kernels/corner_table.hpp, which the library has no scalar table for: one is made of its
+// The kernel of gap/simd/corner_table.hpp, which the library has no scalar table for: one is made of its
 // words.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/corner_fixture.hpp"
+#include "gap/corner_fixture.hpp"
 #include "stress/filled_table.hpp"
 #include "stress/table_kernels.hpp"
 

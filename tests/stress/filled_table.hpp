@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/gap_kernels.hpp"
-#include "kernels/packed_fixture.hpp"
+#include "gap/simd/gap_kernels.hpp"
 #include "table/exact_raster.hpp"
+#include "table/packed_fixture.hpp"
 #include "table/table_bound.hpp"
 
 namespace impinge::test {

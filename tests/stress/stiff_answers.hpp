@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/certified_table.hpp"
-#include "kernels/cube_fill.hpp"
+#include "gap/simd/certified_table.hpp"
 #include "mesh/bodies.hpp"
 #include "stress/shapes.hpp"
 #include "stress/stiff_surfaces.hpp"
@@ -16,6 +15,7 @@
 #include "support/as_floats.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
+#include "table/fill/cube_fill.hpp"
 
 namespace impinge::test {
 

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/certified_table.hpp"
+#include "gap/simd/certified_table.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/conditions.hpp"
 #include "stress/measure.hpp"

@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/packed_fixture.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/stiff_surfaces.hpp"
 #include "stress/table_kernels.hpp"
+#include "table/packed_fixture.hpp"
 
 namespace impinge::lab {
 namespace {

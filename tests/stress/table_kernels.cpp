@@ -20,7 +20,7 @@ double storage_bound(const auto& scalar) {
   }
 }
 
-// Rows of kernels/packed_table.hpp and of the helix; Scalar keeps the same numbers.
+// Rows of table/packed_table.hpp and of the helix; Scalar keeps the same numbers.
 template <class S, PackedValue Value, class Scalar>
 class RowsKernel : public TableKernel {
  public:

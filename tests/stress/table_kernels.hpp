@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/packed_vertices.hpp"
+#include "gap/simd/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/layer.hpp"
 

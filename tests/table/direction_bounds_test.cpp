@@ -14,6 +14,7 @@
 #include "mesh/generated_pair.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "support/directions.hpp"
+#include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 
@@ -22,11 +23,6 @@ namespace {
 
 constexpr double kOfOracle = 1e-11;  // mm, rounding of the rays and the table
 constexpr double kSpacing = 4.0;     // degrees
-
-TriangleMesh askew(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
-  return mesh;
-}
 
 // All bounds of the directions that have a surface, sorted. Fails where one of them does not hold.
 template <class Table, class Bounds>
@@ -69,7 +65,7 @@ std::vector<double> of_inverse_depths(const TriangleMesh& mesh) {
 double median(const std::vector<double>& sorted) { return sorted.at(sorted.size() / 2); }
 
 TEST(DirectionBounds, HoldInEveryDirectionForBothInterpolants) {
-  for (const TriangleMesh& mesh : {make_ball_socket_pair(100).ball, askew(cone())}) {
+  for (const TriangleMesh& mesh : {make_ball_socket_pair(100).ball, test::askew(cone())}) {
     of_radii<CubeGnomonic>(mesh);
     of_inverse_depths(mesh);
   }
@@ -83,10 +79,10 @@ TEST(DirectionBounds, ACellThatTheSearchHasNotMetSaysNothing) {
 
 // Inverse depths are exact on the eight flat faces; only cells that an edge crosses have a bound at all.
 TEST(DirectionBounds, AreThoseOfTheCellAndNotOfTheWorstOne) {
-  const std::vector<double> flat = of_inverse_depths(askew(octahedron(20.0)));
+  const std::vector<double> flat = of_inverse_depths(test::askew(octahedron(20.0)));
   EXPECT_LT(median(flat), 1e-7);
   EXPECT_GT(flat.back(), 0.1);
-  const std::vector<double> smooth = of_radii<CubeGnomonic>(askew(octahedron(20.0)));
+  const std::vector<double> smooth = of_radii<CubeGnomonic>(test::askew(octahedron(20.0)));
   EXPECT_LT(median(smooth), 0.1 * smooth.back());
   EXPECT_GT(median(smooth), 1e-6);
 }

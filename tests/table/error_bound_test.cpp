@@ -16,6 +16,7 @@
 #include "mesh/generated_pair.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 
@@ -82,9 +83,8 @@ void expect_bounds(const std::array<Probed, 4>& bodies, const Probed& socket, do
 
 TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
-  TriangleMesh tilted =
-      octahedron(20.0);  // so that its edges do not lie on grid lines, where the error is zero
-  for (Vec3& v : tilted.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
+  // Its edges do not lie on grid lines, where the error is zero.
+  const TriangleMesh tilted = test::askew(octahedron(20.0));
   const std::array bodies{probed(pair.ball), probed(tilted), probed(cone()),
                           probed(sphere(22.0, 300, {12.0, 3.0, -9.0}))};
   const Probed socket = probed(pair.socket, Layer::nearest);

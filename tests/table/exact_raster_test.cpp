@@ -10,6 +10,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
@@ -36,11 +37,6 @@ void expect_same_everywhere(const TriangleMesh& mesh, double precision, Layer la
   });
 }
 
-TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
-  for (Vec3& v : mesh.vertices) v = rotation * v;
-  return mesh;
-}
-
 Eigen::Matrix3d some_rotation() {
   return (Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).toRotationMatrix();
 }
@@ -53,12 +49,12 @@ TEST(ExactRaster, EdgesOnGridLinesAndCornersOnEntries) {
 }
 
 TEST(ExactRaster, PoleInsideAFace) {
-  expect_same_everywhere(turned(octahedron(20.0), some_rotation()), 2.0, Layer::farthest);
+  expect_same_everywhere(test::turned(octahedron(20.0), some_rotation()), 2.0, Layer::farthest);
 }
 
 TEST(ExactRaster, PoleOnAnEdge) {
   const Eigen::Matrix3d eighth = Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitX()).toRotationMatrix();
-  TriangleMesh mesh = turned(octahedron(20.0), eighth);
+  TriangleMesh mesh = test::turned(octahedron(20.0), eighth);
   for (Vec3& v : mesh.vertices) {
     if (std::abs(v.x()) < 1e-12) v.x() = 0.0;  // the edges over the poles lie in the plane x = 0 exactly
   }
@@ -69,7 +65,7 @@ TEST(ExactRaster, GeneratedJoint) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   expect_same_everywhere(pair.ball, 1.0, Layer::farthest);
   expect_same_everywhere(pair.socket, 1.0, Layer::nearest);
-  expect_same_everywhere(turned(pair.socket, some_rotation()), 1.0, Layer::nearest);
+  expect_same_everywhere(test::turned(pair.socket, some_rotation()), 1.0, Layer::nearest);
 }
 
 TEST(ExactRaster, OffCentreBodyAndCone) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,8 @@ namespace impinge {
 namespace {
 
 constexpr double kMargin = 2.0 * kDegree;
+
+static_assert(!std::is_constructible_v<NearFaces, TriangleMesh, double>, "the mesh is kept by reference");
 
 // A direction within `angle` of u.
 Vec3 beside(const Vec3& u, const Vec3& way, double angle) {

@@ -16,6 +16,7 @@
 #include "sphere/stored_table.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -79,8 +80,7 @@ std::vector<Vec3> directions_near_the_rim(const TriangleMesh& mesh, std::size_t 
 
 // Nor with the other interpolant, whose taps are those of a neighbour beside the curved cells of one scheme.
 TEST(Rim, MeshExactReachesAcrossNoRimEither) {
-  TriangleMesh mesh = make_ball_socket_pair(3000).socket;
-  for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
+  const TriangleMesh mesh = test::askew(make_ball_socket_pair(3000).socket);
   const RayCaster oracle(mesh);
   const auto directions = directions_near_the_rim(mesh, 10000);
   std::vector<double> truth;

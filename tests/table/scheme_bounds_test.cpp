@@ -12,6 +12,7 @@
 #include "mesh/bodies.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/direction_bounds.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -21,11 +22,7 @@ namespace {
 
 constexpr double kOfRays = 1e-11;  // mm, rounding of the rays and the table
 
-TriangleMesh slanted_cone() {
-  TriangleMesh mesh = cone({.sides = 12});
-  for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * v;
-  return mesh;
-}
+TriangleMesh slanted_cone() { return test::askew(cone({.sides = 12})); }
 
 // Entries and what is between them and the other taps of a cell that they are in: insides of cells, their
 // borders and seams; poles and the seam itself, features of the mesh, and some at random.

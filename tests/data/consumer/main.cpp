@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "gap/simd/certified_table.hpp"
 #include "hip/joint.hpp"
-#include "kernels/certified_table.hpp"
 #include "mesh/io.hpp"
 #include "motion/turn_limit.hpp"
 

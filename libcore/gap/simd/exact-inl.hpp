@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The faces of a cell of exact_cells.hpp against a vertex. Included once for each instruction set, hence no
+// #pragma once.
+#if defined(IMPINGE_EXACT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef IMPINGE_EXACT_INL
+#undef IMPINGE_EXACT_INL
+#else
+#define IMPINGE_EXACT_INL
+#endif
+
+#include <array>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "gap/simd/cube-inl.hpp"
+#include "gap/simd/exact_cells.hpp"
+#include "gap/simd/scan-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+
+// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps.
+inline constexpr std::size_t kChunk = 64;
+inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
+
+struct Chunk {
+  HWY_ALIGN float x[kChunk];
+  HWY_ALIGN float y[kChunk];
+  HWY_ALIGN float z[kChunk];
+  HWY_ALIGN float size[kChunk];
+  HWY_ALIGN float
+      s[kPlanes * kChunk];  // turn m . x of the faces of a smooth cell, or of the face that is met
+  HWY_ALIGN float turn[kChunk];
+  HWY_ALIGN float gap[kChunk];
+  HWY_ALIGN std::int32_t cell[kChunk];
+  std::size_t rough[kChunk];  // vertices in cells that are not smooth
+  std::size_t doubt[kChunk];
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> along(D d, const float* x, const float* y, const float* z, const Point<D>& p) {
+  const auto xy = hn::Add(hn::Mul(hn::Load(d, x), p.x), hn::Mul(hn::Load(d, y), p.y));
+  return hn::Add(xy, hn::Mul(hn::Load(d, z), p.z));
+}
+
+template <class D>
+HWY_INLINE Point<D> vertex(D d, const Chunk& chunk, std::size_t i) {
+  return {hn::Set(d, chunk.x[i]), hn::Set(d, chunk.y[i]), hn::Set(d, chunk.z[i])};
+}
+
+HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
+  const hn::CappedTag<float, kPlanes> d;
+  const auto p = vertex(d, chunk, i);
+  const auto& [x, y, z] = cell.plane;
+  for (std::size_t k = 0; k < kPlanes; k += hn::Lanes(d))
+    hn::Store(along(d, &x[k], &y[k], &z[k], p), d, chunk.s + kPlanes * i + k);
+  chunk.turn[i] = cell.turn;
+}
+
+// All faces of a cell that is not smooth. Is the vertex in doubt?
+HWY_INLINE bool look_up_blocks(const ExactCells& cells, std::size_t i, Chunk& chunk) {
+  const hn::CappedTag<float, FaceBlock::kFaces> d;
+  const auto p = vertex(d, chunk, i);
+  const auto doubtful = hn::Set(d, 5.0F * 0x1p-24F * chunk.size[i]);
+  const auto none = hn::Set(d, -std::numeric_limits<float>::infinity());
+  auto best = none;
+  auto closest = hn::Set(d, std::numeric_limits<float>::infinity());  // to the plane of an edge
+  const ExactCell& cell = cells.cells[static_cast<std::size_t>(chunk.cell[i])];
+  for (std::uint32_t at = cell.first; at < cell.first + cell.count; ++at) {
+    const FaceBlock& block = cells.blocks[cells.listed[at]];
+    const auto row = [&](const std::array<FaceBlock::Row, 3>& rows, std::size_t k)
+                         HWY_ATTR { return along(d, &rows[0][k], &rows[1][k], &rows[2][k], p); };
+    for (std::size_t k = 0; k < FaceBlock::kFaces; k += hn::Lanes(d)) {
+      const auto least =
+          hn::Min(row(block.edge[0], k), hn::Min(row(block.edge[1], k), row(block.edge[2], k)));
+      closest = hn::Min(closest, hn::Abs(least));
+      best = hn::Max(best, hn::IfThenElse(hn::Gt(least, doubtful), row(block.plane, k), none));
+    }
+  }
+  const float hit = hn::GetLane(hn::MaxOfLanes(d, best));
+  for (std::size_t k = 0; k < kPlanes; ++k) chunk.s[kPlanes * i + k] = hit;
+  return !hn::AllFalse(d, hn::Le(closest, doubtful));
+}
+
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Cells that know their faces: the gap of the mesh itself, not of a table of it, with vector instructions.
+///
+/// A face in the plane m . p = 1 has the inverse depth s = m . x in the direction of x, and the gap there is
+///   gap = +- |x| (1 / s - 1).
+/// A grid on a cube lists the faces that may be met in each of its cells. Two kinds of cells answer:
+///
+/// Smooth cells hold at most four faces, cover all of their directions, and bend one way: no corner of a face
+/// lies beyond the plane of another (m . v <= 1 for all of them), or none lies within it. Then the face that
+/// is met is the one of largest s (of least s), whatever the edges are: a direction is a sum of the corners
+/// of its face with shares that are not negative, so that m_g . x <= m_f . x for all others g. Nothing is
+/// decided, and no vertex slips through an edge. The test allows 1 + 2^-26, for faces in one plane.
+///
+/// Other cells (at a rim, a saddle, a fold, between layers) test all faces of their blocks, eight neighbours
+/// each, at once: a face is met if the three planes through the centre and its edges have x on the inner
+/// side. Their unit normals e are floats, so that |fl(e . x) - e . x| is below 4.1 u |x|, u = 2^-24. Beyond
+/// 5 u |x| the sign is that of exact arithmetic; within it the vertex is in doubt and exact_gap() answers,
+/// whose signs are exact. No face answers in the place of its neighbour, and slivers, which are all doubt,
+/// are met or missed as they should be. Where faces overlap, the layer decides.
+///
+/// Rounding. At the moved vertex x (see gap_kernels.hpp for how far from its place that is) a gap is off from
+/// that of the mesh by at most
+///   u (18 r + 8 |gap|)
+/// m . x has 4 roundings of |m_i x_i| each, together at most 4 u |m| |x| = 4 u s / cos psi, and r = |x| / s
+/// takes over what s is off by, relative. Faces that are seen more steeply than 1 / cos psi = 4 are answered
+/// by exact_gap(), in double: beyond tan psi = 1e8 that leaves 84 2^-53 (1 + tan psi) r instead of 18 u r. In
+/// smooth cells no plane is that steep at any corner of the others either, so that it cannot win by more than
+/// such roundings where it is not met. The rest is what a smooth cell allows, |x| (2.5 u) and three roundings
+/// of the gap.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gap/simd/gap_kernels.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "table/layer.hpp"
+
+namespace impinge {
+
+/// One cell, a cache line. Planes coordinate by coordinate, 1 / mm; one that is left over is a copy.
+struct alignas(64) ExactCell {
+  static constexpr std::size_t kPlanes = 4;  // faces of a smooth cell at most
+
+  std::array<std::array<float, kPlanes>, 3> plane{};  // turn m
+  float turn;               // +1 the largest s counts, -1 the least; NaN where no face is met
+  std::uint32_t first = 0;  // blocks of a cell that is not smooth: listed[first] ...
+  std::uint32_t count = 0;  // ... listed[first + count - 1]; none of a smooth one
+};
+
+/// Eight faces coordinate by coordinate. Places that are left over hold the last face once more.
+struct FaceBlock {
+  static constexpr std::size_t kFaces = 8;  // faces of a block
+  using Row = std::array<float, kFaces>;    // a number of each face
+
+  std::array<std::array<Row, 3>, 3> edge;  // inner unit normal of the plane through the centre and edge k
+  std::array<Row, 3> plane;                // m, 1 / mm; -m where the farthest layer is asked for
+};
+
+/// Plain data; make it with exact_cells().
+struct ExactCells {
+  using Real = float;  // that a kernel works in
+
+  const TriangleMesh& mesh;           // centre frame
+  Layer layer;                        // that counts where faces overlap
+  std::size_t divisions = 0;          // cells along an edge of the cube
+  std::vector<ExactCell> cells;       // each at the entry of `cube_gnomonic` that it begins at
+  std::vector<std::uint32_t> listed;  // numbers of blocks, cell by cell
+  std::vector<FaceBlock> blocks;      // of neighbouring faces
+  std::vector<std::uint32_t> face;    // of the mesh, that place 8 b + k of the blocks holds
+
+  /// Beside the mesh.
+  std::size_t bytes() const {
+    return sizeof(ExactCell) * cells.size() + sizeof(std::uint32_t) * (listed.size() + face.size()) +
+           sizeof(FaceBlock) * blocks.size();
+  }
+};
+
+/// mesh in the centre frame; it must outlive the cells. Faces whose plane holds the centre cover no
+/// direction. Linear in faces to make; with fewer cells a face more of them are not smooth: less memory, more
+/// time. std::invalid_argument for lengths beyond those of floats in mesh/lengths.hpp.
+ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face = 4.0);
+ExactCells exact_cells(TriangleMesh&&, Layer, double = 4.0) = delete;
+
+/// Gap at x in the frame of the mesh, the faces of a cell that is not smooth met without rounding and the
+/// rest in double; NaN where none is met.
+double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surface scanned);
+
+/// As those of gap_kernels.hpp.
+void scan_gaps(const ExactCells& cells, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap);
+
+}  // namespace impinge

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which cells of a grid on a cube a face may be met in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sphere/triangle_cone.hpp"
+
+namespace impinge {
+
+/// Cells of a cube with `divisions` cells along an edge, named by the entry of `cube_gnomonic` that they
+/// begin at: (6-fold face, row, column) -> (face (n + 1) + row) (n + 1) + column.
+///
+/// Places on the grid may be off by `margin` cells.
+struct CellGrid {
+  std::size_t divisions;  // cells along an edge
+  double margin;          // cells
+};
+
+/// Whose margin covers a place that a kernel works out in float, off by 6.5 u cells of an
+/// edge (gap_kernels.hpp).
+inline CellGrid float_grid(std::size_t divisions) {
+  return {divisions, 1e-6 + 7.0 * 0x1p-24 * static_cast<double>(divisions)};
+}
+
+/// Appends to `cells` every cell that some direction of the cone is in, or may be put in by a place that is
+/// off; few others, in order of the rows, each once.
+void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
+
+}  // namespace impinge

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gap/simd/exact_cells.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gap/simd/scan_exact.cpp"
+#include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "gap/simd/exact-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace impinge::HWY_NAMESPACE {
+namespace {
+
+class ExactScan {
+ public:
+  ExactScan(const ExactCells& cells, const RawScan<float>& scan) : cells_(cells), scan_(scan), cube_(cells) {}
+
+  void run() const {
+    Chunk chunk{};
+    for (std::size_t begin = 0; begin < scan_.count; begin += kChunk) {
+      const std::size_t count = std::min(kChunk, scan_.count - begin);
+      load(begin, count, chunk);
+      move(count, chunk);
+      const std::size_t doubtful = look_up_all(count, chunk);
+      finish(count, chunk);
+      for (std::size_t j = 0; j < doubtful; ++j) answer_exactly(chunk.doubt[j], chunk);
+      std::memcpy(scan_.gap + begin, chunk.gap, count * sizeof(float));
+    }
+  }
+
+ private:
+  using D = hn::ScalableTag<float>;
+
+  // What is left of the last chunk are points at the centre.
+  void load(std::size_t begin, std::size_t count, Chunk& chunk) const {
+    std::memcpy(chunk.x, scan_.x + begin, count * sizeof(float));
+    std::memcpy(chunk.y, scan_.y + begin, count * sizeof(float));
+    std::memcpy(chunk.z, scan_.z + begin, count * sizeof(float));
+    for (std::size_t i = count; i < kChunk; ++i) chunk.x[i] = chunk.y[i] = chunk.z[i] = 0.0F;
+  }
+
+  HWY_ATTR void move(std::size_t count, Chunk& chunk) const {
+    const D d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const Point<D> v{hn::Load(d, chunk.x + i), hn::Load(d, chunk.y + i), hn::Load(d, chunk.z + i)};
+      const Point<D> p = transformed(d, scan_.transform, v);
+      hn::Store(p.x, d, chunk.x + i);
+      hn::Store(p.y, d, chunk.y + i);
+      hn::Store(p.z, d, chunk.z + i);
+      hn::Store(length(p), d, chunk.size + i);
+      hn::Store(cube_.place(d, p).entry, Whole<D>(), chunk.cell + i);
+    }
+  }
+
+  // How many are in doubt. No branch of a vertex of its own but in cells that are not smooth.
+  HWY_ATTR std::size_t look_up_all(std::size_t count, Chunk& chunk) const {
+    std::size_t rough = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      hwy::Prefetch(&cells_.cells[static_cast<std::size_t>(chunk.cell[i])]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ExactCell& cell = cells_.cells[static_cast<std::size_t>(chunk.cell[i])];
+      look_up(cell, i, chunk);
+      chunk.rough[rough] = i;
+      rough += cell.count > 0 ? 1U : 0U;
+    }
+    std::size_t doubtful = 0;
+    for (std::size_t j = 0; j < rough; ++j) {
+      chunk.doubt[doubtful] = chunk.rough[j];
+      doubtful += look_up_blocks(cells_, chunk.rough[j], chunk) ? 1U : 0U;
+    }
+    return doubtful;
+  }
+
+  HWY_ATTR void finish(std::size_t count, Chunk& chunk) const {
+    const D d;
+    const auto one = hn::Set(d, 1.0F);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      hn::Vec<D> s0, s1, s2, s3;
+      hn::LoadInterleaved4(d, chunk.s + kPlanes * i, s0, s1, s2, s3);
+      const auto best = hn::Max(hn::Max(s0, s1), hn::Max(s2, s3));
+      const auto s = hn::Mul(hn::Load(d, chunk.turn + i), best);
+      const auto size = hn::Load(d, chunk.size + i);
+      const auto gap = hn::Mul(hn::Mul(hn::Set(d, scan_.sign), size), hn::Div(hn::Sub(one, s), s));
+      const auto hit = hn::And(hn::Gt(best, hn::Set(d, -std::numeric_limits<float>::infinity())),
+                               hn::Gt(size, hn::Zero(d)));
+      hn::Store(hn::IfThenElse(hit, gap, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d,
+                chunk.gap + i);
+    }
+  }
+
+  void answer_exactly(std::size_t i, Chunk& chunk) const {
+    if (chunk.size[i] > 0.0F) chunk.gap[i] = in_doubt(i, chunk);
+  }
+
+  float in_doubt(std::size_t i, const Chunk& chunk) const {
+    const Vec3 x(chunk.x[i], chunk.y[i], chunk.z[i]);
+    const Surface scanned = scan_.sign > 0.0F ? Surface::ball : Surface::socket;
+    return static_cast<float>(exact_gap(cells_, static_cast<std::size_t>(chunk.cell[i]), x, scanned));
+  }
+
+  const ExactCells& cells_;
+  const RawScan<float>& scan_;
+  CubeLanes cube_;
+};
+
+void scan_exact(const ExactCells& cells, const RawScan<float>& scan) { ExactScan(cells, scan).run(); }
+
+}  // namespace
+}  // namespace impinge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace impinge {
+namespace {
+
+HWY_EXPORT(scan_exact);
+
+}  // namespace
+
+void scan_gaps(const ExactCells& cells, const PackedVertices<float>& vertices, const Pose& pose,
+               Surface scanned, std::span<float> gap) {
+  HWY_DYNAMIC_DISPATCH(scan_exact)(cells, raw_scan(vertices, pose, scanned, gap));
+}
+
+}  // namespace impinge
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract, at points that are floats:
+//   |gap of the cells - gap of the mesh| <= u (18 r + 8 |gap|), and an answer exactly where the mesh has one
+// with a pose, besides, what a displacement of 10.4 u (|v| + |t|) does
+#include "gap/simd/exact_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "gap/simd/seen_planes.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
+#include "sphere/uniform_directions.hpp"
+#include "support/directions.hpp"
+#include "support/soup.hpp"
+#include "table/packed_fixture.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kUnit = 0x1p-24;
+
+// Points that are floats along random directions, through the features of the mesh and along axes and edges
+// of the cube.
+std::vector<Vec3> probes(const TriangleMesh& mesh, std::size_t features) {
+  std::vector<Vec3> points = test::random_directions(features, 11);
+  const auto through = test::feature_directions(mesh);
+  const std::size_t step = through.size() / features + 1;
+  for (std::size_t k = 0; k < through.size(); k += step) points.push_back(through[k]);
+  for (const Vec3& x : test::special_directions()) points.push_back(x);
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const double y : {-1.0, 0.0, 1.0})
+      for (const double z : {-1.0, 0.0, 1.0})
+        if (x != 0.0 || y != 0.0 || z != 0.0) points.emplace_back(x, y, z);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] = test::as_floats((10.0 + 0.25 * static_cast<double>(k % 101)) * points[k]);
+  return points;
+}
+
+std::vector<float> gaps(const ExactCells& cells, const std::vector<Vec3>& points, const Pose& pose,
+                        Surface scanned) {
+  std::vector<float> gap(points.size());
+  scan_gaps(cells, packed_vertices<float>(points), pose, scanned, gap);
+  return gap;
+}
+
+void expect_exact(const TriangleMesh& mesh, Layer layer, const std::vector<Vec3>& points) {
+  const ExactCells cells = exact_cells(mesh, layer);
+  const RayCaster caster(mesh);
+  const auto gap = gaps(cells, points, {}, Surface::ball);
+  const auto other = gaps(cells, points, {}, Surface::socket);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double radius = caster.cast(points[i].normalized(), layer);
+    const double exact = radius - points[i].norm();
+    ASSERT_EQ(std::isnan(gap[i]), std::isnan(exact)) << points[i].transpose();
+    ASSERT_EQ(std::isnan(other[i]), std::isnan(exact)) << points[i].transpose();
+    if (std::isnan(exact)) continue;
+    const double bound = kUnit * (18.0 * radius + 8.0 * std::abs(exact));
+    ASSERT_NEAR(gap[i], exact, bound) << points[i].transpose();
+    ASSERT_NEAR(other[i], -exact, bound) << points[i].transpose();
+  }
+}
+
+// Each face gets a new vertex next to the middle of its first edge: a sliver beside two ordinary faces.
+TriangleMesh slivered(TriangleMesh mesh) {
+  const std::vector<Face> faces = mesh.faces;
+  for (const Face& face : faces) {
+    const Vec3 middle = 0.5 * (corner(mesh, face, 0) + corner(mesh, face, 1));
+    const auto added = static_cast<VertexIndex>(mesh.vertices.size());
+    mesh.vertices.emplace_back(middle + 1e-7 * (corner(mesh, face, 2) - middle));
+    mesh.faces.push_back({face[0], face[1], added});
+    mesh.faces.push_back({face[1], face[2], added});
+    mesh.faces.push_back({face[2], face[0], added});
+  }
+  mesh.faces.erase(mesh.faces.begin(), mesh.faces.begin() + static_cast<std::ptrdiff_t>(faces.size()));
+  return mesh;
+}
+
+TEST(ExactCellsTest, AnswerAsAllTrianglesDo) {
+  const BallSocketPair pair = make_ball_socket_pair(1000);
+  for (const TriangleMesh& mesh :
+       {pair.ball, pair.socket, octahedron(20.0), cone(), sphere(22.0, 600, {15.0, -4.0, 9.0})}) {
+    expect_exact(mesh, Layer::nearest, probes(mesh, 2000));
+    expect_exact(mesh, Layer::farthest, probes(mesh, 2000));
+  }
+}
+
+TEST(ExactCellsTest, LayersSliversAndSteepFaces) {
+  for (const TriangleMesh& mesh : {test::soup(60, 3), slivered(make_ball_socket_pair(100).socket)}) {
+    expect_exact(mesh, Layer::nearest, probes(mesh, 800));
+    expect_exact(mesh, Layer::farthest, probes(mesh, 800));
+  }
+}
+
+TEST(ExactCellsTest, MeshesOfNoFaceOrOne) {
+  expect_exact({{}, {}}, Layer::nearest, test::random_directions(50, 1));
+  const TriangleMesh one{{Vec3(20, 0, 0), Vec3(0, 20, 0), Vec3(0, 0, 20)}, {{0, 1, 2}}};
+  expect_exact(one, Layer::nearest, probes(one, 100));
+  const TriangleMesh edge_on{{Vec3(20, 0, 0), Vec3(0, 20, 0), Vec3(10, 5, 0)}, {{0, 1, 2}}};
+  expect_exact(edge_on, Layer::farthest, probes(edge_on, 100));
+}
+
+TEST(ExactCellsTest, MostCellsOfASmoothSurfaceNeedNoEdges) {
+  const BallSocketPair pair = make_ball_socket_pair(3000);
+  for (const TriangleMesh& mesh : {pair.ball, pair.socket}) {
+    std::size_t met = 0;
+    std::size_t rough = 0;
+    for (const ExactCell& cell : exact_cells(mesh, Layer::nearest).cells) {
+      met += std::isnan(cell.turn) ? 0U : 1U;
+      rough += cell.count > 0 ? 1U : 0U;
+    }
+    EXPECT_GT(rough, 100U);
+    EXPECT_LT(4 * rough, met);
+  }
+}
+
+TEST(ExactCellsTest, BothScansOfARealPairInAnyPose) {
+  const BallSocketPair pair = make_ball_socket_pair(1000);
+  std::mt19937_64 random(5);
+  for (const Surface scanned : {Surface::ball, Surface::socket}) {
+    const bool first = scanned == Surface::ball;
+    const TriangleMesh& mesh = first ? pair.socket : pair.ball;
+    const Layer layer = first ? Layer::nearest : Layer::farthest;
+    const auto& vertices = first ? pair.ball.vertices : pair.socket.vertices;
+    const ExactCells cells = exact_cells(mesh, layer);
+    const RayCaster caster(mesh);
+    for (int k = 0; k < 10; ++k) {
+      Pose pose;
+      pose.rotation = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
+      pose.translation = 2.0 * (uniform(random) - 0.5) * uniform_direction(random);
+      const auto gap = gaps(cells, vertices, pose, scanned);
+      for (std::size_t i = 0; i < gap.size(); ++i) {
+        const Vec3 x = first ? to_socket(pose, vertices[i]) : to_ball(pose, vertices[i]);
+        const double radius = caster.cast(x.normalized(), layer);
+        const double exact = first ? radius - x.norm() : x.norm() - radius;
+        if (std::isnan(exact) || std::isnan(gap[i])) continue;
+        const double moved = 10.4 * kUnit * (vertices[i].norm() + pose.translation.norm());
+        ASSERT_NEAR(gap[i], exact, kUnit * (18.0 * radius + 8.0 * std::abs(exact)) + 2.0 * moved);
+      }
+    }
+  }
+}
+
+// |m| |x| of a plane is what its s is off by: at the far face below that of the near one is seen at 1 / 6.
+TEST(ExactCellsTest, NoPlaneOfASmoothCellIsSteepWhereAnotherFaceIs) {
+  const auto bend = [](double far) {
+    const TriangleMesh mesh{{{0, 0, 10}, {28, 0, 10}, {28, 5, 10}, {far, -5, 0}, {far, 5, 0}, {far, 0, 10}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+    const std::vector<Vec3> planes = seen_planes(mesh);
+    return bend_of({mesh, planes}, std::vector<std::uint32_t>{0, 1});
+  };
+  EXPECT_EQ(bend(35.0), 1);
+  EXPECT_EQ(bend(60.0), std::nullopt);
+}
+
+TEST(ExactCellsTest, GrowWithTheFaces) {
+  const auto bytes = [](std::size_t faces) {
+    const TriangleMesh mesh = sphere(20.0, faces);
+    return exact_cells(mesh, Layer::nearest).bytes();
+  };
+  EXPECT_LT(bytes(8000), 10 * bytes(1000));
+  EXPECT_GT(bytes(8000), 6 * bytes(1000));
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes turned about the centre.
+#pragma once
+
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge::test {
+
+inline TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
+  for (Vec3& v : mesh.vertices) v = rotation * v;
+  return mesh;
+}
+inline TriangleMesh turned(TriangleMesh mesh, double angle, const Vec3& axis) {
+  return turned(std::move(mesh), Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+}
+
+// Off every axis and grid line.
+inline TriangleMesh askew(TriangleMesh mesh) {
+  return turned(std::move(mesh), 0.7, Vec3(1, 2, 3).normalized());
+}
+
+}  // namespace impinge::test
