@@ -136,9 +136,14 @@ def of_contact(table: pd.DataFrame) -> list[Target]:
         if triangles not in set(table.triangles):
             continue
         for method, how in {"culled": "any pose", "coherent": "along a motion"}.items():
-            ratio = contact.ratios(table, method, triangles, "fcl_collide").min()
-            what = f"touch against FCL, {triangles // 1000}k, {how}"
-            targets.append(Target(f"{method}{triangles}", what, least, ratio))
+            for library, name in contact.LIBRARIES.items():
+                if library not in set(table.method):
+                    continue
+                judged = library == "fcl_collide"
+                ratio = contact.ratios(table, method, triangles, library).min()
+                key = f"{method}{triangles}" + ("" if judged else f"-{name.lower()}")
+                what = f"touch against {name}, {triangles // 1000}k, {how}"
+                targets.append(Target(key, what, least if judged else math.nan, ratio))
     for method, what in DISTANCE.items():
         aim = contact.DISTANCE if method in JUDGED else math.nan
         targets.append(Target(method, what, aim, contact.over_distance(table, method)))

@@ -18,7 +18,7 @@ struct JointGaps {
 /// What an answer must be.
 enum class Contact {
   vertices,  // that of the exact test of every vertex
-  faces,     // that of all others which ask for a common point of the faces
+  faces,     // that of the exact overlay of the faces, but for the rounding of methods in float
   gaps       // that of gaps whose error is looked at
 };
 

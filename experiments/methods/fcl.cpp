@@ -17,9 +17,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include "methods/contact.hpp"
-#include "methods/heap_use.hpp"
-#include "methods/points.hpp"
-#include "sphere/radial_table.hpp"
+#include "methods/whole_pose.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -73,33 +71,13 @@ std::function<double(const Pose&)> smallest_distance(const BallSocketPair& pair)
   };
 }
 
-// 0 mm where they touch, else NaN: FCL says no more.
-std::function<double(const Pose&)> touch_as_distance(const BallSocketPair& pair) {
-  return [touches = collide(pair)](const Pose& pose) { return touches(pose) ? 0.0 : kNoSurface; };
-}
-
-template <class Make>
-PointCase pose_case(const char* name, const char* label, const BenchmarkScene& scene, const Make& make) {
-  PointCase one = library_case(name, label, Measure::pose, [&scene, make] {
-    const double before = heap_bytes();
-    const auto of = make(scene.pair);
-    return PointQuery{
-        [of, pose = scene.pose](std::span<const Vec3>, std::span<double> out) { out[0] = of(pose); },
-        heap_bytes() - before};
-  });
-  one.place = 13;
-  return one;
-}
-
 }  // namespace
 
 Method fcl_method() {
   Method method;
   method.points = [](const BenchmarkScene& scene, const PointSizes&) {
-    std::vector cases{pose_case("fcl_collide", "FCL, collide", scene, touch_as_distance),
-                      pose_case("fcl_distance", "FCL, distance", scene, smallest_distance)};
-    cases[0].says_how_far = false;
-    return cases;
+    return std::vector{touch_case("fcl_collide", "FCL, collide", scene, collide),
+                       pose_case("fcl_distance", "FCL, distance", scene, smallest_distance)};
   };
   method.touch = [](const BallSocketPair& pair, double /*precision_deg*/) {
     return std::vector{TouchCase{{"fcl_obb", "OBB tree (FCL)", "", 1}, collide(pair)}};
