@@ -2,7 +2,8 @@
 // A user's own joint: two meshes in, gaps out.
 //
 //   scene --ball FILE --socket FILE [--centre fit|X,Y,Z] [--scheme NAME] [--precision DEG | --max-error MM]
-//         [--pose "flexion=90,internal_rotation=10"] [--side left|right] [--axes RAS] [--cartilage MM|FILE]
+//         [--pose "flexion=90,internal_rotation=10" | --poses FILE | --path "flexion=0..120/1"] [--side
+//         left|right] [--axes RAS] [--cartilage MM|FILE]
 //         [--question touch|first-contact|limit|all-gaps] [--motion NAME] [--surfaces both|ball|socket]
 //         [--outputs gaps,bounds,distances,verdicts] [--explain] [--everything] --out DIR
 //
@@ -18,6 +19,7 @@
 #include "files/one_line.hpp"
 #include "files/stopwatch.hpp"
 #include "scene/limit.hpp"
+#include "scene/poses.hpp"
 #include "scene/question.hpp"
 #include "scene/report.hpp"
 #include "scene/scene_files.hpp"
@@ -76,11 +78,20 @@ void run_limit(Session& session, const SceneOptions& options) {
   std::cout << describe_limits(options, found);
 }
 
+void run_poses(const Session& session, const SceneOptions& options) {
+  const nlohmann::json found = answer_poses(options, *session.joint, std::cerr);
+  write_if_changed(options.out / "summary.json", json_text(found));
+  std::cout << describe_poses(found);
+  if (options.explain) std::cout << describe_way(kWayOfPoses, {});
+}
+
 void run(const SceneOptions& options) {
   Session session = load_joint(options);
   for (const std::string& warning : session.joint->joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
-  if (options.limit != nullptr) {
+  if (options.many()) {
+    run_poses(session, options);
+  } else if (options.limit != nullptr) {
     run_limit(session, options);
   } else if (options.question == Question::all_gaps) {
     run_all_gaps(session, options);

@@ -36,14 +36,14 @@ class CulledJoint {
   bool exactly_impinged(Surface scanned, const Vec3& x) const;
   /// Gap at x to the faces there, mm; NaN where there is none.
   double gap(Surface scanned, const Vec3& x) const;
+  /// The faces of a surface, as both ask them.
+  const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
   const BallSocketPair& meshes() const { return joint_; }            // as given
   std::size_t bytes() const;  // of everything that was made, without the meshes
 
  private:
-  const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
-
   const BallSocketPair& joint_;
   NearFaces ball_;
   NearFaces socket_;

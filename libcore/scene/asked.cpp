@@ -40,7 +40,11 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
              {"axes", options.axes},
              {"question", question_name(options)},
              {"warnings", joint.warnings}};
-  if (options.limit != nullptr) {
+  if (options.many()) {
+    asked["pose"] = nullptr;
+    if (options.poses) asked["poses"] = options.poses->string();
+    if (options.path) asked["path"] = *options.path;
+  } else if (options.limit != nullptr) {
     asked["motion"] = options.limit->name;
   } else {
     asked["surfaces"] = surfaces_name(options);

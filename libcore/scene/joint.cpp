@@ -8,14 +8,19 @@
 
 #include "mesh/io.hpp"
 #include "scene/cartilage_file.hpp"
+#include "scene/scene_files.hpp"
 
 namespace impinge {
 namespace {
 
 // The output has fixed names; in the folder of the input it could replace it.
 void require_other_folder(const SceneOptions& options) {
-  for (const std::filesystem::path& input : {options.ball, options.socket}) {
-    for (const char* name : {"ball.ply", "socket.ply"}) {
+  std::vector<std::filesystem::path> inputs{options.ball, options.socket};
+  for (const auto& more : {options.cartilage_map, options.poses}) {
+    if (more) inputs.push_back(*more);
+  }
+  for (const std::filesystem::path& input : inputs) {
+    for (const std::string& name : every_scene_file()) {
       std::error_code ignored;
       if (std::filesystem::equivalent(input, options.out / name, ignored)) {
         throw std::runtime_error(input.string() +

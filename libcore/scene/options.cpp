@@ -10,6 +10,7 @@
 
 #include "files/one_line.hpp"
 #include "hip/anatomy.hpp"
+#include "scene/pose_list.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
@@ -161,6 +162,24 @@ void set_outputs(const Typed& typed, SceneOptions& options) {
   }
 }
 
+// What one pose alone is asked, and many are not.
+void require_for_many(const Typed& typed, SceneOptions& options) {
+  const std::string option = options.poses ? "--poses" : "--path";
+  if (options.limit != nullptr || options.everything || typed.surfaces != "both" ||
+      !typed.cartilage.empty()) {
+    throw OptionError("option " + option +
+                      ": of many poses touch and the smallest gap of both surfaces are worked out; leave out "
+                      "--question limit, --surfaces, --cartilage and --everything");
+  }
+  if (!options.path) return;
+  for_option("--path", [&] {
+    if (parse_pose_grid(*options.path).needs_side() && !options.side)
+      throw std::invalid_argument(
+          "abduction and rotation need to know the side; give left or right with --side");
+    return 0;
+  });
+}
+
 // Both surfaces are in the outputs that compare them.
 void require_both_surfaces(const Typed& typed, const SceneOptions& options) {
   if (typed.surfaces == "both" || options.question != Question::all_gaps) return;
@@ -209,6 +228,7 @@ void interpret(const Typed& typed, SceneOptions& options) {
   set_question(typed, options);
   set_outputs(typed, options);
   require_both_surfaces(typed, options);
+  if (options.many()) require_for_many(typed, options);
   if (!options.everything) return;
   options.question = Question::all_gaps;
   options.limit = nullptr;
@@ -232,13 +252,14 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
                  "gaps.csv, distances.csv and summary.json")
       ->required();
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
-  app.add_option("--scheme", typed.scheme,
-                 "answer by tables of this sampling scheme, and not by the faces: " + scheme_names());
+  auto* scheme =
+      app.add_option("--scheme", typed.scheme,
+                     "answer by tables of this sampling scheme, and not by the faces: " + scheme_names());
   auto* precision = app.add_option("--precision", typed.precision,
                                    "answer by tables of that spacing, degrees [0.5 with --scheme]");
-  app.add_option("--max-error", typed.max_error, "or the proven error of every gap in mm")
-      ->excludes(precision);
-  app.add_option(
+  auto* max_error = app.add_option("--max-error", typed.max_error, "or the proven error of every gap in mm")
+                        ->excludes(precision);
+  auto* pose = app.add_option(
       "--pose", typed.pose,
       "motion of the ball in degrees, as flexion=90,internal_rotation=10 (also extension, abduction, "
       "adduction, external_rotation)");
@@ -257,10 +278,20 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "with the question limit: the motion that grows from --pose until the surfaces touch, as flexion");
   app.add_option("--surfaces", typed.surfaces, "whose vertices are looked up: ball, socket or both")
       ->capture_default_str();
-  app.add_option(
+  auto* outputs = app.add_option(
       "--outputs", typed.outputs,
       "with all-gaps, some of gaps,bounds,distances,verdicts [all of them]; what is not asked for is not "
       "worked out");
+  auto* poses = app.add_option("--poses", options.poses,
+                               "many poses: touch and smallest gap of each, to poses.csv. A CSV of motions "
+                               "or of matrices, or a motion of OpenSim (.mot, .sto)");
+  auto* path = app.add_option("--path", options.path,
+                              "many poses: all combinations of angles, as "
+                              "flexion=0..120/1,internal_rotation=0..40/5");
+  path->excludes(poses);
+  for (CLI::Option* many : {poses, path}) {
+    for (CLI::Option* one : {pose, outputs, scheme, precision, max_error}) many->excludes(one);
+  }
   app.add_flag("--explain", options.explain,
                "say which way was taken and what is left out, why, and what that saves");
   app.add_flag("--everything", options.everything, "leave nothing out, to compare");

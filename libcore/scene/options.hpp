@@ -23,9 +23,14 @@ struct SceneOptions : PoseQuestion {
   std::optional<Side> side;         // of the body; abduction and rotation need it
   std::string axes = "RAS";         // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   std::optional<std::filesystem::path> cartilage_map;  // instead of one thickness (cartilage_file.hpp)
+  std::optional<std::filesystem::path> poses;  // many poses, of a file (pose_list.hpp), instead of one
+  std::optional<std::string> path;             // or of a grid of angles, which is well formed
   const MotionName* limit = nullptr;  // the motion whose limit is asked for, in place of the question
   bool everything = false;            // all gaps and all outputs, and nothing is left out on the way
   bool explain = false;               // what is left out is printed
+
+  /// Are there many poses, to be answered by poses.csv (scene/poses.hpp)?
+  bool many() const { return poses || path; }
 };
 
 /// A wrong option: what() is one line that names it and says what to do.

@@ -9,6 +9,7 @@ namespace impinge {
 
 std::vector<std::string> scene_files(const SceneOptions& options) {
   std::vector<std::string> files;
+  if (options.many()) return {"poses.csv", "summary.json"};
   const bool all = options.limit == nullptr && options.question == Question::all_gaps;
   const bool gaps = all && options.outputs.gaps;
   if (gaps && options.scan_ball) files.emplace_back("ball.ply");
@@ -19,11 +20,17 @@ std::vector<std::string> scene_files(const SceneOptions& options) {
   return files;
 }
 
+std::vector<std::string> every_scene_file() {
+  const SceneOptions everything;
+  std::vector<std::string> files = scene_files(everything);
+  files.emplace_back("poses.csv");
+  return files;
+}
+
 std::vector<std::string> older_files(const SceneOptions& options) {
   std::vector<std::string> older;
   const std::vector<std::string> written = scene_files(options);
-  const SceneOptions everything;
-  for (const std::string& name : scene_files(everything)) {
+  for (const std::string& name : every_scene_file()) {
     std::error_code unreadable;  // then nothing is known of it
     if (std::ranges::find(written, name) == written.end() &&
         std::filesystem::exists(options.out / name, unreadable))

@@ -14,6 +14,7 @@ import resource
 import signal
 import subprocess
 import sys
+import time
 import unittest
 from pathlib import Path
 
@@ -122,6 +123,43 @@ class Scene(GeneratedPair):
                 for answer in answers:
                     del answer["times_ms"]
                 self.assertEqual(*answers)
+
+    def test_many_poses_are_answered_also_after_a_kill(self):
+        path = ["--path", "flexion=-30..120/0.25,internal_rotation=-40..40/0.25", "--side", "left"]
+        folder = self.root / "many"
+        running = subprocess.Popen([str(a) for a in (SCENE, "--ball", self.ball, "--socket", self.socket, "--out",
+                                                     folder, *path)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            until = time.monotonic() + 60.0
+            while sum(part.stat().st_size for part in folder.glob("*.part")) < 100_000:
+                self.assertLess(time.monotonic(), until)
+                self.assertIsNone(running.poll(), "it ended before it was killed")
+                time.sleep(0.01)
+        finally:
+            running.kill()
+            running.wait()
+        self.assertFalse((folder / "poses.csv").exists())
+        done = self.scene("many", *path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("poses were answered before", done.stderr)
+        self.assertEqual(sorted(file.name for file in folder.iterdir()), ["poses.csv", "summary.json"])
+        rows = (folder / "poses.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 601 * 321 + 1)
+        self.assertEqual(rows[0], "pose,touch,certified,smallest_gap_mm,surface,vertex,clock,bound_mm,"
+                                  "flexion,internal_rotation")
+        self.assertEqual(rows[-1].split(",")[0], str(601 * 321))
+        self.assertIn(f"poses               {601 * 321}, {self.summary('many')['touching']} of them touch", done.stdout)
+
+    def test_poses_come_from_a_file(self):
+        poses = self.root / "two.csv"
+        poses.write_text("flexion\n0\n20\n")
+        done = self.scene("of_file", "--poses", poses, "--question", "touch")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.root / "of_file" / "poses.csv").read_text().splitlines()[1:],
+                         ["1,no,yes,,,,,,0", "2,no,yes,,,,,,20"])
+        poses.write_text("flexion\n0\nfar\n")
+        self.refused(self.scene("of_file", "--poses", poses), 1, "two.csv", "line 3", "'far'")
+        self.refused(self.scene("of_file", "--poses", self.root / "none.csv"), 1, "none.csv")
 
     def test_a_limit_takes_no_map_of_cartilage(self):
         thickness = self.root / "map.csv"
@@ -269,6 +307,12 @@ class Scene(GeneratedPair):
             (("--surfaces", "ball"), "--outputs gaps"),
             (("--outputs", "gaps,plots"), "plots"),
             (("--question", "touch", "--outputs", "gaps"), "all-gaps"),
+            (("--path", "flexion=0..90"), "no step"),
+            (("--path", "abduction=0..9/1"), "--side"),
+            (("--path", "flexion=0..9/1", "--poses", "poses.csv"), "--poses"),
+            (("--path", "flexion=0..9/1", "--pose", "flexion=1"), "--pose"),
+            (("--path", "flexion=0..9/1", "--precision", "1"), "--precision"),
+            (("--path", "flexion=0..9/1", "--surfaces", "ball"), "--surfaces"),
         ]
         for options, word in cases:
             with self.subTest(options):

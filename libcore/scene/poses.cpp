@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/poses.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "files/csv.hpp"
+#include "files/file_bytes.hpp"
+#include "files/file_error.hpp"
+#include "files/stopwatch.hpp"
+#include "files/temporary_file.hpp"
+#include "gap/formatted.hpp"
+#include "scene/asked.hpp"
+#include "session/pose_answer.hpp"
+#include "session/pose_series.hpp"
+
+namespace impinge {
+namespace {
+
+using nlohmann::json;
+
+PoseList list_of(const SceneOptions& options) {
+  return options.path ? parse_pose_grid(*options.path) : read_poses(*options.poses, options.side);
+}
+
+std::string line_of(const std::vector<Cell>& cells) {
+  std::string line;
+  for (const Cell& cell : cells) line += (line.empty() ? "" : ",") + cell.text();
+  return line + "\n";
+}
+
+std::string head_of(const PoseList& list) {
+  std::vector<Cell> names{"pose",    "touch",  "certified", "smallest_gap_mm",
+                          "surface", "vertex", "clock",     "bound_mm"};
+  for (const PoseColumn& column : list.columns) names.emplace_back(column.name);
+  return line_of(names);
+}
+
+// Of all that the rows hang on: FNV-1a with 64 bits (Fowler, Noll, Vo).
+std::string key_of(const SceneOptions& options, const Joint& joint, const PoseList& list) {
+  std::uint64_t key = 0xcbf29ce484222325U;
+  const auto add = [&key](std::string_view bytes) {
+    for (const char byte : bytes) key = (key ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  };
+  add(read_bytes(options.ball));
+  add(read_bytes(options.socket));
+  add(asked_json(options, joint).dump(-1, ' ', false, json::error_handler_t::replace));
+  add(head_of(list));
+  for (const double value : list.values) add(Cell(value).text() + ",");
+  return formatted("%016llx", static_cast<unsigned long long>(key));
+}
+
+// What all rows say together, from their text: some of them may be from an earlier run.
+struct Tally {
+  std::size_t rows = 0;
+  std::size_t touching = 0;
+  std::optional<double> smallest_mm;
+  json smallest;  // null where there is none
+
+  void add(std::string_view row) {
+    std::vector<std::string> cell;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const std::size_t end = std::min(row.find_first_of(",\n"), row.size());
+      cell.emplace_back(row.substr(0, end));
+      row.remove_prefix(std::min(end + 1, row.size()));
+    }
+    ++rows;
+    if (cell[1] == "yes") ++touching;
+    if (cell[3].empty()) return;
+    const double gap = std::stod(cell[3]);
+    if (smallest_mm && gap >= *smallest_mm) return;
+    smallest_mm = gap;
+    smallest = {{"pose", rows},
+                {"gap_mm", gap},
+                {"surface", cell[4]},
+                {"vertex", std::stoull(cell[5])},
+                {"clock", cell[6].empty() ? json(nullptr) : json(cell[6])}};
+  }
+};
+
+// The file that rows are added to.
+class Part {
+ public:
+  // Keeps the whole rows of this list that it has.
+  Part(std::filesystem::path file, const PoseList& list) : file_(std::move(file)) {
+    const std::string head = head_of(list);
+    std::error_code unreadable;
+    std::string bytes =
+        std::filesystem::is_regular_file(file_, unreadable) && !std::filesystem::is_empty(file_, unreadable)
+            ? read_bytes(file_)
+            : std::string();
+    bytes.resize(bytes.rfind('\n') + 1);  // a killed run may have cut a row
+    if (!bytes.starts_with(head)) bytes = head;
+    for (std::size_t at = head.size(); at < bytes.size(); at = bytes.find('\n', at) + 1)
+      tally_.add(std::string_view(bytes).substr(at));
+    write_bytes(file_, bytes);
+    out_.open(file_, std::ios::binary | std::ios::app);
+    require_good();
+  }
+
+  void add(const std::string& row) {
+    out_ << row;
+    tally_.add(row);
+  }
+  // What was added can be read.
+  void flush() {
+    out_.flush();
+    require_good();
+  }
+  // Takes the place of a whole file.
+  void become(const std::filesystem::path& whole) {
+    out_.close();
+    require_good();
+    std::error_code error;
+    std::filesystem::rename(file_, whole, error);
+    if (error) fail_writing(whole, error.value());
+  }
+  const Tally& tally() const { return tally_; }
+
+ private:
+  void require_good() const {
+    if (!out_) fail_writing(file_, errno);
+  }
+
+  std::filesystem::path file_;
+  std::ofstream out_;
+  Tally tally_;
+};
+
+std::string row_of(const SessionJoint& joint, const PoseList& list, std::size_t pose,
+                   const SeriesAnswer& answer) {
+  std::vector<Cell> cells{pose + 1, Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell()};
+  if (answer.touch) {
+    cells[1] = *answer.touch;
+    cells[2] = true;
+  }
+  if (const auto& smallest = answer.smallest) {
+    cells[3] = smallest->least.gap_mm;
+    cells[4] = name(smallest->least.at.scanned);
+    cells[5] = smallest->least.at.vertex;
+    if (joint.dial) cells[6] = clock_text(joint.dial->hours(joint.axes * smallest->place));
+    cells[7] = smallest->bound_mm;
+  }
+  for (std::size_t k = 0; k < list.columns.size(); ++k)
+    cells.emplace_back(list.values[pose * list.width() + k]);
+  return line_of(cells);
+}
+
+Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
+  return list.columns.empty() ? pose_about(joint.joint.centre, list.rotation(row), list.translation(row))
+                              : pose_of(joint, list.motion(row));
+}
+
+}  // namespace
+
+json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
+  Stopwatch watch;
+  const PoseList list = list_of(options);
+  const PoseSeries series(joint.joint, {.touch = options.question != Question::first_contact,
+                                        .smallest_gap = options.question != Question::touch});
+  Part part(options.out / ("poses-" + key_of(options, joint.joint, list) + ".part"), list);
+  const double ready_ms = watch.lap_ms();
+  const std::size_t kept = part.tally().rows;
+  if (kept > 0)
+    log << "scene: " << kept << " of " << list.size() << " poses were answered before" << std::endl;
+  double answer_ms = 0.0;
+  double said_ms = 0.0;
+  for (std::size_t pose = kept; pose < list.size(); ++pose) {
+    part.add(row_of(joint, list, pose, series.answer(pose_in(joint, list, pose))));
+    constexpr std::size_t kRowsAtOnce = 64;
+    if (pose % kRowsAtOnce != 0) continue;
+    part.flush();
+    answer_ms += watch.lap_ms();
+    constexpr double kSilence = 2000.0;  // ms
+    if (answer_ms < said_ms + kSilence) continue;
+    said_ms = answer_ms;
+    const double left =
+        answer_ms * static_cast<double>(list.size() - pose - 1) / static_cast<double>(pose + 1 - kept);
+    log << "scene: pose " << pose + 1 << " of " << list.size() << formatted(", %.0f s left", left / 1e3)
+        << std::endl;
+  }
+  part.become(options.out / "poses.csv");
+  answer_ms += watch.lap_ms();
+  const Tally& tally = part.tally();
+  json summary = asked_json(options, joint.joint);
+  summary.update(
+      {{"number_of_poses", list.size()},
+       {"touching", options.question == Question::first_contact ? json(nullptr) : json(tally.touching)},
+       {"smallest_gap", tally.smallest},
+       {"times_ms", {{"ready", ready_ms}, {"answer", answer_ms}}}});
+  return summary;
+}
+
+std::string describe_poses(const json& summary) {
+  std::string text = formatted("poses               %zu", summary["number_of_poses"].get<std::size_t>());
+  if (!summary["touching"].is_null())
+    text += formatted(", %zu of them touch", summary["touching"].get<std::size_t>());
+  text += "\n";
+  const json& smallest = summary["smallest_gap"];
+  if (smallest.is_null()) return text;
+  return text + formatted("smallest gap        %.3f mm at %s vertex %zu in pose %zu\n",
+                          smallest["gap_mm"].get<double>(), smallest["surface"].get<std::string>().c_str(),
+                          smallest["vertex"].get<std::size_t>(), smallest["pose"].get<std::size_t>());
+}
+
+}  // namespace impinge

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses as files and grids have them. The row of OpenSim's gait2392 is worked out by hand, in its own frame.
+#include "scene/pose_list.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "files/file_error.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+class PoseFile : public testing::Test {
+ protected:
+  PoseList read(const std::string& name, const std::string& bytes, std::optional<Side> side = Side::right) {
+    return read_poses(folder_.write(name, bytes), side);
+  }
+  std::string refused(const std::string& name, const std::string& bytes,
+                      std::optional<Side> side = Side::right) {
+    return test::thrown<FileError>([&] { read(name, bytes, side); });
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST(PoseGrid, TheLastNamedChangesFirstAndEndsAreExact) {
+  const PoseList grid = parse_pose_grid("flexion=0..0.3/0.1,adduction=10..-10/10,internal_rotation=7");
+  ASSERT_EQ(grid.size(), 12U);
+  EXPECT_EQ(grid.motion(0).abduction, -10.0);
+  EXPECT_EQ(grid.motion(1).abduction, 0.0);
+  EXPECT_EQ(grid.motion(2).abduction, 10.0);
+  EXPECT_EQ(grid.motion(3).flexion, 0.1);
+  EXPECT_EQ(grid.motion(9).flexion, 0.3);
+  EXPECT_EQ(grid.motion(11).internal_rotation, 7.0);
+}
+
+TEST(PoseGrid, WhatIsNoGridIsRefusedInOneLine) {
+  for (const auto& [text, word] : {std::pair("", "''"),
+                                   {"flexion", "NAME=FIRST..LAST/STEP"},
+                                   {"bend=0..1/1", "internal_rotation"},
+                                   {"flexion=0..90", "no step"},
+                                   {"flexion=0..90/0", "no step"},
+                                   {"flexion=0..90/-1", "no step"},
+                                   {"flexion=0..90/40", "whole steps"},
+                                   {"flexion=0..181/1", "180"},
+                                   {"flexion=nan", "nan"},
+                                   {"flexion=0..1/1e-12", "ten million"},
+                                   {"flexion=0..90/1,extension=3", "same angle"},
+                                   {"flexion=0..90/1,", "''"},
+                                   {"flexion=0..100/0.01,abduction=0..100/0.01", "ten million"}}) {
+    const std::string said = test::thrown<std::invalid_argument>([&] { parse_pose_grid(text); });
+    EXPECT_NE(said.find(word), said.npos) << text << ": " << said;
+    EXPECT_EQ(said.find('\n'), said.npos);
+  }
+}
+
+TEST_F(PoseFile, AnglesAreNamedInTheHeader) {
+  const PoseList list = read("a.csv", "extension,internal_rotation\r\n-30,5\r\n\r\n10.5, -2\n");
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list.motion(0).flexion, 30.0);
+  EXPECT_EQ(list.motion(1).flexion, -10.5);
+  EXPECT_EQ(list.motion(1).internal_rotation, -2.0);
+  EXPECT_TRUE(list.needs_side());
+}
+
+TEST_F(PoseFile, MatricesAreRowByRowAndBecomeTheNearestRotation) {
+  const std::string quarter = "0,-1,0,1.5,1,0,0,-2,0,0,1.00005,3";
+  for (const std::string& rows :
+       {quarter + "\n", quarter + ",0,0,0,1", "a,b,c,d,e,f,g,h,i,j,k,l\n" + quarter}) {
+    const PoseList list = read("m.csv", rows, std::nullopt);
+    ASSERT_EQ(list.size(), 1U);
+    Eigen::Matrix3d expected;
+    expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    EXPECT_LT((list.rotation(0) - expected).norm(), 1e-15);
+    EXPECT_EQ(list.translation(0), Vec3(1.5, -2.0, 3.0));
+  }
+}
+
+TEST_F(PoseFile, WhatIsNoListNamesItsLine) {
+  const std::string unit = "1,0,0,0,0,1,0,0,0,0,1,0";
+  for (const auto& [bytes, word] : {std::pair<std::string, const char*>("flexion\n", "holds no pose"),
+                                    {"flexion,bend\n1,2\n", "line 1: unknown motion 'bend'"},
+                                    {"flexion,extension\n1,2\n", "same angle"},
+                                    {"flexion\n10\nten\n", "line 3: 'ten'"},
+                                    {"flexion\n10\n11,12\n", "line 3: 2 numbers below 1 names"},
+                                    {"flexion\n181\n", "line 2: an angle of flexion"},
+                                    {"flexion\nnan\n", "line 2: 'nan'"},
+                                    {unit + "\n1,2\n", "line 2: 2 numbers are no matrix"},
+                                    {unit + ",0,0,0,2", "0,0,0,1"},
+                                    {"1,0,0,0,0,1,0,0,0,0,-1,0", "does not turn only"},
+                                    {"1,0,0,0,0,1,0,0,0,0,1.001,0", "does not turn only"},
+                                    {"0,0,0,0,0,0,0,0,0,0,0,0", "does not turn only"}}) {
+    const std::string said = refused("bad.csv", bytes);
+    EXPECT_NE(said.find(word), said.npos) << bytes << ": " << said;
+    EXPECT_NE(said.find("bad.csv"), said.npos);
+    EXPECT_EQ(said.find('\n'), said.npos);
+  }
+}
+
+const std::string kHead = "walk\nversion=1\nnRows=1\nnColumns=8\ninDegrees=yes\n\nendheader\n";
+const std::string kLabels =
+    "time\tpelvis_tilt\thip_flexion_r\thip_adduction_r\thip_rotation_r\thip_flexion_l\thip_adduction_l\t"
+    "hip_rotation_l\n";
+
+// In gait2392 x is forward, y up and z right. Flexion of 90 degrees turns about z: the right thigh, (0, -1,
+// 0), points forward, (1, 0, 0). Adduction of 30 about the turned x, which is then (0, 1, 0), brings it to
+// (cos 30, 0, -sin 30), to the left: here, where x is right, y forward and z up, (-1/2, sqrt(3)/2, 0).
+TEST_F(PoseFile, AMotionOfOpenSimTurnsAsItsHipDoes) {
+  const PoseList list = read("walk.mot", kHead + kLabels + "0.5 1 90 30 0 0 0 0\n");
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list.columns[1].name, "hip_flexion_r");
+  EXPECT_EQ(list.values[0], 0.5);
+  const Vec3 thigh = joint_rotation(list.motion(0), Side::right) * Vec3(0.0, 0.0, -1.0);
+  EXPECT_LT((thigh - Vec3(-0.5, std::sqrt(0.75), 0.0)).norm(), 1e-15);
+  // On the left adduction goes to the right.
+  const PoseList left = read("walk.mot", kHead + kLabels + "0 0 0 0 0 90 30 0\n", Side::left);
+  const Vec3 other = joint_rotation(left.motion(0), Side::left) * Vec3(0.0, 0.0, -1.0);
+  EXPECT_LT((other - Vec3(0.5, std::sqrt(0.75), 0.0)).norm(), 1e-15);
+}
+
+// Rotation of 90 degrees about the long axis: the front of the thigh, forward, turns inwards.
+TEST_F(PoseFile, StatesOfOpenSimAreRadians) {
+  const std::string head = "states\ninDegrees=no\nendheader\n";
+  const std::string labels =
+      "time /jointset/hip_r/hip_flexion_r/value /jointset/hip_r/hip_flexion_r/speed "
+      "/jointset/hip_r/hip_adduction_r/value /jointset/hip_r/hip_rotation_r/value\n";
+  const PoseList list = read("states.sto", head + labels + "0 0 9 0 1.5707963267948966\n");
+  EXPECT_NEAR(list.motion(0).internal_rotation, 90.0, 1e-12);
+  const Vec3 front = joint_rotation(list.motion(0), Side::right) * Vec3(0.0, 1.0, 0.0);
+  EXPECT_LT((front - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-15);
+}
+
+TEST_F(PoseFile, AMotionThatLacksSomethingSaysWhat) {
+  EXPECT_NE(refused("a.mot", kHead + kLabels, std::nullopt).find("--side"), std::string::npos);
+  EXPECT_NE(refused("a.mot", kHead + kLabels).find("no pose"), std::string::npos);
+  EXPECT_NE(refused("a.mot", "x\nendheader\n" + kLabels).find("inDegrees=yes"), std::string::npos);
+  EXPECT_NE(refused("a.mot", "x\ninDegrees=yes\n" + kLabels).find("endheader"), std::string::npos);
+  EXPECT_NE(refused("a.mot", kHead + "time knee\n1 2\n").find("hip_flexion_r"), std::string::npos);
+  EXPECT_NE(refused("a.mot", kHead + kLabels + "0 1 2\n").find("line 9: 3 numbers"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many poses, held against every face and every vertex: exact overlay and ray casting. And a run that ended
+// in any of its bytes goes on to the same file.
+#include "scene/poses.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "files/file_bytes.hpp"
+#include "gap/overlay.hpp"
+#include "mesh/generated_pair.hpp"
+#include "mesh/io.hpp"
+#include "scene/joint.hpp"
+#include "support/poses.hpp"
+#include "support/temporary_folder.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+const Vec3 kCentre(-86.0, 20.5, -580.25);  // the centre, frame of the input
+
+class Poses : public testing::Test {
+ protected:
+  Poses() {
+    PairShape shape;
+    shape.cam_height = 3.9;
+    pair_ = make_ball_socket_pair(1200, shape);
+    options_.ball = folder_.path() / "ball.ply";
+    options_.socket = folder_.path() / "socket.ply";
+    options_.out = folder_.path() / "out";
+    std::filesystem::create_directory(options_.out);
+    options_.centre = kCentre;
+    options_.side = Side::left;
+    BallSocketPair seen = pair_;
+    for (TriangleMesh* mesh : {&seen.ball, &seen.socket}) {
+      for (Vec3& x : mesh->vertices) x += kCentre;
+    }
+    write_mesh(options_.ball, seen.ball);
+    write_mesh(options_.socket, seen.socket);
+  }
+
+  // poses.csv, row by row; the head is the first.
+  std::vector<std::vector<std::string>> answered() {
+    const Session session = load_joint(options_);
+    summary_ = answer_poses(options_, *session.joint, log_);
+    joint_ = {session.joint->joint.ball.mesh, session.joint->joint.socket.mesh};
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(bytes());
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> cells(1);
+      for (const char c : line) c == ',' ? cells.emplace_back() : cells.back().append(1, c);
+      rows.push_back(cells);
+    }
+    return rows;
+  }
+  std::string bytes() const { return read_bytes(options_.out / "poses.csv"); }
+
+  test::TemporaryFolder folder_;
+  BallSocketPair pair_;
+  BallSocketPair joint_;  // as it was read, centre frame
+  SceneOptions options_;
+  nlohmann::json summary_;
+  std::ostringstream log_;
+};
+
+// The least of all gaps, by rays through all faces.
+double least_gap(const BallSocketPair& joint, const Pose& pose) {
+  const RayCaster ball(joint.ball);
+  const RayCaster socket(joint.socket);
+  double least = INFINITY;
+  for (const Vec3& v : joint.ball.vertices) {
+    const Vec3 x = to_socket(pose, v);
+    least = std::fmin(least, socket.cast(x.normalized(), Layer::nearest) - x.norm());
+  }
+  for (const Vec3& v : joint.socket.vertices) {
+    const Vec3 x = to_ball(pose, v);
+    least = std::fmin(least, x.norm() - ball.cast(x.normalized(), Layer::farthest));
+  }
+  return least;
+}
+
+TEST_F(Poses, AgreeWithEveryFaceAndEveryVertex) {
+  const std::vector<Pose> poses = test::random_poses(300, 1.5, 7.0, 7);
+  std::string matrices;
+  for (const Pose& pose : poses) {
+    const Vec3 moved = pose.translation + kCentre - pose.rotation * kCentre;
+    std::ostringstream line;
+    line.precision(17);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) line << pose.rotation(i, k) << ',';
+      line << moved[i] << (i < 2 ? "," : "\n");
+    }
+    matrices += line.str();
+  }
+  options_.poses = folder_.write("poses.txt", matrices);
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), poses.size() + 1);
+  const SurfaceOverlay overlay(joint_.ball, joint_.socket);
+  std::size_t touching = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto& row = rows[k + 1];
+    ASSERT_EQ(row[2], "yes");
+    EXPECT_EQ(row[1] == "yes", overlay.impinged(poses[k])) << k;
+    touching += row[1] == "yes";
+    EXPECT_LT(std::stod(row[7]), 1e-9);
+    EXPECT_NEAR(std::stod(row[3]), least_gap(joint_, poses[k]), std::stod(row[7]) + 1e-9) << k;
+  }
+  EXPECT_GT(touching, 20U);
+  EXPECT_LT(touching, 280U);
+  EXPECT_EQ(summary_["touching"], touching);
+}
+
+TEST_F(Poses, AnglesTurnAsInOnePose) {
+  options_.path = "flexion=0..60/30,abduction=-20..20/20";
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 10U);
+  EXPECT_EQ(rows[0].back(), "abduction");
+  EXPECT_EQ(rows[9][8] + rows[9][9], "6020");
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const Motion motion{.flexion = std::stod(rows[k][8]), .abduction = std::stod(rows[k][9])};
+    const Pose pose{joint_rotation(motion, Side::left), Vec3::Zero()};
+    EXPECT_NEAR(std::stod(rows[k][3]), least_gap(joint_, pose), 1e-9);
+  }
+}
+
+TEST_F(Poses, WhatIsNotAskedForIsLeftOut) {
+  options_.path = "flexion=0..10/5";
+  options_.question = Question::touch;
+  EXPECT_EQ(answered()[1][3], "");
+  EXPECT_TRUE(summary_["smallest_gap"].is_null());
+  options_.question = Question::first_contact;
+  EXPECT_EQ(answered()[1][1], "");
+  EXPECT_TRUE(summary_["touching"].is_null());
+}
+
+TEST_F(Poses, ARunThatEndedAnywhereGoesOnToTheSameBytes) {
+  options_.path = "flexion=0..150/30,internal_rotation=-20..20/20";
+  answered();
+  const std::string whole = bytes();
+  const nlohmann::json told = summary_["smallest_gap"];
+  std::filesystem::path part;
+  {  // its name, from a run that cannot end
+    std::filesystem::remove(options_.out / "poses.csv");
+    std::filesystem::create_directory(options_.out / "poses.csv");
+    EXPECT_ANY_THROW(answered());
+    std::filesystem::remove(options_.out / "poses.csv");
+    for (const auto& file : std::filesystem::directory_iterator(options_.out)) {
+      if (file.path().extension() == ".part") part = file.path();
+    }
+  }
+  ASSERT_FALSE(part.empty());
+  EXPECT_EQ(read_bytes(part), whole);  // nothing was lost
+  for (std::size_t end = 0; end <= whole.size(); end += 37) {
+    folder_.write("out" / part.filename(), whole.substr(0, end));
+    log_.str("");
+    answered();
+    EXPECT_EQ(bytes(), whole) << end;
+    EXPECT_EQ(summary_["smallest_gap"], told);
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
+  EXPECT_NE(log_.str().find("answered before"), std::string::npos);
+  // Another question has a part of its own.
+  folder_.write("out" / part.filename(), whole.substr(0, 200));
+  options_.path = "flexion=0..150/30,internal_rotation=-20..20/10";
+  EXPECT_EQ(answered().size(), 31U);
+  EXPECT_TRUE(std::filesystem::exists(part));
+}
+
+}  // namespace
+}  // namespace impinge
