@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "gap/euclidean_bracket.hpp"
+#include "10_euclidean/gap_bracket.hpp"
 #include "harness/reference_cache.hpp"
 
 namespace impinge::lab {
 namespace {
 
-std::size_t zone_of(const DistanceBracket& found) {
+std::size_t zone_of(const DistanceEnds& found) {
   if (found.edge_mm < found.gap_mm) return kFacingZones.size();
   std::size_t zone = 0;
   while (std::atan(found.slope) >= kFacingZones[zone].below_deg * kDegree) ++zone;
@@ -23,10 +23,10 @@ std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<c
   std::vector<DistanceShare> shares(kFacingZones.size() + 1);
   for (std::size_t k = 0; k < kFacingZones.size(); ++k) shares[k].zone = kFacingZones[k].name;
   shares.back().zone = kRimZone;
-  const EuclideanBracket bracket(mesh);
+  const GapBracket bracket(mesh);
   const std::vector<double> distances = cached_closest_distances(cache, mesh, {.points = points});
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const DistanceBracket found = bracket.at(points[i]);
+    const DistanceEnds found = bracket.at(points[i]);
     const double distance = distances[i];
     if (std::isinf(found.gap_mm) || distance == 0.0) continue;
     DistanceShare& share = shares[zone_of(found)];

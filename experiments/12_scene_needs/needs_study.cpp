@@ -11,10 +11,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "gap/euclidean_bracket.hpp"
 #include "gap/gap_scan.hpp"
 #include "harness/answer_difference.hpp"
 #include "methods/heap_use.hpp"
+#include "motion/euclidean_distance.hpp"
 #include "session/certificate.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/error_bound.hpp"
@@ -177,8 +177,8 @@ std::vector<NeedsCase> outputs_of(const NeedsScene& scene, const NeedsOptions& o
   };
   cases.push_back(output_case(scene, Omission::error_bounds, bounds));
   const auto distances = [=] {
-    auto ball = std::make_unique<EuclideanBracket>(joint->ball);
-    auto socket = std::make_unique<EuclideanBracket>(joint->socket);
+    auto ball = std::make_unique<EuclideanDistance>(joint->ball);
+    auto socket = std::make_unique<EuclideanDistance>(joint->socket);
     std::vector<DistanceBracket> found;
     for (const Vec3& v : joint->ball.vertices) found.push_back(socket->at(to_socket(pose, v)));
     for (const Vec3& v : joint->socket.vertices) found.push_back(ball->at(to_ball(pose, v)));

@@ -11,6 +11,7 @@
 #include "gap/exact_side.hpp"
 #include "gap/formatted.hpp"
 #include "gap/measured_gap.hpp"
+#include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
 
@@ -213,12 +214,12 @@ void bound_on_faces(SessionJoint& joint, double promised, Measurement& result) {
 }
 
 // They are those of the meshes, whatever the table.
-void bracket_distances(const SessionJoint& joint, Measurement& result) {
+void measure_distances(const SessionJoint& joint, Measurement& result) {
   Stopwatch watch;
   for (const Surface of : kSurfaces) {
-    const EuclideanBracket bracket(joint.mesh(other(of)));
+    const EuclideanDistance distance(joint.mesh(other(of)));
     for (const Vec3& x : places_in_other(joint, result.pose, of))
-      result.of(of).distance.push_back(bracket.at(x));
+      result.of(of).distance.push_back(distance.at(x));
   }
   result.distance_ms = watch.lap_ms();
 }
@@ -243,7 +244,7 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
                                           : by_plan(joint, asked);
   if (bounds && asked.max_error_mm) bound_on_faces(joint, *asked.max_error_mm, result);
   if (bounds) result.proven = verdicts_of(joint, result);
-  if (outputs.distances) bracket_distances(joint, result);
+  if (outputs.distances) measure_distances(joint, result);
   if (outputs.verdicts) {
     result.certificate =
         certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,

@@ -21,7 +21,7 @@ struct Measurement : PoseAnswer {
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
   double bound_ms = 0.0;                   // the bounds of all gaps
-  double distance_ms = 0.0;                // the brackets of all Euclidean distances
+  double distance_ms = 0.0;                // all Euclidean distances
   std::optional<PoseVerdicts> proven;      // by the bounds, where they are asked for
   std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
   std::string way;                         // how the gaps were found, and why so, in one clause

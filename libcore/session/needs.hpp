@@ -37,7 +37,7 @@ enum class Omission {
   entries,        // of the tables that no vertex reads
   second_scan,    // where bounds prove that it cannot change the answer
   fine_table,     // a precision, storage or scheme beyond the accuracy
-  distances,      // brackets of Euclidean distances
+  distances,      // Euclidean
   error_bounds,   // of each gap
   exact_verdicts  // the exact reference
 };

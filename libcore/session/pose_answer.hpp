@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "gap/certified_gap.hpp"
-#include "gap/euclidean_bracket.hpp"
 #include "gap/gap_histogram.hpp"
 #include "gap/gap_summary.hpp"
 #include "gap/measured_gap.hpp"
+#include "motion/euclidean_distance.hpp"
 #include "session/session.hpp"
 
 namespace impinge {

@@ -16,7 +16,7 @@ inline constexpr double kUsualPrecision = 0.5;  // degrees, of tables that are a
 struct PoseOutputs {
   bool gaps = true;       // of every vertex
   bool bounds = true;     // proven, of the error of every gap
-  bool distances = true;  // brackets of Euclidean distances
+  bool distances = true;  // Euclidean
   bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
 };
 

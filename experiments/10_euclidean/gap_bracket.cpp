@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gap/euclidean_bracket.hpp"
+#include "10_euclidean/gap_bracket.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include "sphere/infinity.hpp"
 #include "table/face_cap.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 constexpr double kGridPrecision = 1.0;     // degrees
@@ -56,7 +56,7 @@ double stretch(const auto& slopes, double length, double D) {
 
 }  // namespace
 
-EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
+GapBracket::GapBracket(TriangleMesh mesh)
     : mesh_(std::move(mesh)),
       index_(CubeGnomonic::with_precision(kGridPrecision)),
       listed_within_(index_.grid().covering_radius() + kAngleSlack),
@@ -72,7 +72,7 @@ EuclideanBracket::EuclideanBracket(TriangleMesh mesh)
 }
 
 // Neighbours in the list are neighbours on the mesh, mostly.
-void EuclideanBracket::clump_jumps() {
+void GapBracket::clump_jumps() {
   for (std::size_t first = 0; first < jumps_.size(); first += kClump) {
     const std::size_t last = std::min(first + kClump, jumps_.size());
     Clump clump{{jumps_[first].from, 0.0}, first, last};
@@ -85,7 +85,7 @@ void EuclideanBracket::clump_jumps() {
   }
 }
 
-void EuclideanBracket::list_face(std::size_t f) {
+void GapBracket::list_face(std::size_t f) {
   const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
   const auto& c = cone.corners();
   const double radius = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
@@ -111,7 +111,7 @@ void EuclideanBracket::list_face(std::size_t f) {
 // Calls visit(near, direction) for the entries within that angle of unit u, and those next to them: one of
 // them lists any face that is seen within the angle.
 template <class Visit>
-void EuclideanBracket::for_each_within(const Vec3& u, double angle, Visit&& visit) const {
+void GapBracket::for_each_within(const Vec3& u, double angle, Visit&& visit) const {
   const double wide = angle + listed_within_;
   const double least = std::cos(wide + kAngleSlack);
   index_.for_each_near(TriangleCone(u, u, u), wide, [&](std::size_t entry, const Vec3& direction) {
@@ -120,7 +120,7 @@ void EuclideanBracket::for_each_within(const Vec3& u, double angle, Visit&& visi
 }
 
 // It lists all faces that are met along u.
-std::size_t EuclideanBracket::entry_next_to(const Vec3& u) const {
+std::size_t GapBracket::entry_next_to(const Vec3& u) const {
   std::size_t nearest = 0;
   double closest = -kInfinity;
   for_each_within(u, 0.0, [&](std::size_t i, const Vec3& direction) {
@@ -132,8 +132,8 @@ std::size_t EuclideanBracket::entry_next_to(const Vec3& u) const {
 }
 
 // All but the lower end. x and the unit vector u along it, any u for x in the centre.
-DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) const {
-  DistanceBracket found;
+DistanceEnds GapBracket::gap_and_edge(const Vec3& x, const Vec3& u) const {
+  DistanceEnds found;
   found.upper_mm = kInfinity;
   const Vec3& exact_direction = x.isZero(0.0) ? u : x;
   for (const std::uint32_t f : index_[entry_next_to(u)]) {
@@ -161,7 +161,7 @@ DistanceBracket EuclideanBracket::gap_and_edge(const Vec3& x, const Vec3& u) con
 
 // The upper end by points of the surface along the entries near x: where faces are steep they are nearer than
 // the end of the gap.
-double EuclideanBracket::shortened(const Vec3& x, double upper) const {
+double GapBracket::shortened(const Vec3& x, double upper) const {
   double least = upper;
   for_each_within(x.normalized(), std::asin(upper / x.norm()), [&](std::size_t i, const Vec3& u) {
     if (near_[i].farthest == 0.0) return;
@@ -171,7 +171,7 @@ double EuclideanBracket::shortened(const Vec3& x, double upper) const {
 }
 
 // Slopes that count for some D up to `farthest`.
-std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x, double farthest) const {
+std::vector<GapBracket::Slope> GapBracket::slopes_near(const Vec3& x, double farthest) const {
   const double length = x.norm();
   const Vec3 axis = x / length;
   const double sine = std::sin(listed_within_);
@@ -190,7 +190,7 @@ std::vector<EuclideanBracket::Slope> EuclideanBracket::slopes_near(const Vec3& x
 
 // The largest min(D, m / L(D)), nearly. As L grows with D, no D beyond one with m / L(D) < D is better: faces
 // are gathered from near to far until there is one.
-double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) const {
+double GapBracket::lower_end(const Vec3& x, const DistanceEnds& found) const {
   const double m = std::min(found.gap_mm, found.edge_mm);
   const double most = std::min(found.upper_mm, kFarthest * x.norm());
   std::vector<Slope> slopes;
@@ -209,10 +209,10 @@ double EuclideanBracket::lower_end(const Vec3& x, const DistanceBracket& found) 
   return std::max(low, end(high));
 }
 
-DistanceBracket EuclideanBracket::at(const Vec3& x) const {
+DistanceEnds GapBracket::at(const Vec3& x) const {
   const double length = x.norm();
   const double allowance = kDistanceAllowance * (length + farthest_corner_);
-  DistanceBracket found = gap_and_edge(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
+  DistanceEnds found = gap_and_edge(x, length > 0.0 ? Vec3(x / length) : Vec3::UnitZ());
   found.upper_mm += allowance;
   if (length == 0.0) return found;
   if (found.upper_mm < kFarthest * length) found.upper_mm = shortened(x, found.upper_mm) + allowance;
@@ -220,4 +220,4 @@ DistanceBracket EuclideanBracket::at(const Vec3& x) const {
   return found;
 }
 
-}  // namespace impinge
+}  // namespace impinge::lab

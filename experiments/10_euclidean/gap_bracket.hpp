@@ -36,10 +36,10 @@
 #include "mesh/triangle_mesh.hpp"
 #include "table/direction_index.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 
 /// Ends of a Euclidean distance, and what they were made of. Lengths in mm; infinite where there is none.
-struct DistanceBracket {
+struct DistanceEnds {
   double lower_mm = 0.0;                                     // d is no less
   double upper_mm = 0.0;                                     // d is no more
   double gap_mm = std::numeric_limits<double>::infinity();   // least of |g_1|, |g_2|, ...
@@ -56,14 +56,14 @@ inline constexpr double kDistanceAllowance = 1e-9;
 
 /// A mesh made ready for many points: what is near each entry of a grid of about a degree. A point costs what
 /// the entries within asin(m / |x|) of it and all jump edges do.
-class EuclideanBracket {
+class GapBracket {
  public:
   /// mesh in its centre frame, mm; copied. Throws std::invalid_argument for one without faces.
-  explicit EuclideanBracket(TriangleMesh mesh);
+  explicit GapBracket(TriangleMesh mesh);
 
   /// Bracket of the distance from x (mm, in the frame of the mesh) to the nearest point of any face. A face
   /// whose plane holds the centre has no slope: the lower end is below the distance of a ball round it.
-  DistanceBracket at(const Vec3& x) const;
+  DistanceEnds at(const Vec3& x) const;
 
  private:
   struct Segment {
@@ -98,10 +98,10 @@ class EuclideanBracket {
   void clump_jumps();
   void list_face(std::size_t f);
   std::size_t entry_next_to(const Vec3& u) const;
-  DistanceBracket gap_and_edge(const Vec3& x, const Vec3& u) const;
+  DistanceEnds gap_and_edge(const Vec3& x, const Vec3& u) const;
   double shortened(const Vec3& x, double upper) const;
   std::vector<Slope> slopes_near(const Vec3& x, double farthest) const;
-  double lower_end(const Vec3& x, const DistanceBracket& found) const;
+  double lower_end(const Vec3& x, const DistanceEnds& found) const;
 
   template <class Visit>
   void for_each_within(const Vec3& u, double angle, Visit&& visit) const;
@@ -116,4 +116,4 @@ class EuclideanBracket {
   std::vector<Ball> edge_on_;   // round the faces whose plane holds the centre
 };
 
-}  // namespace impinge
+}  // namespace impinge::lab

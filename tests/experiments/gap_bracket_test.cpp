@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle is the exact distance from the nearest point of the mesh:
 //   lower <= d <= upper,   for any mesh and any point
-#include "gap/euclidean_bracket.hpp"
+#include "10_euclidean/gap_bracket.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,18 @@
 #include "support/random_cases.hpp"
 #include "support/soup.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 struct Found {
-  std::vector<DistanceBracket> bracket;
+  std::vector<DistanceEnds> bracket;
   std::vector<double> distance;
   std::size_t bounded = 0;  // points with a lower end above zero
 };
 
 Found look_at(const TriangleMesh& mesh, const std::vector<Vec3>& points) {
   Found found;
-  const EuclideanBracket bracket(mesh);
+  const GapBracket bracket(mesh);
   for (const Vec3& x : points) found.bracket.push_back(bracket.at(x));
   found.distance = closest_distances(mesh, {.points = points});
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -61,26 +61,26 @@ std::vector<Pose> poses() {
           {turn(20.0, {0, 0, 1}), {0.0, 6.0, 1.0}}};
 }
 
-TEST(EuclideanBracket, IsNarrowBetweenConcentricSpheres) {
+TEST(GapBracket, IsNarrowBetweenConcentricSpheres) {
   const TriangleMesh outer = sphere(26.0, 20000);
   for (const double radius : {22.0, 25.9, 26.1, 30.0}) {
     const Found found = look_at(outer, points_between(radius, radius, 200, 1));
-    for (const DistanceBracket& b : found.bracket) EXPECT_GT(b.lower_mm, 0.998 * b.upper_mm) << radius;
+    for (const DistanceEnds& b : found.bracket) EXPECT_GT(b.lower_mm, 0.998 * b.upper_mm) << radius;
   }
 }
 
 // A sphere about e is met at up to asin(|e| / R): the ends are no farther apart than the slopes near a point
 // ask for.
-TEST(EuclideanBracket, IsNarrowInAnEccentricSphere) {
+TEST(GapBracket, IsNarrowInAnEccentricSphere) {
   const Found found = look_at(sphere(25.0, 3000, {5.0, 0.0, 0.0}), points_between(20.0, 26.0, 300, 2));
-  for (const DistanceBracket& b : found.bracket) {
+  for (const DistanceEnds& b : found.bracket) {
     if (b.upper_mm > 4.0) continue;
     EXPECT_GT(b.lower_mm, 0.93 * b.upper_mm);
   }
   EXPECT_GT(found.bounded, 290U);
 }
 
-TEST(EuclideanBracket, HoldsForThePairInEveryPose) {
+TEST(GapBracket, HoldsForThePairInEveryPose) {
   const BallSocketPair pair = make_ball_socket_pair(600, impinging_cam());
   for (const Pose& pose : poses()) {
     std::vector<Vec3> ball = pair.ball.vertices;
@@ -93,7 +93,7 @@ TEST(EuclideanBracket, HoldsForThePairInEveryPose) {
 }
 
 // Any layers, cliffs and rims at all, and points on all sides of them.
-TEST(EuclideanBracket, HoldsForTrianglesAtRandom) {
+TEST(GapBracket, HoldsForTrianglesAtRandom) {
   std::size_t bounded = 0;
   for (unsigned seed = 0; seed < 8; ++seed) {
     for (const std::size_t faces : {3U, 20U, 150U}) {
@@ -109,13 +109,13 @@ TEST(EuclideanBracket, HoldsForTrianglesAtRandom) {
   EXPECT_GT(bounded, 1000U);
 }
 
-TEST(EuclideanBracket, IsThatOfThePlaneNextToALargeFace) {
+TEST(GapBracket, IsThatOfThePlaneNextToALargeFace) {
   const TriangleMesh plane{{{100, 100, 10}, {-100, 0, 10}, {100, -100, 10}}, {{0, 1, 2}}};
   for (const double degrees : {0.0, 20.0, 45.0, 60.0}) {
     const Vec3 u(std::sin(degrees * kDegree), 0.0, std::cos(degrees * kDegree));
     for (const double share : {0.999, 1.001}) {
       const Vec3 x = share * 10.0 / u.z() * u;
-      const DistanceBracket found = EuclideanBracket(plane).at(x);
+      const DistanceEnds found = GapBracket(plane).at(x);
       EXPECT_LE(found.lower_mm, std::abs(x.z() - 10.0));
       EXPECT_GE(found.upper_mm, std::abs(x.z() - 10.0));
     }
@@ -144,7 +144,7 @@ TriangleMesh funnel(double radius, double slope) {
 }
 
 // It comes nearer to a point on its axis than 1 / cos psi allows: the ratio k counts.
-TEST(EuclideanBracket, TheRatioOfRadiiCountsInAFunnel) {
+TEST(GapBracket, TheRatioOfRadiiCountsInAFunnel) {
   const Vec3 x(0.0, 0.0, 30.0 * std::exp(-0.3));
   const Found found = look_at(funnel(30.0, 1.0), {x});
   EXPECT_LT(found.distance[0], 0.96 * (30.0 - x.norm()) / std::sqrt(2.0));
@@ -153,13 +153,13 @@ TEST(EuclideanBracket, TheRatioOfRadiiCountsInAFunnel) {
 
 // The gap of the layer that a table keeps says nothing here: another layer is nearer, a wall without any
 // direction, or the other side of a rim.
-TEST(EuclideanBracket, SeesOtherLayersWallsAndRims) {
+TEST(GapBracket, SeesOtherLayersWallsAndRims) {
   TriangleMesh shells = sphere(20.0, 2000);
   const TriangleMesh outer = sphere(30.0, 2000);
   const auto first = static_cast<VertexIndex>(shells.vertices.size());
   for (const Vec3& v : outer.vertices) shells.vertices.push_back(v);
   for (const Face& f : outer.faces) shells.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
-  for (const DistanceBracket& b : look_at(shells, points_between(28.0, 28.0, 50, 3)).bracket)
+  for (const DistanceEnds& b : look_at(shells, points_between(28.0, 28.0, 50, 3)).bracket)
     EXPECT_NEAR(b.lower_mm, 2.0, 0.1);
 
   TriangleMesh wall = sphere(20.0, 2000);
@@ -174,7 +174,7 @@ TEST(EuclideanBracket, SeesOtherLayersWallsAndRims) {
 }
 
 // One might take the slope where the ray of x ends, and the gap there: next to a cliff that is far too much.
-TEST(EuclideanBracket, TheSlopeAtThePointAloneIsNoBound) {
+TEST(GapBracket, TheSlopeAtThePointAloneIsNoBound) {
   const auto cliff = [](const Vec3& u) { return u.x() > 0.0 ? 20.0 : 30.0; };
   const TriangleMesh body = radial_body(8000, cliff);
   const std::vector<Vec3> points{{-0.8, 3.0, 25.0}};
@@ -184,14 +184,14 @@ TEST(EuclideanBracket, TheSlopeAtThePointAloneIsNoBound) {
   EXPECT_LT(found.bracket[0].upper_mm, 0.5 * gap);
 }
 
-TEST(EuclideanBracket, HoldsInTheCentreAndFarOff) {
+TEST(GapBracket, HoldsInTheCentreAndFarOff) {
   const Found found = look_at(octahedron(10.0), {{0, 0, 0}, {1e-9, 0, 0}, {500, 30, 20}});
   EXPECT_EQ(found.bracket[0].lower_mm, 0.0);
   EXPECT_GT(found.bracket[2].lower_mm, 200.0);
 }
 
 // Distances have the roundings of the surface's radii there, however short x is.
-TEST(EuclideanBracket, HoldsNextToTheCentre) {
+TEST(GapBracket, HoldsNextToTheCentre) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (std::size_t k = 0; k < random_cases(); k += 20) {
@@ -202,9 +202,9 @@ TEST(EuclideanBracket, HoldsNextToTheCentre) {
   }
 }
 
-TEST(EuclideanBracket, RefusesAMeshWithoutFaces) {
-  EXPECT_THROW(EuclideanBracket{TriangleMesh{}}, std::invalid_argument);
+TEST(GapBracket, RefusesAMeshWithoutFaces) {
+  EXPECT_THROW(GapBracket{TriangleMesh{}}, std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace impinge
+}  // namespace impinge::lab
