@@ -24,6 +24,7 @@ double distance_of_sides(const Vec3& x, const TurnFace& face) {
 }
 
 // What Eigen's search asks.
+// NOLINTBEGIN(readability-identifier-naming): Eigen's names
 struct NearestFace {
   using Scalar = double;
   double minimumOnVolume(const Box& box) const { return box.exteriorDistance(x); }
@@ -38,6 +39,7 @@ struct NearestFace {
   const std::vector<TurnFace>& faces;
   double upper = kInfinity;
 };
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace
 

@@ -61,8 +61,8 @@ std::string key_of(const SceneOptions& options, const Joint& joint, const PoseLi
 struct Tally {
   std::size_t rows = 0;
   std::size_t touching = 0;
-  std::optional<double> smallest_mm;
-  json smallest;  // null where there is none
+  std::size_t smallest_pose = 0;      // from 1
+  std::vector<std::string> smallest;  // its row; empty where there is none
 
   void add(std::string_view row) {
     std::vector<std::string> cell;
@@ -73,15 +73,18 @@ struct Tally {
     }
     ++rows;
     if (cell[1] == "yes") ++touching;
-    if (cell[3].empty()) return;
-    const double gap = std::stod(cell[3]);
-    if (smallest_mm && gap >= *smallest_mm) return;
-    smallest_mm = gap;
-    smallest = {{"pose", rows},
-                {"gap_mm", gap},
-                {"surface", cell[4]},
-                {"vertex", std::stoull(cell[5])},
-                {"clock", cell[6].empty() ? json(nullptr) : json(cell[6])}};
+    if (cell[3].empty() || (!smallest.empty() && std::stod(cell[3]) >= std::stod(smallest[3]))) return;
+    smallest_pose = rows;
+    smallest = cell;
+  }
+
+  json smallest_json() const {
+    if (smallest.empty()) return nullptr;
+    return {{"pose", smallest_pose},
+            {"gap_mm", std::stod(smallest[3])},
+            {"surface", smallest[4]},
+            {"vertex", std::stoull(smallest[5])},
+            {"clock", smallest[6].empty() ? json(nullptr) : json(smallest[6])}};
   }
 };
 
@@ -193,7 +196,7 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
   summary.update(
       {{"number_of_poses", list.size()},
        {"touching", options.question == Question::first_contact ? json(nullptr) : json(tally.touching)},
-       {"smallest_gap", tally.smallest},
+       {"smallest_gap", tally.smallest_json()},
        {"times_ms", {{"ready", ready_ms}, {"answer", answer_ms}}}});
   return summary;
 }

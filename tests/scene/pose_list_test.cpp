@@ -39,19 +39,20 @@ TEST(PoseGrid, TheLastNamedChangesFirstAndEndsAreExact) {
 }
 
 TEST(PoseGrid, WhatIsNoGridIsRefusedInOneLine) {
-  for (const auto& [text, word] : {std::pair("", "''"),
-                                   {"flexion", "NAME=FIRST..LAST/STEP"},
-                                   {"bend=0..1/1", "internal_rotation"},
-                                   {"flexion=0..90", "no step"},
-                                   {"flexion=0..90/0", "no step"},
-                                   {"flexion=0..90/-1", "no step"},
-                                   {"flexion=0..90/40", "whole steps"},
-                                   {"flexion=0..181/1", "180"},
-                                   {"flexion=nan", "nan"},
-                                   {"flexion=0..1/1e-12", "ten million"},
-                                   {"flexion=0..90/1,extension=3", "same angle"},
-                                   {"flexion=0..90/1,", "''"},
-                                   {"flexion=0..100/0.01,abduction=0..100/0.01", "ten million"}}) {
+  for (const auto& [given, word] : {std::pair("", "''"),
+                                    {"flexion", "NAME=FIRST..LAST/STEP"},
+                                    {"bend=0..1/1", "internal_rotation"},
+                                    {"flexion=0..90", "no step"},
+                                    {"flexion=0..90/0", "no step"},
+                                    {"flexion=0..90/-1", "no step"},
+                                    {"flexion=0..90/40", "whole steps"},
+                                    {"flexion=0..181/1", "180"},
+                                    {"flexion=nan", "nan"},
+                                    {"flexion=0..1/1e-12", "ten million"},
+                                    {"flexion=0..90/1,extension=3", "same angle"},
+                                    {"flexion=0..90/1,", "''"},
+                                    {"flexion=0..100/0.01,abduction=0..100/0.01", "ten million"}}) {
+    const std::string text = given;
     const std::string said = test::thrown<std::invalid_argument>([&] { parse_pose_grid(text); });
     EXPECT_NE(said.find(word), said.npos) << text << ": " << said;
     EXPECT_EQ(said.find('\n'), said.npos);
