@@ -16,11 +16,19 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// From some point of a side.
-double distance_of_sides(const Vec3& x, const TurnFace& face) {
+// From some point of the face: of a side, or next to the foot of x. However wrong a thin face's normal makes
+// the shares of the corners, they add up to a point of the face.
+double enough_distance(const Vec3& x, const TurnFace& face) {
   const auto& [a, b, c] = face.corner;
-  return std::sqrt(std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
-                             squared_distance_to_segment(x, c, a)}));
+  const double sides =
+      std::sqrt(std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
+                          squared_distance_to_segment(x, c, a)}));
+  const double squared = face.normal.squaredNorm();
+  if (!(squared > 0.0)) return sides;
+  const double of_b = face.normal.dot((x - a).cross(c - a)) / squared;
+  const double of_c = face.normal.dot((b - a).cross(x - a)) / squared;
+  if (!(of_b >= 0.0 && of_c >= 0.0 && of_b + of_c <= 1.0)) return sides;
+  return std::min(sides, (x - a - of_b * (b - a) - of_c * (c - a)).norm());
 }
 
 // What Eigen's search asks.
@@ -31,7 +39,7 @@ struct NearestFace {
   double minimumOnObject(int at) {
     const TurnFace& face = faces[static_cast<std::size_t>(at)];
     const double least = least_distance(x, face);
-    upper = std::min(upper, face.thin ? distance_of_sides(x, face) : least);
+    upper = std::min(upper, face.thin ? enough_distance(x, face) : least);
     return least;
   }
 

@@ -4,7 +4,7 @@
 // A tree of boxes (Eigen's KdBVH) finds the face with the least distance. motion/part_distance.hpp has a
 // distance from a face that is not above the true one but for 16 u D / kThin < 2e-13 D, D <= |x| + R, R the
 // farthest corner: where a face is thin it takes the error off. The other end is the distance from a point of
-// that face, on its sides where it is thin. Boxes are passed over by distances that a few u are off.
+// that face. Boxes are passed over by distances that a few u are off.
 #pragma once
 
 #include <vector>
