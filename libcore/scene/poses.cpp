@@ -27,7 +27,12 @@ namespace {
 using nlohmann::json;
 
 PoseList list_of(const SceneOptions& options) {
-  return options.path ? parse_pose_grid(*options.path) : read_poses(*options.poses, options.side);
+  if (options.path) return parse_pose_grid(*options.path);
+  PoseList list = read_poses(*options.poses, options.side);
+  if (list.needs_side() && !options.side)
+    throw FileError(*options.poses, "has angles that turn opposite ways on the two sides",
+                    "say which with --side left or right");
+  return list;
 }
 
 std::string line_of(const std::vector<Cell>& cells) {

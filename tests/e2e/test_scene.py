@@ -160,6 +160,9 @@ class Scene(GeneratedPair):
         poses.write_text("flexion\n0\nfar\n")
         self.refused(self.scene("of_file", "--poses", poses), 1, "two.csv", "line 3", "'far'")
         self.refused(self.scene("of_file", "--poses", self.root / "none.csv"), 1, "none.csv")
+        poses.write_text("flexion,abduction\n0,0\n0,10\n")
+        self.refused(self.scene("no_side", "--poses", poses), 1, "two.csv", "--side")
+        self.nothing_in("no_side")
 
     def test_a_limit_takes_no_map_of_cartilage(self):
         thickness = self.root / "map.csv"
