@@ -20,6 +20,12 @@ inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Ve
   return (p - a - share * along).squaredNorm();
 }
 
+/// From p to the nearest side of a triangle, mm^2.
+inline double squared_distance_to_sides(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
+                   squared_distance_to_segment(p, c, a)});
+}
+
 /// mm^2. A point above the triangle is as far as its plane, any other as far as the nearest edge. Degenerate
 /// triangles are their edges.
 inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -32,8 +38,7 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
     const double height = normal.dot(p - a);
     return height * height / squared;
   }
-  return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
-                   squared_distance_to_segment(p, c, a)});
+  return squared_distance_to_sides(p, a, b, c);
 }
 
 using Triangle = std::array<Vec3, 3>;  // its corners, mm

@@ -20,9 +20,7 @@ using Box = Eigen::AlignedBox3d;
 // the shares of the corners, they add up to a point of the face.
 double enough_distance(const Vec3& x, const TurnFace& face) {
   const auto& [a, b, c] = face.corner;
-  const double sides =
-      std::sqrt(std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
-                          squared_distance_to_segment(x, c, a)}));
+  const double sides = std::sqrt(squared_distance_to_sides(x, a, b, c));
   const double squared = face.normal.squaredNorm();
   if (!(squared > 0.0)) return sides;
   const double of_b = face.normal.dot((x - a).cross(c - a)) / squared;

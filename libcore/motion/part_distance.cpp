@@ -29,8 +29,7 @@ bool surely_outside(const Vec3& x, const TurnFace& face) {
 double least_distance(const Vec3& x, const TurnFace& face) {
   const auto& [a, b, c] = face.corner;
   if (!face.thin) return std::sqrt(squared_distance_to_triangle(x, a, b, c));
-  const double squared = std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
-                                   squared_distance_to_segment(x, c, a)});
+  const double squared = squared_distance_to_sides(x, a, b, c);
   const double area = face.normal.norm();
   if (!(area > 0.0) || surely_outside(x, face)) return std::sqrt(squared);
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
