@@ -2,7 +2,7 @@
 // @question  How long does filling the two tables of a joint take? (Tables 3 and 8)
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
-// @seconds   130 330
+// @seconds   116 330
 // @links     harness methods
 //
 // The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.
@@ -34,7 +34,7 @@ constexpr std::size_t kChecked = 2000;                  // entries of a table, b
 constexpr double kCheckedAt = 6.0;                      // degrees, of the table of a slow filling
 constexpr double kTestSeconds = 1e-9;  // a ray against a prepared triangle, for the time left alone
 constexpr double kLong = 5e9;  // tests of a filling that is not run once more to find out how long it takes
-constexpr int kRoundsOfAPart = 9;  // of a pairwise filling
+constexpr int kRoundsOfAPart = 7;  // of a pairwise filling
 
 // How many tests of a ray against a triangle a pairwise filling may take to be timed whole, and how many of
 // a larger one are timed in a round.
@@ -43,9 +43,9 @@ struct PairwiseSize {
   double in_a_part;
 };
 
-int rounds_at(double precision) { return precision < 0.1 ? 5 : precision < 0.5 ? 9 : 15; }
+int rounds_at(double precision) { return precision < 0.1 ? 3 : precision < 0.5 ? 9 : 15; }
 // By way of a grid a round takes seconds.
-int rounds_by_grid(double precision) { return precision < 0.1 ? 3 : precision < 0.5 ? 5 : 9; }
+int rounds_by_grid(double precision) { return precision < 0.5 ? 3 : 9; }
 
 std::vector<Cell> key_of(std::string_view method, double precision) {
   return {method, precision, kTriangles};
@@ -103,7 +103,7 @@ TimedCase rays_case(std::string_view name, double precision, const PairwiseSize&
   TimedCase timed;
   timed.key = key_of(name, precision);
   timed.units = static_cast<double>(count) / static_cast<double>(scheme.size());
-  timed.rounds = !whole ? kRoundsOfAPart : precision < 1.0 ? 3 : 5;
+  timed.rounds = whole ? 3 : kRoundsOfAPart;
   if (whole && tests > kLong) timed.expected_s = kTestSeconds * tests;
   timed.run = [=] {
     const double step = static_cast<double>(scheme.size()) / static_cast<double>(count);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How long does one look-up take with each scheme?
-// @writes    lookup_time lookup_time_samples
+// @question  How long does a look-up take with each scheme, and does finding its entries take longer the more
+// there are?
+// @writes    lookup_time lookup_time_samples stencil_time stencil_time_samples
 // @timing    yes
-// @seconds   10 40
+// @seconds   15 65
 // @links     harness reference
 //
 // Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random
 // directions: no look-up profits from the one before it, as neighbouring vertices of a mesh would. The points
 // are as far from the centre as vertices of a hip are, so that a scheme that needs unit vectors makes them.
+// The thesis says that polyhedra need a search, O(n log n) for n look-ups (Section 4.5). Of that only the
+// stencil is computed, no radius is read: the memory of a larger table is slower, whatever the scheme.
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -30,11 +34,13 @@ using namespace impinge;
 using namespace impinge::lab;
 
 constexpr std::size_t kLookups = 20000;  // in one run
-constexpr std::size_t kChecked = 2000;   // of them, compared with what is known before anything is timed
-constexpr double kNearest = 20.0;        // mm
-constexpr double kFarthest = 30.0;       // mm
-const Vec3 kSlope(0.3, -0.5, 0.8);       // mm, of a body whose radius is kMean + kSlope . u
-constexpr double kMean = 25.0;           // mm
+constexpr std::size_t kChecked = 2000;   // of them
+constexpr std::array<std::size_t, 2> kStencilEntries{1000,
+                                                     1000000};  // a search would take twice as many steps
+constexpr double kNearest = 20.0;                               // mm
+constexpr double kFarthest = 30.0;                              // mm
+const Vec3 kSlope(0.3, -0.5, 0.8);  // mm, of a body whose radius is kMean + kSlope . u
+constexpr double kMean = 25.0;      // mm
 
 std::vector<Vec3> points(std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -62,49 +68,94 @@ void verify(const RadialTable<S>& table, const std::vector<Vec3>& points) {
   }
 }
 
-struct AddCase {
-  DriverRun& run;
+// Every tap must be an entry within the stencil radius.
+template <SamplingScheme S>
+void verify(const S& scheme, const std::vector<Vec3>& points) {
+  for (const Vec3& x : points) {
+    const Stencil stencil = scheme.stencil(x.normalized());
+    for (std::size_t k = 0; k < stencil.taps; ++k) {
+      if (stencil.weight[k] > 0.0 &&
+          angle_between(scheme.direction(stencil.entry[k]), x) > scheme.stencil_radius() + 1e-9) {
+        throw std::runtime_error("a tap is farther away than the stencil radius");
+      }
+    }
+  }
+}
+
+// The cases of both questions; the points outlive them.
+struct Cases {
+  bool quick;
   const std::vector<Vec3>& points;
-  std::vector<TimedCase>& cases;
+  std::vector<Vec3> directions;
+  std::vector<TimedCase> lookups;
+  std::vector<TimedCase> stencils;
 
   template <SamplingScheme S>
-  void operator()() const {
+  void operator()() {
     const S scheme = scheme_of_size<S>(Rsid::with_precision(1.0).size());
     const auto table = std::make_shared<RadialTable<S>>(scheme);
     for (std::size_t i = 0; i < scheme.size(); ++i) table->radii()[i] = true_radius(scheme.direction(i));
+    add<S>(lookups, {quick ? 9 : 45, scheme.size()}, table, points,
+           [](const auto& of, const Vec3& x) { return of.radius_at(x); });
+    for (const std::size_t entries : kStencilEntries) {
+      const auto of_size = std::make_shared<S>(scheme_of_size<S>(entries));
+      add<S>(stencils, {quick ? 7 : 31, of_size->size()}, of_size, directions,
+             [](const S& of, const Vec3& u) { return of.stencil(u); });
+    }
+  }
+
+ private:
+  struct Size {
+    int rounds;
+    std::size_t entries;
+  };
+
+  template <SamplingScheme S, class Asked, class Answer>
+  static void add(std::vector<TimedCase>& cases, Size size, const std::shared_ptr<Asked>& asked,
+                  const std::vector<Vec3>& where, Answer answer) {
     TimedCase timed;
-    timed.key = {S::name, scheme.size()};
+    timed.key = {S::name, size.entries};
     timed.units = static_cast<double>(kLookups);
-    timed.rounds = run.quick() ? 15 : 45;
-    timed.run = [table, &look_up = points] {
-      double sum = 0.0;
-      for (const Vec3& x : look_up) sum += table->radius_at(x);
-      benchmark::DoNotOptimize(sum);
+    timed.rounds = size.rounds;
+    timed.run = [asked, &where, answer] {
+      for (const Vec3& x : where) benchmark::DoNotOptimize(answer(*asked, x));
     };
-    timed.verify = [table, &look_up = points] { verify(*table, look_up); };
+    timed.verify = [asked, &where] { verify(*asked, where); };
     cases.push_back(std::move(timed));
   }
 };
 
-void body(DriverRun& run) {
-  const std::vector<Vec3> look_up = points(run.record.seed);
-  std::vector<TimedCase> cases;
-  for_each_scheme(AddCase{run, look_up, cases});
+void time_and_write(DriverRun& run, const std::vector<TimedCase>& cases, Result result,
+                    const std::string& unit) {
   const TimingRun timed = run_interleaved(cases, {}, run.progress);
   const std::vector<Column> keys{{"scheme", "", "name of the sampling scheme"},
-                                 {"entries", "1", "of the table"}};
-  Result result;
-  result.name = "lookup_time";
-  result.question = "How long does one look-up take with each scheme?";
-  result.table = medians_in_ns(keys, timed, "look-up");
-  result.parameters = {
+                                 {"entries", "1", "of the table or the scheme"}};
+  result.table = medians_in_ns(keys, timed, unit);
+  write_timed(run, std::move(result), keys, timed);
+}
+
+void body(DriverRun& run) {
+  const std::vector<Vec3> look_up = points(run.record.seed);
+  Cases cases{run.quick(), look_up, {}, {}, {}};
+  for (const Vec3& x : look_up) cases.directions.push_back(x.normalized());
+  for_each_scheme(cases);
+  Result lookup;
+  lookup.name = "lookup_time";
+  lookup.question = "How long does one look-up take with each scheme?";
+  lookup.parameters = {
       {"lookups", kLookups}, {"directions", "random"}, {"distances_mm", {kNearest, kFarthest}}};
-  write_timed(run, result, keys, timed);
+  time_and_write(run, cases.lookups, std::move(lookup), "look-up");
+  Result stencil;
+  stencil.name = "stencil_time";
+  stencil.question = "Does finding the entries of a look-up take longer the more of them there are?";
+  stencil.parameters = {{"stencils", kLookups}, {"directions", "random"}};
+  time_and_write(run, cases.stencils, std::move(stencil), "stencil");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return impinge::lab::run_driver(argc, argv, {"09_lookup_time", "Time of one look-up with every scheme."},
-                                  body);
+  return impinge::lab::run_driver(
+      argc, argv, {"09_lookup_time", "Time of one look-up with every scheme, and of finding its entries."},
+      body);
 }

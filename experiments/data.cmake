@@ -66,7 +66,7 @@ foreach(driver IN LISTS drivers)
   name_of(name "${driver}")
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-  foreach(key question writes writes-with-bones files files-with-bones bones cache timing seconds)
+  foreach(key question writes writes-with-bones files files-with-bones bones cache timing seconds reads)
     tag(${key} "${source}" ${key})
   endforeach()
   if(NOT writes)
@@ -76,6 +76,8 @@ foreach(driver IN LISTS drivers)
   list(JOIN files " " files) # one line or several
   words(more_files "${files}")
   words(seconds "${seconds}")
+  words(reads "${reads}")
+  list(TRANSFORM reads PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   set(bones_arguments "")
   set(bones_files "")
   if(IMPINGE_JOINTS AND (writes-with-bones OR bones STREQUAL "yes"))
@@ -108,7 +110,7 @@ foreach(driver IN LISTS drivers)
   impinge_job(
     NAME ${name} KIND data TALKS ${timing_option}
     OUTPUTS ${outputs}
-    DEPENDS "${program}" ${bones_files}
+    DEPENDS "${program}" ${bones_files} ${reads}
     COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments} ${cache_arguments}
     SECONDS ${seconds}
     ARTEFACTS ${tables}

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A user's own joint: two meshes in, gaps out.
 //
-//   scene --ball FILE --socket FILE [--centre fit|X,Y,Z] [--scheme NAME] [--precision DEG | --max-error MM]
-//         [--pose "flexion=90,internal_rotation=10" | --poses FILE | --path "flexion=0..120/1"] [--side
-//         left|right] [--axes RAS] [--cartilage MM|FILE]
-//         [--question touch|first-contact|limit|all-gaps] [--motion NAME] [--surfaces both|ball|socket]
-//         [--outputs gaps,bounds,distances,verdicts] [--explain] [--everything] --out DIR
+//   scene --ball FILE --socket FILE --out DIR ...      (scene --help; experiments/scene.md)
 //
 // Exit code 0 on success, 1 when a mesh cannot be used, 2 for a wrong option. An error is one line on stderr.
 
@@ -18,11 +14,18 @@
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
 #include "files/stopwatch.hpp"
+#include "scene/bones.hpp"
 #include "scene/limit.hpp"
+#include "scene/limit_table.hpp"
+#include "scene/measure_table.hpp"
+#include "scene/orientation.hpp"
 #include "scene/poses.hpp"
+#include "scene/proof_file.hpp"
 #include "scene/question.hpp"
 #include "scene/report.hpp"
+#include "scene/resection.hpp"
 #include "scene/scene_files.hpp"
+#include "scene/volume.hpp"
 
 namespace {
 
@@ -78,6 +81,48 @@ void run_limit(Session& session, const SceneOptions& options) {
   std::cout << describe_limits(options, found);
 }
 
+void run_resection(Session& session, const SceneOptions& options) {
+  Stopwatch watch;
+  const ResectionAnswer found = answer_resection(session, resection_request(options));
+  const SessionJoint& joint = *session.joint;
+  write_resection(options, joint, found, resection_summary(options, joint, found, watch.lap_ms()));
+  std::cout << describe_resection(options, found);
+}
+
+void run_orientation(Session& session, const SceneOptions& options) {
+  Stopwatch watch;
+  const OrientationAnswer found = answer_orientation(session, orientation_request(options));
+  write_orientation(options, found, orientation_summary(options, *session.joint, found, watch.lap_ms()));
+  std::cout << describe_orientation(options, found);
+}
+
+void run_motions(Session& session, const SceneOptions& options) {
+  Stopwatch watch;
+  const std::vector<MotionLimits> found = answer_motions(session, options);
+  Table table = limit_table();
+  add_limits("", found, table);
+  write_if_changed(options.out / "limits.csv", to_csv(table));
+  write_if_changed(options.out / "summary.json",
+                   json_text(limits_summary(options, *session.joint, found, watch.lap_ms())));
+  std::cout << describe_motions(found);
+}
+
+void run_measures(const Session& session, const SceneOptions& options) {
+  const std::vector<Measure> found = answer_measures(*session.joint);
+  Table table = measure_table();
+  add_measure_rows("", found, table);
+  write_if_changed(options.out / "measures.csv", to_csv(table));
+  write_if_changed(options.out / "summary.json", json_text(measures_summary(options, *session.joint, found)));
+  std::cout << describe_measures(found);
+}
+
+void run_bones(const SceneOptions& options) {
+  const nlohmann::json found = answer_bones(options, std::cerr);
+  write_if_changed(options.out / "summary.json", json_text(found));
+  std::cout << describe_bones(found);
+  say_what_was_written(options);
+}
+
 void run_poses(const Session& session, const SceneOptions& options) {
   const nlohmann::json found = answer_poses(options, *session.joint, std::cerr);
   write_if_changed(options.out / "summary.json", json_text(found));
@@ -85,14 +130,32 @@ void run_poses(const Session& session, const SceneOptions& options) {
   if (options.explain) std::cout << describe_way(kWayOfPoses, {});
 }
 
+// Before all else: what cannot be proven leaves no files.
+void run_proof(Session& session, const SceneOptions& options) {
+  const ClearanceProof found = proof_asked(session, options);
+  write_if_changed(*options.certificate, proof_text(found));
+  std::cout << describe_proof(options, found);
+}
+
 void run(const SceneOptions& options) {
+  if (options.bones) return run_bones(options);
   Session session = load_joint(options);
+  std::cout << describe_frames(options, session.joint->joint);
   for (const std::string& warning : session.joint->joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
-  if (options.many()) {
+  if (options.certificate) run_proof(session, options);
+  if (options.volume) {
+    std::cout << describe_volume(write_volume(options, *session.joint, std::cerr));
+  } else if (options.many()) {
     run_poses(session, options);
+  } else if (options.all_motions) {
+    run_motions(session, options);
   } else if (options.limit != nullptr) {
     run_limit(session, options);
+  } else if (options.change) {
+    options.change->of_socket ? run_orientation(session, options) : run_resection(session, options);
+  } else if (options.measures) {
+    run_measures(session, options);
   } else if (options.question == Question::all_gaps) {
     run_all_gaps(session, options);
   } else {

@@ -7,18 +7,19 @@ import pandas as pd
 
 import common
 
-NOT_DRAWN = ["all_vertices", "all_corners_2_threads", "all_corners_sampled"]  # in the figure
+NOT_DRAWN = ["all_vertices", "all_corners", "all_corners_2_threads", "all_corners_sampled"]  # in the figures: all gaps
 CASES = {"over 2 mm": "gap over 2 mm", "0.5 mm": "gap 0.5 mm", "touching": "touching in most poses"}
 TOUCH = {3000: 250, 12000: 200, 100000: 75, 400000: 25}  # triangles of a model, and what is aimed at there
 DISTANCE = 100  # aimed at, against FCL's distance
 # Asked for a common point of the faces; the first is the one that touch is judged against.
-LIBRARIES = {"fcl_collide": "FCL", "ode_collide": "ODE"}
+LIBRARIES = {"fcl_collide": "FCL", "ode_collide": "ODE", "bullet_collide": "Bullet"}
 TRIANGLES = 12000  # of each model of the joint of the paper's numbers
 
 
-def load(results: Path) -> pd.DataFrame:
-    """data/contact.csv with a readable `line` for each method."""
+def load(results: Path, scenes: str = "generated_") -> pd.DataFrame:
+    """The rows of data/contact.csv of the scenes that begin so, with a readable `line` for each method."""
     table = common.load(results, "contact")
+    table = table[table.scene.str.startswith(scenes)].copy()
     table["line"] = table.method.map(table.attrs["labels"])
     return table
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the table and the paper share of experiment 13_counts: instructions beside the times of 13_fast."""
+"""What the table and the paper share of experiment 13_counts: instructions beside the times of all gaps."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ KEYS = ["method", "setting", "storage", "direction", "instruction_set"]
 
 
 def load(results: Path) -> pd.DataFrame:
-    """data/counts.csv with the label of each method as `name`, and of the rows that 13_fast timed with the same instructions their `ns_vertex`; the ratios of
+    """data/counts.csv with the label of each method as `name`, and of the rows of all_gaps that were timed with the same instructions their `ns_vertex`; the ratios of
     both to the floor with the same instructions. What has no instruction set of its own may have run on others when
     it was timed: no time stands beside it."""
     table = common.load(results, "counts")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the table, the targets and the figure of experiment 13 share."""
+"""What the tables, the targets and the figures share of all gaps of a pose, in experiment 10_error_against_time."""
 
 from pathlib import Path
 
@@ -9,6 +9,8 @@ import common
 from common import measured
 
 TRIANGLES = 12000  # of each model of the joint that is shown
+HIPS = "hip_"  # scenes of presets begin so
+KEYS = ["scene", "direction"]
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
 RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
 CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
@@ -19,10 +21,15 @@ PEERS = [
 ]  # exact, and asked point by point, but for the voxels; not in every figure
 
 
-def load(results: Path, state: str = "warm") -> pd.DataFrame:
-    """The warm or the cold rows of data/fast.csv with a readable `line` for each method and storage."""
-    table = common.load(results, "fast")
-    table = table[table.state == state].copy()
+def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:
+    """The warm or the cold rows of data/all_gaps.csv of the scenes that begin so, with a readable `line` for each method and
+    storage, the largest error of either sign, error_um, and times_embree, the time of the fastest of Embree's rays over theirs.
+    """
+    table = common.load(results, "all_gaps")
+    table = table[(table.state == state) & table.scene.str.startswith(scenes)].copy()
+    table["error_um"] = table[["max_over_um", "max_under_um"]].max(axis=1)
+    rays = table[table.method.str.startswith("embree_ray")].groupby(KEYS).ns_vertex.min()
+    table["times_embree"] = rays.loc[pd.MultiIndex.from_frame(table[KEYS])].to_numpy() / table.ns_vertex
     table["line"] = measured.lines(table, table.attrs["labels"], stored=~table.method.isin(["floor", "vdb_grid"]))
     return table
 
@@ -38,7 +45,11 @@ def set_name(table: pd.DataFrame) -> str:
     return "AVX-512" if best.startswith("AVX3") else best
 
 
+def one_thread(table: pd.DataFrame) -> pd.DataFrame:
+    """One thread, the best instruction set."""
+    return table[(table.threads == 1) & table.instruction_set.isin(["none", best_set(table)])]
+
+
 def plain_rows(table: pd.DataFrame) -> pd.DataFrame:
-    """The joint that is shown, one thread, the best instruction set."""
-    sets = table.instruction_set.isin(["none", best_set(table)])
-    return table[(table.triangles == TRIANGLES) & (table.threads == 1) & sets]
+    """The same of the joint that is shown."""
+    return one_thread(table[table.triangles == TRIANGLES])

@@ -23,7 +23,8 @@ def main(options) -> common.Figure:
     draw_undecided(left, verdicts, common.scheme_labels(options.results))
     draw_missed(right, poses)
     figure.tight_layout()
-    figure.legend(*left.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.04, 0.0), ncols=4)
+    for axes, at, columns in ((left, 0.02, 2), (right, 0.58, 1)):
+        figure.legend(*axes.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(at, 0.0), ncols=columns)
     return figure
 
 
@@ -80,7 +81,8 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
             )
     for at, row in zip(faces, table.itertuples()):
         top = max(row.largest_later_um, row.largest_missed_um, SMALLEST_UM)
-        common.note(axes, f"{100 * row.crossings_matter / row.poses:.2g} %", (at, top), (0, 6), ha="center")
+        if row.crossings_matter:
+            common.note(axes, f"{100 * row.crossings_matter / row.poses:.2g} %", (at, top), (0, 6), ha="center")
     axes.set(
         xscale="log",
         yscale="log",
@@ -93,7 +95,6 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
     axes.minorticks_off()
     axes.set_ylim(top=axes.get_ylim()[1] * 3)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
-    axes.legend(loc="lower left")
 
 
 common.run(main)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-gaps
 # @question  How long does a gap take, and how far off is it, beside Embree and the machine's limit?
-# @data      fast
+# @data      all_gaps
 """Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree, OpenVDB and the floor."""
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-scaling
 # @question  How does the time of a gap grow with the triangles, and what does a second thread gain?
-# @data      fast
+# @data      all_gaps
 """How the time of a vertex grows with the triangles, beside every peer, and what a second thread gains."""
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-speed-up
 # @question  How many times as fast as Embree's rays is every way to find gaps, and every peer?
-# @data      fast
+# @data      all_gaps
 """How many times as fast as Embree's rays every way to find gaps is, and every peer."""
 
 import matplotlib.pyplot as plt

@@ -2,7 +2,7 @@
 # @name      findings
 # @question  Which statements of the thesis hold, which do not, and what shows it?
 # @outputs   tables/findings.csv tables/findings.tex
-"""Statements of the thesis, and of the note that suspected it, that a computation confirms or refutes.
+"""Statements of the thesis, of the note that suspected it, and of other papers, that a computation confirms or refutes.
 
 Each module of MODULES has a function a statement, which returns a Finding; every number in them comes from data/NAME.csv.
 """
@@ -12,9 +12,9 @@ import re
 import pandas as pd
 
 import common
-from findings import baselines, claims, conchoid, finding, grid, helix, note, slips
+from findings import baselines, claims, conchoid, finding, grid, helix, motion, note, slips
 
-MODULES = (grid, baselines, helix, conchoid, slips, claims, note)  # the thesis from front to back, then the note
+MODULES = (grid, baselines, helix, conchoid, slips, claims, note, motion)  # the thesis from front to back, the note, others
 
 HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{50mm}
   >{\raggedright\arraybackslash}p{82mm}l@{}}

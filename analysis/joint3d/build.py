@@ -8,6 +8,7 @@ Scripts are bundled by esbuild; three.js comes from analysis/node_modules.
 import argparse
 import base64
 import hashlib
+import os
 import subprocess
 from pathlib import Path
 
@@ -43,17 +44,28 @@ def policy(script: str) -> str:
     return "; ".join(rules)
 
 
+def commit() -> str:
+    """Of the sources: what the environment says, or git."""
+    said = os.environ.get("IMPINGE_COMMIT")
+    if said:
+        return said
+    done = subprocess.run(["git", "-C", str(HERE), "rev-parse", "HEAD"], capture_output=True, check=False, text=True)
+    return done.stdout.strip() or "unknown"
+
+
 def main() -> None:
     """Writes the page."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--esbuild", type=Path, default=Path("/usr/bin/esbuild"), help="the bundler")
     parser.add_argument("--engine", type=Path, required=True, help="the library, compiled by emscripten into one script")
     parser.add_argument("--out", type=Path, required=True, help="the page")
+    parser.add_argument("--version", required=True, help="of impinge")
     options = parser.parse_args()
     script = embedded(bundle(options.esbuild))
     engine = embedded(options.engine.read_text() + "\n" + (HERE / "src" / "worker.js").read_text())
     page = (HERE / "index.html").read_text()
     parts = {"@CSP@": policy(script), "@STYLE@": (HERE / "style.css").read_text(), "@ENGINE@": engine, "@SCRIPT@": script}
+    page = page.replace("@VERSION@", options.version).replace("@COMMIT@", commit())
     for mark, text in parts.items():
         page = page.replace(mark, text, 1)
     options.out.write_text(page)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      baselines slices_to_surface claims
-"""Numbers of the paper about the comparison of Section 3.6, slices of a scan, and claims that were never shown.
+# @data      baselines slices_to_surface
+"""Numbers of the paper about the comparison of Section 3.6 and slices of a scan.
 
 baseline:METHOD:SIZE:COLUMN for the generated pair (shares in per cent, rms in micrometres); slices:SLICE:STAGE:rms
-and :added in micrometres, :largest in mm; claim:NAME for what the text says of the claims.
+and :added in micrometres, :largest in mm.
 """
 
 from pathlib import Path
@@ -15,7 +15,7 @@ import common
 
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
-    return baselines(results) | slices(results) | claims(results)
+    return baselines(results) | slices(results)
 
 
 def baselines(results: Path) -> dict[str, str]:
@@ -55,38 +55,3 @@ def slices(results: Path) -> dict[str, str]:
         }
     return found
 
-
-def claims(results: Path) -> dict[str, str]:
-    """What the text says of each claim."""
-    table = common.load(results, "claims")
-    value = table.set_index(["setting", "quantity"]).value.to_dict()
-    caps = [setting for setting, quantity in value if quantity == "time in place"]
-    gains = {cap: value[cap, "time anew"] / value[cap, "time in place"] for cap in caps}
-    collisions = table[table.quantity == "crossing pairs found"]
-    within = {
-        text: collisions[collisions.setting.str.endswith(f"within {text} mm")].value
-        for text in ("0.01", "0.1")
-    }
-    false = table[table.quantity == "pairs found that do not cross"].value
-    most = max(int(setting.split(", ")[1].split()[0]) for setting, quantity in value if quantity == "memory")
-    memory = {scheme: value[f"{scheme}, {most} joints", "memory"] for scheme in ("rsid", "usid")}
-    return {
-        "claim:refill:narrow": common.digits(gains[caps[0]], 2),
-        "claim:refill:wide": common.digits(gains[caps[-1]], 2),
-        "claim:refill:narrow-cap": caps[0].split()[2],
-        "claim:refill:wide-cap": caps[-1].split()[2],
-        "claim:collision:pairs": f"{int(value['exact', 'pairs crossing']):,}",
-        "claim:collision:tight": common.digits(within["0.01"].min(), 2),
-        "claim:collision:tight-most": common.digits(within["0.01"].max(), 2),
-        "claim:collision:wide": common.digits(within["0.1"].min(), 2),
-        "claim:collision:false": f"{int(false.max()):,}",
-        "claim:layers:facing": common.digits(
-            1e3 * value["normal hip, under the socket", "distance added, rms error"], 2
-        ),
-        "claim:layers:neck": common.digits(
-            value["normal hip, whole ball", "distance added, largest error"], 2
-        ),
-        "claim:pairs:joints": str(most),
-        "claim:pairs:rsid": common.digits(memory["rsid"] / 1e6, 2),
-        "claim:pairs:saved": common.digits(100 * (1 - memory["usid"] / memory["rsid"]), 2),
-    }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      schemes scheme_covering scheme_errors scheme_savings lookup_time stencil_time helix_placement helix_lookup_error
-# @data      conchoid_shape conchoid_origins conchoid_surface sampling_error sampling_error_surfaces slice_band_limit band_limit
+# @data      schemes scheme_errors scheme_savings lookup_time stencil_time helix_placement
+# @data      conchoid_surface sampling_error slice_band_limit
 """Numbers of whole CSVs as facts for the paper: PREFIX:KEY...:COLUMN for each number of each row.
 
 A key is the text of a column that tells the rows apart; 0.5 and 229 are printed as such.
@@ -27,18 +27,9 @@ class Cells:
 
 CELLS = (
     Cells("schemes", "scheme", ("scheme",)),
-    Cells("scheme_covering", "covering", ("scheme",)),
-    Cells("scheme_errors", "interpolation", ("scheme",)),
     Cells("scheme_savings", "saved", ("scheme", "meaning", "precision_deg")),
-    Cells("lookup_time", "lookup", ("scheme",)),
-    Cells("helix_placement", "helix", ("turns",)),
-    Cells("helix_lookup_error", "helix-error", ("turns", "placement", "lookup"), 2),
-    Cells("conchoid_shape", "conchoid", (), 4),
-    Cells("conchoid_origins", "origin", ("origin",)),
     Cells("sampling_error", "error", ("scheme", "precision_deg")),
-    Cells("sampling_error_surfaces", "surface", ("surface", "scheme", "precision_deg", "interpolant")),
     Cells("slice_band_limit", "slices", ("distance",), 4),
-    Cells("band_limit", "band", ("surface", "filling", "asked", "value"), 4),
 )
 
 
@@ -52,7 +43,7 @@ def facts(results: Path) -> dict[str, str]:
         | stencil_growth(results)
         | area_spread(results)
         | scheme_extremes(results)
-        | helix_lengths(results)
+        | helix(results)
     )
 
 
@@ -101,8 +92,8 @@ def area_spread(results: Path) -> dict[str, str]:
 
 def scheme_extremes(results: Path) -> dict[str, str]:
     """covering-floor, N rho^2 of the hexagonal lattice; best:CRITERION and best:CRITERION:value, the label
-    and value of the scheme that is best at it; schemes, their number; usid-memory, per cent of RSID's at equal worst
-    error; usid-time and icosahedral-time, times its look-up.
+    and value of the scheme that is best at it; schemes, their number; icosahedral-time, times RSID's
+    look-up.
     """
     labels = common.scheme_labels(results)
     schemes = common.load(results, "schemes").set_index("scheme")
@@ -119,28 +110,14 @@ def scheme_extremes(results: Path) -> dict[str, str]:
     for name, values in criteria.items():
         found[f"best:{name}"] = labels[values.idxmin()]
         found[f"best:{name}:value"] = common.digits(values.min())
-    usid = savings_of(results, "usid").interpolation_p9999
-    found["usid-memory"] = common.digits(100 - usid, 2)
-    for key, scheme in (("usid-time", "usid"), ("icosahedral-time", "icosahedral_gnomonic")):
-        found[key] = common.digits(lookup.median_ns[scheme] / lookup.median_ns.rsid)
-    return found
+    ratio = lookup.median_ns.icosahedral_gnomonic / lookup.median_ns.rsid
+    return found | {"icosahedral-time": common.digits(ratio)}
 
 
-def savings_of(results: Path, scheme: str) -> pd.Series:
-    """By meaning, at 1 degree."""
-    table = common.load(results, "scheme_savings")
-    table = table[(table.scheme == scheme) & (table.precision_deg == 1)]
-    return table.set_index("meaning").saved_percent
-
-
-def helix_lengths(results: Path) -> dict[str, str]:
-    """length:TURNS of the curve to four decimals, aspect:TURNS of its spacings, mismatch:TURNS:true and :eq10, by how
-    many entries an index is off at most with either spacing.
-    """
+def helix(results: Path) -> dict[str, str]:
+    """aspect:TURNS of the spacings, mismatch:TURNS:true, by how many entries an index is off at most."""
     found = {}
     for row in common.load(results, "helix_placement").itertuples():
-        found[f"length:{row.turns:g}"] = f"{row.length:,.4f}"
         found[f"aspect:{row.turns:g}"] = f"{row.along_deg / row.between_turns_deg:.2f}"
         found[f"mismatch:{row.turns:g}:true"] = common.digits(abs(row.mismatch_true_spacing))
-        found[f"mismatch:{row.turns:g}:eq10"] = common.digits(abs(row.mismatch_eq10_spacing))
     return found

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      paper-facts
 # @question  Every number that the paper's text names.
-# @data      sampling_time detection_time strain_layer strain_incidence strain_hip
+# @data      sampling_time detection_time strain_layer
 # @depends   verdicts.csv tables/figure-50-difference.csv tables/findings.csv
 # @outputs   paper/facts.tex
 """Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
@@ -23,10 +23,10 @@ import pandas as pd
 import common
 from common import log_plot, strain, timing
 from findings import finding
-from paper import baselines, cells, contact, counts, fast, fill, error_against_time, limits, replay, stability
+from paper import baselines, cells, cohort, contact, fast, error_against_time, limits, replay, stability, volume
 from verdicts import verdict
 
-MODULES = (cells, fast, contact, counts, error_against_time, fill, replay, stability, strain, baselines, limits)
+MODULES = (cells, cohort, fast, contact, error_against_time, replay, stability, strain, baselines, limits, volume)
 MACHINE = [
     "cpu",
     "cores",

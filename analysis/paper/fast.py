@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      fast
+# @data      all_gaps
 # @depends   tables/fast-targets.csv
-"""Numbers of the paper about experiment 13: fast:KEY of each target's ratio, fast:KEY:met, fast:met and fast:missed
+"""Numbers of the paper about all gaps of a pose: fast:KEY of each target's ratio, fast:KEY:met, fast:met and fast:missed
 how many were, fast:set the instruction set, fast:METHOD:SETTING:STORAGE:ns, :um and :kib of the vertices of the
 socket against the ball, fast:threads how much two threads gain,
 fast:growth the exponent with which the time of a pose grows with the triangles, cube in 16 bits (1 is linear)."""

@@ -25,3 +25,8 @@ def title_of(name: str) -> str:
     """What a reader calls a table or figure: "Table 9: queries", "Figure 36: cargen left", "Error against time"."""
     words = re.sub(r"^(table|figure)-(\d+)-", r"\1 \2: ", name).replace("-", " ").replace("_", " ")
     return words[0].upper() + words[1:]
+
+
+def row_label(name: str) -> str:
+    """What a reader calls a row of a table of the thesis: "0.5°", and not "0.5deg"."""
+    return re.sub(r"^([\d.]+)deg$", r"\1°", name).replace("_", " ")

@@ -16,7 +16,7 @@ MOST = 150  # rows in the page: the rest is in the file
 
 def grid(table: pd.DataFrame, kept: pd.DataFrame | None) -> str:
     """The rows; kept has the same shape."""
-    head = element("tr", "".join(element("th", name.replace("_", " ")) for name in table.columns))
+    head = element("tr", "".join(element("th", name.replace("_", " "), scope="col") for name in table.columns))
     older = kept.itertuples(index=False) if kept is not None else [None] * len(table)
     body = "".join(
         element(

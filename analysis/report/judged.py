@@ -7,7 +7,7 @@ import html
 
 import pandas as pd
 
-from report.artefacts import title_of
+from report.artefacts import row_label, title_of
 from report.markup import cell, element
 from verdicts import verdict
 
@@ -90,7 +90,7 @@ def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
         if name in verdicts
     ]
     titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
-    head = element("thead", element("tr", "".join(element("th", title) for title in titles)))
+    head = element("thead", element("tr", "".join(element("th", title, scope="col") for title in titles)))
     rows = "".join(verdict_row(row, names, places) for row in verdicts.to_dict("records"))
     return element("div", element("table", head + element("tbody", rows), id="verdicts"), class_="scroll")
 
@@ -103,7 +103,8 @@ def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
     cells = [element("td", where, data_title="where")]
     for name in names[1:]:
         rounded = name in ("measured", "reference")
-        cells.append(cell(row[name], title=HEADS.get(name, name), name=name == "row", shorten=rounded))
+        text = row_label(row[name]) if name == "row" else row[name]
+        cells.append(cell(text, title=HEADS.get(name, name), name=name == "row", shorten=rounded))
     found = row["verdict"]
     other = row.get("verdict_reference", "")
     remark = element("span", f"reference: {other}", class_="kept") if other else ""

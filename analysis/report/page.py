@@ -2,11 +2,11 @@
 # @name      report
 # @question  Everything on one page: verdicts, tables, figures, and where each number comes from.
 # @outputs   report.html
-# @seconds   10 10
+# @seconds   8 8
 # @depends   ${shown} ${joint3d_page} ${plotly} ${committed} ${IMPINGE_GRAPH_DIR}/jobs.json
 # @depends   analysis/report/{report.css,report.js,explore.js,turn.js}
 # @options   --jobs ${IMPINGE_GRAPH_DIR}/jobs.json --plotly ${plotly} --reference ${reference}
-"""The report: one HTML file that needs nothing else. From verdicts.csv, and every table, figure and sidecar
+"""The report: one HTML file that needs nothing else; what it only links lies beside it. From verdicts.csv, and every table, figure and sidecar
 of the graph.
 
 What is shown is what the graph declares (jobs.json): a new table or figure appears here by itself. While a run goes on
@@ -22,7 +22,7 @@ import pandas as pd
 
 import common
 from common.jobs import Job
-from report import explore, judged, picture, reference, section, turn
+from report import claims, explore, judged, outcome, picture, reference, section, turn
 from report.artefacts import load_jobs, place, title_of
 from report.markup import element
 
@@ -92,9 +92,8 @@ def contents(jobs: list[Job]) -> str:
     for job in jobs:
         if job.kind not in ("table", "figure"):
             continue
-        base, _, joint = job.name.rpartition("-")
-        if f"scene-{joint}" in names and (base in names or base == "joint"):
-            title = "Real joints" if base in names else "Beyond the thesis"
+        if repeats(job, names):
+            title = "Real joints"
         elif place(job) == (1,):
             title = "Beyond the thesis"
         else:
@@ -102,7 +101,8 @@ def contents(jobs: list[Job]) -> str:
         groups[title].append(element("a", title_of(job.name), href=f"#{job.name}"))
     return element(
         "nav",
-        element("a", "Verdicts", href="#verdicts-title")
+        element("a", "What came out", href="#outcome")
+        + element("a", "Verdicts", href="#verdicts-title")
         + element("a", "Error against cost", href="#explore")
         + (element("a", "A joint to turn", href="#turn") if "joint3d" in names else "")
         + "".join(
@@ -113,11 +113,21 @@ def contents(jobs: list[Job]) -> str:
     )
 
 
-def artefact(results: Path, job: Job, kept: Path, missing: set[str]) -> str:
-    """The part of a table or figure."""
+def repeats(job: Job, names: set[str]) -> bool:
+    """Whether it shows one more real joint in a figure or table that the page has anyway."""
+    base, _, joint = job.name.rpartition("-")
+    return f"scene-{joint}" in names and base in names
+
+
+def artefact(results: Path, job: Job, kept: Path, missing: set[str], names: set[str]) -> str:
+    """The part of a table or figure. Repeats, plots of a single family and animations are linked, so that the page
+    stays small.
+    """
     if job.name in missing:
         return not_made(title_of(job.name), job.name, "h3")
-    return section.section(results, job, kept)
+    one_of_many = job.name.startswith("stability-") and job.kind == "figure" and job.name != "stability-overview"
+    linked = repeats(job, names) or one_of_many or job.outputs[0].endswith(".gif")
+    return section.section(results, job, kept, linked)
 
 
 def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:
@@ -134,9 +144,10 @@ def live_parts(results: Path, jobs: list[Job], kept: Path, missing: set[str]) ->
 
     def joint() -> str:
         front = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
-        return turn.section(results, front)
+        return turn.section(front)
 
     choices = [
+        ("outcome", "What came out", ["findings", "verdicts", "error-against-time"], lambda: outcome.section(results), ""),
         ("verdicts-title", "Verdicts", ["verdicts"], lambda: judged_part(results, jobs, kept), "report.js"),
         ("explore", "Error against cost", ["10_error_against_time"], lambda: explore.section(results), "explore.js"),
         ("turn", "A joint to turn by hand", ["joint3d", "figure-44"], joint, "turn.js"),
@@ -148,7 +159,7 @@ def live_parts(results: Path, jobs: list[Job], kept: Path, missing: set[str]) ->
             continue
         there = missing.isdisjoint(needed)
         parts.append(make() if there else not_made(title, anchor))
-        scripts += [(HERE / script).read_text()] * there
+        scripts += [(HERE / script).read_text()] if there and script else []
     return parts, scripts
 
 
@@ -157,11 +168,13 @@ def page(results: Path, jobs: list[Job], library: str, kept: Path) -> str:
     missing = {job.name for job in jobs if job.kind in SHOWN and not is_made(results, job)}
     live, scripts = live_parts(results, jobs, kept, missing)
     parts = [heading(results, jobs, kept, missing), *live]
+    names = {job.name for job in jobs}
     for kind, title in (("table", "Tables"), ("figure", "Figures")):
         parts += [
             element("h2", title),
-            *(artefact(results, job, kept, missing) for job in jobs if job.kind == kind),
+            *(artefact(results, job, kept, missing, names) for job in jobs if job.kind == kind),
         ]
+    parts.append(claims.section(jobs, kept))
     style = (HERE / "report.css").read_text()
     # run_graph.py knows an unfinished report by it.
     again = '<meta http-equiv="refresh" content="60">' if missing else ""

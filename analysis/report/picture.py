@@ -13,8 +13,8 @@ import PIL.Image
 
 import common
 
-MOST_LINES = 250_000  # bytes of an SVG in the page
-WIDEST = 1600  # pixels of a picture in the page: main is 80 rem wide, on a screen of fine pixels
+MOST_LINES = 50_000  # bytes of an SVG in the page
+WIDEST = 1280  # pixels of a picture in the page: main is 80 rem wide
 
 
 def lighter(path: Path) -> bytes:
@@ -25,7 +25,7 @@ def lighter(path: Path) -> bytes:
                 (WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS
             )
         webp = io.BytesIO()
-        picture.convert("RGB").save(webp, "WEBP", quality=82, method=4)
+        picture.convert("RGB").save(webp, "WEBP", quality=70, method=4)
     return webp.getvalue()
 
 

@@ -15,13 +15,19 @@ function matches(row) {
 
 function show() {
   rows.forEach((row) => { row.hidden = !matches(row); });
-  count.textContent = `${rows.filter((row) => !row.hidden).length} of ${rows.length} rows`;
+  const left = rows.filter((row) => !row.hidden).length;
+  count.textContent = `${left} of ${rows.length} rows${left ? "" : ": no verdict is like that; choose \u201call\u201d or clear the text"}`;
 }
 
 [artefact, verdict].forEach((choice) => choice.addEventListener("change", show));
 text.addEventListener("input", show);
 show();
 
-// A figure fills the width of the page; a click shows it twice as wide, or back.
-document.querySelectorAll("figure img").forEach((picture) =>
-  picture.addEventListener("click", () => picture.classList.toggle("large")));
+// A figure fills the width of the page; a click or Enter shows it twice as wide, or back.
+document.querySelectorAll("figure img").forEach((picture) => {
+  const turn = () => picture.classList.toggle("large");
+  picture.tabIndex = 0;
+  picture.setAttribute("role", "button");
+  picture.addEventListener("click", turn);
+  picture.addEventListener("keydown", (event) => { if (event.key === "Enter") turn(); });
+});

@@ -47,7 +47,8 @@ def provenance(results: Path, name: str) -> str:
     timing = record.get("timing") or {}
     facts += [(title, timing_fact(timing[key])) for key, title in TIMING.items() if key in timing]
     lines = "".join(element("dt", title) + element("dd", html.escape(text)) for title, text in facts)
-    return element("details", element("summary", f"Where data/{name}.csv comes from") + element("dl", lines))
+    link = element("a", f"data/{name}.csv", href=f"data/{name}.csv")
+    return element("details", element("summary", f"Where {link} comes from") + element("dl", lines))
 
 
 def fact(value: object) -> str:
@@ -62,10 +63,15 @@ def timing_fact(value: object) -> str:
     return json.dumps(value) if value else "none"
 
 
-def section(results: Path, job: Job, kept: Path) -> str:
-    """A table or figure with its caption, source and way to make it again; kept: the folder of the reference run."""
+def section(results: Path, job: Job, kept: Path, linked: bool) -> str:
+    """A table or figure with its caption, source and way to make it again; kept: the folder of the reference run;
+    linked: a figure is a file beside the page, and not in it.
+    """
     shown = job.outputs[0]
-    if job.kind == "table":
+    if linked and job.kind == "figure":
+        file = shown.replace(".svg", ".png")
+        body = element("p", html.escape(job.question) + " " + element("a", file, href=file))
+    elif job.kind == "table":
         body = element("p", html.escape(job.question)) + data_table.section(results / shown, kept)
     else:
         body = element(
@@ -73,7 +79,7 @@ def section(results: Path, job: Job, kept: Path) -> str:
             picture.image(results / shown, job.question) + element("figcaption", html.escape(job.question)),
         )
     again = f"experiments/reproduce --only {job.name}"
-    source = f"{shown} · {job.script} · " + element("code", again)
+    source = element("a", shown, href=shown) + f" · {job.script} · " + element("code", again)
     return (
         element("h3", title_of(job.name), id=job.name)
         + body

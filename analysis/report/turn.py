@@ -1,34 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The part of the report in which a reader turns a joint: Joint3D itself (joint3d.html), which sleeps in the page until a
-button wakes it in a frame; turn.js does that. A picture stands there before, and in print.
+"""The part of the report in which a reader turns a joint: Joint3D itself, joint3d.html beside the page, in a frame once a
+button asks for it; turn.js does that. A picture stands there before, and in print.
 """
 
 from __future__ import annotations
 
 import html
-from pathlib import Path
-
-from report.markup import data_script
 
 LOOK = "cartilage=4&view=free&show=ball,socket,clock,smallest"
 # What a reader may choose: a title, and the joint and pose as a link to Joint3D has them.
 JOINTS = {
     "Patient A's stand-in, as modelled": "joint=patient_a&side=right",
     "Patient A's stand-in, flexed by 100°": "joint=patient_a&side=right&flexion=100&abduction=-4&internal_rotation=5",
-    "Patient B's stand-in, as modelled": "joint=patient_b&side=right",
+    "Patient B's stand-in, as modelled": "joint=patient_b&side=left",
     "Cam hip, flexed and turned inwards": "joint=cam&side=right&flexion=90&internal_rotation=25",
     "Pincer hip, flexed and turned inwards": "joint=pincer&side=right&flexion=90&internal_rotation=25",
     "Normal hip, in the same pose": "joint=normal&side=right&flexion=90&internal_rotation=25",
 }
 
 
-def section(results: Path, picture: str) -> str:
-    """Explanation, choices, the frame's place and the sleeping page; picture: an <img>."""
+def section(picture: str) -> str:
+    """Explanation, choices and the frame's place; picture: an <img>."""
     options = "".join(
         f'<option value="{state}&amp;{LOOK}">{title}</option>'
         for title, state in ((html.escape(t), html.escape(s)) for t, s in JOINTS.items())
     )
-    page = (results / "joint3d.html").read_text()
     return (
         '<h2 id="turn">A joint to turn by hand</h2>'
         "<p>Joint3D, the program of the thesis' Section 3.4, with this library in it: it works out the gap at every vertex as"
@@ -41,5 +37,5 @@ def section(results: Path, picture: str) -> str:
         f'<div id="turn-place">{picture}<button type="button" id="turn-start">Show the joint</button></div>'
         '<p class="soft">Drag with the mouse or a finger to turn, wheel or two fingers to come nearer; or press Tab until the'
         " picture has the frame, then arrow keys, + and −. “Move femur” lets a drag move the bone instead: the gaps follow."
-        " The whole program is joint3d.html beside this report.</p>" + data_script("turn-page", page)
+        ' The whole program is <a href="joint3d.html">joint3d.html</a> beside this report.</p>'
     )

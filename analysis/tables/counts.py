@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-counts
 # @question  Instructions and cache misses of a gap, beside its time over that of the floor.
-# @data      counts fast
+# @data      counts all_gaps
 """Instructions and cache misses of a vertex or a pose, beside the time over that of the floor."""
 
 import pandas as pd

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-times
 # @question  Time, error and bytes of every way to find all gaps of a pose.
-# @data      fast
+# @data      all_gaps
 """Time, error and bytes of every way to find all gaps of a pose."""
 
 import pandas as pd
@@ -12,14 +12,16 @@ from common import fast
 
 def main(options) -> common.Table:
     warm = fast.load(options.results)
-    table = pd.concat([warm, fast.load(options.results, "cold")])
-    rows = pd.DataFrame({name: table[name] for name in ("method", "setting", "storage", "triangles")})
+    table = pd.concat([fast.load(options.results, state, scenes="") for state in ("warm", "cold")])
+    rows = pd.DataFrame({name: table[name] for name in ("scene", "method", "setting", "storage", "triangles")})
     rows["direction"] = table.direction
     rows["instruction_set"] = table.instruction_set
     rows["threads"] = table.threads
     rows["state"] = table.state
     rows["KiB"] = (table.bytes / 1024).map(common.digits)
+    rows["build_ms"] = table.build_ms.map(lambda value: common.digits(value, 2))
     rows["error_um"] = table.error_um.map(lambda value: common.digits(value, 2))
+    rows["bound_um"] = table.bound_um.map(lambda value: common.digits(value, 2))
     rows["ns_vertex"] = table.ns_vertex.map(common.digits)
     rows["iqr_ns"] = table.iqr_ns.map(lambda value: common.digits(value, 2))
     rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))

@@ -49,15 +49,12 @@ BenchmarkTables make_benchmark_tables() {
        {"attained_um", "um",
         "largest error that the proof of the bound met; empty where the bound is one of first order"},
        {"tightness", "1", "largest error divided by the bound"},
-       {"aa_ratio", "1", "A/A control: median query time of the odd rounds over that of the even ones"},
-       {"aa_verdict", "",
-        "against embree_ray1 fast (the reference): faster, slower, or inconclusive where one of the two "
-        "differs from itself by as much"}});
-  tables.samples.columns = with_key({{"cost", "", "build_ms, query_ns or query_cold_ns"},
-                                     {"round", "1", "in the order of measurement"},
-                                     {"value", "ms or ns", "wall clock, in the unit of the cost"}});
+       {"inconclusive", "", "yes: query_ns says nothing, repeats included"},
+       {"repeats", "1", "times that it was timed again, alone, as it was inconclusive"}});
   return tables;
 }
+
+std::vector<Column> cost_keys() { return with_key({{"cost", "", "build, query or cold: a cold query"}}); }
 
 BenchmarkOptions quick_benchmark() {
   BenchmarkOptions options;
@@ -67,11 +64,14 @@ BenchmarkOptions quick_benchmark() {
   options.euclidean = {300, 50, 1};
   options.ascent.starts = 3;
   options.ascent.steps = 30;
-  options.timing.rounds = 4;
-  options.timing.warm_ms = 0.5;
-  options.timing.batch_ms = 5.0;
-  options.timing.slow_build_ms = 30.0;
-  options.timing.flush_bytes = 16U << 20U;
+  options.timing = {3, 5.0, 30.0, std::size_t{16} << 20, {}};
+  options.timing.options.min_round_ms = 1.0;
+  options.gap_timing = {4, 0.0, 100.0, std::size_t{64} << 20, {}};
+  options.gap_timing.options.min_round_ms = 4.0;
+  for (BenchmarkTiming* timing : {&options.timing, &options.gap_timing}) {
+    timing->options.least_repeat_s = 1.0;
+    timing->options.repeat_share = 0.1;
+  }
   return options;
 }
 
@@ -83,6 +83,9 @@ BenchmarkOptions full_benchmark() {
   options.euclidean = {20000, 1000, 1};
   options.ascent.starts = 16;
   options.ascent.steps = 60;
+  options.timing.options.min_round_ms = 5.0;
+  options.gap_timing.rounds = 15;
+  options.gap_timing.options.min_round_ms = 10.0;
   return options;
 }
 

@@ -148,4 +148,18 @@ std::optional<Violation> find_violation(const BenchmarkErrors& errors, const Met
   return violation;
 }
 
+BoundViolated::BoundViolated(const Violation& violation)
+    : std::runtime_error("a proven bound does not hold, so the proof or the program is wrong: " +
+                         violation.text()),
+      violation_(violation) {}
+
+void require_bound(const BenchmarkErrors& errors, const MethodBound& bound, const CaseName& name) {
+  auto violation = find_violation(errors, bound);
+  if (!violation) return;
+  violation->scene = name.scene;
+  violation->method = name.method;
+  violation->setting = name.setting;
+  throw BoundViolated(*violation);
+}
+
 }  // namespace impinge::lab

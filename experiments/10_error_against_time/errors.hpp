@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "10_error_against_time/probes.hpp"
@@ -61,5 +62,24 @@ struct Violation {
 };
 // Without the names, which the caller knows. None where no bound is given.
 std::optional<Violation> find_violation(const BenchmarkErrors& errors, const MethodBound& bound);
+
+// A bound that does not hold: nothing that was measured can be trusted until that is resolved.
+class BoundViolated : public std::runtime_error {
+ public:
+  explicit BoundViolated(const Violation& violation);        // what() gives its text()
+  const Violation& violation() const { return violation_; }  // the one that ended the benchmark
+
+ private:
+  Violation violation_;
+};
+
+// What a result calls a setting of a method.
+struct CaseName {
+  std::string scene;
+  std::string method;
+  std::string setting;
+};
+// Throws BoundViolated where the errors are above the bound.
+void require_bound(const BenchmarkErrors& errors, const MethodBound& bound, const CaseName& name);
 
 }  // namespace impinge::lab

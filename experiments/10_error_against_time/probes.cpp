@@ -81,11 +81,11 @@ double least_distance(const TriangleMesh& mesh, const Vec3& x) {
   return std::sqrt(squared);
 }
 
-BenchmarkProbes directions_of(const BenchmarkScene& scene, const ProbeOptions& options) {
+BenchmarkProbes directions_of(const TriangleMesh& mesh, const ProbeOptions& options) {
   BenchmarkProbes probes;
   probes.points = uniform_directions(options.uniform, options.seed);
   probes.uniform = options.uniform;
-  const auto features = stratified_directions(scene.surface(), options.each_feature);
+  const auto features = stratified_directions(mesh, options.each_feature);
   probes.points.insert(probes.points.end(), features.begin(), features.end());
   return probes;
 }
@@ -105,22 +105,28 @@ std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t ea
   return directions;
 }
 
+BenchmarkProbes radial_probes(const TriangleMesh& mesh, Layer layer, const ProbeOptions& options) {
+  BenchmarkProbes probes = directions_of(mesh, options);
+  const auto caster = std::make_shared<const RayCaster>(mesh);
+  probes.truth_at = [caster, layer](const Vec3& x) { return caster->cast(x.normalized(), layer); };
+  probes.truth = cached_exact_radii(options.cache, mesh, {probes.points, layer, {}});
+  return probes;
+}
+
 BenchmarkProbes radial_probes(const BenchmarkScene& scene, const ProbeOptions& options) {
-  BenchmarkProbes probes = directions_of(scene, options);
-  const auto caster = std::make_shared<const RayCaster>(scene.surface());
-  probes.truth_at = [caster](const Vec3& x) { return caster->cast(x.normalized(), BenchmarkScene::kLayer); };
-  probes.truth =
-      cached_exact_radii(options.cache, scene.surface(), {probes.points, BenchmarkScene::kLayer, {}});
+  return radial_probes(scene.surface(), BenchmarkScene::kLayer, options);
+}
+
+BenchmarkProbes euclidean_probes(const TriangleMesh& mesh, double radius, const ProbeOptions& options) {
+  BenchmarkProbes probes = directions_of(mesh, options);
+  for (Vec3& x : probes.points) x *= radius;
+  probes.truth_at = [&mesh](const Vec3& x) { return least_distance(mesh, x); };
+  probes.truth = cached_closest_distances(options.cache, mesh, {probes.points, {}});
   return probes;
 }
 
 BenchmarkProbes euclidean_probes(const BenchmarkScene& scene, const ProbeOptions& options) {
-  BenchmarkProbes probes = directions_of(scene, options);
-  const double radius = mean_radius(scene.pair.ball);
-  for (Vec3& x : probes.points) x *= radius;
-  probes.truth_at = [&mesh = scene.surface()](const Vec3& x) { return least_distance(mesh, x); };
-  probes.truth = cached_closest_distances(options.cache, scene.surface(), {probes.points, {}});
-  return probes;
+  return euclidean_probes(scene.surface(), mean_radius(scene.pair.ball), options);
 }
 
 }  // namespace impinge::lab

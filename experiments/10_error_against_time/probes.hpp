@@ -34,11 +34,14 @@ struct ProbeOptions {
 // Of each kind as many as asked for, spread evenly over those there are. mesh in the centre frame.
 std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t each);
 
-// The truth is the nearest crossing of the ray, see reference/exact_radius.hpp; points are unit vectors.
+// The truth is the crossing of the ray that counts, see reference/exact_radius.hpp; points are unit vectors.
+// The mesh outlives the probes.
+BenchmarkProbes radial_probes(const TriangleMesh& mesh, Layer layer, const ProbeOptions& options);
 BenchmarkProbes radial_probes(const BenchmarkScene& scene, const ProbeOptions& options);
 
 // The truth is the least distance from any triangle, see reference/closest_point.hpp. Points are as far from
-// the centre as the ball is in the mean, along the same directions.
+// the centre as the ball is in the mean, or as far as is said (mm), along the same directions.
+BenchmarkProbes euclidean_probes(const TriangleMesh& mesh, double radius, const ProbeOptions& options);
 BenchmarkProbes euclidean_probes(const BenchmarkScene& scene, const ProbeOptions& options);
 
 }  // namespace impinge::lab

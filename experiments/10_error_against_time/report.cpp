@@ -1,28 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "10_error_against_time/report.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <iterator>
+#include <memory>
+#include <optional>
 #include <utility>
 
-#include "harness/statistics.hpp"
+#include <benchmark/benchmark.h>
+
+#include "files/stopwatch.hpp"
 #include "methods/surface_distance.hpp"
 
 namespace impinge::lab {
 namespace {
 
-constexpr double kMicrometres = 1000.0;           // in a millimetre
-constexpr const char* kBaseline = "embree_ray1";  // that times are compared with
-constexpr const char* kBaselineSetting = "fast";
+constexpr std::size_t kFirstBatch = 8;  // points that tell how long a batch will take
+
+// Points, and the answers to them.
+struct Batch {
+  std::vector<Vec3> points;
+  std::vector<double> out;
+};
 
 // A method with everything that was found out about it.
 struct Measured {
   PointCase method;
+  std::shared_ptr<const PointQuery> query;
+  double build_s = 0.0;  // of the query, the first time
   BenchmarkErrors errors;
   MethodBound bound;
-  BenchmarkCosts costs;
 
   bool is_pose() const { return method.measure == Measure::pose; }
+};
+
+// Times of a method, in the order in which costs_of() asks for them.
+struct Costs {
+  const Timing& build;
+  const Timing& warm;
+  const Timing& cold;
 };
 
 struct Truth {
@@ -46,19 +64,75 @@ BenchmarkErrors errors_of(const PointQuery& query, Measure measure, const Truth&
 
 void examine(Measured& measured, const BenchmarkScene& scene, const Truth& truth,
              const BenchmarkOptions& options) {
-  const PointQuery query = measured.method.make();
-  measured.errors = errors_of(query, measured.method.measure, truth, options.ascent);
-  if (measured.method.bound) measured.bound = measured.method.bound(query);
-  auto violation = find_violation(measured.errors, measured.bound);
-  if (!violation) return;
-  violation->scene = scene.name;
-  violation->method = measured.method.name;
-  violation->setting = measured.method.setting;
-  throw BoundViolated(*violation);
+  Stopwatch watch;
+  measured.query = std::make_shared<const PointQuery>(measured.method.make());
+  measured.build_s = watch.lap_s();
+  measured.errors = errors_of(*measured.query, measured.method.measure, truth, options.ascent);
+  if (measured.method.bound) measured.bound = measured.method.bound(*measured.query);
+  require_bound(measured.errors, measured.bound, {scene.name, measured.method.name, measured.method.setting});
+}
+
+// As many of the points as one batch has time for, evenly through all of them.
+std::vector<Vec3> batch_of(const PointQuery& query, const std::vector<Vec3>& all, double batch_ms) {
+  std::vector<double> out(all.size());
+  const std::size_t first = std::min(kFirstBatch, all.size());
+  Stopwatch watch;
+  query.answer(std::span(all).first(first), out);
+  const double affordable = batch_ms / watch.lap_ms() * static_cast<double>(first);
+  if (affordable >= static_cast<double>(all.size())) return all;
+  std::vector<Vec3> some(std::max(first, static_cast<std::size_t>(affordable)));
+  for (std::size_t k = 0; k < some.size(); ++k) some[k] = all[k * all.size() / some.size()];
+  return some;
 }
 
 std::vector<Cell> key_of(const Measured& measured, const BenchmarkScene& scene) {
   return {scene.name, measured.method.name, measured.method.setting};
+}
+
+// What the costs of a scene's methods share.
+struct Costing {
+  const BenchmarkScene& scene;
+  const BenchmarkTiming& timing;
+  std::vector<Vec3> queries;
+  std::function<void()> flush;
+  Built<PointQuery> built;
+};
+
+// Building; asking warm; asking cold.
+std::array<TimedCase, 3> costs_of(const Measured& measured, const Costing& costing) {
+  const auto key = [&](const char* cost) {
+    std::vector<Cell> cells = key_of(measured, costing.scene);
+    cells.emplace_back(cost);
+    return cells;
+  };
+  TimedCase warm;
+  warm.key = key("query");
+  warm.rounds = costing.timing.rounds;
+  const auto& all = costing.queries;
+  auto batch = std::make_shared<Batch>();
+  batch->points = measured.is_pose() ? all : batch_of(*measured.query, all, costing.timing.batch_ms);
+  batch->out.resize(batch->points.size());
+  warm.units = static_cast<double>(batch->points.size());
+  warm.run = [query = measured.query, batch] {
+    query->answer(batch->points, batch->out);
+    benchmark::DoNotOptimize(batch->out.data());
+    benchmark::ClobberMemory();
+  };
+  TimedCase cold = warm;
+  cold.key = key("cold");
+  cold.before = costing.flush;
+  return {build_case(key("build"), costing.built, measured.method.make, measured.build_s, costing.timing),
+          warm, cold};
+}
+
+TimingRun time_all(const std::vector<Measured>& all, const BenchmarkScene& scene,
+                   const BenchmarkTiming& timing, Progress& progress) {
+  const Costing costing{scene, timing, scene.queries(), overwrite_caches(timing.flush_bytes),
+                        std::make_shared<std::optional<PointQuery>>()};
+  std::vector<TimedCase> cases;
+  for (const Measured& measured : all)
+    std::ranges::move(costs_of(measured, costing), std::back_inserter(cases));
+  return run_interleaved(cases, timing.options, progress);
 }
 
 // Micrometres; an infinite bound promises nothing.
@@ -67,12 +141,12 @@ Cell bound_cell(double bound_mm) { return std::isfinite(bound_mm) ? Cell(kMicrom
 // A cell that is empty where the value has no meaning for the method.
 Cell cell_if(bool there, double value) { return there ? Cell(value) : Cell(); }
 
-void add_main(Table& table, const Measured& measured, const BenchmarkScene& scene) {
+void add_main(Table& table, const Measured& measured, const BenchmarkScene& scene, const Costs& costs) {
   const BenchmarkErrors& errors = measured.errors;
   const bool answered = measured.method.says_how_far;
   std::vector<Cell> row = key_of(measured, scene);
-  row.insert(row.end(), {summarise(measured.costs.build_ms).median, summarise(measured.costs.warm_ns).median,
-                         measured.costs.bytes, cell_if(answered, kMicrometres * errors.max_over),
+  row.insert(row.end(), {costs.build.summary.median, kNanoseconds * costs.warm.summary.median,
+                         measured.query->bytes, cell_if(answered, kMicrometres * errors.max_over),
                          cell_if(answered, kMicrometres * errors.max_under),
                          cell_if(!measured.is_pose(), kMicrometres * errors.rms),
                          cell_if(!measured.is_pose(), kMicrometres * errors.p99),
@@ -80,54 +154,24 @@ void add_main(Table& table, const Measured& measured, const BenchmarkScene& scen
   table.add_row(std::move(row));
 }
 
-void add_spread(Table& table, const Measured& measured, const BenchmarkScene& scene,
-                const BenchmarkCosts& baseline) {
+void add_spread(Table& table, const Measured& measured, const BenchmarkScene& scene, const Costs& costs) {
   const PointCase& method = measured.method;
   const BenchmarkErrors& errors = measured.errors;
-  const Summary cold = summarise(measured.costs.cold_ns);
   const bool many = !measured.is_pose();
   std::vector<Cell> row = key_of(measured, scene);
   row.insert(
       row.end(),
       {method.kind, method.scheme, method.precision_deg, method.interpolant, method.storage,
-       name_of(method.measure),
-       cell_if(measured.costs.build_ms.size() > 1, summarise(measured.costs.build_ms).iqr),
-       summarise(measured.costs.warm_ns).iqr, cold.median, cold.iqr, errors.directions, errors.false_hits,
+       name_of(method.measure), cell_if(costs.build.summary.count > 1, costs.build.summary.iqr),
+       kNanoseconds * costs.warm.summary.iqr, kNanoseconds * costs.cold.summary.median,
+       kNanoseconds * costs.cold.summary.iqr, errors.directions, errors.false_hits,
        cell_if(many, kMicrometres * errors.uniform_max), cell_if(many, kMicrometres * errors.feature_max),
        cell_if(many, kMicrometres * errors.adversarial_max), kMicrometres * measured.bound.attained_mm,
-       errors.max() / measured.bound.bound_mm, control_ratio(measured.costs.warm_ns)});
-  const bool reference = method.name == kBaseline && method.setting == kBaselineSetting;
-  row.emplace_back(reference ? "reference" : compare_times(measured.costs.warm_ns, baseline.warm_ns));
+       errors.max() / measured.bound.bound_mm, costs.warm.inconclusive, costs.warm.repeats});
   table.add_row(std::move(row));
 }
 
-void add_samples(Table& table, const Measured& measured, const BenchmarkScene& scene) {
-  const auto add = [&](const char* cost, const std::vector<double>& samples) {
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      std::vector<Cell> row = key_of(measured, scene);
-      row.insert(row.end(), {cost, k + 1, samples[k]});
-      table.add_row(std::move(row));
-    }
-  };
-  add("build_ms", measured.costs.build_ms);
-  add("query_ns", measured.costs.warm_ns);
-  add("query_cold_ns", measured.costs.cold_ns);
-}
-
-const BenchmarkCosts& baseline_of(const std::vector<Measured>& all) {
-  for (const Measured& measured : all) {
-    if (measured.method.name == kBaseline && measured.method.setting == kBaselineSetting)
-      return measured.costs;
-  }
-  throw std::logic_error("the benchmark lacks the method that times are compared with");
-}
-
 }  // namespace
-
-BoundViolated::BoundViolated(const Violation& violation)
-    : std::runtime_error("a proven bound does not hold, so the proof or the program is wrong: " +
-                         violation.text()),
-      violation_(violation) {}
 
 void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options, BenchmarkTables& tables,
                    Progress& progress) {
@@ -139,19 +183,17 @@ void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options,
   std::vector<Measured> all;
   progress.begin(static_cast<double>(methods.size()));
   for (const PointCase& method : methods) {
-    all.push_back({method, {}, {}, {}});
+    all.push_back({method, {}, 0.0, {}, {}});
     examine(all.back(), scene, truth, options);
     progress.advance(1.0, method.name + " " + method.setting);
   }
-  progress.say(scene.name + ": times");
-  std::vector<BenchmarkCosts> costs = time_methods(methods, scene, options.timing, progress);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].costs = std::move(costs[i]);
-  const BenchmarkCosts& baseline = baseline_of(all);
-  for (const Measured& measured : all) {
-    add_main(tables.main, measured, scene);
-    add_spread(tables.spread, measured, scene, baseline);
-    add_samples(tables.samples, measured, scene);
+  TimingRun timing = time_all(all, scene, options.timing, progress);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Costs costs{timing.timings[3 * i], timing.timings[3 * i + 1], timing.timings[3 * i + 2]};
+    add_main(tables.main, all[i], scene, costs);
+    add_spread(tables.spread, all[i], scene, costs);
   }
+  append(tables.timing, std::move(timing));
 }
 
 }  // namespace impinge::lab

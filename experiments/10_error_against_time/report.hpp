@@ -4,47 +4,38 @@
 #pragma once
 
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "10_error_against_time/costs.hpp"
 #include "10_error_against_time/errors.hpp"
-#include "10_error_against_time/timing.hpp"
 #include "files/csv.hpp"
 
 namespace impinge::lab {
 
 // What runs, where errors are measured, and how costs are timed.
 struct BenchmarkOptions {
-  PointSizes sizes;               // of the methods
-  ProbeOptions radial;            // of methods that answer radii
-  ProbeOptions euclidean;         // of methods that answer distances
-  AscentOptions ascent;           // from the worst probes
-  BenchmarkTimingOptions timing;  // of the costs
+  PointSizes sizes;            // of the methods
+  ProbeOptions radial;         // of methods that answer radii
+  ProbeOptions euclidean;      // of methods that answer distances
+  AscentOptions ascent;        // from the worst probes
+  BenchmarkTiming timing;      // of the costs of a vertex asked alone
+  BenchmarkTiming gap_timing;  // of those of all gaps of a pose
 };
 
 // What small machines and short runs can do, and the whole of it.
 BenchmarkOptions quick_benchmark();
 BenchmarkOptions full_benchmark();  // the latter
 
-// The three results, row by row.
+// The results, row by row, and the times behind them.
 struct BenchmarkTables {
   Table main;                                      // error_against_time.csv
   Table spread;                                    // error_against_time_spread.csv
-  Table samples;                                   // error_against_time_samples.csv
+  TimingRun timing;                                // of all scenes; keys as in cost_keys()
   std::map<std::string, std::string> labels = {};  // of the methods
 };
 BenchmarkTables make_benchmark_tables();  // with their columns, and no row
-
-// A bound that does not hold: nothing that was measured can be trusted until that is resolved.
-class BoundViolated : public std::runtime_error {
- public:
-  explicit BoundViolated(const Violation& violation);        // what() gives its text()
-  const Violation& violation() const { return violation_; }  // the one that ended the benchmark
-
- private:
-  Violation violation_;
-};
+std::vector<Column> cost_keys();          // scene, method, setting and which cost
 
 // All methods on the scene: adds their rows. Throws BoundViolated.
 void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options, BenchmarkTables& tables,

@@ -33,7 +33,7 @@ std::vector<Omission> omissions_of(const SceneNeeds& needs) {
 }
 
 // The exact gaps of every vertex in one pose, by every ray against every face.
-PoseGaps exact_gaps(const BallSocketPair& joint, const Pose& pose) {
+PoseGaps gaps_by_exact_faces(const BallSocketPair& joint, const Pose& pose) {
   const RayCaster socket(joint.socket);
   const RayCaster ball(joint.ball);
   PoseGaps gaps;
@@ -53,7 +53,7 @@ constexpr std::size_t kEveryPose = 30;
 std::vector<PoseGaps> truth_of(const NeedsScene& scene) {
   std::vector<PoseGaps> truth;
   for (std::size_t p = 0; p < scene.needs.poses.size(); p += kEveryPose)
-    truth.push_back(exact_gaps(*scene.joint, scene.needs.poses[p]));
+    truth.push_back(gaps_by_exact_faces(*scene.joint, scene.needs.poses[p]));
   return truth;
 }
 

@@ -13,8 +13,8 @@
 namespace impinge::lab {
 
 // The ball is turned by up to a radian about any axis and pushed towards the socket, in a direction up to a
-// quarter turn from its axis, until the smallest gap is as wanted; then it turns on, the gap staying within
-// the limits.
+// quarter turn from its axis (methods/pose_set.hpp), until the smallest gap is as wanted; then it turns on,
+// the gap staying within the limits.
 struct MotionGap {
   std::string_view name;  // in the results
   double from_mm;         // smallest gap in the first pose of a motion, drawn evenly
@@ -31,7 +31,7 @@ inline constexpr std::size_t kMotions = 16;      // of each case
 inline constexpr std::size_t kMotionPoses = 16;  // of each, one after the other
 inline constexpr double kMotionStepDeg = 0.5;    // from one to the next, about any axis
 
-// Poses of all motions, one motion after the other. std::runtime_error where there are not so many.
+// Poses of all motions, one motion after the other; none where the joint has not so many.
 std::vector<Pose> contact_motions(const CulledJoint& joint, const MotionGap& gap, std::uint64_t seed);
 
 }  // namespace impinge::lab

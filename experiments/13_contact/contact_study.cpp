@@ -13,7 +13,6 @@
 #include "13_contact/contact_motions.hpp"
 #include "13_contact/exact_gaps.hpp"
 #include "gap/overlay.hpp"
-#include "mesh/generated_pair.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge::lab {
@@ -25,11 +24,12 @@ constexpr std::size_t kFewWrong = 8;     // a method in float is wrong in at mos
 
 // A joint and all that says whether it touches. It stays where it is made: the methods refer to it.
 struct Stage {
-  explicit Stage(std::size_t triangles) : pair(make_ball_socket_pair(triangles)), culled(pair) {}
+  explicit Stage(const BenchmarkScene& of) : scene(of), pair(of.pair), culled(pair) {}
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  BallSocketPair pair;  // mm
+  const BenchmarkScene& scene;
+  const BallSocketPair& pair;  // mm
   CulledJoint culled;
   SurfaceOverlay overlay{pair.ball, pair.socket};
   std::vector<ContactCase> methods = cases_of(contact_methods(), &Method::contact, culled);
@@ -108,8 +108,10 @@ std::function<void()> run_of(const ContactCase& method, std::vector<Pose> poses)
 }
 
 void add_cases(const Stage& stage, const MotionGap& gap, const ContactOptionsTimed& options,
-               std::vector<Measured>& cases) {
+               std::vector<Measured>& cases, Progress& progress) {
   const std::vector<Pose> poses = contact_motions(stage.culled, gap, options.seed);
+  if (poses.empty())
+    progress.say(stage.scene.name + ": no motions with a smallest gap of " + std::string(gap.name));
   Asked all;
   Asked few;
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -118,6 +120,7 @@ void add_cases(const Stage& stage, const MotionGap& gap, const ContactOptionsTim
   }
   const std::map<std::string, double> errors = compare(stage, poses);
   for (const ContactCase& method : stage.methods) {
+    if (poses.empty()) break;
     const Asked& asked = method.few ? few : all;
     Measured added;
     added.poses = asked.poses.size();
@@ -125,7 +128,7 @@ void add_cases(const Stage& stage, const MotionGap& gap, const ContactOptionsTim
     if (method.contact == Contact::faces) added.wrong = count_wrong(method, asked);
     added.least_gap_mm = median_gap(stage.culled, asked.poses);
     if (errors.contains(method.name)) added.error_mm = errors.at(method.name);
-    added.timed.key = {method.name, gap.name, stage.pair.ball.faces.size()};
+    added.timed.key = {stage.scene.name, method.name, gap.name, stage.pair.ball.faces.size()};
     added.timed.units = static_cast<double>(asked.poses.size());
     added.timed.rounds = options.rounds;
     added.timed.run = run_of(method, asked.poses);
@@ -133,23 +136,9 @@ void add_cases(const Stage& stage, const MotionGap& gap, const ContactOptionsTim
   }
 }
 
-Table contact_table(const std::vector<Measured>& cases, const TimingRun& run) {
+void add_rows(Table& table, const std::vector<Measured>& cases, const TimingRun& run) {
   constexpr double kMicroseconds = 1e3;  // in a millisecond
   constexpr double kMicrons = 1e3;       // in a millimetre
-  Table table{contact_keys(), {}};
-  for (const Column& column : std::vector<Column>{
-           {"us_pose", "us", "median time of a pose"},
-           {"iqr_us", "us", "interquartile range of it over the rounds"},
-           {"rounds", "1", "rounds measured"},
-           {"poses", "1", "poses of a round: motions of 16, half a degree from one to the next"},
-           {"touching", "1", "of these, by this method"},
-           {"wrong", "1", "of these, in which it says of the faces what their exact overlay does not"},
-           {"least_gap_mm", "mm", "median of the smallest gap of a pose"},
-           {"error_um", "um",
-            "largest error of a gap at a vertex, in those of the poses that were compared; of tables "
-            "alone"}}) {
-    table.columns.push_back(column);
-  }
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Timing& timing = run.timings[k];
     const double median = timing.summary.median;
@@ -159,40 +148,56 @@ Table contact_table(const std::vector<Measured>& cases, const TimingRun& run) {
                            kMicrons * cases[k].error_mm});
     table.add_row(std::move(row));
   }
-  return table;
 }
 
 }  // namespace
 
 std::vector<Column> contact_keys() {
   return {
+      {"scene", "", "as in error_against_time.csv"},
       {"method", "",
-       "fcl_collide, vtk_collide: trees of oriented boxes; ode_collide: OPCODE's, along the axes, in float; "
+       "fcl_collide, vtk_collide: trees of oriented boxes; ode_collide, bullet_collide: OPCODE's and "
+       "GImpact's, "
+       "along the axes, in float; "
        "fcl_distance: smallest distance; "
        "all_vertices: both scans by the kernels, all gaps, of tables in 16 bits; all_corners: of tables with "
        "the corners of a cell together and centred errors, as accurate; all_corners_2_threads: the same, two "
        "threads sharing the poses; all_corners_sampled: corners of finer tables, not centred, as accurate; "
        "culled: touch; coherent: touch, from one pose to the next; culled_least_gap: smallest gap"},
       {"gap_case", "", "smallest gap in the poses"},
-      {"triangles", "1", "of each of the two models"}};
+      {"triangles", "1", "of the ball"}};
 }
 
-ContactTables contact_tables(const ContactOptionsTimed& options, Progress& progress) {
-  std::vector<std::unique_ptr<Stage>> stages;
-  std::vector<Measured> cases;
+ContactTables make_contact_tables() {
   ContactTables tables;
-  for (const std::size_t triangles : options.triangles) {
-    stages.push_back(std::make_unique<Stage>(triangles));
-    add_labels(tables.labels, stages.back()->methods);
-    for (const MotionGap& gap : kMotionGaps) add_cases(*stages.back(), gap, options, cases);
-    progress.say("made the poses of " + std::to_string(triangles) + " triangles");
-  }
+  tables.table.columns = contact_keys();
+  const std::vector<Column> more{
+      {"us_pose", "us", "median time of a pose"},
+      {"iqr_us", "us", "interquartile range of it over the rounds"},
+      {"rounds", "1", "rounds measured"},
+      {"poses", "1", "poses of a round: motions of 16, half a degree from one to the next"},
+      {"touching", "1", "of these, by this method"},
+      {"wrong", "1", "of these, in which it says of the faces what their exact overlay does not"},
+      {"least_gap_mm", "mm", "median of the smallest gap of a pose"},
+      {"error_um", "um",
+       "largest error of a gap at a vertex, in those of the poses that were compared; of tables alone"}};
+  tables.table.columns.insert(tables.table.columns.end(), more.begin(), more.end());
+  return tables;
+}
+
+void run_contact(const BenchmarkScene& scene, const ContactOptionsTimed& options, ContactTables& tables,
+                 Progress& progress) {
+  const Stage stage(scene);
+  std::vector<Measured> cases;
+  add_labels(tables.labels, stage.methods);
+  for (const MotionGap& gap : kMotionGaps) add_cases(stage, gap, options, cases, progress);
+  progress.say(scene.name + ": made the poses");
   std::vector<TimedCase> timed;
   timed.reserve(cases.size());
   for (const Measured& one : cases) timed.push_back(one.timed);
-  tables.timing = run_interleaved(timed, options.timing, progress);
-  tables.table = contact_table(cases, tables.timing);
-  return tables;
+  TimingRun run = run_interleaved(timed, options.timing, progress);
+  add_rows(tables.table, cases, run);
+  append(tables.timing, std::move(run));
 }
 
 }  // namespace impinge::lab

@@ -11,29 +11,33 @@
 
 #include "files/csv.hpp"
 #include "harness/timing.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 
 // What is timed and how often.
 struct ContactOptionsTimed {
-  std::vector<std::size_t> triangles;  // of each model, ever more
-  int rounds = 15;                     // of each case
-  std::uint64_t seed = 0;              // of the motions
-  TimingOptions timing;                // of the rounds
+  int rounds = 15;         // of each case
+  std::uint64_t seed = 0;  // of the motions
+  TimingOptions timing;    // of the rounds
 };
 
 // The result and its times.
 struct ContactTables {
   Table table;                                     // a row a case
-  TimingRun timing;                                // of all cases
+  TimingRun timing;                                // of all scenes
   std::map<std::string, std::string> labels = {};  // of the methods
 };
 
-// method, gap_case, triangles.
+ContactTables make_contact_tables();  // with its columns, and no row
+
+// scene, method, gap_case, triangles.
 std::vector<Column> contact_keys();
 
 // Every culled answer that is timed is compared with the exact test of all vertices first, or one of several
-// where there are many. std::runtime_error where one differs.
-ContactTables contact_tables(const ContactOptionsTimed& options, Progress& progress);
+// where there are many. std::runtime_error where one differs. Adds the rows of the scene; a gap case that it
+// has no motions of is left out, and the progress says so.
+void run_contact(const BenchmarkScene& scene, const ContactOptionsTimed& options, ContactTables& tables,
+                 Progress& progress);
 
 }  // namespace impinge::lab

@@ -7,10 +7,11 @@
 
 #include <Eigen/Geometry>
 
-#include "13_fast/fast_study.hpp"
+#include "10_error_against_time/scenes.hpp"
 #include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/contact.hpp"
+#include "methods/gaps.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -55,7 +56,7 @@ void count_scans(const AskedSurface& surface, const AskedPoints& asked, int pose
                           method.kernel ? set : std::string("none"), "vertex"},
                          units),
                 [&] {
-                  for (int k = 0; k < poses; ++k) query.scan(asked, motion_pose(k), scratch);
+                  for (int k = 0; k < poses; ++k) query.scan(asked, motion_pose(-Vec3::UnitY(), k), scratch);
                 });
     }
   }
@@ -110,7 +111,7 @@ std::map<std::string, std::string> counted_labels() {
 }
 
 Table count_table(const std::vector<EventCounts>& counts) {
-  Table table{{{"method", "", "as in data/fast.csv and data/contact.csv"},
+  Table table{{{"method", "", "as in data/all_gaps.csv and data/contact.csv"},
                {"setting", "", "likewise"},
                {"storage", "", "likewise"},
                {"direction", "", "whose vertices are looked up -> in whose surface; both for a touch"},

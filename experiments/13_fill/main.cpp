@@ -2,7 +2,7 @@
 // @question  How long do the tables of a joint take to fill, beside Embree's tree and coherent rays?
 // @writes    fill fill_samples
 // @timing    yes
-// @seconds   16 150
+// @seconds   12 150
 // @links     harness fill_methods
 //
 // Cube maps of both surfaces of the generated pair. Each way is held against the exact rasteriser first.
@@ -20,7 +20,7 @@ using namespace impinge::lab;
 
 void fill_body(DriverRun& run) {
   FillOptions options{{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}, 5, {}};
-  if (run.quick()) options = {{3000, 12000}, {128, 256}, 7, {}};
+  if (run.quick()) options = {{3000, 12000}, {128, 256}, 5, {}};
   options.timing.min_round_ms = 5.0;
   const std::vector<FillCase> methods = cases_of(fill_methods(), &Method::fill);
   const TimingRun timed = time_filling(options, methods, run.progress);

@@ -52,7 +52,7 @@ Table hip_shape_table() {
 void add_hip_shape(Table& table, const std::string& name, const HipParameters& parameters) {
   const Hip hip = make_hip(parameters);
   const FemurMeasures femur = measure_femur(hip.ball, parameters.side);
-  const AcetabulumMeasures socket = measure_acetabulum(hip.socket, femur.head.centre, parameters.side);
+  const AcetabulumMeasures socket = measure_acetabulum(hip.socket, femur.head, parameters.side);
   const Measured measured = measured_values(parameters, femur, socket);
   const std::string side = parameters.side == Side::left ? "left" : "right";
   for (const HipParameter& p : hip_parameter_list()) {

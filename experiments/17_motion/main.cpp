@@ -3,7 +3,7 @@
 // @writes    motion_limits motion_limit_details phantoms
 // @bones     yes
 // @timing    no
-// @seconds   17 90
+// @seconds   12 70
 // @links     harness real_joints motion
 //
 // Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no

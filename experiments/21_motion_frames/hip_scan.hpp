@@ -40,7 +40,7 @@ struct PosedSurface {
 
   PosedGaps gaps() const { return {vertices, gap, area}; }  // as close_zones() takes them
   // What gaps of at most so many mm come to.
-  GapSummary within(double threshold) const { return summarise(gap, area, threshold); }
+  GapSummary within(double threshold) const { return impinge::summarise(gap, area, threshold); }
 };
 
 // Both surfaces in one pose.

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real ball-and-socket joints that a user brings: a folder with one folder a subject. In each, in one frame
-// and in millimetres,
-//   ball, femoral_head or humeral_head                                      the ball
-//   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
-// as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
-//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z], otherwise it is
-//                     fitted to the ball; perhaps with the head's radius, "radius_mm", and the "side" and
-//                     "axes" of results/README.md
+// Real ball-and-socket joints that a user brings, as scene/joint_folder.hpp finds them, with their meshes.
 #pragma once
 
 #include <filesystem>

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
+
+#include <benchmark/benchmark.h>
 
 #include "files/stopwatch.hpp"
 
 namespace impinge::lab {
 namespace {
+
+constexpr std::size_t kCacheLine = 64;  // bytes
 
 double seconds_of(const std::function<void()>& run, std::int64_t times) {
   Stopwatch watch;
@@ -28,6 +33,14 @@ std::string key_text(const std::vector<Cell>& key) {
   return text;
 }
 
+std::function<void()> overwrite_caches(std::size_t bytes) {
+  return [block = std::make_shared<std::vector<char>>(bytes)] {
+    for (std::size_t i = 0; i < block->size(); i += kCacheLine) ++(*block)[i];
+    benchmark::DoNotOptimize(block->data());
+    benchmark::ClobberMemory();
+  };
+}
+
 void check_cases(const std::vector<TimedCase>& cases) {
   std::set<std::string> names;
   for (const TimedCase& work : cases) {
@@ -40,10 +53,15 @@ void check_cases(const std::vector<TimedCase>& cases) {
 }
 
 RoundPlan plan_rounds(const TimedCase& work, const TimingOptions& options) {
-  RoundPlan plan{&work, key_text(work.key), 1, work.expected_s, false};
+  RoundPlan plan{&work, key_text(work.key), 1, work.expected_s};
+  if (work.before) plan.before_s = seconds_of(work.before, 1);
   if (work.expected_s > 0.0) return plan;
   const double enough = options.min_round_ms / 1000.0;
   double seconds = seconds_of(work.run, 1);
+  if (work.before) {
+    plan.run_s = seconds;
+    return plan;
+  }
   if (1000.0 * seconds < options.slow_ms) seconds = seconds_of(work.run, 1);  // the first run was cold
   while (seconds < enough && plan.batch < (std::int64_t{1} << 40)) {
     const double factor = std::clamp(1.2 * enough / std::max(seconds, 1e-9), 2.0, 10.0);

@@ -2,6 +2,7 @@
 // One thing to be timed, and how often a round repeats it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -18,6 +19,8 @@ struct TimedCase {
   std::function<void()> verify;
   // The work that is timed.
   std::function<void()> run;
+  // Where it is given it comes before each run, not timed: a round is then one run, which nothing warms up.
+  std::function<void()> before;
   // Pieces of work in one run, such as poses: times are given for one of them.
   double units = 1.0;
   int rounds = 15;  // samples that are taken
@@ -39,6 +42,10 @@ struct TimingOptions {
 // The parts of a key with a slash between them.
 std::string key_text(const std::vector<Cell>& key);
 
+// What makes a run cold: it writes a block of so many bytes, more than the caches hold. Copies share the
+// block.
+std::function<void()> overwrite_caches(std::size_t bytes);
+
 // Throws std::invalid_argument for a case without work, units or rounds and for a key used twice.
 void check_cases(const std::vector<TimedCase>& cases);
 
@@ -49,9 +56,10 @@ struct RoundPlan {
   std::int64_t batch = 1;           // runs within a round
   double run_s = 0.0;               // seconds a run
   bool warm_up = false;             // one more run, not timed, begins each round
+  double before_s = 0.0;            // seconds of what comes before a run
 
   // Seconds that a round takes.
-  double round_s() const { return run_s * (static_cast<double>(batch) + (warm_up ? 1.0 : 0.0)); }
+  double round_s() const { return before_s + run_s * (static_cast<double>(batch) + (warm_up ? 1.0 : 0.0)); }
 };
 
 // Warms the case up and finds the batch. The case must outlive the plan.

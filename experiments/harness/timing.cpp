@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
@@ -52,7 +54,14 @@ void register_plan(const RoundPlan& plan, const std::string& name, std::exceptio
     if (!failure) {
       try {
         if (plan.warm_up) plan.work->run();
-        while (state.KeepRunning()) plan.work->run();
+        while (state.KeepRunning()) {
+          if (plan.work->before) {
+            state.PauseTiming();
+            plan.work->before();
+            state.ResumeTiming();
+          }
+          plan.work->run();
+        }
         progress.advance(plan.round_s(), plan.name);
         return;
       } catch (...) {
@@ -94,9 +103,11 @@ Timing collect(const RoundPlan& plan, std::vector<double> samples) {
   return timing;
 }
 
-const RoundPlan& fastest(const std::vector<RoundPlan>& plans) {
-  return *std::min_element(plans.begin(), plans.end(),
-                           [](const RoundPlan& a, const RoundPlan& b) { return a.round_s() < b.round_s(); });
+// The fastest, of those that repeat within a round where there are some.
+const RoundPlan& control_of(const std::vector<RoundPlan>& plans) {
+  return *std::ranges::min_element(plans, {}, [](const RoundPlan& plan) {
+    return std::pair(static_cast<bool>(plan.work->before), plan.round_s());
+  });
 }
 
 // All rounds of all cases, in one random order.
@@ -106,7 +117,7 @@ TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& opt
   std::vector<RoundPlan> plans;
   plans.reserve(cases.size());
   for (const TimedCase& work : cases) plans.push_back(plan_rounds(work, options));
-  const RoundPlan& control = fastest(plans);
+  const RoundPlan& control = control_of(plans);
   double expected = control.round_s() * control.work->rounds;
   for (const RoundPlan& plan : plans) expected += plan.round_s() * plan.work->rounds;
 
@@ -136,6 +147,17 @@ TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& opt
 bool is_inconclusive(const Timing& timing, double control_ratio, const TimingOptions& options) {
   return std::abs(control_ratio - 1.0) > options.max_control_off || timing.summary.count < 2 ||
          timing.summary.iqr > options.max_spread * timing.summary.median;
+}
+
+void append(TimingRun& all, TimingRun more) {
+  if (more.timings.empty()) return;
+  const auto off = [](const TimingRun& run) { return std::abs(run.control_ratio - 1.0); };
+  if (all.timings.empty() || off(more) > off(all)) {
+    all.control = std::move(more.control);
+    all.control_ratio = more.control_ratio;
+    all.options = more.options;
+  }
+  std::ranges::move(more.timings, std::back_inserter(all.timings));
 }
 
 Timing scaled(Timing timing, double factor) {

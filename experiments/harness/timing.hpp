@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The timing protocol, on Google Benchmark: every case is verified before anything is timed; the rounds of
 // all cases run in one random order, so that a slow spell of the machine hits all of them; each round of a
-// fast case starts warm; every sample is kept; the fastest case runs twice under two names, and the ratio of
-// the two medians (A/A control) shows the noise of the run. What is inconclusive then is timed again, alone
-// (harness/timing_repeats.hpp). Wall clock, one thread.
+// fast case starts warm, but for those that want each run cold; every sample is kept; the fastest case runs
+// twice under two names, and the ratio of the two medians (A/A control) shows the noise of the run. What is
+// inconclusive then is timed again, alone (harness/timing_repeats.hpp). Wall clock, one thread.
 #pragma once
 
 #include <cstdint>
@@ -36,6 +36,9 @@ struct TimingRun {
 // Does a timing say nothing? Its run's control is off, its spread is too large, or it has one round, whose
 // spread nobody knows.
 bool is_inconclusive(const Timing& timing, double control_ratio, const TimingOptions& options);
+
+// Adds the timings of another run with the same options; the control is kept that is farther off.
+void append(TimingRun& all, TimingRun more);
 
 // The timing of work that is `factor` times as much: samples, median and spread times the factor.
 Timing scaled(Timing timing, double factor);

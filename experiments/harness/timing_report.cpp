@@ -83,6 +83,7 @@ nlohmann::json timing_record(const TimingRun& run) {
   record["warm"] =
       "each round of a case under slow_ms begins with one run that is not timed; slower cases run as they "
       "come";
+  record["cold"] = "a case that is asked so: each run is timed alone, after memory was written";
   record["slow_ms"] = run.options.slow_ms;
   record["batch"] = nlohmann::json::object();
   record["inconclusive"] = nlohmann::json::array();

@@ -13,9 +13,10 @@
 namespace impinge::lab {
 
 struct BenchmarkScene {
-  std::string name;     // in the results
-  BallSocketPair pair;  // centre frames, mm
-  Pose pose;            // of the ball, fixed
+  std::string name;           // in the results
+  BallSocketPair pair;        // centre frames, mm
+  Pose pose;                  // of the ball, fixed
+  Vec3 axis = Vec3::UnitX();  // of a motion of the ball, as flexion is
 
   // The surface that is asked, and the layer of it that faces the ball.
   const TriangleMesh& surface() const { return pair.socket; }

@@ -47,6 +47,8 @@ struct GapQuery {
   double bytes = 0.0;                 // of everything that was built
   Measure measure = Measure::radial;  // what the answers are
   bool answers = true;                // do they mean something?
+  double bound_mm =
+      std::numeric_limits<double>::quiet_NaN();  // no gap is off by more; NaN: nothing is proven
 };
 
 /// The points moved to the frame of the surface and asked there; radii become gaps, distances stay without a

@@ -22,7 +22,9 @@ namespace {
 
 // The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells with corners.
 constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
-constexpr double kFloorReach = 64.0;  // mm, beyond every vertex of the pair
+constexpr double kReach = 64.0;  // mm, beyond every vertex of the pair
+constexpr double kMoved =
+    28.0 * 0x1p-24 * kReach;  // mm: what a certified bound leaves out, so far from the centre
 
 struct Kind {
   std::string name;
@@ -69,7 +71,7 @@ RadialTable<CubeGnomonic> filled_cube(const AskedSurface& s, std::size_t cells) 
 // Its answers mean nothing.
 GapCase floor_case(std::size_t cells) {
   GapCase one = kernel_case({"floor", "floor"}, cells_text(cells), "uint16", [cells] {
-    const auto table = std::make_shared<const FloorTable>(2 * cube_of(cells).size(), kFloorReach);
+    const auto table = std::make_shared<const FloorTable>(2 * cube_of(cells).size(), kReach);
     const auto scan = [table](const AskedPoints& asked, const Pose& pose, GapScratch& scratch) {
       scratch.floats.resize(asked.points.size());
       floor_scan(*table, asked.floats, pose, Surface::ball, scratch.floats);
@@ -96,7 +98,8 @@ GapCase certified_case(const AskedSurface& s) {
                                                    GapScratch& scratch) {
       scan_gaps(*table, asked.floats, pose, scanned, scratch.certified);
     };
-    return GapQuery{scan, static_cast<double>(table->bytes())};
+    return GapQuery{scan, static_cast<double>(table->bytes()), Measure::radial, /*answers=*/true,
+                    table->bound_mm + kMoved};
   });
   one.widely = false;
   return one;

@@ -17,16 +17,6 @@ constexpr double kNear = 0.5;       // mm
 constexpr double kTurn = 10.0;      // degrees
 constexpr double kPrecision = 1.0;  // degrees
 
-// From the centre towards the middle of the socket.
-Vec3 axis_of(const TriangleMesh& socket) {
-  Vec3 sum = Vec3::Zero();
-  for (const Face& face : socket.faces) {
-    const double area = area_vector(socket, face).norm();
-    for (const VertexIndex v : face) sum += area * socket.vertices[v];
-  }
-  return sum.normalized();
-}
-
 // The first pose along the axis in which the smallest gap is at most the target.
 Pose approach(TableScan<Rsid>& scan, Pose pose, const Vec3& axis, double target) {
   for (int step = 0; step <= kSteps; ++step) {
@@ -39,9 +29,18 @@ Pose approach(TableScan<Rsid>& scan, Pose pose, const Vec3& axis, double target)
 
 }  // namespace
 
+Vec3 socket_axis(const TriangleMesh& socket) {
+  Vec3 sum = Vec3::Zero();
+  for (const Face& face : socket.faces) {
+    const double area = area_vector(socket, face).norm();
+    for (const VertexIndex v : face) sum += area * socket.vertices[v];
+  }
+  return sum.normalized();
+}
+
 std::vector<NamedPose> pose_set(const BallSocketPair& pair) {
   TableScan<Rsid> scan(pair.ball, pair.socket, make_tables<Rsid>(pair, kPrecision));
-  const Vec3 axis = axis_of(pair.socket);
+  const Vec3 axis = socket_axis(pair.socket);
   std::vector<NamedPose> poses;
   for (const double turn : {0.0, kTurn}) {
     Pose pose;

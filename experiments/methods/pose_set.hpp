@@ -23,6 +23,9 @@ struct NamedPose {
 // not bring the surfaces together.
 std::vector<NamedPose> pose_set(const BallSocketPair& pair);
 
+// From the centre towards the middle of the socket, by area; of length 1.
+Vec3 socket_axis(const TriangleMesh& socket);
+
 // Throws std::runtime_error that names method and pose when the two methods differ in one.
 void require_agreement(const TouchCase& method, const TouchCase& oracle, const std::vector<NamedPose>& poses);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "contact/cap_search.hpp"
 #include "sphere/cube_faces.hpp"
@@ -35,23 +34,30 @@ std::vector<Vec3> entries(std::size_t cells) {
   return found;
 }
 
-// Adds levels, one after the other.
+// The limits of one level.
+struct Level {
+  std::int32_t cells = 0;  // along an edge
+  std::vector<float> limits;
+};
+
+// Makes levels, from that of the least reach to the widest: what a narrow cap holds, a wide one holds too.
 class LevelsBuilder {
  public:
-  LevelsBuilder(const TriangleMesh& mesh, Layer layer) : search_(mesh, layer) {
-    limits.assign(24, search_.limit({Vec3::UnitZ(), 4.0}, 0.0));
-  }
+  LevelsBuilder(const TriangleMesh& mesh, Layer layer) : search_(mesh, layer) {}
 
-  void add(std::int32_t cells, float reach) {
+  float overall() { return search_.limit({Vec3::UnitZ(), 4.0}, 0.0, search_.none()); }
+
+  Level make(std::int32_t cells, float reach, const Level* narrower) {
     const double nearest_entry = std::numbers::sqrt2 / static_cast<double>(cells);
     const double radius = nearest_entry + static_cast<double>(reach) + kNodeSlack;
-    steps.push_back(static_cast<std::int32_t>(limits.size() << CapLimits::kLineBits) + cells);
-    for (const Vec3& axis : entries(static_cast<std::size_t>(cells)))
-      limits.push_back(search_.limit({axis, radius}, kResolution * nearest_entry));
+    const bool within = narrower != nullptr && narrower->cells == cells;
+    Level level{cells, {}};
+    for (const Vec3& axis : entries(static_cast<std::size_t>(cells))) {
+      const float known = within ? narrower->limits[level.limits.size()] : search_.none();
+      level.limits.push_back(search_.limit({axis, radius}, kResolution * nearest_entry, known));
+    }
+    return level;
   }
-
-  std::vector<std::int32_t> steps{1};
-  std::vector<float> limits;
 
  private:
   CapSearch search_;
@@ -60,16 +66,23 @@ class LevelsBuilder {
 }  // namespace
 
 CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer) {
-  LevelsBuilder builder(mesh, layer);
   const double most = std::ceil(std::sqrt(kEntriesPerFace / 6.0 * static_cast<double>(mesh.faces.size())));
   const auto cells = static_cast<std::int32_t>(std::clamp(most, 4.0, kMostCells));
-  while (reach(finest_) > kFinestReach / static_cast<float>(cells)) {
-    ++finest_;
-    builder.add(std::min(static_cast<std::int32_t>(kCellsPerReach / reach(finest_)), cells), reach(finest_));
+  while (reach(finest_) > kFinestReach / static_cast<float>(cells)) ++finest_;
+
+  LevelsBuilder builder(mesh, layer);
+  std::vector<Level> levels(static_cast<std::size_t>(finest_) + 2);
+  levels.back() = builder.make(2 * cells, kAloneReach, nullptr);
+  for (int k = finest_; k > 0; --k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto of_reach = std::min(static_cast<std::int32_t>(kCellsPerReach / reach(k)), cells);
+    levels[i] = builder.make(of_reach, reach(k), k < finest_ ? &levels[i + 1] : nullptr);
   }
-  builder.add(2 * cells, kAloneReach);
-  steps_ = std::move(builder.steps);
-  limits_ = std::move(builder.limits);
+  levels.front() = {1, std::vector<float>(24, builder.overall())};
+  for (const Level& level : levels) {
+    steps_.push_back(static_cast<std::int32_t>(limits_.size() << kLineBits) + level.cells);
+    limits_.insert(limits_.end(), level.limits.begin(), level.limits.end());
+  }
 }
 
 float CapLimits::reach(int level) const {
@@ -82,12 +95,7 @@ CapLimits::Limit CapLimits::look_up(int level, const Vec3& x) const {
   if (level == 0) return {overall(), HUGE_VALF};
   const auto step = static_cast<std::uint32_t>(steps_[static_cast<std::size_t>(level)]);
   const std::size_t cells = step & static_cast<std::uint32_t>(kMostLines);
-  const CubePlace at = cube_place(x);
-  const auto line = [&](double place) {
-    return static_cast<std::size_t>(std::lround(0.5 * (place + 1.0) * static_cast<double>(cells)));
-  };
-  const std::size_t row = at.face * (cells + 1) + line(at.b);
-  return {limits_[(step >> kLineBits) + row * (cells + 1) + line(at.a)], reach(level)};
+  return {limits_[(step >> kLineBits) + cube_entry(x, cells)], reach(level)};
 }
 
 std::size_t CapLimits::bytes() const {

@@ -2,12 +2,19 @@
 #include "contact/cap_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+
+#include "sphere/vector_clones.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kChordOfQuarter = 1.1108;  // an angle up to a quarter turn over its chord
+// Squares of chords over those of angles up to a quarter turn are no less; and of the chord of about that.
+constexpr float kInverseOfQuarter = 1.0F / (1.1108F * 1.1108F);
+constexpr float kLongestChord = 1.4F * 1.4F;
 
 std::vector<CapItem> items_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
@@ -18,48 +25,87 @@ std::vector<CapItem> items_of(const TriangleMesh& mesh) {
   return items;
 }
 
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES void find_nodes(const CapBlock& block, const CapLanes& limits,
+                                                       const ComparedCap& cap, FoundNodes& __restrict found) {
+  std::array<std::int32_t, CapBlock::kLanes> whole;
+  std::array<std::int32_t, CapBlock::kLanes> part;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    const float dx = block.x[k] - cap.x;
+    const float dy = block.y[k] - cap.y;
+    const float dz = block.z[k] - cap.z;
+    const float square = dx * dx + dy * dy + dz * dz;  // of the chord: an angle is no less
+    const float angle = block.angle[k];
+    const float farthest = cap.radius + angle;
+    const float room = cap.radius - angle;
+    const float inside = room > 0.0F ? room * room * kInverseOfQuarter : -1.0F;
+    const float convex = inside < kLongestChord ? inside : kLongestChord;
+    const float narrow = angle <= cap.resolution ? HUGE_VALF : convex;
+    const float reach = cap.sign * limits[k] > cap.known ? farthest * farthest : -1.0F;
+    part[k] = square <= reach ? 1 << k : 0;
+    whole[k] = square <= (reach < narrow ? reach : narrow) ? 1 << k : 0;
+  }
+  std::int32_t all = 0;
+  std::int32_t some = 0;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    all |= whole[k];
+    some |= part[k];
+  }
+  found.whole = static_cast<std::uint32_t>(all) & ((1U << block.nodes) - 1U);
+  found.part = static_cast<std::uint32_t>(some & ~all) & ((1U << block.nodes) - 1U);
+}
+
 }  // namespace
 
 CapSearch::CapSearch(const TriangleMesh& mesh, Layer layer)
     : items_(items_of(mesh)), tree_(items_), nearest_(layer == Layer::nearest) {}
 
-float CapSearch::limit(const DirectionCap& cap, double resolution) {
+float CapSearch::limit(const DirectionCap& cap, double resolution, float known) {
   cap_ = cap;
-  resolution_ = resolution;
-  limit_ = nearest_ ? HUGE_VALF : -HUGE_VALF;
+  compared_ = {static_cast<float>(cap.axis.x()),
+               static_cast<float>(cap.axis.y()),
+               static_cast<float>(cap.axis.z()),
+               static_cast<float>(cap.radius),
+               static_cast<float>(resolution),
+               nearest_ ? -1.0F : 1.0F,
+               known};
+  limit_ = known;
   if (tree_.blocks().empty()) return limit_;
-  const CapNode last = decisive_;
-  if (last.block != 0)
-    look_at(last);  // what decided the cap before may be in this one: the rest is soon left out
+  // What decided the cap before may be in this one: the rest is soon left out.
+  if (decisive_.block != 0 && (look_at(decisive_.block).whole >> decisive_.lane & 1U) != 0) take(decisive_);
   visit(0);
   return limit_;
 }
 
-void CapSearch::visit(std::uint32_t at) {
+FoundNodes CapSearch::look_at(std::uint32_t at) {
   const CapBlock& block = tree_.blocks()[at];
-  for (std::uint32_t k = 0; k < block.nodes; ++k) {
-    if (look_at({at, k})) visit(block.first[k]);
-  }
+  compared_.known = compared_.sign * limit_;
+  FoundNodes found;
+  find_nodes(block, limits_of(block), compared_, found);
+  return found;
 }
 
-// Has it to be opened?
-bool CapSearch::look_at(const CapNode& node) {
-  const CapBlock& block = tree_.blocks()[node.block];
-  const std::size_t k = node.lane;
-  if (nearest_ ? block.low[k] >= limit_ : block.high[k] <= limit_) return false;
-  const Vec3 axis(block.x[k], block.y[k], block.z[k]);
-  const double chord = (axis - cap_.axis).norm();
-  const double angle = block.angle[k];
-  if (chord > cap_.radius + angle) return false;  // an angle is no less than its chord
-  const bool inside = chord < 1.4 && kChordOfQuarter * chord + angle <= cap_.radius;
-  if (inside || angle <= resolution_) {
-    limit_ = nearest_ ? block.low[k] : block.high[k];
-    decisive_ = node;
-    return false;
+void CapSearch::take(const CapNode& node) {
+  const float limit = limits_of(tree_.blocks()[node.block])[node.lane];
+  if (decided(limit)) return;
+  limit_ = limit;
+  decisive_ = node;
+}
+
+// First what is taken whole, since it may decide the rest.
+void CapSearch::visit(std::uint32_t at) {
+  const CapBlock& block = tree_.blocks()[at];
+  const FoundNodes found = look_at(at);
+  for (std::uint32_t left = found.whole; left != 0; left &= left - 1)
+    take({at, static_cast<std::uint32_t>(std::countr_zero(left))});
+  for (std::uint32_t left = found.part; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    if (decided(limits_of(block)[k])) continue;
+    if (!block.leaf(k)) {
+      visit(block.first[k]);
+      continue;
+    }
+    for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
   }
-  if (!block.leaf(k)) return true;
-  for (std::uint32_t i = 0; i < block.items[k]; ++i) include(items_[tree_.order()[block.first[k] + i]]);
-  return false;
 }
 
 void CapSearch::include(const CapItem& item) {

@@ -36,6 +36,7 @@ Facing facing(const TriangleMesh& ball, const TriangleMesh& socket) {
   const RadialTable<Rsid> of_ball = fill_exact(ball, scheme, Layer::farthest);
   const RadialTable<Rsid> of_socket = fill_exact(socket, scheme, Layer::nearest);
   Facing found;
+  found.nearest = std::numeric_limits<double>::infinity();
   std::vector<Weighted> radii;
   std::vector<Weighted> ratios;
   for (std::size_t i = 0; i < scheme.size(); ++i) {
@@ -48,6 +49,7 @@ Facing facing(const TriangleMesh& ball, const TriangleMesh& socket) {
     if (!std::isnan(inner)) radii.emplace_back(inner, area);
     if (std::isnan(inner) || std::isnan(outer)) continue;
     ratios.emplace_back(outer / inner, area);
+    found.nearest = std::min(found.nearest, outer - inner);
     found.common += area;
     if (outer < inner) found.outside += area;
   }

@@ -15,7 +15,9 @@ struct Facing {
   double common = 0.0;       // of directions in which both are met
   double outside = 0.0;      // of those, where the socket is the nearer
   double ball_radius = 0.0;  // mm, median over the directions of the ball; NaN if it has none
-  double ratio = 0.0;        // of the radii, socket over ball, median over `common`; NaN if there is none
+  double nearest =
+      0.0;  // mm, least radius of the socket minus that of the ball there; infinite if `common` is 0
+  double ratio = 0.0;  // of the radii, socket over ball, median over `common`; NaN if there is none
 };
 
 /// Meshes in the centre frame, mm.

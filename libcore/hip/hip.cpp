@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hip/hip_checks.hpp"
+#include "hip/hip_parts.hpp"
 #include "hip/hip_rings.hpp"
 #include "mesh/loft.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kMostTries = 12;
 constexpr double kCloseEnough = 0.01;
+constexpr double kPartSpacing = 2.0;  // to that of the surface: parts touch seldom
 
 // Faces that loft() makes of the rings.
 std::size_t face_count(const PointRings& rings) {
@@ -31,9 +33,13 @@ void turn_over(TriangleMesh& mesh) {
 }
 
 // Faces are as many as edges are short: their number goes with 1 / spacing^2, up to rounding.
+double usual_spacing(const HipSurface& hip, std::size_t faces) {
+  return hip.head_radius * std::sqrt(30.0 / static_cast<double>(faces));
+}
+
 template <class Rings>
 TriangleMesh mesh_of(const HipSurface& hip, const Rings& rings_of, std::size_t faces) {
-  double spacing = hip.head_radius * std::sqrt(30.0 / static_cast<double>(faces));
+  double spacing = usual_spacing(hip, faces);
   PointRings rings = rings_of(hip, spacing);
   for (int k = 0; k < kMostTries; ++k) {
     const double ratio = static_cast<double>(face_count(rings)) / static_cast<double>(faces);
@@ -45,6 +51,7 @@ TriangleMesh mesh_of(const HipSurface& hip, const Rings& rings_of, std::size_t f
   turn_over(mesh);  // the rings run clockwise
   return mesh;
 }
+
 void mirror(TriangleMesh& mesh) {
   for (Vec3& v : mesh.vertices) v.x() = -v.x();
   turn_over(mesh);
@@ -59,12 +66,21 @@ Hip make_hip(const HipParameters& parameters, std::size_t faces) {
   }
   const HipSurface surface = hip_surface(parameters);
   require_free_at_rest(surface);
-  Hip hip{mesh_of(surface, femur_rings, faces), mesh_of(surface, acetabulum_rings, faces)};
+  Hip hip{mesh_of(surface, femur_rings, faces), mesh_of(surface, acetabulum_rings, faces), {}, {}};
+  const double spacing = kPartSpacing * usual_spacing(surface, faces);
+  for (const BonePart& part : femur_parts(surface))
+    append_part(hip.ball, hip.ball_parts, part.name, mesh_of(part, spacing));
+  for (const BonePart& part : acetabulum_parts(surface))
+    append_part(hip.socket, hip.socket_parts, part.name, mesh_of(part, spacing));
   if (parameters.side == Side::left) {
     mirror(hip.ball);
     mirror(hip.socket);
   }
   return hip;
+}
+
+BallSocketPair main_surfaces(const Hip& hip) {
+  return {main_surface(hip.ball, hip.ball_parts), main_surface(hip.socket, hip.socket_parts)};
 }
 
 }  // namespace impinge

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "hip/hip_parameters.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/mesh_parts.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
@@ -14,16 +17,23 @@ struct Hip {
   TriangleMesh ball;    // closed, outward normals; star-shaped about the centre up to the bend of the shaft,
                         /// and all of it with shaft_length = 0
   TriangleMesh socket;  // normals towards the centre; open and star-shaped, or with a wall a closed shell
+  /// Closed bodies behind those of either mesh (mesh/mesh_parts.hpp): what is said above is of the rest.
+  std::vector<MeshPart> ball_parts;
+  std::vector<MeshPart> socket_parts;  // of the socket, see above
 };
 
 inline constexpr std::size_t kHipFaces = 12000;  // a surface, as in the thesis
 
 /// Joint frame, mm, the centre of the head as origin. Vertices lie on the smooth surfaces of hip_surface.hpp,
 /// closer together where head and neck meet; a ring of them lies on the rim. About `faces` faces a surface
-/// (within 3 %; at least kFewestHipFaces, else std::invalid_argument). Impossible parameters as in
+/// (within 3 %; at least kFewestHipFaces, else std::invalid_argument), and those of the parts with edges
+/// of about twice the length. Impossible parameters as in
 /// require_possible(). The left hip is the mirror image of the right one.
 inline constexpr std::size_t kFewestHipFaces = 500;
 /// The ball and the socket of these parameters, see above.
 Hip make_hip(const HipParameters& parameters, std::size_t faces = kHipFaces);
+
+/// Both without their parts.
+BallSocketPair main_surfaces(const Hip& hip);
 
 }  // namespace impinge

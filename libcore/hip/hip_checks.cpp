@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hip/hip_checks.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "hip/hip_parts.hpp"
 
 namespace impinge {
 namespace {
@@ -90,6 +94,42 @@ RestGap smallest_at_rest(const HipSurface& hip) {
   return least;
 }
 
+// Distance of the ball with its parts along a direction that meets one of them or the neck.
+double ball_reach(const HipSurface& hip, const std::vector<BonePart>& parts, const Vec3& direction) {
+  double reach = head_neck_radius(hip, direction);
+  for (const BonePart& part : parts) reach = std::fmax(reach, part.farthest(direction));
+  return reach;
+}
+
+bool within_rim(const HipSurface& hip, const Vec3& direction) {
+  const Vec3 x = socket_radius(hip, direction) * direction - hip.socket_centre;
+  return angle_between(x, -hip.opening) <= rim_polar(hip, hip.rim_clock.hours(x));
+}
+
+// A part of bone that meets the other bone at rest.
+void require_free_parts(const HipSurface& hip) {
+  constexpr double kStep = 2.0;  // mm between points of a part that are asked for
+  const std::vector<BonePart> femur = femur_parts(hip);
+  const std::vector<BonePart> acetabulum = acetabulum_parts(hip);
+  const char* cure = "lower it, or move the part away";
+  for (const BonePart& part : femur) {
+    const bool greater = part.name == femur.front().name && hip.parameters.greater_trochanter_width > 0.0;
+    for (const Vec3& x : mesh_of(part, kStep).vertices) {
+      if (x.norm() < socket_radius(hip, x.normalized()) || !within_rim(hip, x.normalized())) continue;
+      refuse("parameter %s lets the %s touch the socket at rest; %s",
+             greater ? "greater_trochanter_width" : "lesser_trochanter_height", part.name.c_str(), cure);
+    }
+  }
+  for (const BonePart& part : acetabulum) {
+    for (const Vec3& x : mesh_of(part, kStep).vertices) {
+      const Vec3 u = x.normalized();
+      if (x.norm() > ball_reach(hip, femur, u)) continue;
+      refuse("parameter aiis_height = %g lets the %s touch the ball at rest; %s", hip.parameters.aiis_height,
+             part.name.c_str(), cure);
+    }
+  }
+}
+
 }  // namespace
 
 void require_range(const HipParameters& parameters) {
@@ -105,7 +145,7 @@ void require_shape(const HipSurface& hip) {
 void require_free_at_rest(const HipSurface& hip) {
   const HipParameters& p = hip.parameters;
   const RestGap rest = smallest_at_rest(hip);
-  if (rest.gap > 0.0) return;
+  if (rest.gap > 0.0) return require_free_parts(hip);
   HipSurface without_cam = hip;
   without_cam.parameters.cam_height = 0.0;
   const bool cam = p.cam_height > 0.0 && smallest_at_rest(without_cam).gap > 0.0;

@@ -14,7 +14,7 @@ void require_range(const HipParameters& parameters);
 void require_shape(const HipSurface& hip);
 
 /// A ball that penetrates the socket at rest, as a cam does that is higher than the joint space where it is
-/// covered. Sampled at every second degree or so.
+/// covered, or parts of bone that touch what they face. Sampled at every second degree or so.
 void require_free_at_rest(const HipSurface& hip);
 
 }  // namespace impinge

@@ -8,12 +8,26 @@
 #include <optional>
 
 #include "hip/anatomy.hpp"
+#include "hip/hip_surface.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
 
 inline constexpr std::size_t kClockHours = 12;  // positions at which alpha is measured
+
+/// What somebody who measures has to choose. How far a measure moves when one of these is chosen otherwise is
+/// what it can be trusted to (hip/measure_list.hpp).
+struct MeasureChoices {
+  double trim = 0.06;                // of the spheres, as BallFitOptions::trim
+  double neck_section = 1.35;        // where the neck is cut, head radii from the centre
+  double alpha_share = kAlphaShare;  // how far a surface is off the head to have left it, head radii
+  double alpha_window = 0.3;         // hours to either side of a position, over which alpha is the median
+  double shaft_share = 0.35;         // of the mesh beyond the neck that is straight shaft, from its lower end
+  double rim_band = 0.15;        // how far the socket's surface may be off its sphere within the rim, radii
+  double first_meridian = 0.0;   // of those along which the rim is looked for, in steps
+  double plane_tolerance = 1.0;  // of points on the plane of the rim, relative to the least that holds enough
+};
 
 /// What is measured of a ball.
 struct FemurMeasures {
@@ -30,9 +44,12 @@ struct FemurMeasures {
 
 /// Joint frame (anatomy.hpp). The neck axis goes through the middle of the curve where the surface is 1.35
 /// head radii from the centre; the shaft axis is square to the normals of its lower end, best in the least
-/// squares sense; alpha as in hip_surface.hpp. std::invalid_argument, one line, where the mesh has no head or
-/// no neck.
-FemurMeasures measure_femur(const TriangleMesh& ball, Side side);
+/// squares sense, and above six head radii below the centre, where a whole femur widens to the knee; alpha as
+/// in hip_surface.hpp, the median within 18 minutes of a position, but that a bump which begins more than 20
+/// degrees of head behind the neck is the head's. Torsion is from the transverse axis of the joint frame:
+/// that of the knee only where the frame is so. std::invalid_argument, one line, where the mesh has no head
+/// or no neck, or ends at the neck.
+FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureChoices& choices = {});
 
 /// What is measured of a socket.
 struct AcetabulumMeasures {
@@ -42,11 +59,17 @@ struct AcetabulumMeasures {
   double version = 0.0;
   double half_opening = 0.0;
   std::optional<double> lateral_centre_edge;  // none if the rim does not cross the coronal plane
+  double coverage = 0.0;     // share of all directions from the socket's centre that are within the rim
+  double at_mesh_end = 0.0;  // share of the rim's points where the mesh ends: cut there, or made so
 };
 
-/// The rim runs where faces that look to the centre border on nothing, or on faces that do not. Its plane is
-/// the one that most of its points lie on within a tenth of a millimetre: a raised or lowered part has no
-/// say. `head_centre` is that of the head, for the centre-edge angle. std::invalid_argument as above.
-AcetabulumMeasures measure_acetabulum(const TriangleMesh& socket, const Vec3& head_centre, Side side);
+/// The sphere is that of the faces round the head that look to its centre, whatever else the mesh holds. The
+/// rim is where the surface first leaves the sphere, or ends, along 180 meridians from the middle of what is
+/// covered, dents of up to 3 degrees aside: the same on a cut socket and on a whole pelvis. Its plane is the
+/// one that most of its points lie on within a tenth of a millimetre, or within the least power of two of
+/// that which holds a third of them: a raised or lowered part has no say. std::invalid_argument, one line,
+/// where there is no socket or no rim.
+AcetabulumMeasures measure_acetabulum(const TriangleMesh& socket, const SphereFit& head, Side side,
+                                      const MeasureChoices& choices = {});
 
 }  // namespace impinge

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameters of a generated hip, in the field's own words. Lengths in mm, angles in degrees. The joint
 // stands as a person does, knee forward, in the joint frame of anatomy.hpp with the centre of the head as
-// origin; "lateral" is +x on the right side. The defaults are the normal hip; where a number was published,
-// its source stands beside it, and everything else is our choice.
+// origin; "lateral" is +x on the right side. The defaults are the normal hip; where a number
+// was published, its source stands beside it, and everything else is our choice.
 //
 // Clock positions are those of clock.hpp: 12 superior, 3 anterior on both sides.
 #pragma once
@@ -43,6 +43,19 @@ struct HipParameters {
   double shaft_length = 40.0;  // of the stump; 0 ends the neck in a dome, and the ball is star-shaped
   double shaft_radius = 14.0;  // of the stump
 
+  /// Trochanters: rounded bodies on the shaft, and parts of the ball of their own, which limits and
+  /// touch look at (motion/body_pairs.hpp). No preset has them. A hip without a shaft has none.
+  double greater_trochanter_width = 0.0;  // from front to back; 0 leaves it out
+  /// Of its tip above the centre of the head, along the shaft. 7.3 +- 5.1 (519 femora by CT, Gupta), 9.5 +- 6
+  /// (150 radiographs, doi:10.1016/j.arth.2005.11.003).
+  double greater_trochanter_tip = 7.3;
+  /// From the centre of the head to the tip, square to the shaft. 46.2: 46.8 along the line between them (194
+  /// hips, doi:10.21037/apm-21-2538).
+  double greater_trochanter_offset = 46.2;
+  double greater_trochanter_behind = 5.0;  // the plane of neck and shaft, of its tip
+  double lesser_trochanter_height = 0.0;   // over the shaft; 0 leaves it out
+  double lesser_trochanter_angle = 24.0;   // behind the medial side. 24 +- 11.5 (doi:10.1093/jhps/hnv067)
+
   /// Acetabulum: a sphere with a rim. Its axis points out of the opening.
   double joint_space = 4.5;   // socket radius minus head radius, bone to bone. 4.5 (Turley 2013)
   double inclination = 54.0;  // of the axis from straight down, as seen from the front (radiographic)
@@ -56,7 +69,14 @@ struct HipParameters {
   double pincer_height = 0.0;      // of the additional rim at its highest, along the sphere
   double pincer_clock = 1.0;       // of its middle about the axis of the socket, hours
   double pincer_half_width = 2.0;  // from its middle to its end, hours
-  double fossa_depth = 2.0;        // of the pit in the floor
+  /// Anterior inferior iliac spine: a rounded body beside the rim, as long and wide as the origin of the
+  /// rectus femoris on it, 22 and 16 mm (Hapa 2013, doi:10.1016/j.arthro.2013.08.023), and a part of the
+  /// socket of its own. It is of Hetsroni's (2013) type I where it ends short of the rim, II where it reaches
+  /// it.
+  double aiis_height = 0.0;     // over the plane of the rim; 0 leaves it out
+  double aiis_distance = 11.0;  // of its middle from the rim, outwards in that plane; 11 reaches the rim
+  double aiis_clock = 1.5;      // hours. From 1 to 1:30 on its lateral side to 2 to 2:30 medially (Hapa 2013)
+  double fossa_depth = 2.0;     // of the pit in the floor
   double fossa_half_width = 25.0;  // as seen from the centre
   double fossa_polar = 25.0;       // of its middle, from the pole of the socket towards 6 o'clock
   double shift_lateral = 0.0;      // of the centre of the socket from that of the head
@@ -71,12 +91,13 @@ struct HipParameter {
   std::string_view name;         // that of the member
   std::string_view unit;         // "mm", "deg", ...
   double HipParameters::*value;  // the member
-  double least;                  // smallest and largest accepted value
+  double least;                  // smallest accepted value, and the largest
   double most;
+  std::string_view meaning;  // in words
 };
 
 /// All but the side, in the order of the members.
-inline constexpr std::size_t kHipParameters = 30;
+inline constexpr std::size_t kHipParameters = 39;
 const std::array<HipParameter, kHipParameters>& hip_parameter_list();  // their names, units and ranges
 
 /// Sets one parameter from "name=value"; side=left or side=right too. std::invalid_argument, one line, for

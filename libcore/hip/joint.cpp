@@ -2,6 +2,7 @@
 #include "hip/joint.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "gap/formatted.hpp"
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
+#include "mesh/surface_vertices.hpp"
 
 namespace impinge {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 // fills less than half of the view is a cap, or lies beside its centre.
 constexpr double kHalfOfTheView = 0.5;
 constexpr double kHalfOfTheSphere = 2.0 * kPi;
+// mm between the surfaces as scanned: both layers of cartilage have 3 to 5.
+constexpr double kFarApart = 12.0;
 
 [[noreturn]] void refuse_mesh(const NamedMesh& mesh, const std::string& reason) {
   throw std::runtime_error(mesh.name + ": " + reason);
@@ -99,12 +103,23 @@ void check_view(const JointInput& input, Joint& joint) {
                              "; beyond its edge there is no gap and no contact");
 }
 
+void add_doubt(Joint& joint, const std::string& doubt) {
+  joint.warnings.insert(joint.warnings.begin() + static_cast<std::ptrdiff_t>(joint.doubts++), doubt);
+}
+
 void check_units(const JointInput& input, const Facing& found, Joint& joint) {
   const std::string apart =
       different_units(reach_of(joint.ball.mesh), reach_of(joint.socket.mesh), found.ratio);
   if (!apart.empty()) refuse_mesh(input.socket, apart);
   const std::string doubt = doubtful_unit(found.ball_radius);
-  if (!doubt.empty()) joint.warnings.push_back(input.ball.name + ": " + doubt);
+  if (!doubt.empty()) {
+    add_doubt(joint, input.ball.name + ": " + doubt);
+  } else if (found.nearest > kFarApart) {
+    add_doubt(joint, input.socket.name + formatted(": is nowhere nearer to the ball than %.0f mm as scanned, "
+                                                   "which no joint is; check that both meshes are in one "
+                                                   "frame",
+                                                   found.nearest));
+  }
 }
 
 void check_arrangement(const JointInput& input, const Facing& found, Joint& joint) {
@@ -118,8 +133,8 @@ void check_arrangement(const JointInput& input, const Facing& found, Joint& join
   for (Vec3& x : socket.vertices) x = axes * x;
   if (!looks_lateral(socket, *input.side)) return;
   const std::string side = *input.side == Side::right ? "right" : "left";
-  joint.warnings.push_back(input.socket.name + ": lies to the " + side + " of the ball, which no " + side +
-                           " socket does; check " + input.wording.side);
+  add_doubt(joint, input.socket.name + ": lies to the " + side + " of the ball, which no " + side +
+                       " socket does; check " + input.wording.side);
 }
 
 void warn(const JointPart& part, const std::string& name, const std::string& policy, Joint& joint) {
@@ -136,11 +151,29 @@ void warn(const JointPart& part, const std::string& name, const std::string& pol
   }
 }
 
+// Leaves the main surface, and returns all.
+NamedMesh take_whole(NamedMesh& of) {
+  TriangleMesh main = main_surface(of.mesh, of.parts);
+  return {of.name, std::exchange(of.mesh, std::move(main)), std::move(of.parts)};
+}
+
+void add_parts(NamedMesh whole, const Vec3& centre, JointPart& to) {
+  if (whole.parts.empty()) return;
+  to.validation = validate(whole.mesh);
+  to.mesh = relative_to(std::move(whole.mesh), centre);
+  to.parts = std::move(whole.parts);
+  for (std::size_t f = to.parts.front().first_face; f < to.mesh.faces.size(); ++f)
+    to.star_shape.edge_on += is_edge_on(to.mesh, to.mesh.faces[f]) ? 1U : 0U;
+}
+
 }  // namespace
 
 Joint assemble_joint(JointInput input) {
   require_two_meshes(input);
+  NamedMesh ball = take_whole(input.ball);
+  NamedMesh socket = take_whole(input.socket);
   Joint joint;
+  joint.axes = input.axes;
   place_centre(input, joint);
   joint.ball = examine(std::move(input.ball.mesh), joint.centre);
   joint.socket = examine(std::move(input.socket.mesh), joint.centre);
@@ -148,9 +181,25 @@ Joint assemble_joint(JointInput input) {
   const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
   check_units(input, found, joint);
   check_arrangement(input, found, joint);
+  add_parts(std::move(ball), joint.centre, joint.ball);
+  add_parts(std::move(socket), joint.centre, joint.socket);
   warn(joint.ball, input.ball.name, "the outermost layer stands for the ball", joint);
   warn(joint.socket, input.socket.name, "the layer nearest to the centre stands for the socket", joint);
   return joint;
+}
+
+void require_no_parts(const Joint& joint, const std::string& what) {
+  if (joint.ball.parts.empty() && joint.socket.parts.empty()) return;
+  const std::string& name = (joint.ball.parts.empty() ? joint.socket : joint.ball).parts.front().name;
+  throw std::runtime_error(what + ": bone beside the joint, such as " + name +
+                           ", is looked at by limits and touch alone; leave it out");
+}
+
+void use_frames(Joint& joint, const AnatomicalFrames& frames) {
+  joint.frames = frames;
+  if (!frames.femur) return;
+  const Eigen::Matrix3d turn = frames.pelvis.transpose() * *frames.femur;
+  for (Vec3& x : joint.ball.mesh.vertices) x = turn * x;
 }
 
 }  // namespace impinge

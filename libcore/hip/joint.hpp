@@ -2,13 +2,16 @@
 // The two surfaces of a joint about its centre of rotation, and what is wrong with them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "hip/anatomy.hpp"
 #include "hip/cartilage_map.hpp"
+#include "hip/landmarks.hpp"
 #include "hip/sphere_fit.hpp"
+#include "mesh/mesh_parts.hpp"
 #include "mesh/star_shape.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/validation.hpp"
@@ -17,31 +20,38 @@ namespace impinge {
 
 /// One surface of a joint, and what was found out about it.
 struct JointPart {
-  TriangleMesh mesh;           // centre frame, mm
-  MeshReport validation;       // what is wrong with the mesh
-  StarShapeReport star_shape;  // is it star-shaped about the centre?
+  TriangleMesh mesh;            // centre frame, mm
+  std::vector<MeshPart> parts;  // of the mesh, behind its main surface
+  MeshReport validation;        // what is wrong with the mesh
+  StarShapeReport star_shape;   // is the main surface star-shaped about the centre? `edge_on` is of the mesh
 };
 
 struct Joint {
-  JointPart ball;                         // about the centre
-  JointPart socket;                       // about the centre
-  Vec3 centre = Vec3::Zero();             // mm, input frame
-  std::optional<SphereFit> fit;           // if the centre was fitted
-  std::optional<CartilageMap> cartilage;  // centre frame; none where it is as thick everywhere
-  std::vector<std::string> warnings;      // one line each
+  JointPart ball;                          // about the centre
+  JointPart socket;                        // about the centre
+  Vec3 centre = Vec3::Zero();              // mm, input frame
+  std::optional<SphereFit> fit;            // if the centre was fitted
+  std::optional<CartilageMap> cartilage;   // centre frame; none where it is as thick everywhere
+  std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
+  std::optional<AnatomicalFrames> frames;  // of landmarks; see use_frames()
+  std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
+  std::size_t doubts = 0;                  // so many: another unit, side, place
 };
 
 /// A mesh in the input frame, mm, and what messages call it.
 struct NamedMesh {
-  std::string name;   // such as that of its file
-  TriangleMesh mesh;  // mm, input frame
+  std::string name;               // such as that of its file
+  TriangleMesh mesh;              // mm, input frame
+  std::vector<MeshPart> parts{};  // of the mesh, behind its main surface
 };
 
 /// How the program that asks says things, so that a message tells what to do there.
 struct JointWording {
   std::string centre = "with --centre X,Y,Z";               // how a centre is given
   std::string meshes = "the files of --ball and --socket";  // how the two meshes are given
-  std::string side = "--side and --axes";                   // how side and axes are given
+  /// How side and axes are given. The side would be the wrong one to change where the axes are wrong: front
+  /// and back would change places.
+  std::string side = "--axes first (3D Slicer and DICOM have LPS), then --side";
 };
 
 /// What a joint is put together from.
@@ -57,8 +67,17 @@ struct JointInput {
 /// Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to
 /// do, where one mesh is given for both, no sphere fits the ball, the centre is outside of the ball, the
 /// socket is not round it, the two have changed places (arrangement.hpp), or one of them is in another unit
-/// of length (length_unit.hpp). A ball that is a cap, one of a size that no human joint has in mm, and a
-/// socket on the lateral side of the ball, as if left and right were mixed up, get a warning.
+/// of length (length_unit.hpp). One of a size that no human joint has in mm, a socket on the lateral side of
+/// the ball, as if left and right were mixed up, or far from it, and a ball that is a cap get a warning. All
+/// that is of the main surfaces: parts are only looked through for faces that are odd.
 Joint assemble_joint(JointInput input);
+
+/// std::runtime_error, one line, where there is bone beside the joint: `what` is worked out of the main
+/// surfaces alone.
+void require_no_parts(const Joint& joint, const std::string& what);
+
+/// From here on the joint frame is that of the pelvis, and angles are 0 where femur and pelvis are aligned:
+/// where the frames have a femur, the ball is turned so.
+void use_frames(Joint& joint, const AnatomicalFrames& frames);
 
 }  // namespace impinge

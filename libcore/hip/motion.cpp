@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
 
+#include "files/finite_number.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -23,13 +23,12 @@ constexpr std::array kMotionNames{MotionName{"flexion", &Motion::flexion, 1.0},
                                   MotionName{"external_rotation", &Motion::internal_rotation, -1.0}};
 
 double parse_angle(std::string_view name, std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= kLargestAngle)) {
+  const std::optional<double> value = finite_number(text);
+  if (!value || std::abs(*value) > kLargestAngle) {
     throw std::invalid_argument("'" + std::string(text) + "' is no angle of " + std::string(name) +
                                 "; give degrees from -180 to 180");
   }
-  return value;
+  return *value;
 }
 
 void require_side(const Motion& motion, std::optional<Side> side) {

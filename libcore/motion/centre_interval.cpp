@@ -86,9 +86,11 @@ std::vector<VertexIndex> asked_of(const TriangleMesh& mesh, const std::vector<Ed
 
 }  // namespace
 
-CentreIntervals::CentreIntervals(const CulledJoint& joint, const CentreQuestion& question)
+CentreIntervals::CentreIntervals(const CulledJoint& joint, const CentreQuestion& question,
+                                 const BodyPairs* beside)
     : joint_(joint),
       question_(question),
+      beside_(beside),
       ball_(side(joint.meshes().ball, joint.meshes().socket, false)),
       socket_(side(joint.meshes().socket, joint.meshes().ball, true)) {}
 
@@ -129,6 +131,7 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   first = first_within(ball_.points.rotated(ball), socket_.walls.rotated(socket), within, first);
   first = first_within(ball_.walls.rotated(ball), socket_.points.rotated(socket), within, first);
   first = first_within(ball_.faces.rotated(ball), socket_.faces.rotated(socket), within, first);
+  if (beside_ != nullptr) first = beside_->first_within(ball, socket, within, first);
   return std::min(first / kDegree, to_deg);
 }
 
@@ -159,6 +162,8 @@ bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, doub
 bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {
   const Pose pose = pose_of(turn, angle_deg);
   const double moved = shift(pose);
+  if (beside_ != nullptr && beside_->vertex_inside_by(pose, moved * (1.0 + kCertainMargin) + kCertainMargin))
+    return true;
   const double enough = question_.gap_mm - moved;
   const auto least = joint_.least_gap(pose);
   if (!least || !(least->gap_mm < enough)) return false;

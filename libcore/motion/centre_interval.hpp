@@ -21,6 +21,9 @@
 // of the gap adds g to all of them, since the distance is no larger than the gap along the ray, and every
 // vertex is asked for at walls.
 //
+// Bone beside the joint (motion/body_pairs.hpp) has (a) alone, and the pose is impinged whatever the centre
+// where a vertex of one body is farther than s inside the other.
+//
 // Upper end. Let p = R x be a vertex of the ball beyond the nearest layer of the socket, farther than s from
 // all of its faces, and let no jump edge of the socket be within asin(max(r, s) / m) of p's direction, m its
 // least radius. Over that cap the nearest layer is a continuous graph. The path from t to R x + d along a ray
@@ -37,6 +40,7 @@
 #include "hip/motion.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/edges.hpp"
+#include "motion/body_pairs.hpp"
 #include "motion/swept_parts.hpp"
 
 namespace impinge {
@@ -65,8 +69,12 @@ struct CentreInterval {
 class CentreIntervals {
  public:
   /// The meshes of the joint are without edge-on faces (mesh/surface_vertices.hpp); it must outlive this.
-  CentreIntervals(const CulledJoint& joint, const CentreQuestion& question);
-  CentreIntervals(const CulledJoint&&, const CentreQuestion&) = delete;
+  /// So must what is beside it, if it is given.
+  CentreIntervals(const CulledJoint& joint, const CentreQuestion& question,
+                  const BodyPairs* beside = nullptr);
+  CentreIntervals(const CulledJoint&&, const CentreQuestion&, const BodyPairs* = nullptr) = delete;
+
+  const CentreQuestion& question() const { return question_; }  // as it was asked
 
   /// The lower end, `to_deg` at most: no centre is free beyond the lower end of the origin. 0 where the start
   /// is within reach of a contact. The start must not be impinged: then no faces pierce each other there
@@ -92,6 +100,7 @@ class CentreIntervals {
 
   const CulledJoint& joint_;
   CentreQuestion question_;
+  const BodyPairs* beside_;
   Side ball_;
   Side socket_;
 };

@@ -170,7 +170,15 @@ class SweptSearch {
     return most_;
   }
 
+  // Is one of them that much farther from the origin than the other, whatever the angle?
+  bool never_near(std::uint32_t turning, std::uint32_t resting, double within) const {
+    const SweptParts::Node& a = turning_.nodes()[turning];
+    const SweptParts::Node& b = resting_.nodes()[resting];
+    return std::max(a.nearest - b.farthest, b.nearest - a.farthest) > within + rounding_;
+  }
+
   void consider(std::uint32_t turning, std::uint32_t resting) {
+    if (never_near(turning, resting, most_within())) return;
     double earliest = first_;
     for (const AngleSpan& span : spans_of(turning, resting, most_within()))
       earliest = std::min(earliest, span.from);
@@ -253,6 +261,15 @@ void SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t 
     nodes_.resize(nodes_.size() + 2);
     split(first, middle, made.at);
     split(middle, last, made.at + 1);
+  }
+  if (made.leaf) {
+    const TurnFace& part = parts_[made.at];
+    const auto& [a, b, c] = part.corner;
+    made.nearest = least_distance(Vec3::Zero(), part) - part.doubt;
+    made.farthest = std::max({a.norm(), b.norm(), c.norm()}) + part.doubt;
+  } else {
+    made.nearest = std::min(nodes_[made.at].nearest, nodes_[made.at + 1].nearest);
+    made.farthest = std::max(nodes_[made.at].farthest, nodes_[made.at + 1].farthest);
   }
   nodes_[node] = made;
 }

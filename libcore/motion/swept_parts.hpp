@@ -5,9 +5,11 @@
 // Both are trees of spheres. Two spheres whose centres are at heights z and y above the plane across the
 // axis, at a and b from it and at azimuths f + t and g are D apart where
 //   4 a b sin^2((f + t - g) / 2) = D^2 - (z - y)^2 - (a - b)^2,
-// which gives the angles at which their contents may be that near, whatever they are. The pair that may be
-// first is opened next; two triangles in the end have their span of angles halved, as in
-// motion/turn_contact.hpp. The search ends when no pair can be earlier than what was found.
+// which gives the angles at which their contents may be that near, whatever they are. No turn changes a
+// distance from the origin: where one is farther out than the other by more than that, as a socket is than
+// most of the head, they never are. The pair that may be first is opened next; two triangles in the end have
+// their span of angles halved, as in motion/turn_contact.hpp. The search ends when no pair can be earlier
+// than what was found.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +27,12 @@ class SweptParts {
  public:
   /// A sphere that holds some of the parts; two nodes further on, or one part.
   struct Node {
-    Vec3 centre;           // mm
-    double radius = 0.0;   // mm, doubt included
-    std::uint32_t at = 0;  // of the part, or of the first of the two nodes
-    bool leaf = true;      // is it one part?
+    Vec3 centre;            // mm
+    double radius = 0.0;    // mm, doubt included
+    std::uint32_t at = 0;   // of the part, or of the first of the two nodes
+    bool leaf = true;       // is it one part?
+    double nearest = 0.0;   // mm, of the parts from the origin, doubt included
+    double farthest = 0.0;  // mm, the same
   };
 
   explicit SweptParts(std::vector<TurnFace> parts);  // in their centre frame, mm; takes n log n

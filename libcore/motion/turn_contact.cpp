@@ -77,7 +77,7 @@ struct Found {
   std::optional<TurnContact> contact;
 
   void note(ContactKind kind, const Vec3& place, const Vec3& normal) {
-    contact = TurnContact{search.first(), kind, place, normal.stableNormalized()};
+    contact = TurnContact{search.first(), kind, place, normal.stableNormalized(), {}};
   }
 };
 
@@ -118,6 +118,12 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   const Vec3 between = turned(ball.from, found.search.first()) - socket.from;
   const double share = squared > 0.0 ? between.cross(along).dot(b.cross(along)) / squared : 0.0;
   found.note(ContactKind::edges, socket.from + std::clamp(share, 0.0, 1.0) * b, across);
+}
+
+// The piece of its ray within a gap of a point.
+TurnEdge along_ray(const Vec3& x, double gap) {
+  const double length = x.norm();
+  return {std::max(length - gap, 0.0) / length * x, (length + gap) / length * x};
 }
 
 // Vertices, moved out by `out` mm but not nearer to the centre than `nearest`, as boxes with this margin.
@@ -185,7 +191,8 @@ TurnContacts::TurnContacts(const TurnScene& scene)
                          {WallSide::within, 0.0})),
       socket_(turn_surface(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
                            {WallSide::beyond, ball_.largest_radius + scene.largest_gap})),
-      tolerance_(kTolerance * std::max(ball_.largest_radius, socket_.largest_radius)) {
+      tolerance_(kTolerance * std::max(ball_.largest_radius, socket_.largest_radius)),
+      body_(scene.body) {
   const double margin = scene.largest_gap + tolerance_;
   const ProfileBox ball_reach = bounds_of(boxes_of(ball_.faces, margin));
   const ProfileBox socket_reach = bounds_of(boxes_of(socket_.faces, margin));
@@ -222,6 +229,23 @@ std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpa
   try_points(ball, socket_index_->walls, ball_point(socket_.walls, found));
   try_points(socket, ball_index_->faces, socket_point(ball_.faces, found));
   try_points(socket, ball_index_->walls, socket_point(ball_.walls, found));
+  if (body_ != std::array<std::size_t, 2>{}) {
+    const Points within{ball_.vertices, -gap_mm, tolerance_, 0.0};
+    const Points beyond{socket_.vertices, gap_mm, tolerance_, 0.0};
+    try_points(within, socket_index_->faces, ball_point(socket_.faces, found));
+    try_points(beyond, ball_index_->faces, socket_point(ball_.faces, found));
+    const auto try_rays = [&](const TurnSurface& of, const ProfileIndex& edges, const auto& attempt) {
+      for (const Vec3& x : of.vertices) {
+        if (x.isZero(0.0)) continue;
+        const TurnEdge ray = along_ray(x, gap_mm);
+        edges.visit(profile_of(ray.from, ray.to, tolerance_), [&](std::uint32_t e) { attempt(ray, e); });
+      }
+    };
+    try_rays(ball_, socket_index_->edges,
+             [&](const TurnEdge& ray, std::uint32_t e) { try_edges(ray, socket_.edges[e], found); });
+    try_rays(socket_, ball_index_->edges,
+             [&](const TurnEdge& ray, std::uint32_t e) { try_edges(ball_.edges[e], ray, found); });
+  }
   return in_mesh_frame(found.contact);
 }
 
@@ -229,6 +253,7 @@ std::optional<TurnContact> TurnContacts::in_mesh_frame(std::optional<TurnContact
   if (!found) return found;
   found->place = rotation_.transpose() * found->place;
   found->normal = rotation_.transpose() * found->normal;
+  found->body = body_;
   return found;
 }
 

@@ -28,6 +28,9 @@
 // for no nearer to the centre than half the way to the nearest point of the ball, where only walls are.
 // What it finds is the first angle at which the two scans of vertices have a gap of t or less.
 //
+// Where one of the bodies is a part (motion/body_pairs.hpp) surfaces must meet: there are no walls. For a
+// threshold the piece of its ray within t of a vertex meets a face: an end of it does, or it meets an edge.
+//
 // What rounding may do. With u = 2^-53 and R the largest radius: vertices are turned to the frame of the axis
 // and by the angle, within 20 u R each; distances of parts that are not thin are right to 16 u D / 1e-2 with
 // D <= 2 R, others are not above the true ones (motion/part_distance.hpp); a pose that is rounded has its
@@ -39,6 +42,8 @@
 // least to the largest distance of the edge from the centre, has 64 u / q of its reach as further tolerance.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -59,6 +64,7 @@ struct TurnContact {
   ContactKind kind = ContactKind::edges;  // what touches
   Vec3 place = Vec3::Zero();              // mm, in the frame of the axis, the socket at rest
   Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
+  std::array<std::size_t, 2> body{};      // of ball and socket: 0 the main surface, k the kth part beside it
 };
 
 /// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
@@ -74,6 +80,9 @@ struct TurnScene {
   TurnMesh socket;            // that rests
   Vec3 axis = Vec3::UnitZ();  // unit vector, in the frame of both after `before`
   double largest_gap = 0.0;   // threshold that will be asked for, mm
+  /// Which bodies they are (mesh/mesh_parts.hpp). With a part, a gap is along a ray to either side of a
+  /// vertex.
+  std::array<std::size_t, 2> body{};
 };
 
 /// The search, made ready for one axis.
@@ -103,6 +112,7 @@ class TurnContacts {
   TurnSurface ball_;
   TurnSurface socket_;
   double tolerance_;
+  std::array<std::size_t, 2> body_;
   std::optional<Indices> ball_index_;  // always there
   std::optional<Indices> socket_index_;
 };

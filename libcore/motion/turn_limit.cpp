@@ -42,22 +42,41 @@ std::string_view name(LimitState state) {
   return "unknown";
 }
 
-TurnLimits::Answers::Answers(BallSocketPair joint)
-    : meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
+// The earliest of all.
+template <class Next>
+static std::optional<TurnContact> earliest(const std::vector<TurnContacts>& contacts, AngleSpan span,
+                                           const Next& next) {
+  std::optional<TurnContact> first;
+  for (const TurnContacts& of : contacts) {
+    const std::optional<TurnContact> found = next(of, span);
+    if (!found || (first && found->angle >= first->angle)) continue;
+    first = found;
+    span.to = found->angle;
+  }
+  return first;
+}
+
+TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& bone)
+    : beside(joint, bone),
+      meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
       vertices(meshes),
       surfaces(vertices),
       seen(surface_vertices(meshes.socket)) {}
 
-TurnLimits::TurnLimits(BallSocketPair joint)
-    : answers_(std::make_unique<const Answers>(std::move(joint))),
+TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
+    : answers_(std::make_unique<const Answers>(std::move(joint), beside)),
       ball_parts_(answers_->meshes.ball),
       socket_parts_(answers_->meshes.socket) {}
 
-TurnContacts TurnLimits::contacts(const JointTurn& turn, double largest_gap) const {
-  return TurnContacts({{answers_->meshes.ball, ball_parts_, turn.inner},
-                       {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
-                       turn.axis,
-                       largest_gap});
+// Of the main surfaces first.
+std::vector<TurnContacts> TurnLimits::contacts(const JointTurn& turn, double largest_gap) const {
+  std::vector<TurnContacts> found = answers_->beside.contacts(turn, largest_gap);
+  found.emplace(found.begin(), TurnScene{{answers_->meshes.ball, ball_parts_, turn.inner},
+                                         {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
+                                         turn.axis,
+                                         largest_gap,
+                                         {}});
+  return found;
 }
 
 std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
@@ -65,7 +84,7 @@ std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double a
 }
 
 bool TurnLimits::impinged(const JointTurn& turn, double angle_deg) const {
-  return answers_->surfaces.impinged(pose_at(turn, angle_deg * kDegree));
+  return answers_->impinged(pose_at(turn, angle_deg * kDegree));
 }
 
 // An angle that is reached, asked for in steps; next to it, within kPast, is one that is not.
@@ -152,31 +171,50 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
 }
 
 TurnLimit TurnLimits::first_contact(const JointTurn& turn, double largest_deg) const {
-  const TurnContacts found = contacts(turn, 0.0);
+  const std::vector<TurnContacts> found = contacts(turn, 0.0);
   return bracket(
-      turn, largest_deg, [&](const AngleSpan& span) { return found.first(span); },
-      [&](double angle) { return answers_->surfaces.impinged(pose_at(turn, angle)); });
+      turn, largest_deg,
+      [&](const AngleSpan& span) {
+        return earliest(found, span,
+                        [](const TurnContacts& of, const AngleSpan& in) { return of.first(in); });
+      },
+      [&](double angle) { return answers_->impinged(pose_at(turn, angle)); });
 }
 
 TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const {
-  const TurnContacts found = contacts(turn, gap_mm);
+  const std::vector<TurnContacts> found = contacts(turn, gap_mm);
   return bracket(
-      turn, largest_deg, [&](const AngleSpan& span) { return found.first_gap(gap_mm, span); },
+      turn, largest_deg,
+      [&](const AngleSpan& span) {
+        return earliest(found, span, [gap_mm](const TurnContacts& of, const AngleSpan& in) {
+          return of.first_gap(gap_mm, in);
+        });
+      },
       [&](double angle) {
-        const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
-        return smallest && smallest->gap_mm <= gap_mm;
+        const Pose pose = pose_at(turn, angle);
+        const auto smallest = answers_->vertices.least_gap(pose);
+        return (smallest && smallest->gap_mm <= gap_mm) || answers_->beside.vertex_within(pose, gap_mm);
       });
 }
 
 CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                            const CentreQuestion& question) const {
-  CentreInterval interval{0.0, question.largest_deg, false};
-  const CentreIntervals intervals(answers_->vertices, question);
+  return impinge::centre_interval(centre_intervals(question), turn, limit);
+}
+
+CentreIntervals TurnLimits::centre_intervals(const CentreQuestion& question) const {
+  return {answers_->vertices, question, &answers_->beside};
+}
+
+CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
+                               const TurnLimit& limit) {
+  const double largest = intervals.question().largest_deg;
+  CentreInterval interval{0.0, largest, false};
   if (limit.state != LimitState::blocked) interval.low_deg = intervals.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
     const std::optional<double> high = intervals.high_deg(turn, limit.high_deg);
     interval.limited = high.has_value();
-    interval.high_deg = high.value_or(question.largest_deg);
+    interval.high_deg = high.value_or(largest);
   }
   return interval;
 }

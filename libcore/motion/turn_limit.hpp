@@ -36,6 +36,8 @@
 #include "contact/culled_overlay.hpp"
 #include "hip/motion.hpp"
 #include "mesh/ball_socket_pair.hpp"
+#include "mesh/mesh_parts.hpp"
+#include "motion/body_pairs.hpp"
 #include "motion/centre_interval.hpp"
 #include "motion/turn_contact.hpp"
 
@@ -71,7 +73,9 @@ struct TurnLimit {
 /// the ball, as that to the socket's own centre, is made before.
 class TurnLimits {
  public:
-  explicit TurnLimits(BallSocketPair joint);  // takes the meshes, and sorts their parts once
+  /// Takes the meshes, and sorts their parts once. Bone beside them is met as motion/body_pairs.hpp has it;
+  /// where the mesh of the ball ends is asked of the main surfaces.
+  explicit TurnLimits(BallSocketPair joint, const BoneParts& beside = {});
 
   /// largest_deg in (0, 360].
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
@@ -81,15 +85,18 @@ class TurnLimits {
   /// Where the limit, one of the above, may be for another centre.
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                  const CentreQuestion& question) const;
+  /// What the same question of several turns shares. The limits must outlive it.
+  CentreIntervals centre_intervals(const CentreQuestion& question) const;
 
-  /// Smallest gap of a vertex with the turn at that angle; none where no vertex meets the other surface.
+  /// Smallest gap of a vertex of the main surfaces with the turn at that angle; none where none meets the
+  /// other.
   std::optional<LeastGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
   /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
   bool impinged(const JointTurn& turn, double angle_deg) const;
 
  private:
-  TurnContacts contacts(const JointTurn& turn, double largest_gap) const;
+  std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
   template <class Next, class Reached>
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
@@ -99,7 +106,9 @@ class TurnLimits {
 
   /// The meshes without their edge-on faces, and what answers for them.
   struct Answers {
-    explicit Answers(BallSocketPair joint);
+    Answers(BallSocketPair joint, const BoneParts& bone);
+    bool impinged(const Pose& pose) const { return surfaces.impinged(pose) || beside.impinged(pose); }
+    BodyPairs beside;  // made before the meshes are taken
     BallSocketPair meshes;
     CulledJoint vertices;
     CulledOverlay surfaces;
@@ -110,5 +119,9 @@ class TurnLimits {
   TurnParts ball_parts_;
   TurnParts socket_parts_;
 };
+
+/// TurnLimits::centre_interval() of one of these turns.
+CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
+                               const TurnLimit& limit);
 
 }  // namespace impinge

@@ -22,8 +22,8 @@ namespace {
 using Traits = CGAL::Projection_on_sphere_traits_3<Kernel>;
 using VertexBase = CGAL::Triangulation_on_sphere_vertex_base_2<Traits>;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Traits, VertexBase>;
-using Face = CGAL::Triangulation_on_sphere_face_base_2<Traits>;
-using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
+using FaceOfSphere = CGAL::Triangulation_on_sphere_face_base_2<Traits>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertex, FaceOfSphere>;
 using Delaunay = CGAL::Delaunay_triangulation_on_sphere_2<Traits, Structure>;
 
 // Along a space-filling curve, so that each insertion begins next to the last.

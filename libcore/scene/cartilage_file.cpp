@@ -2,7 +2,6 @@
 #include "scene/cartilage_file.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "files/finite_number.hpp"
 
 namespace impinge {
 namespace {
@@ -26,9 +26,9 @@ std::optional<Row> parse_row(std::string_view line) {
   for (std::size_t k = 0; k < row.size(); ++k) {
     const std::size_t comma = line.find(',');
     const std::string_view word = line.substr(0, comma);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), row[k]);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(row[k]))
-      return std::nullopt;
+    const std::optional<double> number = finite_number(word);
+    if (!number) return std::nullopt;
+    row[k] = *number;
     if ((comma == line.npos) != (k + 1 == row.size())) return std::nullopt;
     line.remove_prefix(comma == line.npos ? line.size() : comma + 1);
   }

@@ -6,8 +6,12 @@
 #include <system_error>
 #include <utility>
 
+#include "gap/formatted.hpp"
+#include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
+#include "mesh/mesh_parts.hpp"
 #include "scene/cartilage_file.hpp"
+#include "scene/landmark_file.hpp"
 #include "scene/scene_files.hpp"
 
 namespace impinge {
@@ -16,12 +20,18 @@ namespace {
 // The output has fixed names; in the folder of the input it could replace it.
 void require_other_folder(const SceneOptions& options) {
   std::vector<std::filesystem::path> inputs{options.ball, options.socket};
-  for (const auto& more : {options.cartilage_map, options.poses}) {
+  for (const auto& more : {options.cartilage_map, options.poses, options.landmarks}) {
     if (more) inputs.push_back(*more);
   }
+  inputs.insert(inputs.end(), options.ball_parts.begin(), options.ball_parts.end());
+  inputs.insert(inputs.end(), options.socket_parts.begin(), options.socket_parts.end());
   for (const std::filesystem::path& input : inputs) {
+    std::error_code ignored;
+    if (options.certificate && std::filesystem::equivalent(input, *options.certificate, ignored)) {
+      throw std::runtime_error(
+          input.string() + ": would be replaced by the certificate; choose another file with --certificate");
+    }
     for (const std::string& name : every_scene_file()) {
-      std::error_code ignored;
       if (std::filesystem::equivalent(input, options.out / name, ignored)) {
         throw std::runtime_error(input.string() +
                                  ": would be replaced by the output; choose another folder with --out");
@@ -30,19 +40,52 @@ void require_other_folder(const SceneOptions& options) {
   }
 }
 
+std::string axes_of(const SceneOptions& options) {
+  const auto given = options.axes_given ? std::optional(options.axes) : std::nullopt;
+  const AxesChoice choice = agreed_axes(options.ball, options.socket, given, "--axes");
+  return choice.from == "assumed" ? options.axes : choice.code;
+}
+
+// A part is called as its file is.
+NamedMesh read_bone(const std::filesystem::path& file, const std::vector<std::filesystem::path>& parts) {
+  NamedMesh bone{file.string(), read_mesh(file), {}};
+  for (const std::filesystem::path& part : parts)
+    append_part(bone.mesh, bone.parts, part.stem().string(), read_mesh(part));
+  return bone;
+}
+
 }  // namespace
 
 Session load_joint(const SceneOptions& options) {
   require_other_folder(options);
   JointInput input;
-  input.ball = {options.ball.string(), read_mesh(options.ball)};
-  input.socket = {options.socket.string(), read_mesh(options.socket)};
+  input.ball = read_bone(options.ball, options.ball_parts);
+  input.socket = read_bone(options.socket, options.socket_parts);
   input.centre = options.centre;
   input.side = options.side;
-  input.axes = options.axes;
+  input.axes = axes_of(options);
   Joint joint = assemble_joint(std::move(input));
   if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
-  return {std::move(joint), options.side, options.axes};
+  if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
+  const std::string axes = joint.axes;
+  return {std::move(joint), options.side, axes};
+}
+
+std::string describe_frames(const SceneOptions& options, const Joint& joint) {
+  std::string text;
+  if (!options.axes_given && joint.axes != options.axes)
+    text += "axes                " + joint.axes + ", as the headers of the meshes say\n";
+  if (!joint.frames) return text;
+  text +=
+      formatted("landmarks           pelvic tilt %.1f degrees in the scan", joint.frames->pelvic_tilt_deg);
+  if (const auto& scanned = joint.frames->scanned) {
+    return text +
+           formatted(
+               ", the femur at flexion %.1f, abduction %.1f, internal rotation %.1f: angles are counted from "
+               "neutral\n",
+               scanned->flexion, scanned->abduction, scanned->internal_rotation);
+  }
+  return text + ": angles are counted from the pose of the scan\n";
 }
 
 }  // namespace impinge

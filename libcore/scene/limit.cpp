@@ -16,6 +16,8 @@ json end_or_null(const CentreInterval& found) { return found.limited ? json(foun
 
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
+json part_json(const std::string& name) { return name.empty() ? json(nullptr) : json(name); }
+
 json limit_json(const SessionJoint& joint, const LimitAnswer& answer) {
   const ToldLimit& told = answer.told;
   const TurnLimit& limit = told.limit;
@@ -36,6 +38,8 @@ json limit_json(const SessionJoint& joint, const LimitAnswer& answer) {
   found["position"] = point_json(joint.axes.transpose() * limit.contact->place + answer.centre);
   found["contact"] = name(limit.contact->kind);
   found["clock"] = answer.hours ? json(clock_text(*answer.hours)) : json(nullptr);
+  if (!joint.joint.ball.parts.empty()) found["ball_part"] = part_json(answer.ball_part);
+  if (!joint.joint.socket.parts.empty()) found["socket_part"] = part_json(answer.socket_part);
   return found;
 }
 
@@ -49,7 +53,8 @@ std::string sentence(const LimitAnswer& answer) {
       return "reached before it begins";
     case LimitState::limited:
       return "between " + rounded_down(limit.low_deg, 4) + " and " + rounded_up(limit.high_deg, 4) +
-             " degrees" + (answer.hours ? " at " + clock_text(*answer.hours) + " o'clock" : "");
+             " degrees" + (answer.hours ? " at " + clock_text(*answer.hours) + " o'clock" : "") +
+             (parts_of(answer).empty() ? "" : ", by " + parts_of(answer));
     case LimitState::unknown:
       break;
   }
@@ -87,6 +92,11 @@ std::string described(std::string label, const LimitAnswer& answer) {
 }
 
 }  // namespace
+
+std::string parts_of(const LimitAnswer& answer) {
+  const bool both = !answer.ball_part.empty() && !answer.socket_part.empty();
+  return answer.ball_part + (both ? " and " : "") + answer.socket_part;
+}
 
 LimitRequest limit_request(const SceneOptions& options) {
   return {.start = options.motion,

@@ -25,4 +25,7 @@ nlohmann::json limit_summary(const SceneOptions& options, const SessionJoint& jo
 /// The same for a reader at a terminal.
 std::string describe_limits(const SceneOptions& options, const LimitAnswers& found);
 
+/// Which parts of the bones stop a motion, "greater trochanter and AIIS"; empty where the main surfaces do.
+std::string parts_of(const LimitAnswer& answer);
+
 }  // namespace impinge

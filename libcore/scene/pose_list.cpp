@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-#include <Eigen/SVD>
-
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "files/finite_number.hpp"
+#include "gap/nearest_rotation.hpp"
 
 namespace impinge {
 namespace {
@@ -20,13 +19,6 @@ constexpr const char* kAdvice =
     "matrices of 12 or 16 numbers a line, or a motion of OpenSim (.mot, .sto)";
 
 constexpr std::size_t kMostPoses = 10'000'000;  // of a grid
-
-std::optional<double> number_in(std::string_view word) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
@@ -78,7 +70,7 @@ class Lines {
   std::vector<double> numbers() const {
     std::vector<double> numbers;
     for (const std::string_view word : words()) {
-      const auto value = number_in(word);
+      const auto value = finite_number(word);
       if (!value) refuse(in_quotes(word) + " is no number");
       numbers.push_back(*value);
     }
@@ -114,12 +106,10 @@ void add_matrix(const Lines& lines, const std::vector<double>& row, PoseList& li
   for (Eigen::Index i = 0; i < 3; ++i) {
     for (Eigen::Index k = 0; k < 3; ++k) given(i, k) = row[static_cast<std::size_t>(4 * i + k)];
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> parts(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d nearest = parts.matrixU() * parts.matrixV().transpose();
-  if (!((given - nearest).cwiseAbs().maxCoeff() <= kLargestSkew) || nearest.determinant() < 0.0)
-    lines.refuse("the matrix does not turn only: it is more than 0.0001 off from any rotation");
+  const std::optional<Eigen::Matrix3d> nearest = nearest_rotation(given);
+  if (!nearest) lines.refuse("the matrix does not turn only: it is more than 0.0001 off from any rotation");
   for (Eigen::Index i = 0; i < 3; ++i) {
-    for (Eigen::Index k = 0; k < 3; ++k) list.values.push_back(nearest(i, k));
+    for (Eigen::Index k = 0; k < 3; ++k) list.values.push_back((*nearest)(i, k));
     list.values.push_back(row[static_cast<std::size_t>(4 * i + 3)]);
   }
 }
@@ -141,7 +131,7 @@ PoseList read_csv(const std::filesystem::path& file, std::string_view bytes) {
     }
   }
   bool more = true;
-  if (!matrices || !number_in(head.front())) more = lines.next();
+  if (!matrices || !finite_number(head.front())) more = lines.next();
   for (; more; more = lines.next()) {
     const std::vector<double> row = lines.numbers();
     if (matrices) {
@@ -231,7 +221,7 @@ Axis parse_axis(std::string_view text) {
                                 "; write NAME=FIRST..LAST/STEP or NAME=ANGLE, as flexion=0..120/1");
   };
   const auto angle = [&](std::string_view word) {
-    const auto value = number_in(word);
+    const auto value = finite_number(word);
     if (!value || std::abs(*value) > kLargestAngle)
       refuse("holds " + in_quotes(word) + ", which is no angle from -180 to 180");
     return *value;
@@ -247,7 +237,7 @@ Axis parse_axis(std::string_view text) {
   const std::size_t slash = range.find('/', dots);
   if (slash == range.npos) refuse("has no step");
   axis.last = angle(range.substr(dots + 2, slash - dots - 2));
-  const auto step = number_in(range.substr(slash + 1));
+  const auto step = finite_number(range.substr(slash + 1));
   if (!step || !(*step > 0.0)) refuse("has no step above 0");
   const double steps = std::abs(axis.last - axis.first) / *step;
   if (!(steps < kMostPoses)) refuse("has more than ten million steps");

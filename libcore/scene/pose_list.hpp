@@ -52,11 +52,8 @@ PoseList parse_pose_grid(std::string_view text);
 ///   * anything else: a CSV. With a header of the names of motions (hip/motion.hpp) its rows are angles in
 ///     degrees. Rows of 12 or 16 numbers, with a header or without, are matrices, row by row, x' = M x, frame
 ///     of the input, mm. Each becomes the nearest rotation, from which no number may be off by more than
-///     kLargestSkew.
+///     kLargestSkew (gap/nearest_rotation.hpp).
 /// FileError names the line.
 PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side);
-
-/// So far a matrix of few digits is a rotation.
-inline constexpr double kLargestSkew = 1e-4;
 
 }  // namespace impinge

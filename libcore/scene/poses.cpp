@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -26,12 +25,16 @@ namespace {
 
 using nlohmann::json;
 
-PoseList list_of(const SceneOptions& options) {
+PoseList list_of(const SceneOptions& options, const Joint& joint) {
   if (options.path) return parse_pose_grid(*options.path);
   PoseList list = read_poses(*options.poses, options.side);
   if (list.needs_side() && !options.side)
     throw FileError(*options.poses, "has angles that turn opposite ways on the two sides",
                     "say which with --side left or right");
+  if (list.columns.empty() && joint.frames && joint.frames->femur)
+    throw FileError(*options.poses,
+                    "its matrices begin at the pose of the scan, and landmarks of the femur at neutral",
+                    "give angles, or leave --landmarks out");
   return list;
 }
 
@@ -41,25 +44,23 @@ std::string line_of(const std::vector<Cell>& cells) {
   return line + "\n";
 }
 
-std::string head_of(const PoseList& list) {
+std::string head_of(const PoseList& list, bool areas) {
   std::vector<Cell> names{"pose",    "touch",  "certified", "smallest_gap_mm",
                           "surface", "vertex", "clock",     "bound_mm"};
+  if (areas) {
+    for (const char* name :
+         {"bone_ball_mm2", "bone_socket_mm2", "cartilage_ball_mm2", "cartilage_socket_mm2"})
+      names.emplace_back(name);
+  }
   for (const PoseColumn& column : list.columns) names.emplace_back(column.name);
   return line_of(names);
 }
 
-// Of all that the rows hang on: FNV-1a with 64 bits (Fowler, Noll, Vo).
+// Of all that the rows hang on.
 std::string key_of(const SceneOptions& options, const Joint& joint, const PoseList& list) {
-  std::uint64_t key = 0xcbf29ce484222325U;
-  const auto add = [&key](std::string_view bytes) {
-    for (const char byte : bytes) key = (key ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  };
-  add(read_bytes(options.ball));
-  add(read_bytes(options.socket));
-  add(asked_json(options, joint).dump(-1, ' ', false, json::error_handler_t::replace));
-  add(head_of(list));
-  for (const double value : list.values) add(Cell(value).text() + ",");
-  return formatted("%016llx", static_cast<unsigned long long>(key));
+  std::string more = head_of(list, options.areas);
+  for (const double value : list.values) more += Cell(value).text() + ",";
+  return asked_key(options, joint, more);
 }
 
 // What all rows say together, from their text: some of them may be from an earlier run.
@@ -96,9 +97,8 @@ struct Tally {
 // The file that rows are added to.
 class Part {
  public:
-  // Keeps the whole rows of this list that it has.
-  Part(std::filesystem::path file, const PoseList& list) : file_(std::move(file)) {
-    const std::string head = head_of(list);
+  // Keeps the whole rows below this head that it has.
+  Part(std::filesystem::path file, const std::string& head) : file_(std::move(file)) {
     std::error_code unreadable;
     std::string bytes =
         std::filesystem::is_regular_file(file_, unreadable) && !std::filesystem::is_empty(file_, unreadable)
@@ -156,6 +156,11 @@ std::string row_of(const SessionJoint& joint, const PoseList& list, std::size_t 
     if (joint.dial) cells[6] = clock_text(joint.dial->hours(joint.axes * smallest->place));
     cells[7] = smallest->bound_mm;
   }
+  if (const auto& areas = answer.areas) {
+    for (const double area :
+         {(*areas)[0].bone, (*areas)[1].bone, (*areas)[0].cartilage, (*areas)[1].cartilage})
+      cells.emplace_back(area);
+  }
   for (std::size_t k = 0; k < list.columns.size(); ++k)
     cells.emplace_back(list.values[pose * list.width() + k]);
   return line_of(cells);
@@ -170,10 +175,13 @@ Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
 
 json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
   Stopwatch watch;
-  const PoseList list = list_of(options);
-  const PoseSeries series(joint.joint, {.touch = options.question != Question::first_contact,
-                                        .smallest_gap = options.question != Question::touch});
-  Part part(options.out / ("poses-" + key_of(options, joint.joint, list) + ".part"), list);
+  const PoseList list = list_of(options, joint.joint);
+  PoseSeries series(joint.joint, {.touch = options.question != Question::first_contact,
+                                  .smallest_gap = options.question != Question::touch,
+                                  .areas = options.areas,
+                                  .cartilage_mm = options.cartilage_mm});
+  Part part(options.out / ("poses-" + key_of(options, joint.joint, list) + ".part"),
+            head_of(list, options.areas));
   const double ready_ms = watch.lap_ms();
   const std::size_t kept = part.tally().rows;
   if (kept > 0)

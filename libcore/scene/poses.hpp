@@ -17,6 +17,8 @@ namespace impinge {
 /// pose (from 1), touch, certified (yes: the verdict is exact for this pose, a matrix being its nearest
 /// rotation), smallest_gap_mm with its surface, vertex, clock and bound_mm (proven, on the error of that
 /// vertex's gap), and the angles as given; empty for what was not asked for or is not there.
+/// With options.areas four columns more before the angles: mm^2 of ball and socket with a gap of 0 or less
+/// (bone_*_mm2), and of the cartilage's thickness or less (cartilage_*_mm2).
 ///
 /// Rows go to "poses-KEY.part" first, where they can be read; it becomes poses.csv when it is whole. KEY
 /// stands for all that was asked, files included. What an interrupted run left of the same question is kept,

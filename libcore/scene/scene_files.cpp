@@ -10,6 +10,21 @@ namespace impinge {
 std::vector<std::string> scene_files(const SceneOptions& options) {
   std::vector<std::string> files;
   if (options.many()) return {"poses.csv", "summary.json"};
+  if (options.change && options.change->of_socket) return {"orientation.csv", "orientation.json"};
+  if (options.change) {
+    files = {"resected_ball.ply", "resection.json"};
+    if (options.change->least) files.emplace_back("swept.csv");
+    return files;
+  }
+  if (options.limit != nullptr && (options.all_motions || options.bones))
+    return {"limits.csv", "summary.json"};
+  if (options.measures) return {"measures.csv", "summary.json"};
+  if (options.bones) return {"joints.csv", "summary.json"};
+  if (options.volume) {
+    files = {"volume.csv", "volume.json"};
+    if (options.side) files.emplace_back("volume.svg");
+    return files;
+  }
   const bool all = options.limit == nullptr && options.question == Question::all_gaps;
   const bool gaps = all && options.outputs.gaps;
   if (gaps && options.scan_ball) files.emplace_back("ball.ply");
@@ -23,7 +38,10 @@ std::vector<std::string> scene_files(const SceneOptions& options) {
 std::vector<std::string> every_scene_file() {
   const SceneOptions everything;
   std::vector<std::string> files = scene_files(everything);
-  files.emplace_back("poses.csv");
+  for (const char* name :
+       {"poses.csv", "limits.csv", "measures.csv", "joints.csv", "resected_ball.ply", "resection.json",
+        "swept.csv", "orientation.csv", "orientation.json", "volume.csv", "volume.json", "volume.svg"})
+    files.emplace_back(name);
   return files;
 }
 
@@ -34,6 +52,12 @@ std::vector<std::string> older_files(const SceneOptions& options) {
     std::error_code unreadable;  // then nothing is known of it
     if (std::ranges::find(written, name) == written.end() &&
         std::filesystem::exists(options.out / name, unreadable))
+      older.push_back(name);
+  }
+  std::error_code unreadable;
+  for (const auto& file : std::filesystem::directory_iterator(options.out, unreadable)) {
+    const std::string name = file.path().filename().string();
+    if ((name.starts_with("poses-") || name.starts_with("volume-")) && name.ends_with(".part"))
       older.push_back(name);
   }
   return older;

@@ -15,8 +15,8 @@ std::vector<std::string> scene_files(const SceneOptions& options);
 /// Those of any scene.
 std::vector<std::string> every_scene_file();
 
-/// Names of files in the folder that an earlier scene wrote and this one does not. They are not of this
-/// scene, and are not touched.
+/// Names of files in the folder that an earlier scene wrote and this one does not, rows of interrupted poses
+/// among them. They are not of this scene, and are not touched.
 std::vector<std::string> older_files(const SceneOptions& options);
 
 }  // namespace impinge

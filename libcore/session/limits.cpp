@@ -8,14 +8,11 @@
 #include <utility>
 
 #include "hip/sphere_fit.hpp"
+#include "mesh/mesh_parts.hpp"
+#include "session/volume.hpp"
 
 namespace impinge {
 namespace {
-
-TriangleMesh in_joint_frame(const SessionJoint& joint, TriangleMesh mesh) {
-  for (Vec3& x : mesh.vertices) x = joint.axes * x;
-  return mesh;
-}
 
 double largest_of(const LimitRequest& request) {
   return std::min(request.largest_deg, largest_growth(request.start, motion_name(request.growing)));
@@ -23,10 +20,25 @@ double largest_of(const LimitRequest& request) {
 
 // The dial is about the socket's centre, the contact about the centre of the turn.
 LimitAnswer answered(const SessionJoint& joint, const char* about, const Vec3& centre, ToldLimit told) {
-  LimitAnswer limit{about, joint.joint.centre + centre, std::move(told), std::nullopt};
+  LimitAnswer limit{about, joint.joint.centre + centre, std::move(told), std::nullopt, "", ""};
   if (limit.told.limit.contact && joint.dial)
     limit.hours = joint.dial->hours(limit.told.limit.contact->place + joint.axes * joint.shift);
   return limit;
+}
+
+std::string name_of(const std::vector<MeshPart>& parts, std::size_t body) {
+  return body == 0 ? "" : parts[body - 1].name;
+}
+
+void name_parts(const Joint& joint, LimitAnswer& limit) {
+  if (!limit.told.limit.contact) return;
+  limit.ball_part = name_of(joint.ball.parts, limit.told.limit.contact->body[0]);
+  limit.socket_part = name_of(joint.socket.parts, limit.told.limit.contact->body[1]);
+}
+
+TurnLimits limits_of(const Joint& joint, const TriangleMesh& ball, const TriangleMesh& socket) {
+  return TurnLimits({main_surface(ball, joint.ball.parts), main_surface(socket, joint.socket.parts)},
+                    {part_surfaces(ball, joint.ball.parts), part_surfaces(socket, joint.socket.parts)});
 }
 
 // The centre of the socket, in the joint frame; none where no sphere fits it.
@@ -47,24 +59,27 @@ LimitAnswers answer_limits(Session& session, const LimitRequest& request) {
   const SessionJoint& joint = *session.joint;
   const JointTurn turn = joint_turn(request.start, growing, joint.side);
   const TriangleMesh ball = in_joint_frame(joint, joint.mesh(Surface::ball));
-  if (!session.limits) {
-    session.limits = std::make_unique<TurnLimits>(
-        BallSocketPair{ball, in_joint_frame(joint, joint.mesh(Surface::socket))});
-  }
+  const TriangleMesh seen = in_joint_frame(joint, joint.mesh(Surface::socket));
+  if (!session.limits) session.limits = std::make_unique<TurnLimits>(limits_of(joint.joint, ball, seen));
   const auto about_ball = [&](double threshold) {
-    return answered(joint, "ball", joint.shift, told_limit(*session.limits, turn, threshold, largest));
+    LimitAnswer limit =
+        answered(joint, "ball", joint.shift, told_limit(*session.limits, turn, threshold, largest));
+    name_parts(joint.joint, limit);
+    return limit;
   };
   const LimitAnswer contact = about_ball(0.0);
   LimitAnswers answer{largest, contact, std::nullopt,
                       request.cartilage_mm > 0.0 ? about_ball(request.cartilage_mm) : contact};
   if (!request.translation.isZero(0.0)) return answer;
   const TriangleMesh socket = in_joint_frame(joint, joint.joint.socket.mesh);
-  const std::optional<Vec3> centre = centre_of(socket);
+  const std::optional<Vec3> centre = centre_of(main_surface(socket, joint.joint.socket.parts));
   if (!centre) return answer;
+  const TriangleMesh about_socket = relative_to(socket, *centre);
   if (!session.socket_limits)
-    session.socket_limits = std::make_unique<TurnLimits>(BallSocketPair{ball, relative_to(socket, *centre)});
+    session.socket_limits = std::make_unique<TurnLimits>(limits_of(joint.joint, ball, about_socket));
   answer.socket = answered(joint, "socket", joint.axes.transpose() * *centre,
                            told_limit(*session.socket_limits, turn, 0.0, largest));
+  name_parts(joint.joint, *answer.socket);
   return answer;
 }
 

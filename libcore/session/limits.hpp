@@ -27,6 +27,8 @@ struct LimitAnswer {
   Vec3 centre;                  // that, mm, input frame
   ToldLimit told;               // its bracket, and what half a millimetre changes
   std::optional<double> hours;  // where they touch, on the dial
+  std::string ball_part;        // which part of the ball stops it (mesh/mesh_parts.hpp); empty: none of them
+  std::string socket_part;      // the same of the socket
 };
 
 /// Of contact about the centre of the ball; about that of a sphere fitted to the socket, where one fits it

@@ -11,6 +11,8 @@
 #include "gap/exact_side.hpp"
 #include "gap/formatted.hpp"
 #include "gap/measured_gap.hpp"
+#include "gap/overlay.hpp"
+#include "motion/body_pairs.hpp"
 #include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
@@ -170,12 +172,20 @@ Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
   return result;
 }
 
-// Touch by exact signs, the smallest gap by the faces.
+// Touch by exact signs: of both surfaces edges and all, of one of its vertices. The smallest gap by the
+// faces.
 SceneAnswer question_by_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose) {
   SceneAnswer answer;
   answer.way = way_of_faces(joint);
   const bool touch = asked.question == Question::touch;
   if (touch) answer.touches.assign(1, false);
+  if (touch && asked.scan_ball && asked.scan_socket) {
+    answer.way = "both surfaces are compared, edges and all, by exact signs";
+    const BallSocketPair main{joint.main(Surface::ball), joint.main(Surface::socket)};
+    answer.touches[0] = SurfaceOverlay(main.ball, main.socket).impinged(pose) ||
+                        BodyPairs(main, joint.beside()).impinged(pose);
+    return answer;
+  }
   for (const Surface of : kSurfaces) {
     if (!is_scanned(asked, of)) continue;
     answer.cost.look_ups += joint.mesh(of).vertices.size();
@@ -236,6 +246,7 @@ void say_left_out(const PoseOutputs& outputs, Measurement& result) {
 
 Measurement measure(Session& session, const PoseQuestion& asked) {
   SessionJoint& joint = *session.joint;
+  require_no_parts(joint.joint, "gaps");
   const PoseOutputs& outputs = asked.outputs;
   const bool bounds = outputs.bounds || outputs.verdicts;
   const bool whole = bounds && !asked.max_error_mm;
@@ -255,6 +266,8 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
 }
 
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
+  if (asked.question != Question::touch || asked.by_tables() || !asked.scan_ball || !asked.scan_socket)
+    require_no_parts(joint.joint, "gaps of vertices");
   QuestionAnswer found;
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;

@@ -8,13 +8,43 @@
 namespace impinge {
 
 PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
-    : outputs_(outputs), meshes_{joint.ball.mesh, joint.socket.mesh}, joint_(meshes_) {
+    : outputs_(outputs),
+      meshes_{main_surface(joint.ball.mesh, joint.ball.parts),
+              main_surface(joint.socket.mesh, joint.socket.parts)},
+      beside_(meshes_, {part_surfaces(joint.ball.mesh, joint.ball.parts),
+                        part_surfaces(joint.socket.mesh, joint.socket.parts)}),
+      joint_(meshes_) {
+  if (outputs.smallest_gap || outputs.areas) require_no_parts(joint, "gaps of poses");
   if (outputs.touch) overlay_.emplace(joint_);
+  if (!outputs.areas) return;
+  scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));
+  scans_.emplace_back(meshes_.socket, meshes_.ball, facing_layer(Surface::ball));
 }
 
-SeriesAnswer PoseSeries::answer(const Pose& pose) const {
+PoseSeries::Scan::Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer)
+    : cells(exact_cells(facing, layer)),
+      vertices(packed_vertices<float>(scanned.vertices)),
+      areas(vertex_areas(scanned)),
+      gap(scanned.vertices.size()) {}
+
+SeriesArea PoseSeries::Scan::area(const Pose& pose, Surface of, double cartilage_mm) {
+  scan_gaps(cells, vertices, pose, of, gap);
+  const auto touching = static_cast<float>(cartilage_mm);
+  SeriesArea found;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (gap[i] <= touching) found.cartilage += areas[i];
+    if (gap[i] <= 0.0F) found.bone += areas[i];
+  }
+  return found;
+}
+
+SeriesAnswer PoseSeries::answer(const Pose& pose) {
   SeriesAnswer answer;
-  if (overlay_) answer.touch = overlay_->impinged(pose);
+  if (overlay_) answer.touch = overlay_->impinged(pose) || beside_.impinged(pose);
+  if (outputs_.areas) {
+    answer.areas = {scans_[0].area(pose, Surface::ball, outputs_.cartilage_mm),
+                    scans_[1].area(pose, Surface::socket, outputs_.cartilage_mm)};
+  }
   if (!outputs_.smallest_gap) return answer;
   const std::optional<LeastGap> least = joint_.least_gap(pose);
   if (!least) return answer;

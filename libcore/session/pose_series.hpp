@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint in many poses: touch and the smallest gap of each, without asking most vertices and faces.
+// One joint in many poses: touch and the smallest gap of each, without asking most vertices and faces, and
+// impinged areas by the kernel of exact cells.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "contact/culled_overlay.hpp"
 #include "gap/pose.hpp"
+#include "gap/simd/exact_cells.hpp"
+#include "gap/simd/joint_scan.hpp"
 #include "hip/joint.hpp"
+#include "motion/body_pairs.hpp"
 
 namespace impinge {
 
@@ -14,6 +20,14 @@ namespace impinge {
 struct SeriesOutputs {
   bool touch = true;
   bool smallest_gap = true;
+  bool areas = false;         // of all gaps
+  double cartilage_mm = 4.0;  // both layers together
+};
+
+/// Of the vertices of one surface, by their gaps in float (gap/simd/exact_cells.hpp), mm^2.
+struct SeriesArea {
+  double bone = 0.0;       // with a gap of 0 or less
+  double cartilage = 0.0;  // with one of the cartilage's thickness or less
 };
 
 /// The smallest radial gap of a pose and its vertex.
@@ -24,23 +38,41 @@ struct SeriesGap {
 };
 
 struct SeriesAnswer {
-  /// Do the surfaces impinge, edges and all (gap/overlay.hpp)? Exact. None if not asked for.
+  /// Do the surfaces impinge, edges and all (gap/overlay.hpp), or bone beside them (motion/body_pairs.hpp)?
+  /// Exact. None if not asked for.
   std::optional<bool> touch;
-  std::optional<SeriesGap> smallest;  // none also where the surfaces do not face each other
+  std::optional<SeriesGap> smallest;               // none also where the surfaces do not face each other
+  std::optional<std::array<SeriesArea, 2>> areas;  // of ball and socket; none if not asked for
 };
 
 class PoseSeries {
  public:
-  /// std::invalid_argument for lengths that CulledScan refuses.
+  /// std::invalid_argument for lengths that CulledScan refuses. Of a joint with parts touch alone, see
+  /// require_no_parts().
   PoseSeries(const Joint& joint, const SeriesOutputs& outputs);
+  PoseSeries(const PoseSeries&) = delete;
+  PoseSeries& operator=(const PoseSeries&) = delete;
 
-  SeriesAnswer answer(const Pose& pose) const;
+  SeriesAnswer answer(const Pose& pose);
 
  private:
+  /// One surface's vertices, the faces that they meet, and what becomes of them in a pose.
+  struct Scan {
+    Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer);
+    SeriesArea area(const Pose& pose, Surface of, double cartilage_mm);
+
+    ExactCells cells;  // of the other surface
+    PackedVertices<float> vertices;
+    std::vector<double> areas;  // mm^2
+    std::vector<float> gap;     // mm
+  };
+
   SeriesOutputs outputs_;
-  BallSocketPair meshes_;
+  BallSocketPair meshes_;  // the main surfaces
+  BodyPairs beside_;
   CulledJoint joint_;
   std::optional<CulledOverlay> overlay_;  // if touch is asked for
+  std::vector<Scan> scans_;               // of ball and socket, if areas are
 };
 
 /// The pose of the ball in the centre frame whose matrix is x' = motion x in the frame of the input, in which

@@ -43,8 +43,8 @@ SessionTables filled(const SessionJoint& joint, const TableSettings& settings) {
   SessionTables tables;
   tables.settings = settings;
   Stopwatch watch;
-  tables.ball = fill_table(settings, joint.mesh(Surface::ball), Layer::farthest);
-  tables.socket = fill_table(settings, joint.mesh(Surface::socket), Layer::nearest);
+  tables.ball = fill_table(settings, joint.main(Surface::ball), Layer::farthest);
+  tables.socket = fill_table(settings, joint.main(Surface::socket), Layer::nearest);
   tables.fill_ms = watch.lap_ms();
   return tables;
 }
@@ -59,21 +59,31 @@ void use(Session& session, std::unique_ptr<SessionJoint> joint) {
 
 }  // namespace
 
-SessionPart::SessionPart(const TriangleMesh& mesh)
-    : vertices(mesh.vertices), area(vertex_areas(mesh)), used(on_surface(mesh)) {}
+SessionPart::SessionPart(const TriangleMesh& mesh, const std::vector<MeshPart>& parts)
+    : vertices(mesh.vertices), area(vertex_areas(mesh)), used(on_surface(mesh)) {
+  if (!parts.empty())
+    std::fill(used.begin() + static_cast<std::ptrdiff_t>(parts.front().first_vertex), used.end(), false);
+}
 
 SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code)
     : joint(std::move(put_together)),
       side(of),
-      axes(input_to_joint(axis_code)),
-      dial(dial_of(joint.socket.mesh, axes)),
-      ball(joint.ball.mesh),
+      axes(joint.frames ? joint.frames->pelvis : input_to_joint(axis_code)),
+      dial(dial_of(main_surface(joint.socket.mesh, joint.socket.parts), axes)),
+      ball(joint.ball.mesh, joint.ball.parts),
       seen(joint.socket.mesh),
-      socket(seen) {}
+      socket(seen, joint.socket.parts) {
+  joint.axes = axis_code;
+}
+
+TriangleMesh in_joint_frame(const SessionJoint& joint, TriangleMesh mesh) {
+  for (Vec3& x : mesh.vertices) x = joint.axes * x;
+  return mesh;
+}
 
 void SessionJoint::shift_to(const Vec3& to) {
   TriangleMesh moved = relative_to(joint.socket.mesh, to);
-  socket = SessionPart(moved);
+  socket = SessionPart(moved, joint.socket.parts);
   faces_[1].reset();
   probes[1].reset();
   seen = std::move(moved);
@@ -90,7 +100,9 @@ void shift_ball(Session& session, const Vec3& shift) {
   SessionJoint& joint = *session.joint;
   if (shift == joint.shift) return;
   SessionTables& tables = session.tables;
-  auto socket = fill_table(tables.settings, relative_to(joint.joint.socket.mesh, shift), Layer::nearest);
+  auto socket = fill_table(
+      tables.settings, relative_to(main_surface(joint.joint.socket.mesh, joint.joint.socket.parts), shift),
+      Layer::nearest);
   joint.shift_to(shift);
   tables.socket = std::move(socket);
   tables.socket_bounds.reset();
@@ -100,8 +112,8 @@ void shift_ball(Session& session, const Vec3& shift) {
 void use_hip(Session& session, const HipParameters& parameters) {
   Hip hip = make_hip(parameters);
   JointInput input;
-  input.ball = {"ball", std::move(hip.ball)};
-  input.socket = {"socket", std::move(hip.socket)};
+  input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
+  input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
   input.centre = Vec3::Zero();
   input.side = parameters.side;
   auto joint = std::make_unique<SessionJoint>(assemble_joint(std::move(input)), parameters.side, "RAS");
@@ -122,8 +134,8 @@ void fill_tables(Session& session, const TableSettings& settings) {
 void measure_tables(Session& session) {
   SessionJoint& joint = *session.joint;
   auto& [ball, socket] = joint.probes;
-  if (!ball) ball = probes_of(joint.mesh(Surface::ball), Layer::farthest);
-  if (!socket) socket = probes_of(joint.mesh(Surface::socket), Layer::nearest);
+  if (!ball) ball = probes_of(joint.main(Surface::ball), Layer::farthest);
+  if (!socket) socket = probes_of(joint.main(Surface::socket), Layer::nearest);
   session.tables.error_mm =
       std::max(measured_error(*ball, *session.tables.ball), measured_error(*socket, *session.tables.socket));
 }
@@ -131,6 +143,7 @@ void measure_tables(Session& session) {
 void bound_tables(Session& session) {
   SessionTables& tables = session.tables;
   const SessionJoint& joint = *session.joint;
+  require_no_parts(joint.joint, "bounds");
   if (!tables.ball_bounds)
     tables.ball_bounds = tables.ball->bounds(tables.settings, joint.mesh(Surface::ball), Layer::farthest);
   if (!tables.socket_bounds)

@@ -25,16 +25,17 @@ namespace impinge {
 
 /// What a surface has in every pose.
 struct SessionPart {
-  explicit SessionPart(const TriangleMesh& mesh);  // about the centre of the ball
+  SessionPart(const TriangleMesh& mesh, const std::vector<MeshPart>& parts);  // about the centre of the ball
 
   ScannedVertices vertices;  // of the mesh
   std::vector<double> area;  // vertex_areas(), mm^2
-  std::vector<bool> used;    // on_surface(): the others belong to no surface and have no gap
+  std::vector<bool> used;    // on_surface(), of the main one: the others have no gap
 };
 
 /// A joint, and what follows from its meshes.
 struct SessionJoint {
-  /// `axis_code` says where +x, +y and +z of the meshes point (hip/anatomy.hpp).
+  /// `axis_code` says where +x, +y and +z of the meshes point (hip/anatomy.hpp); frames of landmarks go
+  /// before it.
   explicit SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code);
 
   /// What a shift of the ball's centre in the socket means, mm, input frame. The ball turns about its own
@@ -48,6 +49,14 @@ struct SessionJoint {
   const SessionPart& part(Surface of) const { return of == Surface::ball ? ball : socket; }
   /// The mesh of that.
   const TriangleMesh& mesh(Surface of) const { return of == Surface::ball ? joint.ball.mesh : seen; }
+  /// The same without its parts.
+  TriangleMesh main(Surface of) const {
+    return main_surface(mesh(of), (of == Surface::ball ? joint.ball : joint.socket).parts);
+  }
+  /// The parts of both.
+  BoneParts beside() const {
+    return {part_surfaces(joint.ball.mesh, joint.ball.parts), part_surfaces(seen, joint.socket.parts)};
+  }
   /// Its faces, as gap/measured_gap.hpp asks them; made when first asked for.
   const NearFaces& faces(Surface of);
 
@@ -67,7 +76,10 @@ struct SessionJoint {
   std::array<std::unique_ptr<const NearFaces>, 2> faces_;
 };
 
-/// Tables of both surfaces.
+/// A mesh of the joint in the axes of the joint frame, about the same origin.
+TriangleMesh in_joint_frame(const SessionJoint& joint, TriangleMesh mesh);
+
+/// Tables of both main surfaces.
 struct SessionTables {
   TableSettings settings;                        // of both
   std::unique_ptr<SurfaceTable> ball;            // looked up by the socket's vertices

@@ -48,6 +48,16 @@ inline CubePlace cube_place(const Vec3& x) {  // of the direction of x
   return {face, x[axes.a] / depth, x[axes.b] / depth, depth};
 }
 
+/// The entry nearest to the direction of x on a grid of `cells` along an edge of every face, entries at both
+/// ends of an edge, numbered by face, row and column.
+inline std::size_t cube_entry(const Vec3& x, std::size_t cells) {
+  const CubePlace at = cube_place(x);
+  const auto line = [&](double place) {  // rounded; lround would be a call, and a third of the time
+    return static_cast<std::size_t>(0.5 * ((place + 1.0) * static_cast<double>(cells) + 1.0));
+  };
+  return (at.face * (cells + 1) + line(at.b)) * (cells + 1) + line(at.a);
+}
+
 /// The point at (a, b) of a face, times `size`.
 inline Vec3 cube_point(std::size_t face, double a, double b, double size = 1.0) {
   const CubeAxes& axes = cube_axes(face);

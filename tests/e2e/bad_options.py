@@ -5,6 +5,10 @@
 
 AXES = "name where +x, +y and +z point with one letter each of R/L, A/P and S/I, as RAS or LPS"
 MOTIONS = "there are flexion, extension, abduction, adduction, internal_rotation, external_rotation"
+LIMITS = (
+    f"{MOTIONS}, internal_rotation_at_45, internal_rotation_at_70, internal_rotation_at_90, external_rotation_at_90, fadir, "
+    "faber, all"
+)
 THICKNESS = "is no thickness and no file; give a number of mm, 0 or more, or a CSV of x,y,z,thickness_mm"
 
 OPTIONS = [
@@ -61,12 +65,36 @@ OPTIONS = [
     ),
     (
         ["--question", "limit", "--motion", "bend"],
-        f"option --motion: unknown motion 'bend'; {MOTIONS}",
+        f"option --motion: unknown motion 'bend'; {LIMITS}",
     ),
     (
         ["--question", "limit", "--motion", "flexion=30"],
-        f"option --motion: unknown motion 'flexion=30'; {MOTIONS}",
+        f"option --motion: unknown motion 'flexion=30'; {LIMITS}",
     ),
+    (
+        ["--question", "limit", "--motion", "fadir", "--side", "left", "--pose", "flexion=90"],
+        "option --motion: 'fadir' begins at a pose of its own; leave --pose out",
+    ),
+    (
+        ["--question", "limit", "--motion", "all", "--side", "left", "--pose", "flexion=90"],
+        "option --motion: 'all' begins at a pose of its own; leave --pose out",
+    ),
+    (
+        ["--question", "limit", "--motion", "all"],
+        "option --motion: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (
+        ["--question", "measures"],
+        "option --question: 'measures' need to know the side; give left or right with --side",
+    ),
+    (["--ball-part"], "--ball-part: 1 required TEXT missing; see scene --help"),
+    (["--ball-part", ""], "option --ball-part: '' is empty; give it a value or leave it out"),
+    (["--socket-part", ""], "option --socket-part: '' is empty; give it a value or leave it out"),
+    (
+        ["--certificate", "proof.txt", "--socket-part", "spine.ply"],
+        "option --certificate: it is checked against two files; put the parts into those of --ball and --socket",
+    ),
+    (["--bones", "."], "--ball excludes --bones; see scene --help"),
     (
         ["--motion", "flexion"],
         "option --motion: 'flexion' comes with the question limit alone; add --question limit",
@@ -143,8 +171,25 @@ OPTIONS = [
     (["--scheme", ""], "option --scheme: '' is empty; give it a value or leave it out"),
     (
         ["--question", "why"],
-        "option --question: 'why' is no question; ask touch, first-contact, limit or all-gaps",
+        "option --question: 'why' is no question; ask touch, first-contact, limit, limits, volume, measures, resection, orientation or all-gaps",
     ),
+    (
+        ["--question", "limits"],
+        "option --question: 'limits' needs the side of the body; add --side left or --side right",
+    ),
+    (
+        ["--question", "volume", "--width", "1"],
+        "option --width: '1' is no share; give a number above 0 and below 1, as 0.01",
+    ),
+    (
+        ["--question", "volume", "--pose", "flexion=20"],
+        "option --pose: 'flexion=20' is one pose, and the question is about all of them; leave it out",
+    ),
+    (
+        ["--question", "volume", "--gap", "-1"],
+        "option --gap: '-1' is no length; give a number of mm, 0 or more",
+    ),
+    (["--width", "0.1"], "option --width: '0.1' comes with the question volume alone; add --question volume"),
     (
         ["--surfaces", "none"],
         "option --surfaces: 'none' is no choice of surfaces; give ball, socket or both",
@@ -162,7 +207,78 @@ OPTIONS = [
         ["--question", "touch", "--outputs", "gaps"],
         "option --outputs: 'gaps' come with the question all-gaps alone; leave one of the two options out",
     ),
+    (
+        ["--question", "resection"],
+        "option --question: 'resection' needs the motions that are to be reached; add them, as --require flexion=90",
+    ),
+    (["--question", "resection", "--require", "bend=90"], f"option --require: unknown motion 'bend'; {MOTIONS}"),
+    (
+        ["--question", "resection", "--require", "flexion"],
+        "option --require: 'flexion' is no motion; write NAME=DEGREES, as flexion=90",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=0"],
+        "option --require: 'flexion=0' moves nothing; give an angle other than 0",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=30", "--require", "abduction=10"],
+        "option --require: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--clearance", "0"],
+        "option --clearance: '0' is no length; give a number of mm above 0",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--neck", "wide"],
+        "option --neck: 'wide' is no length; give a number of mm above 0",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--pose", "flexion=10"],
+        "option --pose: 'flexion=10' has no place here: required motions begin in the pose of the scan",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--path", "flexion=0..9/1"],
+        "option --question: 'resection' is asked of required motions; leave out --path and --poses",
+    ),
+    (
+        ["--require", "flexion=90"],
+        "option --require: 'flexion=90' comes with the questions resection and orientation alone; add one of them",
+    ),
+    (
+        ["--clearance", "1"],
+        "option --clearance: '1' comes with the question resection alone; add --question resection",
+    ),
+    (["--least"], "option --least: comes with the question resection alone; add --question resection"),
+    (
+        ["--question", "orientation", "--require", "flexion=90"],
+        "option --question: 'orientation' needs to know the side; give left or right with --side",
+    ),
+    (
+        ["--question", "orientation", "--require", "flexion=90", "--side", "left", "--tilt", "100"],
+        "option --tilt: '100' is no tilt; give degrees from -90 to 90, backwards positive",
+    ),
+    (
+        ["--question", "orientation", "--require", "flexion=90", "--side", "left", "--clearance", "1"],
+        "option --clearance: '1' comes with the question resection alone; add --question resection",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--tilt", "5"],
+        "option --tilt: '5' comes with the question orientation alone; add --question orientation",
+    ),
     (["--question", ""], "option --question: '' is empty; give it a value or leave it out"),
     (["--surfaces", ""], "option --surfaces: '' is empty; give it a value or leave it out"),
     (["--outputs", ""], "option --outputs: '' is empty; give it a value or leave it out"),
+    (
+        ["--certificate", "proof.txt", "--question", "limits", "--side", "left"],
+        "option --certificate: it is of one pose or motion; add --question limit --motion NAME",
+    ),
+    (
+        ["--certificate", "proof.txt", "--landmarks", "marks.csv"],
+        "option --certificate: it is about the meshes as they lie in their files; leave out --landmarks",
+    ),
+    (["--certificate", ""], "option --certificate: '' is empty; give it a value or leave it out"),
+    (
+        ["--certificate", "proof.txt", "--path", "flexion=0..90/1"],
+        "--path excludes --certificate; see scene --help",
+    ),
 ]

@@ -8,7 +8,7 @@ const { PATIENCE, address, faultsOf, launch } = require("./watched_page.cjs");
 async function open(browser, [width, height], fragment = "") {
   const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true });
   const page = await context.newPage();
-  const faults = faultsOf(page);
+  const faults = await faultsOf(page);
   await page.goto(address() + fragment);
   await page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
   return { page, faults, close: () => context.close() };

@@ -42,6 +42,9 @@ async function motions(page) {
   const deep = await smallest(page);
   await posed(page, () => page.click("#reset-pose"));
   assert.equal(await value(page, "value-flexion"), 0);
+  await type(page, "internal_rotation", -123.4); // beyond what the slider begins with
+  assert.equal(await value(page, "slide-internal_rotation"), -123.4);
+  await posed(page, () => page.click("#reset-pose"));
   const free = await smallest(page);
   assert.ok(free > deep, `${free} in the pose of the scan, ${deep} in flexion, adduction and rotation`);
   await page.click("#motion details summary");
@@ -100,7 +103,7 @@ async function dragging(page) {
 
 async function looks(page) {
   const pictures = [];
-  for (const view of ["free", "anterior", "posterior", "medial", "lateral", "superior"]) {
+  for (const view of ["free", "anterior", "posterior", "medial", "lateral", "superior", "inferior"]) {
     await page.click(`#views [value="${view}"]`);
     pictures.push(await picture(page));
     assert.equal(await pressed(page, "views"), view);
@@ -156,7 +159,7 @@ async function hips(page) {
   assert.ok(await smallest(page) > high, "a lower cam leaves no more room");
   await page.locator("#parameters details").evaluateAll((all) => all.forEach((details) => { details.open = true; }));
   const keys = await page.locator('#parameters input[type="range"]').evaluateAll((all) => all.map(({ id }) => id.slice(6)));
-  assert.equal(keys.length, 30);
+  assert.equal(keys.length, 39);
   for (const key of keys) { // to and fro: the last change is the one that counts
     const held = await page.inputValue(`#value-${key}`);
     await page.focus(`#slide-${key}`);
@@ -253,24 +256,62 @@ async function shifted(page, limit) {
   await limit();
 }
 
+/** The table of all motions: its limits are those of the panel of one motion, and its file has a line for each. */
+async function allLimits(page, saved) {
+  await page.waitForFunction(() => !document.getElementById("save-limits").disabled);
+  const motions = await page.locator("#limits-rows tr").count();
+  const { name, bytes } = await saved("save-limits");
+  assert.equal(name, "limits_patient_a_stand_in_right.csv");
+  const [head, ...lines] = bytes.toString().trim().split("\n").map((line) => line.split(/,(?=(?:[^"]*"[^"]*")*[^"]*$)/));
+  assert.equal(head.join(), "joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,what");
+  assert.ok(motions === 12 && lines.length === 3 * motions && lines.every((line) => line.length === head.length), `${lines.length} lines`);
+  const bone = lines.find((line) => line[1] === "internal_rotation_at_90" && line[3] === "ball" && line[2] === "0");
+  await page.selectOption("#sweep-motion", "internal_rotation_at_90");
+  await page.waitForFunction(() => !document.getElementById("sweep-plot").classList.contains("old") && /Bones/.test(document.getElementById("sweep-say").textContent));
+  const [low, high] = (await text(page, "sweep-say")).match(/between ([\d.]+)° and ([\d.]+)°/).slice(1).map(Number);
+  assert.ok(Number(bone[5]) >= low && Number(bone[6]) <= high, `${bone} ${low} ${high}`);
+  await posed(page, () => page.locator("#limits-rows tr", { hasText: "Internal rotation at 90" }).locator("button").first().click());
+  assert.equal(await value(page, "value-flexion"), 90);
+  assert.ok(Math.abs(await value(page, "value-internal_rotation") - low) < 0.01);
+  assert.ok(Math.abs(await smallest(page)) < 0.1, `a gap of ${await smallest(page)} at the limit`);
+  assert.match(await text(page, "measures-rows"), /CCD.*126\.\d°/);
+  await posed(page, () => page.click("#reset-pose"));
+  await type(page, "flexion", 45);
+}
+
 async function exporting(page) {
+  const { strFromU8, unzipSync } = await import("../../analysis/node_modules/three/examples/jsm/libs/fflate.module.js");
   await type(page, "flexion", 45);
   const saved = async (id) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#${id}`)]);
     return { name: download.suggestedFilename(), bytes: fs.readFileSync(await download.path()) };
   };
   const image = await saved("save-picture");
+  assert.equal(image.name, "joint3d_patient_a_stand_in_right_flexion_45.png");
   assert.equal(image.bytes.subarray(1, 4).toString(), "PNG");
-  assert.ok(image.bytes.length > 10000);
-  const csv = (await saved("save-csv")).bytes.toString().trim().split("\n");
+  const [wide, high] = [16, 20].map((at) => image.bytes.readUInt32BE(at));
+  const drawn = await page.evaluate(() => { const { width, height } = document.getElementById("view"); return [width, height]; });
+  assert.ok(wide === drawn[0] && high > drawn[1] + 80, `a picture of ${wide} x ${high} has no room for words below ${drawn}`);
+  const zip = await saved("save-csv");
+  assert.equal(zip.name, "gaps_patient_a_stand_in_right_flexion_45.zip");
+  const packed = unzipSync(new Uint8Array(zip.bytes));
+  const csv = strFromU8(packed["gaps.csv"]).trim().split("\n");
   assert.equal(csv[0], "surface,vertex,x,y,z,gap_mm");
+  const made = JSON.parse(strFromU8(packed["gaps.json"]));
+  assert.equal(made.pose_deg.flexion, 45);
+  assert.equal(made.joint.preset, "patient_a");
+  assert.equal(made.smallest_gap.gap_mm.toFixed(2), await text(page, "smallest-gap"));
+  assert.match(`${made.program} ${made.commit}`, /^impinge \d+\.\d+\.\d+ ([0-9a-f]{40}|unknown)$/);
   const gaps = csv.slice(1).map((line) => line.split(",")[5]).filter(Boolean).map(Number);
   assert.equal(Math.min(...gaps).toFixed(2), await text(page, "smallest-gap"));
   for (const part of ["ball", "socket"]) {
     const { name, bytes } = await saved(`save-${part}`);
-    assert.equal(name, `${part}.ply`);
+    assert.equal(name, `${part}_patient_a_stand_in_right_flexion_45.ply`);
     assert.match(bytes.subarray(0, 400).toString("latin1"), /^ply[^]*gap/);
   }
+  await allLimits(page, saved);
+  await page.click("#about > summary");
+  assert.match(await text(page, "about"), /impinge \d.*commit.*General Public License/);
   await page.click("#copy-link");
   return { fragment: new URL(await page.inputValue("#link")).hash, gap: await text(page, "smallest-gap") };
 }
@@ -280,7 +321,7 @@ async function everyControl(browser) {
   await watchControls(page);
   for (const part of [startsColoured, motions, recorded, dragging, looks, samplePoints, hips, refusals, tables, sweeps]) await part(page);
   const { fragment, gap } = await exporting(page);
-  const files = /^(file-|axes|centre|use-files)/; // with meshes, in joint3d_bones.cjs
+  const files = /^(file-|axes|unit|centre|use-files|cut-|orientation-)/; // with meshes, in joint3d_bones.cjs; in cut() and orientation()
   const unused = await page.evaluate(() => window.controls().filter((name) => !window.used.has(name)));
   assert.deepEqual(unused.filter((name) => !files.test(name) && name !== "link"), [], "never used");
   assert.deepEqual(faults, []);
@@ -294,7 +335,7 @@ async function everyControl(browser) {
 async function keyboardAlone(browser) {
   const { page, faults, close } = await open(browser, DESKTOP);
   const reached = new Set();
-  for (let k = 0; k < 140; k += 1) {
+  for (let k = 0; k < 240; k += 1) {
     await page.keyboard.press("Tab");
     const at = await page.evaluate(() => {
       const { id, value, tagName, className } = document.activeElement;
@@ -315,7 +356,7 @@ async function keyboardAlone(browser) {
 }
 
 async function everyWidth(browser) {
-  for (const size of [[1440, 900], [1024, 768], [390, 844]]) {
+  for (const size of [[1440, 900], [1024, 768], [400, 800], [390, 844], [844, 390]]) {
     const { page, faults, close } = await open(browser, size);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `at ${size} the page is ${wide} too wide`);
@@ -365,4 +406,120 @@ async function asksNobody(browser) {
   await close();
 }
 
-run([everyControl, keyboardAlone, everyWidth, lostGraphics, asksNobody]);
+/** Worked out when the panel is opened; the ring is where the pose is, and another joint has another volume. */
+async function motionVolume(browser) {
+  const { page, faults, close } = await open(browser, DESKTOP, "#joint=cam&side=right&flexion=90");
+  assert.equal(await page.locator("#volume-plot rect").count(), 0);
+  const shares = async () => {
+    await page.waitForFunction(() => /%/.test(document.getElementById("volume-say").textContent));
+    return (await text(page, "volume-say")).match(/[\d.]+(?= to|\s%)/g).map(Number);
+  };
+  await page.click("#volume > summary");
+  const [low, high, least, most] = await shares();
+  assert.ok(0 < least && least <= low && low < high && high - low < 5.2 && most <= high, `${low} to ${high}, ${least} to ${most}`);
+  assert.equal(await page.locator("#volume-plot rect").count(), 46 * 36);
+  const ring = () => page.getAttribute("#volume-plot circle", "cx").then(Number);
+  const [before, here] = [await ring(), await text(page, "volume-here")];
+  await type(page, "flexion", 0);
+  assert.ok(await ring() < before - 50, "the ring stands still");
+  assert.notEqual(await text(page, "volume-here"), here);
+  await posed(page, () => page.selectOption("#preset", "normal"));
+  const [other] = await shares();
+  assert.ok(other > low, `${other} % of the normal hip, ${low} % of one with a cam`);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+/** A cut is worked out when the panel is opened, and anew for other motions; the femur before and after it is shown. */
+async function cut(browser) {
+  const { page, faults, close } = await open(browser, DESKTOP, "#joint=cam&side=right&view=anterior&show=ball");
+  await page.click("#cut > summary");
+  const found = () => page.waitForSelector("#cut-found:not([hidden])");
+  const volume = async () => { await found(); return (await page.textContent("#cut-numbers dd")).match(/[\d.]+/g).map(Number); };
+  const [low, high] = await volume();
+  assert.ok(0 < low && low < high, `${low} to ${high} mm³`);
+  const rows = (await page.locator("#cut-rows tr").allTextContents()).map((row) => row.replace(/\s+/g, " "));
+  assert.match(rows[0], /^flexion to 90°yesyes/);
+  assert.match(rows[1], /^internal rotation to 30° at flexion 90[\d.]+°yes, to 30/);
+  assert.match(await text(page, "cut-notice"), /may guide a treatment/);
+  const after = await picture(page);
+  await page.click('#cut-shown [value="before"]');
+  const before = await picture(page);
+  assert.ok(difference(before, after) > 0.02, "the femur looks the same after the cut");
+  await page.fill("#cut-required", "flexion=90, internal_rotation=20");
+  await page.press("#cut-required", "Enter");
+  await page.waitForFunction((was) => document.querySelector("#cut-numbers dd").textContent !== was, `${low} to ${high} mm³`);
+  const [, less] = await volume();
+  assert.ok(less < low, `${less} mm³ for less motion, ${low} for more`);
+  assert.equal(await page.inputValue("#orientation-required"), "flexion=90, internal_rotation=20");
+  await page.fill("#cut-clearance", "1");
+  await page.press("#cut-clearance", "Enter");
+  await page.waitForFunction((most) => Number(document.querySelector("#cut-numbers dd")?.textContent.match(/\d+/)) > most, less);
+  await page.click("#cut-pose"); // that of the scan
+  await page.waitForFunction(() => /a required motion turns something/.test(document.getElementById("cut-say").textContent));
+  await page.fill("#cut-required", "bend=20");
+  await page.press("#cut-required", "Enter");
+  await page.waitForFunction(() => /unknown motion 'bend'/.test(document.getElementById("cut-say").textContent));
+  assert.ok(await page.isHidden("#cut-found"));
+  await page.fill("#cut-required", "flexion=30");
+  await page.press("#cut-required", "Enter");
+  await found();
+  assert.equal(await page.textContent("#cut-numbers dd"), "nothing");
+  assert.ok(await page.isHidden("#cut-shown"));
+  await posed(page, () => page.selectOption("#preset", "normal")); // another joint: worked out anew
+  await found();
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+/** Pointer, finger and keys read from the map which motion is blocked; the text is told to screen readers. */
+async function whatIsBlocked(page) {
+  const here = () => text(page, "orientation-here");
+  assert.equal(await page.getAttribute("#orientation-here", "role"), "status");
+  await page.focus("#orientation-plot");
+  const start = await here();
+  assert.match(start, /^At inclination 5\d\.\d° and anteversion 1\d\.\d°: All required motions are free\.$/);
+  await page.press("#orientation-plot", "ArrowDown");
+  const version = (words) => Number(words.match(/anteversion (−?-?[\d.]+)/)[1]);
+  assert.ok(Math.abs(version(start) - version(await here()) - 1) < 0.11);
+  for (let k = 0; k < 80 && !/Blocked/.test(await here()); k += 1) await page.press("#orientation-plot", "ArrowDown");
+  const blocked = /^At .*: Blocked: (flexion to 90°|internal rotation to 10° at flexion 90)\.$/;
+  assert.match(await here(), blocked);
+  const { x, y, width, height } = await page.locator("#orientation-plot").boundingBox();
+  await page.mouse.move(x + width * 0.2, y + height * 0.8);
+  const moved = await here();
+  assert.match(moved, blocked);
+  await page.mouse.move(x + width * 0.2, y + height * 0.99); // beside the map
+  assert.equal(await here(), moved);
+  assert.equal(await page.locator("#orientation-plot .mark").count(), 1);
+}
+
+/** The map of orientations, with the socket as it is. */
+async function orientation(browser) {
+  const { page, faults, close } = await open(browser, DESKTOP, "#joint=cam&side=right&require=flexion%3D90,internal_rotation%3D10");
+  await page.click("#orientation > summary");
+  const said = async () => {
+    await page.waitForFunction(() => /square degrees/.test(document.getElementById("orientation-say").textContent));
+    return text(page, "orientation-say");
+  };
+  const first = await said();
+  assert.match(first, /^As it is, at inclination 5\d\.\d° and anteversion 1\d\.\d°: free\. Free are \d+ to \d+ of 8100 square degrees\.$/);
+  const of = async () => (await page.locator("#orientation-plot rect[fill]").evaluateAll((all) => all.map((rect) => rect.getAttribute("fill")))).reduce((count, fill) => count.set(fill, 1), new Map()).size;
+  assert.ok(await of() >= 2, "one colour");
+  assert.equal(await page.locator("#orientation-plot circle").count(), 1);
+  await whatIsBlocked(page);
+  await type(page, "flexion", 90);
+  await type(page, "internal_rotation", 40);
+  await page.click("#orientation-pose");
+  assert.equal(await page.inputValue("#orientation-required"), "flexion=90, internal_rotation=40");
+  const blocked = await said();
+  assert.match(blocked, /: blocked\./);
+  await page.fill("#orientation-tilt", "10");
+  await page.press("#orientation-tilt", "Enter");
+  await page.waitForFunction((was) => !["", "Working, which takes some seconds …", was].includes(document.getElementById("orientation-say").textContent), blocked);
+  assert.match(await text(page, "orientation-notice"), /may guide a treatment/);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+run([everyControl, motionVolume, cut, orientation, keyboardAlone, everyWidth, lostGraphics, asksNobody]);

@@ -19,7 +19,7 @@ from pathlib import Path
 UNITS_OF_TIME = {"ns", "us", "ms", "s", "min", "h", "misses"}  # a cache, even simulated, misses as memory happens to lie
 KEYS_OF_TIME = {"started_utc", "duration_s", "load", "times_ms"}
 FOLLOW_FROM_TIMES = {"timing", "csv_sha256", "rows"}  # keys, of a timed experiment
-COLUMNS_FROM_TIMES = {"rounds", "inconclusive", "repeats", "aa_ratio", "aa_verdict", "times_embree"}  # likewise
+COLUMNS_FROM_TIMES = {"rounds", "inconclusive", "repeats"}  # likewise
 
 
 def is_time(unit: str) -> bool:

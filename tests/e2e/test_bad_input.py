@@ -94,6 +94,24 @@ class BadInput(GeneratedPair):
                     self.refused(self.scene(**{part: path}), 1, f"{path}: {message}")
             path.unlink()
 
+    def test_parts(self):
+        """Bone beside ball or socket is read as they are, and is no place for the output."""
+        name, content, message = MESHES[0]
+        bad = self.root / name
+        bad.write_bytes(content)
+        for option in ("--ball-part", "--socket-part"):
+            with self.subTest(option):
+                self.refused(self.scene(option, self.ball, bad), 1, f"{bad}: {message}")
+                none = self.root / "none.ply"
+                self.refused(self.scene(option, none), 1, f"{none}: there is no such file; check the path")
+                part = self.root / "taken" / "ball.ply"
+                part.parent.mkdir()
+                shutil.copy(self.ball, part)
+                cure = "would be replaced by the output; choose another folder with --out"
+                self.refused(self.scene(option, part, out=part.parent), 1, f"{part}: {cure}")
+                shutil.rmtree(part.parent)
+        bad.unlink()
+
     def test_options(self):
         """Behind the files, without a precision before them."""
         files = ("--ball", self.ball, "--socket", self.socket, "--out", self.root / "out")

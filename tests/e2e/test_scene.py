@@ -143,12 +143,15 @@ class Scene(GeneratedPair):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("poses were answered before", done.stderr)
         self.assertEqual(sorted(file.name for file in folder.iterdir()), ["poses.csv", "summary.json"])
+        self.assertIn(f"poses               {601 * 321}, {self.summary('many')['touching']} of them touch", done.stdout)
         rows = (folder / "poses.csv").read_text().splitlines()
         self.assertEqual(len(rows), 601 * 321 + 1)
         self.assertEqual(rows[0], "pose,touch,certified,smallest_gap_mm,surface,vertex,clock,bound_mm,"
                                   "flexion,internal_rotation")
         self.assertEqual(rows[-1].split(",")[0], str(601 * 321))
-        self.assertIn(f"poses               {601 * 321}, {self.summary('many')['touching']} of them touch", done.stdout)
+        (folder / "poses-0123456789abcdef.part").write_text(rows[0] + "\n")
+        other = self.scene("many", "--path", "flexion=0..9/1")
+        self.assertIn("many/poses-0123456789abcdef.part is left from an earlier scene", other.stderr)
 
     def test_poses_come_from_a_file(self):
         poses = self.root / "two.csv"
@@ -227,7 +230,7 @@ class Scene(GeneratedPair):
         ball, socket = self.hip("right", "--hip", "normal", "--set", "shaft_length=0", "--faces", 2000)
         done = self.scene("wrong_side", "--side", "left", "--precision", 1, ball=ball, socket=socket)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("check --side and --axes", done.stderr)
+        self.assertIn("check --axes first (3D Slicer and DICOM have LPS), then --side", done.stderr)
 
     def test_swapped_files_are_refused(self):
         ball, socket = self.hip("swapped", "--hip", "normal", "--faces", 2000)
@@ -316,6 +319,7 @@ class Scene(GeneratedPair):
             (("--path", "flexion=0..9/1", "--pose", "flexion=1"), "--pose"),
             (("--path", "flexion=0..9/1", "--precision", "1"), "--precision"),
             (("--path", "flexion=0..9/1", "--surfaces", "ball"), "--surfaces"),
+            (("--path", "flexion=0..9/1", "--cartilage", "3"), "--question all-gaps"),
         ]
         for options, word in cases:
             with self.subTest(options):

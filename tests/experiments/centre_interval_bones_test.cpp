@@ -11,6 +11,7 @@
 #include "harness/real_joints.hpp"
 #include "hip/sphere_fit.hpp"
 #include "motion/told_limit.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -24,7 +25,7 @@ struct JumpingLimit {
 
 Vec3 random_centre(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  const Vec3 way(normal(random), normal(random), normal(random));
+  const Vec3 way = test::random_vector(normal, random);
   return std::uniform_real_distribution<double>(0.3, 0.99)(random) * kErrorOfInput * way.normalized();
 }
 

@@ -148,62 +148,28 @@ TEST(BenchmarkMethods, HalfOfATablesBoundIsViolated) {
   }
 }
 
-// A method that counts what is asked of it.
-struct Tally {
-  int built = 0;
-  std::size_t asked = 0;
-};
-PointCase counting_maker(Tally& tally) {
-  PointCase maker;
-  maker.name = "counting";
-  maker.make = [&tally] {
-    ++tally.built;
-    return PointQuery{[&tally](std::span<const Vec3> points, std::span<double> out) {
-                        tally.asked += points.size();
-                        std::ranges::fill(out, 1.0);
-                      },
-                      77.0};
-  };
-  return maker;
-}
-
-TEST(BenchmarkTiming, EveryRoundBuildsAsksColdAndAsksWarm) {
+// Every method without a table: a row in both tables, and samples of each cost.
+TEST(BenchmarkReport, HasErrorsAndThreeCostsOfEveryMethod) {
   const BenchmarkScene scene = generated_scene(300);
-  Tally first;
-  Tally second;
-  const std::vector<PointCase> makers{counting_maker(first), counting_maker(second)};
-  BenchmarkTimingOptions options;
-  options.rounds = 3;
-  options.warm_ms = 0.0;
-  options.flush_bytes = 4096;
+  BenchmarkOptions options;
+  options.radial = options.euclidean = {100, 5, 1};
+  options.ascent.starts = 1;
+  options.timing.rounds = 2;
+  options.timing.options = {.min_round_ms = 0.1, .most_repeats = 0};
+  options.timing.slow_build_ms = 0.0;  // every building is slow
+  BenchmarkTables tables = make_benchmark_tables();
   Progress quiet("test", nullptr);
-  const auto costs = time_methods(makers, scene, options, quiet);
-  ASSERT_EQ(costs.size(), 2U);
-  EXPECT_EQ(costs[0].build_ms.size(), 3U);
-  EXPECT_EQ(costs[0].cold_ns.size(), 3U);
-  EXPECT_EQ(costs[0].warm_ns.size(), 3U);
-  EXPECT_EQ(costs[0].bytes, 77.0);
-  EXPECT_EQ(costs[0].batch, scene.pair.ball.vertices.size());
-  EXPECT_EQ(first.built, 3);
-  EXPECT_GE(first.asked, 3 * 2 * scene.pair.ball.vertices.size());
-  options.slow_build_ms = -1.0;  // every building is slow
-  const auto kept = time_methods(makers, scene, options, quiet);
-  EXPECT_EQ(kept[0].build_ms.size(), 1U);
-  EXPECT_EQ(kept[0].warm_ns.size(), 3U);
-  EXPECT_EQ(first.built, 4);
-  options.rounds = 1;
-  EXPECT_THROW(time_methods(makers, scene, options, quiet), std::invalid_argument);
-}
-
-TEST(BenchmarkTiming, ADifferenceCountsOnlyAboveTheControl) {
-  const std::vector<double> steady{10.0, 10.1, 10.0, 10.1};
-  const std::vector<double> unsteady{10.0, 13.0, 10.0, 13.0};
-  const std::vector<double> slower{11.0, 11.0, 11.0, 11.0};
-  EXPECT_DOUBLE_EQ(control_ratio(unsteady), 1.3);
-  EXPECT_STREQ(compare_times(steady, slower), "faster");
-  EXPECT_STREQ(compare_times(slower, steady), "slower");
-  EXPECT_STREQ(compare_times(unsteady, slower), "inconclusive");
-  EXPECT_STREQ(compare_times(steady, steady), "inconclusive");
+  run_benchmark(scene, options, tables, quiet);
+  const std::size_t methods = methods_of(scene, options.sizes).size();
+  ASSERT_GT(methods, 10U);
+  EXPECT_EQ(tables.main.rows.size(), methods);
+  EXPECT_EQ(tables.spread.rows.size(), methods);
+  ASSERT_EQ(tables.timing.timings.size(), 3 * methods);
+  for (const Timing& timing : tables.timing.timings) {
+    ASSERT_EQ(timing.key.size(), cost_keys().size());
+    EXPECT_EQ(timing.samples_ms.size(), timing.key.back().text() == "build" ? 1U : 2U);
+    EXPECT_GT(timing.summary.median, 0.0) << key_text(timing.key);
+  }
 }
 
 TEST(BenchmarkReport, ABoundThatDoesNotHoldEndsTheRun) {

@@ -87,6 +87,10 @@ void add_options(Seeds& seeds) {
   seeds.add(joined(files + " --question touch --surfaces ball --explain"));
   seeds.add(joined(files + " --question=first-contact --surfaces=socket --max-error 0.05"));
   seeds.add(joined(files + " --question limit --motion abduction --pose flexion=-20 --side left"));
+  seeds.add(joined(
+      files + " --question resection --require flexion=90 --require extension=20 --clearance 1 --neck 9"));
+  seeds.add(
+      joined(files + " --question orientation --side left --require flexion=90,abduction=5 --tilt -10"));
   seeds.add(joined(files + " --surfaces ball --outputs gaps"));
   seeds.add(joined(files + " --outputs bounds,distances,verdicts --everything --question touch"));
   for_each_scheme(

@@ -38,6 +38,8 @@ void require_in_range(const SceneOptions& options) {
   require(!options.max_error_mm || (*options.max_error_mm > 0.0 && std::isfinite(*options.max_error_mm)),
           "an error is above 0");
   require(options.cartilage_mm >= 0.0 && std::isfinite(options.cartilage_mm), "a thickness is 0 or more");
+  require(!options.change || (options.change->clearance_mm > 0.0 && !options.change->required.empty()),
+          "a change has motions and a clearance");
   require_consistent_question(options);
   const Eigen::Matrix3d turn = joint_rotation(options.motion, options.side) * input_to_joint(options.axes);
   require((turn * turn.transpose()).isIdentity(1e-12), "a pose is a rotation");

@@ -16,6 +16,7 @@
 #include "reference/exact_radius.hpp"
 #include "support/directions.hpp"
 #include "support/random_cases.hpp"
+#include "support/random_vector.hpp"
 #include "support/soup.hpp"
 
 namespace impinge {
@@ -118,7 +119,7 @@ TEST(MeasuredGap, TheEndsAreAsFarOutAsIsDerived) {
 TEST(MeasuredGapAttack, HoldsTheExactGapOfSteepFacesAndSlivers) {
   std::mt19937_64 random(181);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  const auto vector = [&] { return test::random_vector(unit, random); };
   for (std::size_t k = 0; k < random_cases() / 2; ++k) {
     TriangleMesh mesh = test::soup(3, static_cast<unsigned>(k));
     const double tilt =

@@ -3,6 +3,7 @@
 #include "harness/timing.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -90,6 +91,46 @@ TEST(Timing, WhatTheWorkThrowsEndsTheRunAndTheHarnessIsUsableAgain) {
   EXPECT_THROW(time_all(cases), std::length_error);
   const TimingRun run = time_all({log.make("c", 3)});
   EXPECT_EQ(run.timings.at(0).samples_ms.size(), 3U);
+}
+
+// Before each run, and not timed: what takes long there does not show, and every run of a round has its own.
+TEST(Timing, WhatComesBeforeARunIsNotTimed) {
+  Log log;
+  TimedCase cold = log.make("cold", 6);
+  cold.expected_s = 0.0;
+  cold.before = [&log] {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
+    while (std::chrono::steady_clock::now() < until) {
+    }
+    log.calls.emplace_back("before");
+  };
+  const TimingRun run = time_all({cold, log.make("b", 6)});
+  EXPECT_EQ(log.count("cold"), 7) << "six rounds and one to know its time";
+  EXPECT_EQ(log.count("before"), 7);
+  for (std::size_t i = 1; i < log.calls.size(); ++i) {
+    if (log.calls[i] != "cold") continue;
+    EXPECT_EQ(log.calls[i - 1], "before");
+  }
+  EXPECT_EQ(run.timings[0].batch, 1);
+  EXPECT_LT(run.timings[0].summary.median, 5.0) << "what comes before takes 5 ms";
+  EXPECT_EQ(key_text(run.control.key), "b/3000") << "one that can be steady";
+}
+
+TEST(Timing, RunsAreJoinedWithTheWorseControl) {
+  Log log;
+  TimingRun all;
+  append(all, {});
+  TimingRun good = time_all({log.make("a", 2)});
+  TimingRun bad = time_all({log.make("b", 2)});
+  good.control_ratio = 1.01;
+  bad.control_ratio = 0.9;
+  append(all, good);
+  append(all, bad);
+  append(all, good);
+  ASSERT_EQ(all.timings.size(), 3U);
+  EXPECT_EQ(key_text(all.timings[1].key), "b/3000");
+  EXPECT_EQ(all.control_ratio, 0.9);
+  EXPECT_EQ(key_text(all.control.key), "b/3000");
 }
 
 TEST(Timing, FastWorkIsRepeatedWithinARoundAndTimesAreForOneUnit) {

@@ -15,6 +15,7 @@
 #include "hip/sphere_fit.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge {
 namespace {
@@ -52,7 +53,7 @@ TEST(BallFit, FindsTheHeadThroughNoise) {
     std::mt19937 random(7);
     std::normal_distribution<double> error(0.0, noise);
     TriangleMesh ball = hip.ball;
-    for (Vec3& v : ball.vertices) v += Vec3(error(random), error(random), error(random));
+    for (Vec3& v : ball.vertices) v += test::random_vector(error, random);
     const SphereFit fit = fit_ball(ball);
     EXPECT_LT(fit.centre.norm(), 0.5 * noise);
     EXPECT_NEAR(fit.radius, 24.0, 0.5 * noise);

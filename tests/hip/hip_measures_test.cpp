@@ -3,6 +3,7 @@
 // lengths to 0.05 mm; over all presets, both sides, and hips drawn at random.
 #include "hip/hip_measures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -40,7 +41,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   for (std::size_t h = 0; h < kClockHours; ++h)
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
 
-  const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head.centre, p.side);
+  const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
   Vec3 shift = socket.socket.centre - femur.head.centre;
   if (p.side == Side::left) shift.x() = -shift.x();
@@ -127,6 +128,35 @@ TEST(HipMeasures, TheWallChangesNothing) {
   expect_measures(p, make_hip(p, 20000));
 }
 
+// 0.3 mm of noise: a single crossing of the contour would move twice as far.
+TEST(HipMeasures, NoiseOfTheSurfaceMovesAlphaByAFewDegrees) {
+  MeasureChoices single;
+  single.alpha_window = 0.0;
+  double most = 0.0;
+  double most_of_single = 0.0;
+  for (const char* preset : {"normal", "cam"}) {
+    const HipParameters p = hip_preset(preset);
+    const HipSurface surface = hip_surface(p);
+    const Hip hip = make_hip(p);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      std::mt19937_64 random(seed);
+      std::normal_distribution<double> error(0.0, 0.3);
+      TriangleMesh noisy = hip.ball;
+      for (Vec3& v : noisy.vertices) v += error(random) * v.normalized();
+      const FemurMeasures femur = measure_femur(noisy, p.side);
+      const FemurMeasures otherwise = measure_femur(noisy, p.side, single);
+      for (std::size_t h = 0; h < kClockHours; ++h) {
+        const double truth = alpha_angle_deg(surface, static_cast<double>(h));
+        EXPECT_NEAR(femur.alpha[h], truth, 7.0) << preset << " " << seed << " at " << h << " o'clock";
+        most = std::max(most, std::abs(femur.alpha[h] - truth));
+        if (!std::isnan(otherwise.alpha[h]))
+          most_of_single = std::max(most_of_single, std::abs(otherwise.alpha[h] - truth));
+      }
+    }
+  }
+  EXPECT_GT(most_of_single, 2.0 * most);
+}
+
 TEST(HipMeasures, ABallWithoutAShaftHasNoShaftAngle) {
   const FemurMeasures femur = measure_femur(make_hip({.shaft_length = 0.0}).ball, Side::right);
   EXPECT_FALSE(femur.neck_shaft_angle);
@@ -136,7 +166,8 @@ TEST(HipMeasures, ABallWithoutAShaftHasNoShaftAngle) {
 
 TEST(HipMeasures, WhatIsNoHipIsRefused) {
   EXPECT_THROW(measure_femur(sphere(24.0, 1000), Side::right), std::invalid_argument);
-  EXPECT_THROW(measure_acetabulum(sphere(24.0, 1000), Vec3::Zero(), Side::right), std::invalid_argument);
+  EXPECT_THROW(measure_acetabulum(sphere(24.0, 1000), {Vec3::Zero(), 24.0}, Side::right),
+               std::invalid_argument);
 }
 
 }  // namespace

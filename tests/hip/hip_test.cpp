@@ -23,7 +23,7 @@ namespace {
 class HipPreset : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(HipPreset, MeshesAreSound) {
-  const Hip hip = make_hip(hip_preset(GetParam()));
+  const BallSocketPair hip = main_surfaces(make_hip(hip_preset(GetParam())));
   for (const TriangleMesh* mesh : {&hip.ball, &hip.socket}) {
     const MeshReport report = validate(*mesh);
     EXPECT_NEAR(static_cast<double>(report.faces), static_cast<double>(kHipFaces), 0.03 * kHipFaces);
@@ -41,7 +41,7 @@ TEST_P(HipPreset, VerticesLieOnTheSmoothSurfaces) {
   HipParameters p = hip_preset(GetParam());
   p.side = Side::right;
   const HipSurface surface = hip_surface(p);
-  const Hip hip = make_hip(p, 3000);
+  const BallSocketPair hip = main_surfaces(make_hip(p, 3000));
   std::size_t checked = 0;
   for (const Vec3& v : hip.ball.vertices) {
     if (v.dot(surface.neck) > neck_end(surface) - 1e-9) continue;  // the shaft
@@ -56,7 +56,8 @@ TEST_P(HipPreset, VerticesLieOnTheSmoothSurfaces) {
 TEST_P(HipPreset, IsStarShapedWithoutTheShaft) {
   HipParameters p = hip_preset(GetParam());
   p.shaft_length = 0.0;
-  const Hip hip = make_hip(p, 3000);
+  ASSERT_TRUE(make_hip(p, 3000).ball_parts.empty());
+  const BallSocketPair hip = main_surfaces(make_hip(p, 3000));
   EXPECT_TRUE(star_shape(hip.ball).star_shaped);
   EXPECT_TRUE(star_shape(hip.socket).star_shaped);
   EXPECT_GT(validate(hip.ball).volume.value(), 0.0);
@@ -65,7 +66,7 @@ TEST_P(HipPreset, IsStarShapedWithoutTheShaft) {
 TEST_P(HipPreset, AWallMakesTheSocketAClosedShell) {
   HipParameters p = hip_preset(GetParam());
   p.wall_thickness = 5.0;
-  const MeshReport report = validate(make_hip(p, 3000).socket);
+  const MeshReport report = validate(main_surfaces(make_hip(p, 3000)).socket);
   EXPECT_EQ(report.degenerate_faces + report.flipped_faces + report.non_manifold_edges, 0U);
   EXPECT_GT(report.volume.value(), 0.0);
 }
@@ -76,10 +77,12 @@ TEST_P(HipPreset, TheLeftHipIsTheMirrorImage) {
   const Hip right = make_hip(p, 1000);
   p.side = Side::left;
   const Hip left = make_hip(p, 1000);
-  ASSERT_EQ(left.ball.vertices.size(), right.ball.vertices.size());
-  for (std::size_t i = 0; i < left.ball.vertices.size(); ++i) {
-    const Vec3& v = right.ball.vertices[i];
-    EXPECT_EQ(left.ball.vertices[i], Vec3(-v.x(), v.y(), v.z()));
+  for (TriangleMesh Hip::*of : {&Hip::ball, &Hip::socket}) {
+    ASSERT_EQ((left.*of).vertices.size(), (right.*of).vertices.size());
+    for (std::size_t i = 0; i < (left.*of).vertices.size(); ++i) {
+      const Vec3& v = (right.*of).vertices[i];
+      EXPECT_EQ((left.*of).vertices[i], Vec3(-v.x(), v.y(), v.z()));
+    }
   }
   EXPECT_DOUBLE_EQ(validate(left.ball).volume.value(), validate(right.ball).volume.value());
 }
@@ -151,7 +154,11 @@ INSTANTIATE_TEST_SUITE_P(
         Impossible{"neck_length=30", "neck_length"}, Impossible{"conchoid_a=20", "conchoid_b"},
         Impossible{"conchoid_a=17 conchoid_b=18", "conchoid_a"}, Impossible{"head_radius=0", "head_radius"},
         Impossible{"half_opening=50 lateral_centre_edge=70 inclination=85", "lateral_centre_edge"},
-        Impossible{"half_opening=120 pincer_height=15 pincer_clock=4", "pincer_height"}),
+        Impossible{"half_opening=120 pincer_height=15 pincer_clock=4", "pincer_height"},
+        Impossible{"aiis_height=10 aiis_distance=2", "aiis_height"},
+        Impossible{"greater_trochanter_width=60 greater_trochanter_tip=20 greater_trochanter_offset=25",
+                   "greater_trochanter_width"},
+        Impossible{"lesser_trochanter_height=21", "lesser_trochanter_height"}),
     [](const auto& hip) { return "No" + std::to_string(hip.index); });
 
 }  // namespace

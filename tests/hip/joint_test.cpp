@@ -65,6 +65,20 @@ bool has(const Joint& joint, const std::string& words) {
   return false;
 }
 
+// A rim of radius 25 and half opening 85 degrees that is moved by 60 mm along its axis is 63 mm from the
+// centre.
+TEST(AssembledJoint, ASocketFarFromTheBallIsTheFirstOfItsWarnings) {
+  for (const double away : {0.0, 5.0, 60.0}) {
+    JointInput input = joint_of(sphere(kRadius, 3000), moved(cup(25.0, 85.0, 1200), Vec3(0.0, 0.0, away)));
+    input.centre = Vec3::Zero();
+    const Joint joint = assemble_joint(std::move(input));
+    const bool first =
+        !joint.warnings.empty() && joint.warnings[0].find("nowhere nearer") != std::string::npos;
+    EXPECT_EQ(joint.doubts, away > 50.0 ? 1U : 0U) << away;
+    EXPECT_EQ(first, away > 50.0) << away;
+  }
+}
+
 TEST(AssembledJoint, ACapOfABallIsTakenWithAWarningThatTellsItsShare) {
   for (const double angle : {30.0, 60.0, 80.0}) {
     for (const bool given : {false, true}) {

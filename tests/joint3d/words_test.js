@@ -18,7 +18,9 @@ let words;
 before(async () => {
   fs.cpSync(path.join(__dirname, '../../analysis/joint3d/src'), folder, { recursive: true });
   fs.writeFileSync(path.join(folder, 'package.json'), '{ "type": "module" }');
-  words = { ...await load('elements.js'), ...await load('sweep_panel.js'), ...await load('proof.js') };
+  fs.symlinkSync(path.join(__dirname, '../../analysis/node_modules'), path.join(folder, 'node_modules'));
+  const names = ['elements', 'files_panel', 'limits_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel'];
+  words = Object.assign({}, ...await Promise.all(names.map((name) => load(`${name}.js`))));
 });
 
 after(() => fs.rmSync(folder, { recursive: true }));
@@ -67,4 +69,82 @@ test('proven gaps and bounds are rounded outward', () => {
   proof.show({ clear: 5, impinged: 0, undecided: 0, unbounded: 0, measured: 1, largest_mm: 1.2301, median_mm: 0.0123401, low_mm: -0.0704, high_mm: 0.0512 });
   assert.equal(shown['smallest-proven'].textContent, '−0.071 to 0.052 mm');
   assert.deepEqual(['bound', 'bound-half'].map((id) => shown[id].textContent), ['± 1.24 mm', '± 12.4 µm']);
+});
+
+test('a fault is told in words of the page, not of JavaScript', async () => {
+  const { Told, inWords, readMesh } = words;
+  const { inWords: workerInWords } = require('../../analysis/joint3d/src/worker.js');
+  const seen = [];
+  const { error: log } = console;
+  console.error = (error) => seen.push(error);
+  try {
+    assert.equal(inWords(new Told('cup.stl: is empty; give a mesh')), 'cup.stl: is empty; give a mesh');
+    for (const error of [new RangeError('Array buffer allocation failed'), new Error('Out of memory')]) {
+      assert.match(inWords(error), /^there is not enough memory; choose/);
+      assert.match(workerInWords(error), /^there is not enough memory; choose/);
+    }
+    for (const error of [new TypeError("Cannot read properties of undefined (reading 'x')"), new Error('unreachable')]) {
+      for (const told of [inWords(error), workerInWords(error)]) {
+        assert.match(told, /load (it|the page) again/);
+        assert.ok(!told.includes(error.message), told);
+      }
+    }
+  } finally {
+    console.error = log;
+  }
+  assert.equal(seen.length, 2, 'what the page does not know goes to the console, where tests see it');
+  const file = (name, bytes) => ({ name, size: 9, arrayBuffer: () => (bytes instanceof Error ? Promise.reject(bytes) : Promise.resolve(bytes)) });
+  await assert.rejects(readMesh(file('a.ply', new RangeError('Array buffer allocation failed'))), /^BadFile|a\.ply: there is not enough memory/);
+  const short = new TextEncoder().encode('solid').buffer; // a RangeError of a DataView, which is no lack of memory
+  await assert.rejects(readMesh(file('short.stl', short)), ({ message }) => /^short\.stl: it cannot be read as a mesh; /.test(message));
+  await assert.rejects(readMesh(file('a.ply', new ArrayBuffer(9))), ({ message }) => /^a\.ply: .*; /.test(message) && !/undefined|Cannot read/.test(message));
+});
+
+test('a unit is offered where a human head would have it', () => {
+  assert.deepEqual(words.likelyUnits(24, 'mm'), []);
+  assert.deepEqual(words.likelyUnits(0.024, 'mm'), ['m']);
+  assert.deepEqual(words.likelyUnits(2.4, 'mm'), ['cm']);
+  assert.deepEqual(words.likelyUnits(24000, 'm'), ['mm']);
+});
+
+test('names of files say joint and pose, and none is empty', () => {
+  const state = { motion: { flexion: 90, abduction: -10.25, internal_rotation: 0 }, offset: [0, 0, 1] };
+  assert.equal(words.fileStem('Patient A (stand-in)', 'right', state), 'patient_a_stand_in_right_flexion_90_adduction_10.25_shifted');
+  assert.equal(words.fileStem('Fémur 1.ply and acetabulum.stl', null, { motion: {}, offset: [0, 0, 0] }), 'femur_1_and_acetabulum');
+  assert.equal(words.poseWords(state), 'Flexion 90°, adduction 10.25°; ball shifted by 0.0, 0.0, 1.0 mm to the right, forward, up');
+  assert.equal(words.poseWords({ motion: { flexion: 0, abduction: 0, internal_rotation: 0 }, offset: [0, 0, 0] }), 'Pose of the scan');
+});
+
+test('a file of limits has a cell for every column, and quotes a name', () => {
+  const limits = [LIMIT, { ...LIMIT, about: 'socket', state: 'free', clock: null, leaves_ball_mesh_deg: 30.06 }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, hangs_on_less: true }];
+  const [head, ...lines] = words.limitsCsv('cam, right', [{ motion: { name: 'fadir' }, limits }]).trim().split('\n');
+  assert.equal(head.split(',').length, 12);
+  assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,');
+  assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,the ball\'s mesh ends from 30.0');
+  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,hangs on less than 0.5 mm');
+});
+
+test('a state comes back from its fragment, with the camera, and nonsense is left out', async () => {
+  const { firstState, fromFragment, toFragment } = words;
+  const state = firstState();
+  state.look.camera = [1, -2.5, 3, 0, 0.5, 0];
+  Object.assign(state, { offset: [1, 0, -0.5], held: true, required: 'flexion=90, abduction=-10; extension=5', clearance: 0.7, tilt: -4 });
+  state.joint = { name: 'own', side: 'left', parameters: {} };
+  assert.deepEqual(fromFragment(`#${toFragment(state)}`), state);
+  for (const camera of ['1,2,3', '1,2,3,4,5,x', '1,2,3,4,5,1e9', '']) assert.equal(fromFragment(`#camera=${camera}`).look.camera, null);
+  assert.deepEqual(fromFragment('#motion'), firstState());
+});
+
+test('what is asked while tables follow a joint is asked of that joint', async () => {
+  const sent = [];
+  const client = { ask: async (kind, request) => { sent.push([kind, request]); return { bound_mm: null }; } };
+  const slow = new words.SlowWorker(client, { rest: 5, onBound() {}, fault: assert.fail });
+  slow.follow({ joint: 'cam' });
+  const first = slow.ask('measures');
+  slow.follow({ tables: 'fine' }); // before the joint was sent
+  await first;
+  await slow.ask('sweep', 'flexion');
+  assert.deepEqual(sent, [['joint', 'cam'], ['tables', 'fine'], ['measures', undefined], ['sweep', 'flexion']]);
+  await new Promise((done) => setTimeout(done, 150));
+  assert.deepEqual(sent.slice(4), [['bound', undefined]]);
 });

@@ -46,7 +46,7 @@ test('the catalogue is that of the library', async () => {
     catalogue.presets.map((preset) => preset.name),
     ['normal', 'cam', 'pincer', 'mixed', 'dysplastic', 'patient_a', 'patient_b'],
   );
-  assert.equal(catalogue.parameters.length, 30);
+  assert.equal(catalogue.parameters.length, 39);
   for (const { key, least, most, step } of catalogue.parameters) {
     assert.ok(least < most && step > 0);
     for (const preset of catalogue.presets) assert.ok(preset.parameters[key] >= least && preset.parameters[key] <= most);
@@ -107,6 +107,126 @@ test('a joint comes with all that is drawn of it', async () => {
   assert.equal(pose.histogram.edges.length, pose.histogram.counts.length + 1);
   // Flexion turns up into forward: the column of z is (0, ...).
   assert.ok(Math.abs(pose.matrix[5]) < 1e-7 && Math.abs(Math.abs(pose.matrix[6]) - 1) < 1e-7);
+});
+
+test('limits are those of a sweep, and measures those that a hip was made with', async () => {
+  const { motions, parameters } = await one('presets');
+  assert.deepEqual(motions.filter(({ name }) => /^(fadir|internal_rotation_at_45|flexion)$/.test(name)).map(({ label }) => label),
+    ['Flexion (thigh forward)', 'Internal rotation at 45 degrees of flexion', 'FADIR (at 90 of flexion and 15 of adduction)']);
+  assert.equal(new Set(parameters.map(({ meaning }) => meaning)).size, 39);
+  const request = { motion: 'fadir', translation: [0, 0.5, 0], cartilage_mm: 3 };
+  assert.deepEqual((await one('limits', request)).limits, (await one('sweep', { ...request, step_deg: 30 })).limits);
+  assert.deepEqual((await one('limits', { motion: 'flexion' })).limits.map(({ about, threshold_mm: mm }) => [about, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
+  assert.equal((await one('limits', { motion: 'flexion', largest_deg: 360 })).largest_deg, 180);
+  const made = (await one('joint', { source: 'preset', name: 'normal', parameters: {} })).parameters;
+  const { measures, left_out: leftOut } = await one('measures');
+  assert.deepEqual(leftOut, []);
+  const found = Object.fromEntries(measures.map(({ measure, value }) => [measure, value]));
+  for (const key of ['neck_shaft_angle', 'femoral_torsion', 'inclination', 'version', 'half_opening', 'lateral_centre_edge'])
+    assert.ok(Math.abs(found[key] - made[key]) < 0.5, `${key} ${found[key]} ${made[key]}`);
+  for (const key of ['head_radius', 'head_neck_offset']) assert.ok(Math.abs(found[key] - made[key]) < 0.05, `${key} ${found[key]}`);
+  const bare = { source: 'files', centre: [0, 0, 0], ball: whole, socket: round };
+  await one('joint', { ...bare, side: 'left' });
+  assert.ok((await one('measures')).left_out.every((why) => /; give|no face|sphere/.test(why)));
+  await one('joint', { ...bare, side: null });
+  assert.match((await one('measures')).error, /give left or right/);
+});
+
+// A pose of which the gaps are clearly below 0 is not free; one on a motion from the scan before its limit is reachable.
+test('the volume agrees with gaps and limits', async () => {
+  const volume = await one('volume', { width: 0.2 });
+  assert.equal(volume.error, undefined);
+  const { low, high, reachable_low: least, reachable_high: most, flexion, abduction, internal_rotation: rotation, states } = volume;
+  assert.ok(0 < least && least <= low + 1e-6 && low < high && most <= high + 1e-6 && high < 1 && high - low <= 0.2 + 1e-6, JSON.stringify([least, low, most, high]));
+  assert.equal(states.length, flexion.count * abduction.count * rotation.count);
+  const at = (axis, angle) => (angle - axis.least) / axis.step;
+  const state = (f, a, r) => states[(at(flexion, f) * abduction.count + at(abduction, a)) * rotation.count + at(rotation, r)];
+  assert.equal(state(0, 0, 0), 2, 'the pose of the scan');
+  const { limits: [limit] } = await one('limits', { motion: 'flexion', largest_deg: 140 });
+  for (let f = 0; f < limit.low_deg && f <= 140; f += flexion.step) assert.ok(state(f, 0, 0) > 0, `flexion ${f} is reached`);
+  let blocked = 0;
+  let reached = 0;
+  for (let k = 0; k < 400; k += 1) {
+    const [f, a, r] = [[flexion, 7 * k], [abduction, 5 * k], [rotation, 11 * k]].map(([axis, j]) => axis.least + axis.step * (j % axis.count));
+    const { smallest } = await one('pose', { flexion: f, abduction: a, internal_rotation: r });
+    if (smallest.gap_mm < -0.3) assert.ok(state(f, a, r) < 2, `${f} ${a} ${r}: ${smallest.gap_mm} mm`);
+    blocked += smallest.gap_mm < -0.3;
+    reached += state(f, a, r) === 2;
+  }
+  assert.ok(blocked > 40 && reached > 10, `${blocked} blocked, ${reached} reached`);
+  assert.match((await one('volume', { width: 0 })).error, /choose a width from 0.02/);
+});
+
+const REQUIRED = { required: 'flexion=90, internal_rotation=30' };
+
+// The cut ball, put in the place of the whole one, reaches it.
+test('a cut reaches what is required', async () => {
+  const before = await one('joint', { source: 'preset', name: 'cam', parameters: {} });
+  const cut = await one('resection', { ...REQUIRED, clearance_mm: 0.5 });
+  assert.equal(cut.error, undefined);
+  assert.ok(0 < cut.volume_mm3[0] && cut.volume_mm3[0] <= cut.volume_mm3[1] && cut.depth_mm[0] <= cut.depth_mm[1]);
+  assert.equal(cut.depth.length, cut.positions.length / 3);
+  assert.ok(cut.depth.reduce((most, depth) => Math.max(most, depth), 0) >= cut.depth_mm[0] - 1e-4);
+  const old = before.ball.positions;
+  for (let k = 0; k < old.length; k += 3) {
+    const moved = Math.hypot(...[0, 1, 2].map((c) => old[k + c] - cut.positions[k + c]));
+    assert.ok(Math.abs(moved - cut.depth[k / 3]) < 1e-4, `vertex ${k / 3} moved by ${moved}, not ${cut.depth[k / 3]} mm`);
+  }
+  assert.deepEqual(cut.legs.map(({ words }) => words), ['flexion from 0 to 90 degrees', 'internal_rotation from 0 to 30 degrees at flexion 90']);
+  assert.ok(cut.legs[1].before.low_deg < 30 && cut.legs[1].after.low_deg >= 30);
+  const pose = { flexion: 90, internal_rotation: 30 };
+  assert.ok((await one('pose', pose)).smallest.gap_mm < 0);
+  const mesh = (name, { positions, faces }) => ({ name, positions: Float64Array.from(positions), faces });
+  await one('joint', { source: 'files', side: 'right', centre: [0, 0, 0], ball: mesh('ball', cut), socket: mesh('socket', before.socket) });
+  const { limits: [limit] } = await one('limits', { motion: 'internal_rotation', pose: { flexion: 90 } });
+  assert.ok(limit.low_deg > 30 && Math.abs(limit.low_deg - cut.legs[1].after.low_deg) < 0.01, JSON.stringify(limit));
+});
+
+// The squares make up the map; the socket as it is is free up to a limit and blocked beyond.
+test('the map of orientations agrees with a limit', async () => {
+  const { limits: [limit] } = await one('limits', { motion: 'flexion', largest_deg: 170 });
+  assert.equal(limit.state, 'limited');
+  for (const [angle, state] of [[limit.low_deg - 3, 'free'], [limit.high_deg + 3, 'blocked']]) {
+    const { squares, legs, area_deg2: area, as_scanned: now, map, error } = await one('orientation', { required: `flexion=${angle}` });
+    assert.equal(error, undefined);
+    assert.equal(now.state, state);
+    const found = [0, 0, 0, 0];
+    assert.deepEqual(legs, [`flexion from 0 to ${Number(angle.toPrecision(6))} degrees`]);
+    for (let k = 0; k < squares.length; k += 5) {
+      assert.equal(squares[k + 4], squares[k + 3] === 0 ? -1 : 0, 'the one motion is what is not free');
+      found[squares[k + 3]] += 4 * squares[k + 2] ** 2;
+      if (['inclination_deg', 'anteversion_deg'].every((name, c) => Math.abs(now[name] - squares[k + c]) < squares[k + 2]))
+        assert.equal(['free', 'blocked', 'unknown', 'open'][squares[k + 3]], state);
+    }
+    ['free', 'blocked', 'unknown', 'open'].forEach((name, k) => assert.ok(Math.abs(found[k] - area[name]) < 1e-3, name));
+    assert.ok(Math.abs(found.reduce((sum, each) => sum + each) - map.width_deg ** 2) < 1e-3);
+  }
+});
+
+test('what cannot be required is refused', async () => {
+  for (const kind of ['resection', 'orientation']) {
+    for (const required of ['', ' ; ', 'flexion=0']) assert.match((await one(kind, { required })).error, /^a required motion turns something; type it/);
+    assert.match((await one(kind, { required: 'bend=3' })).error, /^unknown motion 'bend'/);
+    assert.match((await one(kind, { required: 'flexion=90; flexion' })).error, /flexion/);
+  }
+  assert.match((await one('resection', { ...REQUIRED, clearance_mm: 0 })).error, /^a clearance is above 0 mm/);
+  assert.match((await one('resection', { ...REQUIRED, clearance_mm: 9 })).error, /less than the clearance; give a smaller one$/);
+  assert.match((await one('orientation', { ...REQUIRED, tilt_deg: 91 })).error, /^a tilt is from -90 to 90/);
+});
+
+test('headers of Slicer say the axes', async () => {
+  const { ball, socket } = await one('joint', { source: 'preset', name: 'cam', parameters: {} });
+  const turned = ({ positions, faces }) => ({ positions: Float64Array.from(positions, (x, k) => (k % 3 < 2 ? -x : x)), faces });
+  const head = (words) => new TextEncoder().encode(`ply\nformat ascii 1.0\ncomment ${words}\nelement vertex 3\nend_header\n`);
+  const files = (of, other, axes) => ({ source: 'files', side: 'right', centre: [0, 0, 0], axes,
+    ball: { name: 'femur.ply', ...turned(ball), head: head(of) }, socket: { name: 'pelvis.ply', ...turned(socket), head: head(other) } });
+  const said = async (...words) => { const { axes, axes_from: from, doubts, error } = await one('joint', files(...words)); return error ?? [axes, from, doubts]; };
+  assert.deepEqual(await said('SPACE=LPS', 'SPACE=LPS', null), ['LPS', 'header', 0]);
+  assert.deepEqual(await said('SPACE=LPS', 'nothing', null), ['LPS', 'header', 0]);
+  assert.deepEqual(await said('nothing', 'nothing', 'LPS'), ['LPS', 'given', 0]);
+  assert.deepEqual((await said('nothing', 'nothing', null)).slice(0, 2), ['RAS', 'assumed']);
+  assert.match(await said('SPACE=LPS', 'SPACE=RAS', null), /^pelvis.ply: its header says SPACE=RAS, and that of the ball SPACE=LPS; export both/);
+  assert.match(await said('SPACE=LPS', 'SPACE=LPS', 'RAS'), /^femur.ply: its header says SPACE=LPS, and the field Axes says RAS; leave/);
 });
 
 test('only the newest pose that waits is looked at', async () => {
@@ -213,6 +333,9 @@ test('a unit that no joint has is remarked on, and so is a ball that is a cap', 
   assert.equal(await warned(whole, round), '');
   for (const unit of [0.001, 0.1])
     assert.match(await warned(octahedron('head.stl', 20 * unit), octahedron('cup.stl', 24 * unit)), /^head.stl: has a radius of .* lengths are read as mm/);
+  assert.equal((await one('joint', { ...request, ball: octahedron('head.stl', 2), socket: octahedron('cup.stl', 2.4) })).doubts, 1);
+  assert.equal((await one('joint', { ...request, ball: whole, socket: octahedron('cup.stl', 60) })).doubts, 1);
+  assert.equal((await one('joint', { ...request, ball: whole, socket: round })).doubts, 0);
   const three = { ...whole, faces: whole.faces.slice(0, 9) };
   assert.match(await warned(three, round), /^head.stl: is a cap, 3\d % of the view/);
 });

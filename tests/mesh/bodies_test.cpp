@@ -15,6 +15,7 @@
 
 #include "mesh/rings.hpp"
 #include "mesh/validation.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge {
 namespace {
@@ -64,7 +65,7 @@ std::vector<Vec3> random_directions(std::size_t n) {
   std::normal_distribution<double> normal;
   std::vector<Vec3> directions;
   while (directions.size() < n) {
-    directions.push_back(Vec3(normal(random), normal(random), normal(random)).normalized());
+    directions.push_back(test::random_vector(normal, random).normalized());
   }
   return directions;
 }

@@ -12,6 +12,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/validation.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge {
 namespace {
@@ -102,7 +103,7 @@ TEST(Weld, AgreesWithItsDefinition) {
       std::uniform_real_distribution<double> coordinate(offset - 1.0, offset + 1.0);
       TriangleMesh mesh;
       for (int i = 0; i < 600; ++i) {
-        mesh.vertices.push_back(scale * Vec3(coordinate(random), coordinate(random), coordinate(random)));
+        mesh.vertices.push_back(scale * test::random_vector(coordinate, random));
       }
       for (const double tolerance : {0.01, 0.2, 0.9}) {
         const Weld welded = weld(mesh, tolerance * scale);
@@ -126,7 +127,7 @@ TEST(Weld, ClosesASphereTornByRounding) {
   TriangleMesh mesh = soup(sphere(25.0, 1000));
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
-  for (Vec3& v : mesh.vertices) v += Vec3(noise(random), noise(random), noise(random));
+  for (Vec3& v : mesh.vertices) v += test::random_vector(noise, random);
   EXPECT_FALSE(validate(weld(mesh).mesh).closed());
   const Weld welded = weld(mesh, 1e-3);
   EXPECT_TRUE(validate(welded.mesh).closed());

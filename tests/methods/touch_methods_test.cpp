@@ -22,6 +22,7 @@
 #include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -43,10 +44,10 @@ struct Answers {
   std::vector<TouchCase> methods;
 };
 
-// Do they look at faces, and not at vertices alone? ODE does in float, which is enough away from
-// contact.
+// Do they look at faces, and not at vertices alone? ODE and Bullet do in float, which is
+// enough away from contact.
 bool is_exact(const TouchCase& method) {
-  return std::ranges::any_of(std::array{"pairwise", "cgal_", "fcl_", "vtk_", "ode_"},
+  return std::ranges::any_of(std::array{"pairwise", "cgal_", "fcl_", "vtk_", "ode_", "bullet_"},
                              [&](const char* start) { return method.name.starts_with(start); });
 }
 
@@ -57,7 +58,7 @@ Pose random_pose(std::mt19937_64& random, double length) {
   pose.rotation = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
                       .normalized()
                       .toRotationMatrix();
-  pose.translation = length * Vec3(normal(random), normal(random), normal(random)).normalized();
+  pose.translation = length * test::random_vector(normal, random).normalized();
   return pose;
 }
 

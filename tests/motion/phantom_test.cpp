@@ -45,10 +45,8 @@ void expect_within(std::size_t sides, double degrees) {
 // A quarter of the sides of the default sizes: the error is of second order. Worst seen: 0.069.
 TEST(Phantom, LimitsAreThoseOfTheClosedForms) { expect_within(90, 0.11); }
 
-#ifndef __SANITIZE_ADDRESS__
-// At the default sizes, which take half a minute under a sanitizer. Worst seen: 0.0056.
+// At the default sizes. Worst seen: 0.0056.
 TEST(Phantom, LimitsAreWithinAHundredthOfADegree) { expect_within(PhantomSizes{}.sides, kPhantomLimitError); }
-#endif
 
 TEST(Phantom, GapsAreWithinTheirBounds) {
   const auto rows = phantom_gaps({40, 400, 4.0});  // coarse, for the time it takes

@@ -93,7 +93,7 @@ TEST(SceneNeeds, TheFacesAnswerASinglePose) {
     EXPECT_EQ(answer_question(*session.joint, options).answer.smallest->gap_mm, faces.smallest->gap_mm);
     options.question = Question::touch;
     EXPECT_EQ(answer_question(*session.joint, options).answer.touches[0],
-              faces.certificate->vertices_impinged());
+              faces.certificate->surfaces_impinged);
     options.question = Question::all_gaps;
     options.scan_socket = false;
     options.outputs = {true, false, false, false};
@@ -102,6 +102,26 @@ TEST(SceneNeeds, TheFacesAnswerASinglePose) {
     EXPECT_TRUE(ball.socket.gap.empty() && ball.ball.bound.empty());
     EXPECT_NE(ball.way.find("measured on the faces near it"), std::string::npos) << ball.way;
   }
+}
+
+// Where edges cross and no vertex is beyond, the surfaces touch, and vertices alone would not say so.
+TEST(SceneNeeds, ATouchBetweenVerticesIsOne) {
+  Session session = hip();
+  SceneOptions options = flexed("30");
+  options.precision_deg.reset();
+  options.outputs = {true, false, false, true};
+  bool between = false;
+  for (double angle = 30.0; angle < 60.0 && !between; angle += 0.05) {
+    options.motion.flexion = angle;
+    options.question = Question::all_gaps;
+    const Certificate certificate = *measure(session, options).certificate;
+    between = certificate.surfaces_impinged && !certificate.vertices_impinged();
+  }
+  ASSERT_TRUE(between);
+  options.question = Question::touch;
+  EXPECT_TRUE(answer_question(*session.joint, options).answer.touches[0]);
+  options.scan_socket = false;
+  EXPECT_FALSE(answer_question(*session.joint, options).answer.touches[0]) << "of the ball's vertices";
 }
 
 // On the faces where no table is proven to be that accurate: any accuracy can be promised.

@@ -48,6 +48,25 @@ TEST(SceneOptions, ReadsAllOfTheContract) {
   EXPECT_FALSE(parse({"--centre", "fit"})->centre);
 }
 
+TEST(SceneOptions, ReadsRequiredMotions) {
+  const auto options =
+      parse({"--question", "resection", "--side", "left", "--require", "flexion=90,internal_rotation=30",
+             "--require", "extension=20", "--clearance", "1.5", "--neck", "20"});
+  ASSERT_TRUE(options->change);
+  ASSERT_EQ(options->change->required.size(), 2U);
+  EXPECT_EQ(options->change->required[0].internal_rotation, 30.0);
+  EXPECT_EQ(options->change->required[1].flexion, -20.0);
+  EXPECT_EQ(options->change->text, "flexion=90,internal_rotation=30; extension=20");
+  EXPECT_EQ(options->change->clearance_mm, 1.5);
+  EXPECT_EQ(options->change->least_neck_mm, 20.0);
+  EXPECT_FALSE(options->change->of_socket);
+  EXPECT_FALSE(parse({})->change);
+  const auto turned =
+      parse({"--question", "orientation", "--side", "right", "--require", "flexion=90", "--tilt", "-7.5"});
+  EXPECT_TRUE(turned->change->of_socket);
+  EXPECT_EQ(turned->change->tilt_deg, -7.5);
+}
+
 TEST(SceneOptions, ReadsWhatTheSceneNeeds) {
   EXPECT_EQ(parse({})->question, Question::all_gaps);
   EXPECT_TRUE(parse({})->outputs.distances);
@@ -148,10 +167,26 @@ TEST(SceneOptions, HelpNamesEveryOption) {
   std::string help;
   const std::vector<const char*> argv{"scene", "--help"};
   EXPECT_FALSE(parse_scene_options(2, argv.data(), help));
-  for (const char* option : {"--ball", "--socket", "--out", "--centre", "--scheme", "--precision",
-                             "--max-error", "--pose", "--side", "--axes", "--cartilage"}) {
+  for (const char* option :
+       {"--ball", "--socket", "--out", "--centre", "--scheme", "--precision", "--max-error", "--pose",
+        "--side", "--axes", "--cartilage", "--require", "--clearance", "--neck", "--tilt"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
+}
+
+TEST(SceneOptions, AllRotationsHaveOptionsOfTheirOwn) {
+  EXPECT_FALSE(parse({})->volume);
+  const auto volume =
+      parse({"--question", "volume", "--width", "0.02", "--gap", "4", "--centre-within", "1"})->volume;
+  ASSERT_TRUE(volume);
+  EXPECT_EQ(volume->width, 0.02);
+  EXPECT_EQ(volume->gap_mm, 4.0);
+  EXPECT_EQ(volume->centre_within_mm, 1.0);
+  EXPECT_TRUE(parse({"--question", "limits", "--side", "left"})->all_motions);
+  EXPECT_THROW(parse({"--question", "limits"}), OptionError);
+  EXPECT_THROW(parse({"--question", "volume", "--width", "0"}), OptionError);
+  EXPECT_THROW(parse({"--gap", "4"}), OptionError);
+  EXPECT_THROW(parse({"--question", "volume", "--path", "flexion=0..90/1"}), OptionError);
 }
 
 }  // namespace

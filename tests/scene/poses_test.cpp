@@ -29,7 +29,7 @@ class Poses : public testing::Test {
  protected:
   Poses() {
     PairShape shape;
-    shape.cam_height = 3.9;
+    shape.cam_height = 4.4;
     pair_ = make_ball_socket_pair(1200, shape);
     options_.ball = folder_.path() / "ball.ply";
     options_.socket = folder_.path() / "socket.ply";
@@ -127,6 +127,40 @@ TEST_F(Poses, AnglesTurnAsInOnePose) {
     const Pose pose{joint_rotation(motion, Side::left), Vec3::Zero()};
     EXPECT_NEAR(std::stod(rows[k][3]), least_gap(joint_, pose), 1e-9);
   }
+}
+
+// Area of the vertices of a surface whose gap is `most` or less, by rays through all faces.
+double area_within(const BallSocketPair& joint, const Pose& pose, Surface of, double most) {
+  const TriangleMesh& mesh = of == Surface::ball ? joint.ball : joint.socket;
+  const RayCaster other(of == Surface::ball ? joint.socket : joint.ball);
+  const std::vector<double> areas = vertex_areas(mesh);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const Vec3 x = of == Surface::ball ? to_socket(pose, mesh.vertices[i]) : to_ball(pose, mesh.vertices[i]);
+    const Layer layer = of == Surface::ball ? Layer::nearest : Layer::farthest;
+    const double gap = (of == Surface::ball ? 1.0 : -1.0) * (other.cast(x.normalized(), layer) - x.norm());
+    if (gap <= most) sum += areas[i];
+  }
+  return sum;
+}
+
+TEST_F(Poses, AreasAreThoseOfAllGaps) {
+  options_.path = "flexion=10..90/40,internal_rotation=-30..30/15";
+  options_.areas = true;
+  options_.cartilage_mm = 3.1;
+  const auto rows = answered();
+  EXPECT_EQ(rows[0][8] + rows[0][11], "bone_ball_mm2cartilage_socket_mm2");
+  double bone = 0.0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const Motion motion{.flexion = std::stod(rows[k][12]), .internal_rotation = std::stod(rows[k][13])};
+    const Pose pose{joint_rotation(motion, Side::left), Vec3::Zero()};
+    EXPECT_NEAR(std::stod(rows[k][8]), area_within(joint_, pose, Surface::ball, 0.0), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][9]), area_within(joint_, pose, Surface::socket, 0.0), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][10]), area_within(joint_, pose, Surface::ball, 3.1), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][11]), area_within(joint_, pose, Surface::socket, 3.1), 1e-9) << k;
+    bone += std::stod(rows[k][8]);
+  }
+  EXPECT_GT(bone, 1.0);
 }
 
 TEST_F(Poses, WhatIsNotAskedForIsLeftOut) {

@@ -13,6 +13,7 @@
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge {
 namespace {
@@ -26,11 +27,11 @@ struct Arc {
 Arc random_arc(std::mt19937_64& random, double longest) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  const Vec3 way(normal(random), normal(random), normal(random));
+  const Vec3 way = test::random_vector(normal, random);
   Vec3 from = way.normalized();
   if (share(random) < 0.3)
     from = (Vec3(0, 0, share(random) < 0.5 ? -1 : 1) + 0.2 * share(random) * from).normalized();
-  const Vec3 aside = from.cross(Vec3(normal(random), normal(random), normal(random))).normalized();
+  const Vec3 aside = from.cross(test::random_vector(normal, random)).normalized();
   const double length = longest * share(random);
   return {from, std::cos(length) * from + std::sin(length) * aside};
 }

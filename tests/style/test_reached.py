@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every file of libcore is reached: by a program of a user (scene, make_pair, Joint3D), by an oracle, or by a header that
+"""Every file of libcore is reached: by a program of a user (scene, make_pair, Joint3D, the module of Python), by an oracle, or by a header that
 libcore/README.md names for a user's own program. What only an experiment asks for belongs to experiments/."""
 import re
 import unittest
@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ROOT / "libcore"
 ORACLES = ("reference", "curves", "spectrum", "imaging")
-PROGRAMS = ("experiments/scene.cpp", "experiments/make_pair.cpp", "analysis/joint3d/engine/*.?pp")
+PROGRAMS = ("experiments/scene.cpp", "experiments/make_pair.cpp", "analysis/joint3d/engine/*.?pp", "libcore/python/*.?pp")
 
 
 def included(path):

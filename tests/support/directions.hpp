@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge::test {
 
@@ -19,7 +20,7 @@ inline std::vector<Vec3> random_directions(std::size_t count, unsigned seed) {
   std::normal_distribution<double> normal;
   std::vector<Vec3> directions;
   while (directions.size() < count) {
-    const Vec3 x(normal(random), normal(random), normal(random));
+    const Vec3 x = random_vector(normal, random);
     if (x.norm() > 1e-3) directions.push_back(x.normalized());
   }
   return directions;

@@ -10,6 +10,7 @@
 
 #include "gap/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge::test {
 
@@ -20,9 +21,9 @@ inline std::vector<Pose> random_poses(std::size_t count, double turn, double shi
   std::uniform_real_distribution<double> share;
   std::vector<Pose> poses(count);
   for (Pose& pose : poses) {
-    const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 axis = random_vector(normal, random).normalized();
     pose.rotation = Eigen::AngleAxisd(turn * share(random), axis).toRotationMatrix();
-    const Vec3 way = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 way = random_vector(normal, random).normalized();
     pose.translation = shift * share(random) * way;
   }
   return poses;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mesh/triangle_mesh.hpp"
+#include "support/random_vector.hpp"
 
 namespace impinge::test {
 
@@ -16,7 +17,7 @@ inline TriangleMesh soup(std::size_t faces, unsigned seed) {
   TriangleMesh mesh;
   for (std::size_t f = 0; f < faces; ++f) {
     const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-    for (int k = 0; k < 3; ++k) mesh.vertices.emplace_back(place(random), place(random), place(random));
+    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(random_vector(place, random));
     mesh.faces.push_back({first, first + 1, first + 2});
   }
   return mesh;

@@ -9,10 +9,13 @@
 #include <string>
 
 #include "catalogue.hpp"
+#include "change.hpp"
 #include "files/one_line.hpp"
+#include "measures.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
 #include "session/joint_files.hpp"
+#include "volume.hpp"
 
 namespace impinge {
 namespace {
@@ -27,12 +30,14 @@ void require_joint() {
 }
 
 val ask_joint(const val& request) {
-  if (request["source"].as<std::string>() == "preset") {
+  const bool preset = request["source"].as<std::string>() == "preset";
+  if (preset) {
     use_hip(session(), hip_request(request));
   } else {
     use_meshes(session(), meshes_request(request));
   }
   val reply = joint_reply(*session().joint);
+  if (!preset) reply.set("axes_from", axes_request(request).from);
   reply.set("tables", tables_reply(session().tables));
   return reply;
 }
@@ -74,6 +79,34 @@ val ask_sweep(const val& request) {
   return sweep_reply(limits, found, answer_limits(session(), limits));
 }
 
+val ask_limits(const val& request) {
+  require_joint();
+  const LimitRequest limits = limit_request(request);
+  return limits_reply(limits, answer_limits(session(), limits));
+}
+
+val ask_measures(const val& /*request*/) {
+  require_joint();
+  return measures_reply(*session().joint);
+}
+
+val ask_volume(const val& request) {
+  require_joint();
+  return volume_reply(*session().joint, width_request(request));
+}
+
+val ask_resection(const val& request) {
+  require_joint();
+  const SessionJoint& joint = *session().joint;
+  return resection_reply(joint, answer_resection(session(), resection_request(request, joint.side)));
+}
+
+val ask_orientation(const val& request) {
+  require_joint();
+  return orientation_reply(
+      answer_orientation(session(), orientation_request(request, session().joint->side)));
+}
+
 val ask_export(const val& request) {
   require_joint();
   const PoseAnswer found = answer_pose(session(), pose_request(request["pose"]));
@@ -101,6 +134,11 @@ val ask(const std::string& kind, const val& request) {
       {"pose", ask_pose},
       {"verdicts", ask_verdicts},
       {"sweep", ask_sweep},
+      {"limits", ask_limits},
+      {"measures", ask_measures},
+      {"volume", ask_volume},
+      {"resection", ask_resection},
+      {"orientation", ask_orientation},
       {"export", ask_export}};
   try {
     const auto found = kKinds.find(kind);

@@ -48,14 +48,26 @@ val preset_value(std::string_view name) {
 
 val parameter_value(const HipParameter& parameter) {
   return object(std::pair("key", text(parameter.name)), std::pair("label", label_of(parameter.name)),
-                std::pair("unit", text(parameter.unit)), std::pair("least", parameter.least),
-                std::pair("most", parameter.most), std::pair("step", step_of(parameter.unit)));
+                std::pair("meaning", text(parameter.meaning)), std::pair("unit", text(parameter.unit)),
+                std::pair("least", parameter.least), std::pair("most", parameter.most),
+                std::pair("step", step_of(parameter.unit)));
+}
+
+// "Internal rotation at 45 degrees of flexion", "FADIR (at 90 of flexion and 15 of adduction)".
+std::string motion_label(const NamedMotion& motion) {
+  if (motion.name.starts_with(motion.growing) && motion.name != motion.growing)
+    return label_of(motion.growing) + " " + std::string(motion.meaning);
+  std::string label = label_of(motion.name);
+  if (motion.name != motion.growing) {
+    std::ranges::transform(label, label.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  }
+  return label + " (" + std::string(motion.meaning) + ")";
 }
 
 val named_motion_value(const NamedMotion& motion) {
-  return object(std::pair("name", text(motion.name)), std::pair("label", label_of(motion.name)),
-                std::pair("meaning", text(motion.meaning)), std::pair("start", motion_value(motion.start)),
-                std::pair("growing", text(motion.growing)));
+  return object(std::pair("name", text(motion.name)), std::pair("label", motion_label(motion)),
+                std::pair("start", motion_value(motion.start)), std::pair("growing", text(motion.growing)));
 }
 
 val recorded_value(const RecordedRange& range) {

@@ -150,6 +150,10 @@ template <class Range, class Predicate, class Value>
 void replace_if(Range&& range, Predicate predicate, const Value& value) {
   std::replace_if(std::begin(range), std::end(range), std::ref(predicate), value);
 }
+template <class Range, class Value>
+void fill(Range&& range, const Value& value) {
+  std::fill(std::begin(range), std::end(range), value);
+}
 template <class Range, class Less = std::less<>, class Projection = Itself>
 void sort(Range&& range, Less order = {}, Projection projection = {}) {
   std::sort(std::begin(range), std::end(range), projected(order, projection));

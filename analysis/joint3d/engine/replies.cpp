@@ -35,7 +35,7 @@ val rim_value(const SessionJoint& joint, std::size_t sectors) {
   std::vector<Vec3> places;
   std::vector<double> hours;
   if (joint.dial) {
-    TriangleMesh socket = joint.joint.socket.mesh;
+    TriangleMesh socket = main_surface(joint.joint.socket.mesh, joint.joint.socket.parts);
     for (Vec3& x : socket.vertices) x = joint.axes * x;
     for (const RimPoint& at : rim_line(socket, *joint.dial, sectors)) {
       places.emplace_back(joint.axes.transpose() * at.place);
@@ -133,13 +133,14 @@ val joint_reply(const SessionJoint& joint) {
                 : val::null();
   const val side = joint.side ? val(*joint.side == Side::left ? "left" : "right") : val::null();
   const val rim = rim_value(joint, kRimSectors);
-  return object(std::pair("ball", mesh_value(found.ball.mesh)),
+  return object(std::pair("axes", found.axes), std::pair("ball", mesh_value(found.ball.mesh)),
                 std::pair("socket", mesh_value(found.socket.mesh)), std::pair("centre", point(found.centre)),
                 std::pair("fit", fit), std::pair("side", side), std::pair("rim_clock", rim["positions"]),
                 std::pair("rim_hours", rim["hours"]), std::pair("clock_marks", rim_value(joint, 12)),
                 std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
                 std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
-                std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })));
+                std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })),
+                std::pair("doubts", static_cast<double>(found.doubts)));
 }
 
 val tables_reply(const SessionTables& tables) {
@@ -190,13 +191,19 @@ val pose_reply(const SessionJoint& joint, const PoseRequest& request, const Pose
   return reply;
 }
 
-val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits) {
+val limits_reply(const LimitRequest& request, const LimitAnswers& limits) {
   val told = val::array();
   told.call<void>("push", limit_value(limits.contact));
   if (limits.socket) told.call<void>("push", limit_value(*limits.socket));
   if (request.cartilage_mm > 0.0) told.call<void>("push", limit_value(limits.cartilage));
-  return object(std::pair("angles", float_array(found.angles)),
-                std::pair("smallest", float_array(found.smallest)), std::pair("limits", told));
+  return object(std::pair("limits", told), std::pair("largest_deg", limits.largest_deg));
+}
+
+val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits) {
+  val reply = limits_reply(request, limits);
+  reply.set("angles", float_array(found.angles));
+  reply.set("smallest", float_array(found.smallest));
+  return reply;
 }
 
 }  // namespace impinge

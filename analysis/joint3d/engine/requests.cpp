@@ -32,6 +32,15 @@ NamedMesh mesh_request(const val& value) {
   return {name, mesh_of(name, {positions, corners})};
 }
 
+// Of a mesh whose file's first bytes came with it.
+SaidAxes said_axes(const val& mesh) {
+  SaidAxes said{mesh["name"].as<std::string>(), std::nullopt};
+  if (!is_given(mesh["head"])) return said;
+  const auto bytes = emscripten::convertJSArrayToNumberVector<std::uint8_t>(mesh["head"]);
+  said.code = declared_axes(said.file, std::string(bytes.begin(), bytes.end()));
+  return said;
+}
+
 Vec3 vector_request(const val& value) {
   const auto x = emscripten::convertJSArrayToNumberVector<double>(value);
   if (x.size() != 3 || !std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); }))
@@ -53,6 +62,23 @@ double cartilage_of(const val& request) {
 
 Motion motion_request(const val& value) {
   return {angle_of(value, "flexion"), angle_of(value, "abduction"), angle_of(value, "internal_rotation")};
+}
+
+// Motions with ";" between them.
+std::vector<Motion> required_request(const val& request, std::optional<Side> side) {
+  auto words = request["required"].as<std::string>();
+  std::erase_if(words, [](char c) { return c == ' ' || c == '\n' || c == '\t'; });
+  std::vector<Motion> motions;
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t end = std::min(words.find(';', from), words.size());
+    if (end > from) motions.push_back(parse_motion(std::string_view(words).substr(from, end - from)));
+    from = end + 1;
+  }
+  const auto moves = [side](const Motion& motion) { return !joint_rotation(motion, side).isIdentity(0.0); };
+  if (motions.empty() || !std::ranges::all_of(motions, moves))
+    throw std::invalid_argument(
+        "a required motion turns something; type it as flexion=90, internal_rotation=30");
+  return motions;
 }
 
 [[noreturn]] void refuse_sweep() {
@@ -78,9 +104,16 @@ JointInput meshes_request(const val& request) {
   input.socket = mesh_request(request["socket"]);
   if (is_given(request["centre"])) input.centre = vector_request(request["centre"]);
   if (is_given(request["side"])) input.side = parse_side(request["side"].as<std::string>());
-  if (is_given(request["axes"])) input.axes = request["axes"].as<std::string>();
+  input.axes = axes_request(request).code;
   input.wording = {"as X, Y, Z", "ball and socket", "side and axes"};
   return input;
+}
+
+AxesChoice axes_request(const val& request) {
+  std::optional<std::string> given;
+  if (is_given(request["axes"])) given = request["axes"].as<std::string>();
+  const SaidAxes ball = said_axes(request["ball"]);  // the first to be refused
+  return agreed_axes(ball, said_axes(request["socket"]), given, "the field Axes");
 }
 
 std::string_view storage_name(Storage storage) {
@@ -127,6 +160,32 @@ LimitRequest limit_request(const val& request) {
   limit.cartilage_mm = cartilage_of(request);
   if (!(limit.largest_deg > 0.0)) refuse_sweep();
   return limit;
+}
+
+ResectionRequest resection_request(const val& request, std::optional<Side> side) {
+  const double clearance = number_of(request, "clearance_mm", ResectionRequest{}.clearance_mm);
+  if (!(clearance > 0.0 && std::isfinite(clearance)))
+    throw std::invalid_argument("a clearance is above 0 mm; type one, as 0.5");
+  return {required_request(request, side), clearance, {}};
+}
+
+OrientationRequest orientation_request(const val& request, std::optional<Side> side) {
+  if (!side) throw std::invalid_argument("an orientation needs the side of the body; choose left or right");
+  OrientationRequest asked{.required = required_request(request, side)};
+  asked.tilt_deg = number_of(request, "tilt_deg", 0.0);
+  if (!(std::abs(asked.tilt_deg) <= 90.0))
+    throw std::invalid_argument("a tilt is from -90 to 90 degrees, backwards positive");
+  asked.resolution_deg = number_of(request, "resolution_deg", 0.75);
+  if (!(asked.resolution_deg >= 0.5))
+    throw std::invalid_argument("a page draws squares of 0.5 degrees or more; choose a coarser resolution");
+  return asked;
+}
+
+double width_request(const val& request) {
+  const double width = number_of(request, "width", 0.05);
+  if (width >= 0.02 && width <= 1.0) return width;
+  throw std::invalid_argument(
+      "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
 }
 
 double step_request(const val& request) {

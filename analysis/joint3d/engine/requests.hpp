@@ -3,16 +3,26 @@
 #pragma once
 
 #include "js_values.hpp"
+#include "mesh/declared_axes.hpp"
 #include "session/limits.hpp"
+#include "session/orientation.hpp"
+#include "session/resection.hpp"
 
 namespace impinge {
 
 HipParameters hip_request(const val& request);
 JointInput meshes_request(const val& request);
+AxesChoice axes_request(const val& request);  // of meshes: as the page or the headers of their files say
 TableSettings table_request(const val& request);
 PoseRequest pose_request(const val& request);
 LimitRequest limit_request(const val& request);
 double step_request(const val& request);  // of a sweep, degrees
+
+// Of a cut or an orientation: `required` as "flexion=90, internal_rotation=30; extension=20".
+ResectionRequest resection_request(const val& request, std::optional<Side> side);
+OrientationRequest orientation_request(const val& request, std::optional<Side> side);
+
+double width_request(const val& request);  // of a volume: the share of all rotations that may stay open
 
 // "uint16", "float" or "double".
 std::string_view storage_name(Storage storage);

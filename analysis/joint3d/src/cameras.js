@@ -10,7 +10,8 @@ export function towardsCamera(view, side) {
     posterior: [0, -1, 0],
     medial: [-lateral, 0, 0],
     lateral: [lateral, 0, 0],
-    superior: [0, -1e-4, 1],
+    superior: [0, -1e-4, 1], // the patient's front is up
+    inferior: [0, 1e-4, -1],
     free: [-0.62 * lateral, 0.98, 0.22],
   };
   return new Vector3(...ways[view]).normalize();

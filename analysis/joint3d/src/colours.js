@@ -2,7 +2,7 @@
 // Gaps to colours. The thesis' five levels come from the library (hip/gap_levels.hpp); the other scale is a ramp from
 // dark blue to yellow whose lightness grows steadily, so that no kind of colour vision and no grey print loses it.
 
-const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120], [166, 157, 117], [209, 192, 96], [255, 234, 70]];
+export const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120], [166, 157, 117], [209, 192, 96], [255, 234, 70]];
 const BEYOND = { ball: [226, 230, 222], socket: [221, 227, 234] };
 export const RANGE = { low: -1, high: 15, steps: 2048 }; // mm
 
@@ -35,21 +35,21 @@ export function colourTable(scale, surface, levels) {
 const mm = (value) => Number(value.toFixed(1));
 export const css = (rgb) => `rgb(${rgb.join(" ")})`;
 
-/** Rows of the legend: { colour or gradient, text }, from contact outwards. */
+/** Rows of the legend: { colours, text }, of one colour or several of a gradient, from contact outwards. */
 export function legendRows(scale, colours) {
   const [ball, socket] = [colours.ball, colours.socket];
   const limit = ball.at(-2).up_to_mm;
   const rows = [];
   if (scale === "levels") {
     ball.slice(0, -1).forEach((level, k) => rows.push({
-      fill: css(level.rgb), text: k ? `${mm(ball[k - 1].up_to_mm)} to ${mm(level.up_to_mm)} mm` : "bones touch or overlap" }));
+      colours: [css(level.rgb)], text: k ? `${mm(ball[k - 1].up_to_mm)} to ${mm(level.up_to_mm)} mm` : "bones touch or overlap" }));
   } else {
-    rows.push({ fill: css(RAMP[0]), text: "bones touch or overlap" });
-    if (limit > 0) rows.push({ fill: `linear-gradient(90deg, ${RAMP.map(css).join()})`, text: `0 to ${mm(limit)} mm`, wide: true });
+    rows.push({ colours: [css(RAMP[0])], text: "bones touch or overlap" });
+    if (limit > 0) rows.push({ colours: RAMP.map(css), text: `0 to ${mm(limit)} mm` });
   }
   const beyond = (surface, levels) => css(scale === "levels" ? levels.at(-1).rgb : BEYOND[surface]);
-  rows.push({ fill: beyond("ball", ball), text: `ball, over ${mm(limit)} mm` });
-  rows.push({ fill: beyond("socket", socket), text: `socket, over ${mm(limit)} mm` });
-  rows.push({ fill: css(colours.none), text: "no surface opposite" });
+  rows.push({ colours: [beyond("ball", ball)], text: `ball, over ${mm(limit)} mm` });
+  rows.push({ colours: [beyond("socket", socket)], text: `socket, over ${mm(limit)} mm` });
+  rows.push({ colours: [css(colours.none)], text: "no surface opposite" });
   return rows;
 }

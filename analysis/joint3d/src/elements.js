@@ -20,6 +20,9 @@ export const roundedUp = (value, places) => outward(value, places, 1);
 /** A proven bound in mm, to three digits. */
 export const boundLength = (mm) => length(Number(roundedUp(mm, mm > 0 ? Math.max(2 - Math.floor(Math.log10(mm)), 0) : 0)));
 
+/** A part of a required path, in the library's words, shortly. */
+export const legWords = (words) => words.replaceAll("_", " ").replace(" from 0 to", " to").replace(" degrees", "°");
+
 /** An element with properties and children; properties with "-" are attributes. */
 export function make(tag, properties = {}, ...children) {
   const element = document.createElement(tag);
@@ -55,33 +58,44 @@ export function oneOfButtons(group, onChoose) {
   return show;
 }
 
-/** A slider with a number beside it for one value. Returns a function that shows a value without telling. */
-export function sliderRow(place, { key, label, unit, least, most, step, ends }, onChange) {
+/**
+ * A slider with a number beside it for one value. ends: what its ends mean; meaning: of the value, in words; widest: how far
+ * the slider grows for values beyond it, else not at all. Returns a function that shows a value without telling.
+ */
+export function sliderRow(place, { key, label, unit, least, most, step, ends, meaning, widest = [least, most] }, onChange) {
   const id = `value-${key}`;
   const range = make("input", { type: "range", id: `slide-${key}`, min: least, max: most, step, "aria-label": `${label}, ${unit}` });
-  const number = make("input", { type: "number", id, min: least, max: most, step, "aria-label": `${label}, ${unit}, as a number` });
+  const number = make("input", { type: "number", id, min: widest[0], max: widest[1], step, "aria-label": `${label}, ${unit}, as a number` });
   const unitText = make("span", { className: "unit", textContent: unit });
   const row = make("div", { className: "slider" }, make("label", { htmlFor: range.id, textContent: label }),
     make("span", { className: "typed" }, number, unitText), range);
   if (ends) row.append(make("span", { className: "ends", "aria-hidden": "true" },
     make("span", { textContent: ends[0] }), make("span", { textContent: ends[1] })));
+  if (meaning) row.append(make("p", { className: "meaning", id: `meaning-${key}`, textContent: meaning }));
+  if (meaning) range.setAttribute("aria-describedby", `meaning-${key}`);
   place.append(row);
+  const reach = (value) => { // by steps of ten, so that its ends are round; no farther than `widest`
+    range.min = Math.max(Math.min(range.min, 10 * Math.floor(value / 10)), widest[0]);
+    range.max = Math.min(Math.max(range.max, 10 * Math.ceil(value / 10)), widest[1]);
+  };
   let told = NaN; // what the others know
   const tell = (value) => { told = value; onChange(value); };
   const show = (value) => {
     told = value;
     const text = String(Math.round(value * 100) / 100);
+    reach(value);
     range.value = text;
     if (document.activeElement !== number || Number(number.value) !== value) number.value = text;
   };
   range.addEventListener("input", () => { number.value = range.value; tell(Number(range.value)); });
   number.addEventListener("input", () => {
     if (number.value === "" || !number.validity.valid && !number.validity.stepMismatch) return;
+    reach(Number(number.value));
     range.value = number.value;
     tell(Number(number.value));
   });
   number.addEventListener("change", () => { // out of range: the nearest that is allowed
-    const value = Math.min(Math.max(Number(number.value) || 0, least), most);
+    const value = Math.min(Math.max(Number(number.value) || 0, widest[0]), widest[1]);
     const news = value !== told;
     show(value);
     if (news) onChange(value);

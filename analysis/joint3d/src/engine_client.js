@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions to the library, which runs in a worker. Every question has one answer; a refusal is an Error in the library's
-// words.
+// Questions to the library, which runs in a worker. Every question has one answer; a refusal is Told in the library's words.
+import { Told } from "./messages.js";
 
 /** The answer came too late: a newer question of the same kind had been asked. */
 export class Stale extends Error {}
@@ -15,7 +15,7 @@ export class EngineClient {
     this.worker.onmessage = ({ data }) => this.answer(data);
     this.worker.onerror = (event) => {
       event.preventDefault();
-      this.answers.forEach(({ reject }) => reject(new Error("the engine has stopped")));
+      this.answers.forEach(({ reject }) => reject(new Told("the engine has stopped")));
       this.answers.clear();
       onLost(event.message || "the engine has stopped");
     };
@@ -26,7 +26,7 @@ export class EngineClient {
     if (!waiting) return;
     this.answers.delete(id);
     if (ok) waiting.resolve(reply);
-    else waiting.reject(stale ? new Stale() : new Error(error));
+    else waiting.reject(stale ? new Stale() : new Told(error));
   }
 
   ask(kind, request = {}) {

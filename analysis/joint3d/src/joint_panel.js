@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which hip: a preset of the library, its side, and each of its parameters.
+// Which joint: a reader's own one, or a preset of the library with its side and each of its parameters.
 import { byId, fillChoice, make, sliderRow } from "./elements.js";
+import { OWN } from "./state.js";
 
 const GROUPS = [
   ["Cam", ["cam_"]],
   ["Head and neck", ["head_", "neck_", "femoral_", "shaft_", "conchoid_"]],
   ["Socket", ["joint_space", "inclination", "version", "half_opening", "lateral_", "wall_"]],
   ["Pincer", ["pincer_"]],
+  ["Trochanters and spine", ["greater_", "lesser_", "aiis_"]],
   ["Fossa and centre", ["fossa_", "shift_"]],
 ];
 const UNITS = { deg: "°", h: "h", mm: "mm", 1: "" };
@@ -38,9 +40,14 @@ export class JointPanel {
     return this.presets.find(({ name }) => name === this.app.state.joint.name);
   }
 
+  /** What the page calls the joint that the state names. */
+  name() {
+    return this.preset()?.label ?? this.app.own?.label ?? "";
+  }
+
   choose(name) {
-    const preset = this.presets.find((each) => each.name === name);
-    this.app.state.joint = { name, side: preset.side, parameters: {} };
+    const side = this.presets.find((each) => each.name === name)?.side ?? this.app.own.side;
+    this.app.state.joint = { name, side, parameters: {} };
     this.show();
     this.onChange();
   }
@@ -52,16 +59,22 @@ export class JointPanel {
     this.timer = setTimeout(() => this.onChange(), WAIT);
   }
 
-  /** Brings the controls up to the state. */
+  /** Brings the controls up to the state. A reader's own joint is one of the choice, and has no parameters. */
   show() {
     const { joint } = this.app.state;
-    byId("preset").value = joint.name;
+    const own = joint.name === OWN;
+    const choice = byId("preset");
+    choice.querySelector(`option[value="${OWN}"]`)?.remove();
+    if (this.app.own) choice.prepend(make("option", { value: OWN, textContent: `Your own: ${this.app.own.label}` }));
+    choice.value = joint.name;
     byId("side").value = joint.side;
+    byId("generated").hidden = byId("side").hidden = own;
+    byId("own-say").hidden = !own;
     const values = { ...this.preset()?.parameters, ...joint.parameters };
     this.shows.forEach((show, key) => { if (key in values) show(values[key]); });
   }
 
-  /** The question to the library. */
+  /** The question to the library about a generated hip. */
   request() {
     const { name, side, parameters } = this.app.state.joint;
     return { source: "preset", name, parameters: { ...parameters, side } };

@@ -3,6 +3,7 @@
 // the centre of rotation in the frame of the input; the root turns that into the joint frame.
 import { Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import { extent } from "./cameras.js";
+import { CutSurface } from "./cut_surface.js";
 import { GapSurface } from "./gap_surface.js";
 import { schematicPelvis } from "./pelvis.js";
 import { RimClock } from "./rim_clock.js";
@@ -35,12 +36,12 @@ function nearestMark() {
 
 export class JointParts {
   constructor() {
-    Object.assign(this, { ball: new GapSurface("ball"), socket: new GapSurface("socket"), points: new SamplePoints(), clock: new RimClock() });
+    Object.assign(this, { ball: new GapSurface("ball"), socket: new GapSurface("socket"), cut: new CutSurface(), isCut: false, points: new SamplePoints(), clock: new RimClock() });
     Object.assign(this, { nearest: nearestMark(), pelvis: new Group(), root: new Group(), side: "right", radius: 25 });
     this.root.matrixAutoUpdate = false;
     this.pelvis.visible = false;
     const { ball, socket } = this.points.parts;
-    this.root.add(this.ball.mesh, this.socket.mesh, ball, socket, this.clock.group, this.nearest, this.pelvis);
+    this.root.add(this.ball.mesh, this.cut.mesh, this.socket.mesh, ball, socket, this.clock.group, this.nearest, this.pelvis);
   }
 
   /** joint: the library's reply to `joint`; generated: a hip of parameters, which has no bones but its joint. */
@@ -76,7 +77,7 @@ export class JointParts {
 
   /** pose: the library's reply to `pose`. */
   setPose(pose, scale) {
-    this.ball.mesh.matrix.fromArray(pose.matrix);
+    [this.ball, this.cut].forEach(({ mesh }) => mesh.matrix.fromArray(pose.matrix));
     this.points.parts.ball.matrix.fromArray(pose.matrix);
     this.ball.setGaps(pose.ball_gap);
     this.socket.setGaps(pose.socket_gap);
@@ -101,6 +102,9 @@ export class JointParts {
       this[part].mesh.visible = has(part);
       this.points.show(part, has("points") && has(part));
     });
+    this.ballShown = has("ball");
+    this.cut.material.wireframe = drawing === "lines";
+    this.showBall();
     this.ball.showWhole(true);
     this.socket.showWhole(this.generated || has("pelvis"));
     this.pelvis.visible = has("pelvis");
@@ -108,6 +112,18 @@ export class JointParts {
     this.clock.group.visible = has("clock");
     this.marked = has("smallest");
     this.nearest.visible = Boolean(this.marked && this.met);
+  }
+
+  /** The ball after a cut, the library's reply to `resection`; null: as it is. */
+  setCut(cut) {
+    this.isCut = Boolean(cut);
+    if (cut) this.cut.set(cut);
+    this.showBall();
+  }
+
+  showBall() {
+    this.ball.mesh.visible = this.ballShown && !this.isCut;
+    this.cut.mesh.visible = this.ballShown && this.isCut;
   }
 
   /** A shift given in the joint frame, in that of the input. */

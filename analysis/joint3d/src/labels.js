@@ -6,8 +6,9 @@ import { drawn } from "./elements.js";
 /** A word that keeps its size on the screen; height is a share of the picture's. */
 export function wordSprite(word, colour, height) {
   const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [128, 64];
+  [canvas.width, canvas.height] = [256, 128];
   const pen = canvas.getContext("2d");
+  pen.scale(2, 2);
   pen.font = "600 44px system-ui, sans-serif";
   pen.textAlign = "center";
   pen.textBaseline = "middle";
@@ -26,15 +27,18 @@ export function wordSprite(word, colour, height) {
 
 const WAYS = [["R", 1, 0, 0], ["L", -1, 0, 0], ["A", 0, 1, 0], ["P", 0, -1, 0], ["S", 0, 0, 1], ["I", 0, 0, -1]];
 
-/** Shows in the SVG where the patient's right, front and top are, as the camera sees them. */
+/** Where the patient's right, front and top are, as the camera sees them, the farthest first: { name, x, y, shade, text } with the end of a line from 0, 0 and the place of its name. */
+export function compassLines(camera) {
+  return WAYS.map(([name, ...way]) => ({ name, at: new Vector3(...way).transformDirection(camera.matrixWorldInverse) }))
+    .sort((a, b) => a.at.z - b.at.z)
+    .map(({ name, at }) => ({ name, x: 26 * at.x, y: -26 * at.y, shade: at.z > -0.2 ? "near" : "far" }))
+    .filter(({ x, y }) => Math.hypot(x, y) >= 9)
+    .map((line) => ({ ...line, text: [line.x, line.y].map((end) => end * (1 + 9 / Math.hypot(line.x, line.y))) }));
+}
+
+/** Shows them in the SVG. */
 export function drawCompass(svg, camera) {
-  const parts = WAYS.map(([name, ...way]) => ({ name, at: new Vector3(...way).transformDirection(camera.matrixWorldInverse) }));
-  parts.sort((a, b) => a.at.z - b.at.z);
-  svg.replaceChildren(...parts.flatMap(({ name, at }) => {
-    const [x, y] = [26 * at.x, -26 * at.y];
-    const shade = at.z > -0.2 ? "near" : "far";
-    const line = drawn("line", { x1: 0, y1: 0, x2: x, y2: y, class: shade });
-    const along = Math.hypot(x, y);
-    return along < 9 ? [] : [line, drawn("text", { x: x * (1 + 9 / along), y: y * (1 + 9 / along), class: shade }, name)];
-  }));
+  svg.replaceChildren(...compassLines(camera).flatMap(({ name, x, y, shade, text }) => [
+    drawn("line", { x1: 0, y1: 0, x2: x, y2: y, class: shade }),
+    drawn("text", { x: text[0], y: text[1], class: shade }, name)]));
 }

@@ -12,7 +12,10 @@ const KEYS = {
 /** onLook() when something about the drawing has changed. Returns show(). */
 export function lookBar(app, view, onLook) {
   const changed = (set) => (value) => { set(value, app.state.look); onLook(); };
-  const showView = oneOfButtons(byId("views"), (value) => { app.state.look.view = value; view.eye.lookFrom(value); });
+  const showView = oneOfButtons(byId("views"), (value) => {
+    Object.assign(app.state.look, { view: value, camera: null });
+    view.eye.lookFrom(value);
+  });
   const showDrawing = oneOfButtons(byId("drawings"), changed((value, look) => { look.drawing = value; }));
   const showDrag = oneOfButtons(byId("drags"), (value) => app.setDrag(value));
   byId("colours").addEventListener("change", (event) => changed((value, look) => { look.colours = value; })(event.target.value));
@@ -22,6 +25,7 @@ export function lookBar(app, view, onLook) {
     onLook();
   }));
   view.onTurned = () => {
+    app.state.look.camera = view.eye.place();
     if (app.state.look.view === "free") return;
     app.state.look.view = "free";
     showView("free");
@@ -49,9 +53,9 @@ export function showLegend(scale, colours) {
   const key = JSON.stringify(rows);
   if (key === written) return;
   written = key;
-  byId("legend-rows").replaceChildren(...rows.map(({ fill, text, wide }) => {
-    const swatch = make("span", { className: `swatch ${wide ? "wide" : ""}`, "aria-hidden": "true" });
-    swatch.style.background = fill;
+  byId("legend-rows").replaceChildren(...rows.map(({ colours: [first, ...others], text }) => {
+    const swatch = make("span", { className: `swatch ${others.length ? "wide" : ""}`, "aria-hidden": "true" });
+    swatch.style.background = others.length ? `linear-gradient(90deg, ${[first, ...others].join()})` : first;
     return make("li", {}, swatch, make("span", { textContent: text }));
   }));
 }

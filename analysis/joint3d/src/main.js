@@ -1,69 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Joint3D: what the reader does becomes questions to the library, and its answers what the reader sees. Two workers run the
 // library: one answers poses at once, the other what takes longer.
+import { keepAddress } from "./address.js";
 import { EngineClient } from "./engine_client.js";
+import { CutPanel } from "./cut_panel.js";
 import { byId } from "./elements.js";
-import { exportPanel } from "./export_panel.js";
+import { ExportPanel } from "./export_panel.js";
 import { FemurDrag } from "./femur_drag.js";
-import { FilesPanel } from "./files_panel.js";
+import { FilesPanel, ownRequest } from "./files_panel.js";
+import { keepFolds } from "./folds.js";
 import { JointPanel } from "./joint_panel.js";
-import { remarkLine, showJoint } from "./joint_words.js";
+import { doubtOf, showJoint } from "./joint_words.js";
+import { KeptMeshes } from "./kept_meshes.js";
+import { LimitsPanel } from "./limits_panel.js";
 import { lookBar } from "./look_bar.js";
 import { maker } from "./making.js";
+import { MeasuresPanel } from "./measures_panel.js";
 import { fault, say } from "./messages.js";
 import { inRange, motionPanel } from "./motion_panel.js";
+import { OrientationPanel } from "./orientation_panel.js";
 import { Player } from "./player.js";
 import { PointsPanel } from "./points_panel.js";
 import { Poses } from "./poses.js";
 import { Proof } from "./proof.js";
 import { SceneView } from "./scene_view.js";
 import { SlowWorker } from "./slow_worker.js";
-import { firstState, fromFragment } from "./state.js";
-import { SweepPanel } from "./sweep_panel.js";
+import { OWN, firstState, fromFragment } from "./state.js";
+import { SweepPanel, poseAlong } from "./sweep_panel.js";
 import { TablesPanel } from "./tables_panel.js";
+import { VolumePanel } from "./volume_panel.js";
 
 const REST = 350; // ms without a change before what takes longer begins
-const app = { state: fromFragment(location.hash), drag: "view", files: null, ready: false };
+const NOT_KEPT = "The meshes of this address are not here: a browser keeps them for its tab alone. Choose them again under “Your own joint”.";
+const app = { state: fromFragment(location.hash), drag: "view", own: null, ready: false }; // own: a reader's meshes, as FilesPanel has them, and what they are called
 
 /** Within another page, "embedded" among the words of the fragment leaves the picture alone. */
 const frame = () => document.body.classList.toggle("embedded", new URLSearchParams(location.hash.slice(1)).has("embedded"));
 
 function start() {
+  keepFolds();
   const source = byId("engine").textContent;
-  const lost = (message) => fault(`The engine has stopped (${message}); load the page again.`);
+  const lost = () => fault("The engine has stopped; load the page again: what it shows is kept in its address.");
   const live = new EngineClient(source, lost);
   const view = new SceneView(byId("view"), byId("compass"));
   const slow = new SlowWorker(new EngineClient(source, lost), { rest: REST, fault, onBound });
+  const kept = new KeptMeshes();
   const proof = new Proof((request) => slow.ask("verdicts", request), fault);
   const poses = new Poses(app, view, { ask: (request) => live.ask("pose", request), fault,
-    onPose: (request) => { proof.posed(request); sweep.posed(); } });
+    onPose: (request) => { proof.posed(request); sweep.posed(); limits.posed(); volume.posed(); } });
   const pose = () => poses.again();
   const make = maker(live, { onTables, onJoint, onRefused });
+  let shown = null; // the joint at hand, as the library has it
 
   const motion = motionPanel(app, pose);
   const moved = () => { motion(); pose(); };
-  const sweep = new SweepPanel(app, (request) => slow.ask("sweep", { ...poses.shape(), ...request }),
-    (angles) => { app.player.stop(); app.state.motion = angles; moved(); });
+  const goTo = (angles) => { app.player.stop(); app.state.motion = angles; moved(); };
+  const sweep = new SweepPanel(app, (request) => slow.ask("sweep", { ...poses.shape(), ...request }), goTo);
+  const limits = new LimitsPanel({ ask: (request) => slow.ask("limits", request), shape: () => poses.shape(), fault,
+    onPose: (along, degrees) => goTo(poseAlong(along, degrees)) });
+  const volume = new VolumePanel(app, () => new EngineClient(source, lost), fault);
+  const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => view.setCut(cut)),
+    new OrientationPanel(app, () => new EngineClient(source, lost))];
+  changes.forEach((panel) => { panel.onRequired = () => changes.forEach((each) => each.again()); });
+  const measures = new MeasuresPanel(() => slow.ask("measures"));
   const tables = new TablesPanel(app, () => make.tables({ ...app.state.tables }));
   const points = new PointsPanel(app, () => slow.ask("points"), { fault, radius: () => view.parts.radius,
     onPoints: (found, apart) => view.setPoints(found, apart) });
   app.player = new Player(app, moved);
   const showLook = lookBar(app, view, () => { view.setLook(app.state.look); points.show(); pose(); });
-  const joints = new JointPanel(app, () => make.joint(joints.request(), null));
-  new FilesPanel((request) => {
+  const joints = new JointPanel(app, askJoint);
+  const files = new FilesPanel((own) => {
     app.player.stop();
-    make.joint(request, `${request.ball.name} and ${request.socket.name}`);
+    make.joint(ownRequest(own), { ...own, label: `${own.ball.name} and ${own.socket.name}` });
   }, fault);
-  exportPanel(app, view, (request) => live.ask("export", { ...request, pose: poses.request() }), fault);
+  const write = keepAddress(app, () => { frame(); begin(); });
+  new ExportPanel(app, view, { write, fault, ask: (request) => live.ask("export", { ...request, pose: poses.request() }),
+    shown: () => ({ joint: shown, pose: poses.shown, tables: tables.now, limits: limits.rows, name: joints.name() }) });
   const drag = new FemurDrag(view, (change) => {
     app.player.stop();
-    Object.entries(change).forEach(([key, by]) => { app.state.motion[key] = inRange(key, app.state.motion[key] + by); });
+    Object.entries(change).forEach(([key, by]) => { app.state.motion[key] = inRange(app.state.motion[key] + by); });
     moved();
   });
+
+  /** Asks for the joint that the state names. */
+  function askJoint() {
+    if (app.state.joint.name === OWN) make.joint(ownRequest(app.own), app.own);
+    else make.joint(joints.request(), null);
+  }
 
   function onBound(bound) {
     tables.bounded(bound);
     proof.begin(poses.request());
+    limits.ready();
   }
 
   /** news: { joint } or { tables }, as asked of the library. */
@@ -85,22 +113,39 @@ function start() {
     if (app.ready) return;
     app.state.joint = firstState().joint; // a link that asks for no possible hip
     joints.show();
-    make.joint(joints.request(), null);
+    askJoint();
   }
 
-  function onJoint(joint, { request, files }) {
+  function takeOwn(own) {
+    app.own = own;
+    app.state.joint = { name: OWN, side: own.side, parameters: {} };
+    joints.show();
+    kept.keep(own).catch(() => { byId("files-say").textContent += " This browser cannot keep them: a reload loses them."; });
+  }
+
+  function onJoint(joint, { request, own }) {
     const kind = `${request.source} ${request.name ?? ""} ${joint.side}`;
-    const other = files || kind !== app.kind;
-    if (app.ready) say(remarkLine(joint, files), "warning");
-    Object.assign(app, { files, kind, ready: true });
+    const other = own || kind !== app.kind;
+    const { text, actions } = own ? doubtOf(joint, own, (change) => files.use(change)) : { text: "", actions: [] };
+    if (app.ready || text) say(text, "fault", actions);
+    if (own) takeOwn(own);
+    if (other && app.ready) app.state.look.camera = null;
+    Object.assign(app, { kind, ready: true });
+    shown = joint;
     poses.begin(joint.ball.positions.length / 3);
-    view.setJoint(joint, !files);
+    view.setJoint(joint, !own);
     view.setLook(app.state.look);
     if (other) view.eye.lookFrom(app.state.look.view);
+    if (app.state.look.camera) view.eye.standAt(app.state.look.camera);
     tables.filled(joint.tables, true);
-    showJoint(joint, files);
+    showJoint(joint, joints.name(), own);
     sweep.forget();
+    limits.forget();
     follow({ joint: request });
+    measures.again();
+    [volume, ...changes].forEach((panel) => panel.follow(request));
+    document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
+    delete byId("stage").dataset.busy;
   }
 
   app.setDrag = (what) => {
@@ -110,24 +155,32 @@ function start() {
   };
   view.onLost = (gone) => say(gone ? "The graphics were lost; they come back by themselves." : "", "warning");
   byId("message-close").addEventListener("click", () => say(""));
+  document.querySelector(".skip").addEventListener("click", (event) => { // no other address: that is the state
+    event.preventDefault();
+    document.querySelector("#motion summary").focus();
+  });
+
+  /** The meshes that the state speaks of, where this tab has kept them. */
+  async function recall() {
+    if (app.state.joint.name !== OWN || app.own) return;
+    app.own = await kept.found().catch(() => null) ?? null;
+    if (app.own) return files.restore(app.own);
+    app.state.joint = firstState().joint;
+    say(NOT_KEPT, "warning");
+  }
 
   async function begin() {
+    await recall();
     motion();
     [joints, tables, sweep].forEach((panel) => panel.show());
     showLook();
     app.kind = null;
-    make.joint(joints.request(), null);
+    askJoint();
     if (JSON.stringify(app.state.tables) !== JSON.stringify(firstState().tables)) await make.tables({ ...app.state.tables });
   }
 
-  window.addEventListener("hashchange", () => {
-    if (location.hash === app.ownFragment) return;
-    app.state = fromFragment(location.hash);
-    frame();
-    begin();
-  });
   live.ask("presets").then((catalogue) => {
-    [joints, tables, sweep].forEach((panel) => panel.setCatalogue(catalogue));
+    [joints, tables, sweep, limits].forEach((panel) => panel.setCatalogue(catalogue));
     app.player.setMotions(catalogue.recorded);
     return begin();
   }).then(() => document.body.classList.add("ready")).catch(fault);
@@ -137,5 +190,6 @@ try {
   frame();
   start();
 } catch (error) {
+  byId("stage").setAttribute("aria-busy", "false");
   fault(/WebGL/i.test(error.message) ? "This browser shows no WebGL 2, which the picture needs; another browser, or its settings, may." : error);
 }

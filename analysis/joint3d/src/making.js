@@ -3,15 +3,15 @@
 import { newestOnly } from "./engine_client.js";
 import { busy, fault } from "./messages.js";
 
-/** live: the client of the library; onTables(reply, request), onJoint(reply, { request, files }), onRefused(error). */
+/** live: the client of the library; onTables(reply, request), onJoint(reply, { request, own }), onRefused(error). */
 export function maker(live, { onTables, onJoint, onRefused }) {
   const making = newestOnly(({ request }) => live.ask("joint", request), (joint, _, asked) => onJoint(joint, asked), onRefused,
     () => busy("joint", false));
   return {
-    /** files: the names of a reader's meshes, else null. Where the library refuses them, the joint before stays. */
-    joint(request, files) {
+    /** own: a reader's meshes as FilesPanel has them, else null. Where the library refuses them, the joint before stays. */
+    joint(request, own) {
       busy("joint", true);
-      making({ request, files });
+      making({ request, own });
     },
     async tables(request) {
       busy("tables", true);

@@ -3,10 +3,12 @@
 import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
 import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
+import { NO_MEMORY, Told, isMemory } from "./messages.js";
 
+const HEAD = 65536; // bytes in which the library looks for a header that says the axes
 const LARGEST = 200e6; // bytes: above it a page runs out of memory
 
-export class BadFile extends Error {}
+export class BadFile extends Told {}
 
 const fail = (file, why, cure) => { throw new BadFile(`${file.name}: ${why}; ${cure}`); };
 
@@ -32,19 +34,21 @@ const READERS = {
   obj: fromObj,
 };
 
-/** { name, positions, faces } of a File. A BadFile names the file, the reason and the cure. */
+/** { name, positions, faces, head } of a File. A BadFile names the file, the reason and the cure. */
 export async function readMesh(file) {
   const reader = READERS[file.name.split(".").pop().toLowerCase()];
   if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ");
   if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program scene");
-  const bytes = await file.arrayBuffer();
   try {
-    const mesh = reader(file, bytes);
+    const bytes = await file.arrayBuffer();
+    const mesh = { ...reader(file, bytes), head: new Uint8Array(bytes.slice(0, HEAD)) };
     if (!mesh.positions.every(Number.isFinite)) fail(file, "it has corners that are no numbers", "save it again");
     return mesh;
   } catch (error) {
     if (error instanceof BadFile) throw error;
-    return fail(file, "it cannot be read as a mesh", `save it again (${error.message})`);
+    if (isMemory(error)) throw new BadFile(`${file.name}: ${NO_MEMORY}`);
+    if (error instanceof DOMException) fail(file, "the browser cannot read it", "choose it again: it may have been moved or changed");
+    return fail(file, "it cannot be read as a mesh", `save it again as ${file.name.split(".").pop().toUpperCase()}, or as another kind`);
   }
 }
 

@@ -2,6 +2,7 @@
 // Sliders and numbers of the pose, and of the cartilage.
 import { byId, sliderRow } from "./elements.js";
 
+const WIDEST = [-180, 180]; // what the library takes
 const ROWS = [
   { key: "flexion", label: "Flexion", least: -40, most: 140, ends: ["extension", "flexion"] },
   { key: "abduction", label: "Abduction", least: -60, most: 80, ends: ["adduction", "abduction"] },
@@ -9,16 +10,13 @@ const ROWS = [
 ];
 const OFFSETS = [["right", "To the right"], ["forward", "Forward"], ["up", "Up"]];
 
-/** An angle within what its slider has. */
-export function inRange(key, angle) {
-  const { least, most } = ROWS.find((row) => row.key === key);
-  return Math.min(Math.max(angle, least), most);
-}
+/** The nearest angle that the library takes. */
+export const inRange = (angle) => Math.min(Math.max(angle, WIDEST[0]), WIDEST[1]);
 
 /** onChange() after a value of the state has changed. Returns show(), which brings the rows up to the state. */
 export function motionPanel(app, onChange) {
   const shows = ROWS.map((row) => {
-    const show = sliderRow(byId("motion-rows"), { ...row, unit: "°", step: 0.1 }, (value) => {
+    const show = sliderRow(byId("motion-rows"), { ...row, unit: "°", step: 0.1, widest: WIDEST }, (value) => {
       app.player.stop();
       app.state.motion[row.key] = value;
       onChange();

@@ -9,7 +9,7 @@ import { showReadouts } from "./readouts.js";
 export class Poses {
   /** ask(request): the library's reply to `pose`; onPose(request) after a pose has been shown; fault(error). */
   constructor(app, view, { ask, onPose, fault }) {
-    Object.assign(this, { app, view, onPose, vertices: 0 });
+    Object.assign(this, { app, view, onPose, vertices: 0, shown: null });
     this.asking = newestOnly(ask, (pose, took, request) => this.show(pose, took, request), fault);
   }
 
@@ -34,6 +34,7 @@ export class Poses {
 
   show(pose, took, request) {
     if (!this.app.ready || pose.ball_gap.length !== this.vertices) return; // of a joint that is no more
+    this.shown = pose;
     const scale = this.app.state.look.colours;
     this.view.setPose(pose, scale);
     showLegend(scale, pose.colours);

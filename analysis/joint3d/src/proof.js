@@ -19,7 +19,9 @@ export class Proof {
   /** ask(request): the library's reply to `verdicts`; fault(error). */
   constructor(ask, fault) {
     this.bounded = false;
-    this.asking = newestOnly(ask, (found) => { if (this.bounded) this.show(found); }, (error) => {
+    this.asking = newestOnly(ask, (found, _, { translation }) => {
+      if (this.bounded && String(translation) === this.shift) this.show(found); // not of the shift before
+    }, (error) => {
       clearInterval(this.clock);
       fault(error);
     });

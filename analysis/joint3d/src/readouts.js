@@ -10,15 +10,20 @@ const zones = (list) => (list.length ? list.slice(0, 3).map(zone).join(", ") : "
 const signed = (gap) => gap.toFixed(2).replace("-", "−");
 const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
 
+/** The smallest gap of the library's reply to `pose`, in a line. */
+export const gapWords = (smallest) => (smallest
+  ? `Smallest gap ${signed(smallest.gap_mm)} mm, ${whereIs(smallest)}`
+  : "The surfaces do not face each other");
+
+const whereIs = ({ surface, clock, gap_mm: gap }) => `on the ${surface}${clock ? `, at ${clock} o’clock` : ""}${gap < 0 ? ": depth along the ray from the centre" : ""}`;
+
 let timer = 0;
 
 /** pose: the library's reply; took: ms from asking to the answer. */
 export function showReadouts(pose, took) {
   const { smallest, ball, socket } = pose;
   put("smallest-gap", smallest ? signed(smallest.gap_mm) : "–");
-  put("smallest-where", smallest
-    ? `on the ${smallest.surface}${smallest.clock ? `, at ${smallest.clock} o’clock` : ""}${smallest.gap_mm < 0 ? ": depth along the ray from the centre" : ""}`
-    : "the surfaces do not face each other");
+  put("smallest-where", smallest ? whereIs(smallest) : "the surfaces do not face each other");
   put("stage-gap", smallest ? `${signed(smallest.gap_mm)} mm` : "no gap");
   byId("stage-state").textContent = smallest && smallest.gap_mm <= 0 ? "bones overlap" : "smallest gap";
   byId("stage-readout").classList.toggle("impinged", Boolean(smallest && smallest.gap_mm <= 0));

@@ -6,11 +6,12 @@ import { drawCompass } from "./labels.js";
 import { sightIn } from "./rim_clock.js";
 import { ViewCamera } from "./view_camera.js";
 
+const LARGEST = 16e6; // pixels of a picture, whatever the zoom
+
 export class SceneView {
   constructor(canvas, compass) {
     Object.assign(this, { canvas, compass, spacing: 1, onTurned: () => {}, onLost: () => {} });
     this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new Scene();
     this.scene.background = new Color("#eef2f5");
     this.lamp = new DirectionalLight(0xffffff, 1.5);
@@ -20,6 +21,7 @@ export class SceneView {
     canvas.addEventListener("webglcontextlost", () => this.onLost(true));
     canvas.addEventListener("webglcontextrestored", () => { this.onLost(false); this.draw(); });
     new ResizeObserver(() => this.fit()).observe(canvas.parentElement);
+    window.addEventListener("resize", () => this.fit()); // of a zoom, too
   }
 
   /** joint: the library's reply to `joint`; generated: a hip of parameters. */
@@ -42,6 +44,12 @@ export class SceneView {
     this.draw();
   }
 
+  /** cut: the library's reply to `resection`, whose ball is then shown, or null. */
+  setCut(cut) {
+    this.parts.setCut(cut);
+    this.draw();
+  }
+
   /** look: drawing, and which parts are shown. */
   setLook(look) {
     this.parts.setLook(look);
@@ -52,6 +60,7 @@ export class SceneView {
   fit() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, Math.sqrt(LARGEST / (width * height))));
     this.renderer.setSize(width, height, false);
     this.eye.resize(width, height);
     this.drawNow();
@@ -73,9 +82,4 @@ export class SceneView {
     drawCompass(this.compass, camera);
   }
 
-  /** The picture as a PNG: a promise of a Blob. */
-  picture() {
-    this.drawNow();
-    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
-  }
 }

@@ -24,9 +24,15 @@ export class SlowWorker {
     if (tables) await this.client.ask("tables", tables);
   }
 
+  /** Until the worker has the newest joint and tables, those included that come while one waits. */
+  async rested() {
+    let seen;
+    do await (seen = this.settled); while (seen !== this.settled);
+  }
+
   /** The library's answer about the newest joint and tables. */
   ask(kind, request) {
-    const answer = this.settled.then(() => this.client.ask(kind, request));
+    const answer = this.rested().then(() => this.client.ask(kind, request));
     this.asking = answer.catch(() => {});
     return answer;
   }

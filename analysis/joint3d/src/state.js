@@ -2,20 +2,26 @@
 // What the page shows, as plain data, and the same as a link fragment. Angles in degrees, lengths in mm.
 
 export const ANGLES = ["flexion", "abduction", "internal_rotation"];
-export const VIEWS = ["free", "anterior", "posterior", "medial", "lateral", "superior"];
+export const VIEWS = ["free", "anterior", "posterior", "medial", "lateral", "superior", "inferior"];
 export const DRAWINGS = ["filled", "lines", "blended"];
 export const COLOURS = ["levels", "safe"];
+export const OWN = "own"; // the name of a reader's own joint
 export const SHOWN = ["ball", "socket", "pelvis", "clock", "points", "smallest"];
 
 export function firstState() {
   return {
-    joint: { name: "patient_a", side: "right", parameters: {} }, // of the library's presets; parameters that differ from it
+    joint: { name: "patient_a", side: "right", parameters: {} }, // of the library's presets, or OWN; parameters that differ from it
     motion: { flexion: 0, abduction: 0, internal_rotation: 0 },
     offset: [0, 0, 0], // of the ball, to the right, forward, up
     cartilage: 4,
     tables: { scheme: "cube_gnomonic", precision_deg: 0.35, storage: "uint16" },
-    look: { view: "free", drawing: "filled", colours: "levels", shown: ["ball", "socket", "clock", "smallest"] },
+    look: { view: "free", drawing: "filled", colours: "levels", shown: ["ball", "socket", "clock", "smallest"],
+      camera: null }, // where a reader has turned it to: x, y, z of the camera and of what it looks at, mm, joint frame
     sweep: "flexion",
+    held: false, // the other angles of the pose, while one grows
+    required: "flexion=90, internal_rotation=30", // motions that a cut or another orientation is to reach, ";" between them
+    clearance: 0.5, // that a cut leaves
+    tilt: 0, // of the pelvis backwards, for the map of orientations
   };
 }
 
@@ -38,7 +44,13 @@ export function toFragment(state) {
   words.set("drawing", state.look.drawing);
   words.set("colours", state.look.colours);
   words.set("show", state.look.shown.join(","));
+  if (state.look.camera) words.set("camera", state.look.camera.map((x) => x.toFixed(1)).join(","));
   words.set("sweep", state.sweep);
+  if (state.held) words.set("held", "1");
+  const first = firstState();
+  if (state.required !== first.required) words.set("require", state.required);
+  if (state.clearance !== first.clearance) words.set("clearance", short(state.clearance));
+  if (state.tilt !== first.tilt) words.set("tilt", short(state.tilt));
   return words.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
 }
 
@@ -47,6 +59,12 @@ const oneOf = (list, word, otherwise) => (list.includes(word) ? word : otherwise
 function number(text, least, most, otherwise) {
   const value = text === null || text.trim() === "" ? NaN : Number(text);
   return value >= least && value <= most ? value : otherwise;
+}
+
+/** So many numbers of at most that size, or null. */
+function numbers(text, count, most) {
+  const values = (text ?? "").split(",").map((each) => number(each, -most, most, NaN));
+  return values.length === count && values.every(Number.isFinite) ? values : null;
 }
 
 function readPairs(text) {
@@ -64,8 +82,7 @@ export function fromFragment(fragment) {
   joint.side = oneOf(["left", "right"], words.get("side"), joint.side);
   joint.parameters = readPairs(words.get("set"));
   ANGLES.forEach((angle) => { motion[angle] = number(words.get(angle), -180, 180, 0); });
-  const offset = (words.get("offset") ?? "").split(",").map((text) => number(text, -50, 50, 0));
-  if (offset.length === 3) state.offset = offset;
+  state.offset = numbers(words.get("offset"), 3, 50) ?? state.offset;
   state.cartilage = number(words.get("cartilage"), 0, 20, state.cartilage);
   tables.scheme = words.get("scheme") ?? tables.scheme;
   tables.precision_deg = number(words.get("precision"), 0.01, 90, tables.precision_deg);
@@ -74,6 +91,11 @@ export function fromFragment(fragment) {
   look.drawing = oneOf(DRAWINGS, words.get("drawing"), look.drawing);
   look.colours = oneOf(COLOURS, words.get("colours"), look.colours);
   if (words.has("show")) look.shown = words.get("show").split(",").filter((word) => SHOWN.includes(word));
+  look.camera = numbers(words.get("camera"), 6, 1e4);
   state.sweep = words.get("sweep") ?? state.sweep;
+  state.held = words.get("held") === "1";
+  state.required = words.get("require") ?? state.required;
+  state.clearance = number(words.get("clearance"), 0.01, 10, state.clearance);
+  state.tilt = number(words.get("tilt"), -90, 90, state.tilt);
   return state;
 }

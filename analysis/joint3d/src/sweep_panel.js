@@ -7,6 +7,15 @@ const WAIT = 350; // ms of rest before a motion is swept again
 const SIGNS = { extension: -1, adduction: -1, external_rotation: -1 };
 const ANGLES = { extension: "flexion", adduction: "abduction", external_rotation: "internal_rotation" };
 
+/** The angle that grows in a motion of the catalogue, and which way. */
+const growingOf = ({ growing }) => ({ angle: ANGLES[growing] ?? growing, sign: SIGNS[growing] ?? 1 });
+
+/** The pose at an angle of a motion. */
+export function poseAlong(motion, degrees) {
+  const { angle, sign } = growingOf(motion);
+  return { ...motion.start, [angle]: motion.start[angle] + sign * Math.round(degrees * 1e4) / 1e4 };
+}
+
 /** A proven range of angles. */
 function range(low, high) {
   if (high === null) return low === 0 ? "not known" : `not before ${roundedDown(low, 1)}°`;
@@ -58,7 +67,7 @@ export class SweepPanel {
   constructor(app, ask, onPose) {
     Object.assign(this, { app, ask, onPose, sweep: null, asked: 0, timer: 0 });
     byId("sweep-motion").addEventListener("change", (event) => { app.state.sweep = event.target.value; this.again(0); });
-    byId("sweep-held").addEventListener("change", () => this.again(0));
+    byId("sweep-held").addEventListener("change", (event) => { app.state.held = event.target.checked; this.again(0); });
     byId("sweep-plot").addEventListener("click", (event) => {
       const box = byId("sweep-plot").getBoundingClientRect();
       if (this.sweep) this.goTo(this.angleAt((event.clientX - box.left) / box.width));
@@ -68,26 +77,25 @@ export class SweepPanel {
 
   setCatalogue({ motions }) {
     this.motions = motions;
-    fillChoice(byId("sweep-motion"), motions.map(({ name, label, meaning }) => ({ value: name, text: `${label} (${meaning})` })));
+    fillChoice(byId("sweep-motion"), motions.map(({ name, label }) => ({ value: name, text: label })));
   }
 
   motion() {
     return this.motions.find(({ name }) => name === this.app.state.sweep) ?? this.motions[0];
   }
 
-  /** The angle that grows, and which way. */
   growing() {
-    const { growing } = this.motion();
-    return { angle: ANGLES[growing] ?? growing, sign: SIGNS[growing] ?? 1 };
+    return growingOf(this.motion());
   }
 
   start() {
-    const { motion } = this.app.state;
-    return byId("sweep-held").checked ? { ...motion, [this.growing().angle]: 0 } : this.motion().start;
+    const { motion, held } = this.app.state;
+    return held ? { ...motion, [this.growing().angle]: 0 } : this.motion().start;
   }
 
   show() {
     byId("sweep-motion").value = this.motion().name;
+    byId("sweep-held").checked = this.app.state.held;
   }
 
   /** Of another joint: what is shown no longer holds. */
@@ -150,13 +158,11 @@ export class SweepPanel {
 
   draw() {
     if (!this.sweep) return;
-    const look = { title: this.motion().label.toLowerCase(), cartilage: this.app.state.cartilage, at: this.at() };
+    const look = { title: this.motion().growing.replace("_", " "), cartilage: this.app.state.cartilage, at: this.at() };
     this.angleAt = drawSweep(byId("sweep-plot"), this.sweep, look);
   }
 
   goTo(degrees) {
-    const { angle, sign } = this.growing();
-    const start = this.start();
-    this.onPose({ ...start, [angle]: start[angle] + sign * Math.round(degrees * 1e4) / 1e4 });
+    this.onPose(poseAlong({ ...this.motion(), start: this.start() }, degrees));
   }
 }

@@ -16,7 +16,7 @@ export class ViewCamera {
     this.camera.up.copy(UP);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", onMove);
-    this.controls.addEventListener("start", onTurned);
+    this.controls.addEventListener("end", onTurned);
   }
 
   /** subject: what a picture shows, as of extent(). */
@@ -58,6 +58,19 @@ export class ViewCamera {
     this.camera.far = distance + 20 * radius;
     this.camera.near = Math.max(distance - 8 * radius, distance / 50);
     this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.onMove();
+  }
+
+  /** Where it stands and what it looks at, mm. */
+  place() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  /** Stands where it stood. place: as of place(). */
+  standAt(place) {
+    this.camera.position.fromArray(place);
+    this.controls.target.fromArray(place, 3);
     this.controls.update();
     this.onMove();
   }

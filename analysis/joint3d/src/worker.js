@@ -14,6 +14,13 @@ function buffersOf(value, found = []) {
   return found;
 }
 
+// What is thrown here is JavaScript's: the library answers its own faults.
+function inWords(error) {
+  if (/memory|alloc|OOM/i.test(error.message ?? error))
+    return 'there is not enough memory; choose a coarser precision or smaller meshes, and load the page again';
+  return 'the library has stopped; load the page again, what it shows is kept in its address';
+}
+
 // serve(engine, post): a function that takes messages. `engine` is a promise of the engine; post(reply, transfer) sends.
 // `later` runs a function when the messages that have arrived have been taken in.
 function serve(engine, post, later) {
@@ -43,7 +50,7 @@ function serve(engine, post, later) {
         reply(id, (await engine).ask(kind, request));
       }
     } catch (error) {
-      reply(id, { ok: false, error: `the library stopped: ${error.message ?? error}` });
+      reply(id, { ok: false, error: inWords(error) });
     }
     later(answerNext);
   }
@@ -68,8 +75,9 @@ function soon() {
 }
 
 if (typeof importScripts === 'function') {
+  self.fetch = undefined; // the engine holds its module: it must not try to ask for it, which the page forbids
   const receive = serve(joint3dEngine(), (reply, transfer) => self.postMessage(reply, transfer), soon());
   self.onmessage = (event) => receive(event.data);
 } else if (typeof module === 'object') {
-  module.exports = { serve, soon };
+  module.exports = { inWords, serve, soon };
 }

@@ -28,7 +28,7 @@ namespace {
 // each; 6 for the modulus, of which half counts, and 10 for the sums and products of positive terms.
 //
 // area: the speed to the 5th power, 35; 12 more for the polynomials, all of positive terms.
-constexpr double kRadius = 7.0;
+constexpr double kConchoidRadius = 7.0;
 constexpr double kSpeed = 6.5;
 constexpr double kLength = 41.0;
 constexpr double kArea = 47.0;
@@ -59,12 +59,12 @@ std::vector<Method> forward_methods() {
   const auto radius = [](const Curve& curve, double phi) { return curve.radius(phi); };
   const auto speed = [](const Curve& curve, double phi) { return curve.speed(phi); };
   return {
-      {"conchoid_radius", "ours", kRadius, conchoid_radius, radius},
+      {"conchoid_radius", "ours", kConchoidRadius, conchoid_radius, radius},
       {"conchoid_speed", "ours", kSpeed, conchoid_speed, speed},
       {"meridian_length", "ours", kLength, meridian_length,
        [](const Curve& curve, double phi) { return curve.length(phi); }},
       {"cap_area", "ours", kArea, cap_area, [](const Curve& curve, double phi) { return curve.area(phi); }},
-      {"radius_as_eq_11", "thesis", kRadius, plain_radius, radius},
+      {"radius_as_eq_11", "thesis", kConchoidRadius, plain_radius, radius},
       {"speed_as_eq_12", "thesis", kSpeed, plain_speed, speed}};
 }
 
@@ -140,7 +140,7 @@ void add_all(std::vector<StabilityCase>& rows, const ConchoidShape& shape, doubl
 
 // a < b: a loop through the origin, which must be refused.
 StabilityCase refused(double away) {
-  StabilityCase row = start(-away, "conchoid_radius", "ours", kRadius);
+  StabilityCase row = start(-away, "conchoid_radius", "ours", kConchoidRadius);
   row.questions = 1;
   try {
     static_cast<void>(conchoid_radius({kB * (1.0 - away), kB}, 1.0));
@@ -151,7 +151,7 @@ StabilityCase refused(double away) {
   return row;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_conchoid(const StabilityRun& options) {
   std::vector<StabilityCase> rows;
   rows.reserve(kAway.size());
   for (const double away : kAway) rows.push_back(refused(away));
@@ -176,7 +176,7 @@ StabilityFamily conchoid_family() {
       "roundings of each formula, all of them sums of positive terms (7 to 47), and 8 for the end of a root "
       "search";
   family.seen = {7.7, 0.0};
-  family.run = run;
+  family.run = run_conchoid;
   return family;
 }
 

@@ -16,20 +16,20 @@ constexpr std::array<double, 6> kLayers{2.0, 3.0, 5.0, 8.0, 13.0, 20.0};
 constexpr long kAround = 12;    // faces about the axis are two for each of these
 constexpr double kFrom = 25.0;  // degrees from the axis
 constexpr double kTo = 65.0;
-constexpr std::size_t kSteps = 3;  // of a layer, from one end to the other
+constexpr std::size_t kFoldSteps = 3;  // of a layer, from one end to the other
 const Vec3 kAxis(1.0, 2.0, 2.0);
 
 // Point k of the pleated line in the half-plane of an axis: angle from it in degrees and distance from the
 // centre.
 std::array<double, 2> profile(std::size_t k) {
-  const std::size_t layer = k / kSteps;
-  const double share = static_cast<double>(k % kSteps) / kSteps;
+  const std::size_t layer = k / kFoldSteps;
+  const double share = static_cast<double>(k % kFoldSteps) / kFoldSteps;
   const double forth = layer % 2 == 0 ? share : 1.0 - share;
   // The way up to the next layer is in the last step of this one.
   return {kFrom + (kTo - kFrom) * forth, 20.0 + static_cast<double>(layer)};
 }
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_fold(const StabilityRun& run) {
   const auto scenes_at = [&](double layers) {
     StabilityScene scene;
     scene.mesh = pleated(static_cast<std::size_t>(layers));
@@ -44,7 +44,7 @@ std::vector<StabilityCase> run(const StabilityRun& run) {
 TriangleMesh pleated(std::size_t layers) {
   TriangleMesh mesh;
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), kAxis);
-  const std::size_t rows = layers * kSteps;
+  const std::size_t rows = layers * kFoldSteps;
   for (std::size_t k = 0; k <= rows; ++k) {
     const auto [degrees, radius] = profile(k);
     for (long i = 0; i < kAround; ++i) {
@@ -74,7 +74,7 @@ StabilityFamily fold_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {3.8, 0.86},
-          run};
+          run_fold};
 }
 
 }  // namespace impinge::lab

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kDegreesApart{7.0, 11.0, 25.0, 30.0, 45.0, 70.0, 90.0, 180.0};
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_huge_step(const StabilityRun& run) {
   const auto scenes_at = [&](double degrees) {
     StabilityScene scene;
     scene.mesh = sphere(22.0, 300, {4.0, 3.0, -2.0});
@@ -34,7 +34,7 @@ StabilityFamily huge_step_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {5.2, 0.92},
-          run};
+          run_huge_step};
 }
 
 }  // namespace impinge::lab

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kShares{0.0, 0.003, 0.01, 0.03, 0.1, 0.3};
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_mesh_noise(const StabilityRun& run) {
   const auto scenes_at = [&](double share) {
     StabilityScene scene;
     scene.mesh = noisy(sphere(22.0, run.quick ? 400 : 2000, {2.0, -3.0, 1.0}), share, run.seed + 1);
@@ -48,7 +48,7 @@ StabilityFamily mesh_noise_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {4.9, 0.88},
-          run};
+          run_mesh_noise};
 }
 
 }  // namespace impinge::lab

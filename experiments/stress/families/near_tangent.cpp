@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array kDegrees{1e0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_near_tangent(const StabilityRun& run) {
   const auto scenes_at = [&](double degrees) {
     StabilityScene scene;
     scene.mesh = backdrop();
@@ -46,7 +46,7 @@ StabilityFamily near_tangent_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {4.2, 0.81},
-          run};
+          run_near_tangent};
 }
 
 }  // namespace impinge::lab

@@ -13,12 +13,12 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kRadius = 22.0;  // mm
+constexpr double kOffCentreOriginRadius = 22.0;  // mm
 constexpr std::array kOffsets{0.0, 0.5, 0.9, 0.99, 0.9999, 0.999999, 1.0, 1.5};
 
 // Towards a vertex: a polyhedron reaches out to the sphere there alone. Vertex 7 is on no axis.
 TriangleMesh off_centre(double offset, std::size_t halvings) {
-  TriangleMesh mesh = icosphere(kRadius, halvings);
+  TriangleMesh mesh = icosphere(kOffCentreOriginRadius, halvings);
   const Vec3 origin = offset * mesh.vertices[7];
   for (Vec3& v : mesh.vertices) v -= origin;
   return mesh;
@@ -46,7 +46,7 @@ StabilityCase star_shape_case(const TriangleMesh& mesh, double offset) {
   return row;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_off_centre_origin(const StabilityRun& options) {
   const std::size_t halvings = options.quick ? 1 : 2;
   const Vec3 towards = icosphere(1.0, halvings).vertices[7];
   std::vector<StabilityCase> rows;
@@ -77,7 +77,7 @@ StabilityFamily off_centre_origin_family() {
   family.threshold = kRadiusThreshold;
   family.derivation = kRadiusDerivation;
   family.seen = {4.4, 0.92};
-  family.run = run;
+  family.run = run_off_centre_origin;
   return family;
 }
 

@@ -11,7 +11,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::array kAngles{1e-2, 1e-3, 1e-4, 1e-8, 1e-12, 1e-16, 0.0};  // radians
+constexpr std::array kPoleAngles{1e-2, 1e-3, 1e-4, 1e-8, 1e-12, 1e-16, 0.0};  // radians
 
 TriangleMesh body() {
   return radial_body(300, [](const Vec3& u) { return 20.0 + 3.0 * u.x() - 2.0 * u.y() * u.z(); });
@@ -30,7 +30,7 @@ void add_poles(StabilityScene& scene) {
   }
 }
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_pole(const StabilityRun& run) {
   const int azimuths = run.quick ? 16 : 96;
   const auto scenes_at = [azimuths](double angle) {
     StabilityScene scene;
@@ -46,7 +46,7 @@ std::vector<StabilityCase> run(const StabilityRun& run) {
     }
     return std::vector{scene};
   };
-  return sweep(kAngles, scenes_at, run);
+  return sweep(kPoleAngles, scenes_at, run);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ StabilityFamily pole_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {4.7, 0.92},
-      run};
+      run_pole};
 }
 
 }  // namespace impinge::lab

@@ -25,7 +25,7 @@ double shifted(double x, int ulps) {
 
 constexpr std::array<double, 7> kUlps{256.0, 64.0, 16.0, 4.0, 2.0, 1.0, 0.0};
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_ray_through_edge_or_vertex(const StabilityRun& run) {
   const TriangleMesh body = dyadic_body();
   const EdgeList list = edges(body);
   const std::size_t stride = run.quick ? 5 : 1;
@@ -76,7 +76,7 @@ StabilityFamily ray_through_edge_or_vertex_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {4.0, 0.9},
-      run};
+      run_ray_through_edge_or_vertex};
 }
 
 }  // namespace impinge::lab

@@ -15,7 +15,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::array kAngles{1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15};  // radians
+constexpr std::array kRimEdgeAngles{1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15};  // radians
 
 constexpr double kSide = 2.0;  // mm
 
@@ -59,13 +59,13 @@ StabilityScene beside_entries(double angle, std::size_t each) {
   return scene;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_rim_edge(const StabilityRun& run) {
   const auto scenes_at = [&](double angle) {
     std::vector<StabilityScene> scenes{along_rims(angle)};
     if (angle * kAimedRadius < kSide) scenes.push_back(beside_entries(angle, run.quick ? 3 : 12));
     return scenes;
   };
-  return sweep(kAngles, scenes_at, run);
+  return sweep(kRimEdgeAngles, scenes_at, run);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ StabilityFamily rim_edge_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {6.1, 0.88},
-      run};
+      run_rim_edge};
 }
 
 }  // namespace impinge::lab

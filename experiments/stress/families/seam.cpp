@@ -12,7 +12,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::array kAngles{
+constexpr std::array kSeamAngles{
     1e-4, 1e-8, 1e-12, 1e-16, 1e-30, 1e-300, std::numeric_limits<double>::denorm_min(), 0.0};
 
 void add_beside(StabilityScene& scene, double phi, double angle) {
@@ -26,7 +26,7 @@ void add_beside(StabilityScene& scene, double phi, double angle) {
   }
 }
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_seam(const StabilityRun& run) {
   const int parallels = run.quick ? 15 : 90;
   const auto scenes_at = [parallels](double angle) {
     StabilityScene scene;
@@ -34,7 +34,7 @@ std::vector<StabilityCase> run(const StabilityRun& run) {
     for (int k = 0; k < parallels; ++k) add_beside(scene, kPi * (k + 0.5) / parallels, angle);
     return std::vector{scene};
   };
-  return sweep(kAngles, scenes_at, run);
+  return sweep(kSeamAngles, scenes_at, run);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ StabilityFamily seam_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {5.2, 0.89},
-          run};
+          run_seam};
 }
 
 }  // namespace impinge::lab

@@ -25,7 +25,7 @@ std::vector<std::string> output_of(const std::string& program) {
   return lines;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& /*options*/) {
+std::vector<StabilityCase> run_simd_and_compiler(const StabilityRun& /*options*/) {
   const std::vector<std::string> expected = output_of(std::string(kDigestPrograms.front().path));
   std::vector<StabilityCase> rows;
   for (const DigestProgram& program : kDigestPrograms) {
@@ -59,7 +59,7 @@ StabilityFamily simd_and_compiler_family() {
       "nothing reassociated";
   family.threshold = 0.0;
   family.derivation = "IEEE 754 rounds each operation in one way";
-  family.run = run;
+  family.run = run_simd_and_compiler;
   return family;
 }
 

@@ -46,7 +46,7 @@ namespace {
 
 constexpr std::array kAspects{1e0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 0.0};
 
-std::vector<StabilityCase> run(const StabilityRun& run) {
+std::vector<StabilityCase> run_sliver(const StabilityRun& run) {
   const auto scenes_at = [&](double aspect) {
     StabilityScene aimed;
     aimed.mesh = backdrop();
@@ -69,7 +69,7 @@ StabilityFamily sliver_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {5.7, 0.91},
-      run};
+      run_sliver};
 }
 
 }  // namespace impinge::lab

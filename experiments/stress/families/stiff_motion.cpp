@@ -14,8 +14,8 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kRadius = 26.0;                                       // mm, of an octahedron
-constexpr std::array kAngles{1e1, 1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // degrees
+constexpr double kStiffMotionRadius = 26.0;                                       // mm, of an octahedron
+constexpr std::array kStiffMotionAngles{1e1, 1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // degrees
 constexpr double kStart = -30.0 * kDegree;
 
 // At the angle that a method finds, the true gap is no larger than what the method's radius and the vertex
@@ -23,8 +23,8 @@ constexpr double kStart = -30.0 * kDegree;
 // inverse depth), the turned vertex and its length 24. In a float 1 more for the entries. To first order that
 // is the error of the angle over its condition, r / |d gap / d angle| / angle; where the gap hardly crosses
 // nothing it is right still.
-constexpr double kThreshold = 76.0;
-constexpr double kStoredThreshold = 1.0 + kThreshold * 0x1p-29;
+constexpr double kStiffMotionThreshold = 76.0;
+constexpr double kStoredThreshold = 1.0 + kStiffMotionThreshold * 0x1p-29;
 
 StabilityCase blank(const StabilityMethod& method, double magnitude) {
   StabilityCase row;
@@ -33,14 +33,15 @@ StabilityCase blank(const StabilityMethod& method, double magnitude) {
   row.kind = method.maker.kind;
   row.scalar = method.scalar;
   row.refused = method.refused;
-  row.threshold = row.kind == "ours" && row.scalar == Scalar::float32 ? kStoredThreshold : kThreshold;
+  row.threshold =
+      row.kind == "ours" && row.scalar == Scalar::float32 ? kStoredThreshold : kStiffMotionThreshold;
   return row;
 }
 
 // A table of radii interpolates between entries: there the bound decides. Elsewhere rounding does.
 void judge_contact(const StabilityMethod& method, const PointQuery& answering, const Slide& slide,
                    StabilityCase& row) {
-  const PreciseSlide truth(slide, kRadius);
+  const PreciseSlide truth(slide, kStiffMotionRadius);
   const Precise contact = truth.contact();
   const double rate = ((truth.gap(contact + 1e-20) - truth.gap(contact)) / 1e-20).convert_to<double>();
   const double radius = slide.vertex(0.0).norm();
@@ -62,18 +63,19 @@ void judge_contact(const StabilityMethod& method, const PointQuery& answering, c
   if (row.error_over_condition_u > row.threshold) ++(found ? row.wrong : row.missed_hits);
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_stiff_motion(const StabilityRun& options) {
   StabilityScene scene;
-  scene.mesh = octahedron(kRadius);
+  scene.mesh = octahedron(kStiffMotionRadius);
   scene.precision_deg = options.quick ? 6.0 : 2.0;
   std::vector<StabilityCase> rows;
   for (const StabilityMethod& method : stability_methods(scene, {1.05, options.quick ? 200U : 2000U})) {
     std::optional<PointQuery> answering;
     if (method.refused.empty()) answering = method.maker.make();
-    for (const double angle : kAngles) {
+    for (const double angle : kStiffMotionAngles) {
       rows.push_back(blank(method, angle));
       if (answering)
-        judge_contact(method, *answering, slide_touching_at(-angle * kDegree, kRadius), rows.back());
+        judge_contact(method, *answering, slide_touching_at(-angle * kDegree, kStiffMotionRadius),
+                      rows.back());
     }
   }
   return rows;
@@ -91,13 +93,13 @@ StabilityFamily stiff_motion_family() {
       "the angle of contact loses the digits that its condition says, 1 / angle^2, and the gap at the angle "
       "that is "
       "found is that of rounding; tables of radii keep the gap below their bound";
-  family.threshold = kThreshold;
+  family.threshold = kStiffMotionThreshold;
   family.derivation =
       "52 roundings of a radius between exact entries (its plane, the taps, an inverse depth) and 24 of the "
       "turned "
       "vertex and its length, as a gap in units of u r";
   family.seen = {3.4, 0.49};
-  family.run = run;
+  family.run = run_stiff_motion;
   return family;
 }
 

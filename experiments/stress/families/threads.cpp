@@ -81,7 +81,7 @@ StabilityCase threaded(const StabilityMethod& method, const std::vector<Vec3>& d
   return row;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_threads(const StabilityRun& options) {
   StabilityScene scene;
   scene.mesh = sphere(22.0, 80, Vec3(3.0, 2.0, -1.0));
   scene.directions = uniform_directions(options.quick ? 1000 : 20000, 41);
@@ -105,7 +105,7 @@ StabilityFamily threads_family() {
       "same time and tables read at the same time give the same bits as one thread does";
   family.threshold = 0.0;
   family.derivation = "no rounding depends on a thread";
-  family.run = run;
+  family.run = run_threads;
   return family;
 }
 

@@ -21,15 +21,17 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::array kSteps{1.0, 1e-1, 1e-2, 4e-3, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};  // degrees
-constexpr double kRadius = 26.0;  // mm, of the octahedron whose radius R / |u|_1 is known to 3 roundings
+constexpr std::array kTinyStepSteps{1.0,  1e-1, 1e-2, 4e-3, 1e-3, 1e-4,
+                                    1e-5, 1e-6, 1e-7, 1e-8, 1e-9};  // degrees
+constexpr double kTinyStepRadius =
+    26.0;  // mm, of the octahedron whose radius R / |u|_1 is known to 3 roundings
 
 // Where does the look-up see an entry? In units of u: sine and cosine 2 each and their products, 4 a
 // component, 7 a direction; back to angles 2 pi and 2 for hypot and atan2, their division by the spacing and
 // the difference from the whole number pi and 2 pi each; for two angles, and the same once more for the four
 // taps' directions and weights: 7 + 2 * (2 pi + 2 + 2 pi) + 7 + 4. An azimuth on a spiral is 2 pi times its
 // turns times the polar angle, which is its condition; on a grid it is none.
-constexpr double kThreshold = 48.0;
+constexpr double kTinyStepThreshold = 48.0;
 
 template <class S>
 double condition(const S& scheme) {
@@ -69,15 +71,16 @@ template <class S>
 void ask_windows(const S& scheme, std::size_t count, StabilityCase& row) {
   const double slope = std::sqrt(2.0);
   const double rounding = (1.0 + slope) * row.threshold * row.condition * unit_roundoff(row.scalar);
-  row.bound_um = 1e3 * kRadius * (std::expm1(slope * scheme.stencil_radius()) + rounding);
+  row.bound_um = 1e3 * kTinyStepRadius * (std::expm1(slope * scheme.stencil_radius()) + rounding);
   row.error_um = 0.0;
   for (const Vec3& u : uniform_directions(count, 5)) {
     const Stencil stencil = scheme.stencil(u);
     double answer = 0.0;
     for (std::size_t k = 0; k < stencil.taps; ++k)
-      answer += stencil.weight[k] * octahedron_mesh_radius(scheme.direction(stencil.entry[k]), kRadius);
+      answer +=
+          stencil.weight[k] * octahedron_mesh_radius(scheme.direction(stencil.entry[k]), kTinyStepRadius);
     if (!std::isfinite(answer)) ++row.nan;
-    const double error = std::abs(answer - octahedron_mesh_radius(u, kRadius));
+    const double error = std::abs(answer - octahedron_mesh_radius(u, kTinyStepRadius));
     row.error_um = std::fmax(row.error_um, 1e3 * error);
   }
 }
@@ -88,7 +91,7 @@ StabilityCase window_case(double step, const StabilityRun& run) {
   row.magnitude = step;
   row.method = S::name;
   row.kind = "ours";
-  row.threshold = kThreshold;
+  row.threshold = kTinyStepThreshold;
   try {
     const S scheme = S::with_precision(step);
     row.condition = condition(scheme);
@@ -119,15 +122,15 @@ void add_table_case(double step, std::vector<StabilityCase>& rows) {
   rows.push_back(row);
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_tiny_step(const StabilityRun& options) {
   std::vector<StabilityCase> rows;
-  for (const double step : kSteps) {
+  for (const double step : kTinyStepSteps) {
     for_each_scheme([&]<class S>() {
       rows.push_back(window_case<S>(step, options));
       add_table_case<S>(step, rows);
     });
-    rows.push_back(float_azimuths(step, kThreshold));
-    rows.push_back(summed_azimuths(step, kThreshold));
+    rows.push_back(float_azimuths(step, kTinyStepThreshold));
+    rows.push_back(summed_azimuths(step, kTinyStepThreshold));
   }
   return rows;
 }
@@ -145,13 +148,13 @@ StabilityFamily tiny_step_family() {
       "near to the surface as the step; whole tables above 1 TiB and steps below a scheme's finest are "
       "refused in "
       "one line with what they would take";
-  family.threshold = kThreshold;
+  family.threshold = kTinyStepThreshold;
   family.derivation =
       "roundings of an entry's direction, of its angles, of their place between entries and of the taps; on "
       "a spiral "
       "times 2 pi its turns, the condition of its azimuth";
   family.seen = {12.0, 0.0};
-  family.run = run;
+  family.run = run_tiny_step;
   return family;
 }
 

@@ -15,7 +15,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kRadius = 22.0;  // mm
+constexpr double kTranslationRadius = 22.0;  // mm
 constexpr std::array kDistances{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 
 // A coordinate of the file is the nearest double to that of the joint, off by u (1 + D) R for a joint that is
@@ -28,7 +28,7 @@ double amplification(double distance, Scalar scalar) {
 }
 constexpr double kMoved = 2.0;
 
-TriangleMesh joint() { return sphere(kRadius, 320, Vec3(2.1, -1.3, 0.7)); }
+TriangleMesh joint() { return sphere(kTranslationRadius, 320, Vec3(2.1, -1.3, 0.7)); }
 
 // Truths of the joint itself, worked out once for each set of directions.
 class Truths {
@@ -92,12 +92,12 @@ TriangleMesh float_first(const TriangleMesh& file, const Vec3& centre) {
   return mesh;
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_translation(const StabilityRun& options) {
   const TriangleMesh mesh = joint();
   Truths truths(mesh);
   std::vector<StabilityCase> rows;
   for (const double distance : kDistances) {
-    const Vec3 centre = distance * kRadius * Vec3(0.48, -0.6, 0.64);
+    const Vec3 centre = distance * kTranslationRadius * Vec3(0.48, -0.6, 0.64);
     const TriangleMesh file = moved_to(mesh, centre);
     StabilityScene scene;
     scene.mesh = relative_to(file, centre);
@@ -132,7 +132,7 @@ StabilityFamily translation_family() {
                       "; 2 for the rounding of the file's coordinates, whose condition is "
                       "1 + the distance";
   family.seen = {2.9, 0.94};
-  family.run = run;
+  family.run = run_translation;
   return family;
 }
 

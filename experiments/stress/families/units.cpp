@@ -69,7 +69,7 @@ void compare(const std::vector<double>& expected, const std::vector<double>& ans
   row.error_over_condition_u = row.relative_error / unit_roundoff(row.scalar);
 }
 
-std::vector<StabilityCase> run(const StabilityRun& options) {
+std::vector<StabilityCase> run_units(const StabilityRun& options) {
   const std::size_t directions = options.quick ? 100 : 1000;
   const StabilityScene millimetres = scene_in_units(0, directions);
   std::vector<std::vector<double>> expected;
@@ -113,7 +113,7 @@ StabilityFamily units_family() {
       "a power of two commutes with every rounding as long as no product leaves the range of a double; the "
       "longest "
       "are of six lengths, see mesh/lengths.hpp";
-  family.run = run;
+  family.run = run_units;
   return family;
 }
 

@@ -20,6 +20,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 
+// No face: what hn::MaxOfLanes() never is below where lanes are emulated.
+inline constexpr float kNoFace = std::numeric_limits<float>::lowest();
+
 // Vertices that are worked on together: moved, then looked up one by one, then turned into gaps.
 inline constexpr std::size_t kChunk = 64;
 inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
@@ -63,7 +66,7 @@ HWY_INLINE bool look_up_blocks(const ExactCells& cells, std::size_t i, Chunk& ch
   const hn::CappedTag<float, FaceBlock::kFaces> d;
   const auto p = vertex(d, chunk, i);
   const auto doubtful = hn::Set(d, 5.0F * 0x1p-24F * chunk.size[i]);
-  const auto none = hn::Set(d, -std::numeric_limits<float>::infinity());
+  const auto none = hn::Set(d, kNoFace);
   auto best = none;
   auto closest = hn::Set(d, std::numeric_limits<float>::infinity());  // to the plane of an edge
   const ExactCell& cell = cells.cells[static_cast<std::size_t>(chunk.cell[i])];

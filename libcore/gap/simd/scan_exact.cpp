@@ -83,8 +83,7 @@ class ExactScan {
       const auto s = hn::Mul(hn::Load(d, chunk.turn + i), best);
       const auto size = hn::Load(d, chunk.size + i);
       const auto gap = hn::Mul(hn::Mul(hn::Set(d, scan_.sign), size), hn::Div(hn::Sub(one, s), s));
-      const auto hit = hn::And(hn::Gt(best, hn::Set(d, -std::numeric_limits<float>::infinity())),
-                               hn::Gt(size, hn::Zero(d)));
+      const auto hit = hn::And(hn::Gt(best, hn::Set(d, kNoFace)), hn::Gt(size, hn::Zero(d)));
       hn::Store(hn::IfThenElse(hit, gap, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d,
                 chunk.gap + i);
     }

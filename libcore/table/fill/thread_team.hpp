@@ -5,13 +5,17 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace impinge {
 
-/// Calls work(0) ... work(threads - 1) at the same time and waits; throws what the first of them threw.
+/// Calls work(0) ... work(threads - 1) at the same time and waits; throws what the first of them threw. What
+/// no thread can be had for, as in WebAssembly, this one does at last.
 inline void on_threads(std::size_t threads, const std::function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> failures(threads);
   const auto guarded = [&](std::size_t thread) {
@@ -22,9 +26,20 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
     }
   };
   {
-    std::vector<std::jthread> others;
-    for (std::size_t thread = 1; thread < threads; ++thread) others.emplace_back(guarded, thread);
+    struct Joined {  // a std::jthread, which WebAssembly's library has not
+      explicit Joined(std::thread begun) : thread(std::move(begun)) {}
+      ~Joined() { thread.join(); }
+      std::thread thread;
+    };
+    std::vector<std::unique_ptr<Joined>> others;
+    std::size_t begun = 1;
+    try {
+      for (; begun < threads; ++begun)
+        others.emplace_back(new Joined{std::thread(guarded, begun)});  // clang 14 has no make_unique of it
+    } catch (const std::system_error&) {
+    }
     guarded(0);
+    for (; begun < threads; ++begun) guarded(begun);
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);

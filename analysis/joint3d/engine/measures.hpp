@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measures of hip/hip_measures.hpp, as the page reads them.
+#pragma once
+
+#include "js_values.hpp"
+#include "session/session.hpp"
+
+namespace impinge {
+
+/// Of ball and socket: `measures`, each with `measure`, `value` and `unit`, and `left_out`, a line for each
+/// surface that cannot be measured. Nothing is measured where the side is not known.
+val measures_reply(const SessionJoint& joint);
+
+}  // namespace impinge

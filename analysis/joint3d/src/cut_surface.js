@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The femur after a cut, coloured by how deep it goes.
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
+import { RAMP } from "./colours.js";
+
+const WHOLE = [226, 230, 222];
+const RAMPED = [...RAMP].reverse(); // the deeper the darker
+
+/** [red, green, blue] to 255 of a depth in mm. */
+export function depthColour(depth, deepest) {
+  if (!(depth > 0)) return WHOLE;
+  const at = Math.min(depth / deepest, 1) * (RAMPED.length - 1);
+  const k = Math.min(Math.floor(at), RAMPED.length - 2);
+  return RAMPED[k].map((value, c) => Math.round(value + (RAMPED[k + 1][c] - value) * (at - k)));
+}
+
+export class CutSurface {
+  constructor() {
+    this.material = new MeshLambertMaterial({ side: DoubleSide, vertexColors: true });
+    this.mesh = new Mesh(new BufferGeometry(), this.material);
+    this.mesh.matrixAutoUpdate = false;
+    this.mesh.renderOrder = 1;
+    this.mesh.visible = false;
+  }
+
+  /** cut: the library's reply to `resection`. */
+  set({ positions, faces, depth, depth_mm: [, deepest] }) {
+    const geometry = new BufferGeometry();
+    const colours = new Float32Array(positions.length);
+    const colour = new Color();
+    depth.forEach((mm, k) => {
+      const [red, green, blue] = depthColour(mm, deepest);
+      colour.setRGB(red / 255, green / 255, blue / 255, "srgb").toArray(colours, 3 * k);
+    });
+    geometry.setAttribute("position", new BufferAttribute(positions, 3));
+    geometry.setAttribute("color", new BufferAttribute(colours, 3));
+    geometry.setIndex(new BufferAttribute(faces, 1));
+    geometry.computeVertexNormals();
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
+  }
+}

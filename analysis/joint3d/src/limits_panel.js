@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The limits of all named motions in one table, row by row, in the slow worker: bone about both centres, and cartilage.
+import { byId, make, roundedDown, roundedUp } from "./elements.js";
+
+const WAIT = 350; // ms of rest before they are worked out again
+const COLUMNS = [["ball", false], ["socket", false], ["ball", true]]; // about whose centre, and with cartilage
+const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what"];
+
+/** One limit, short, and in full where a reader points at it. */
+function shortly({ state, low_deg: low, high_deg: high, clock }) {
+  const words = {
+    limited: [`${roundedDown(low, 1)}°`, `between ${roundedDown(low, 4)}° and ${roundedUp(high, 4)}°${clock ? `, at ${clock} o’clock` : ""}`],
+    free: ["free", `none up to ${roundedDown(low, 0)}°`],
+    blocked: ["at once", "reached before the motion begins"],
+    unknown: [`> ${roundedDown(low, 1)}°`, `none up to ${roundedDown(low, 1)}°; nothing is known beyond`],
+  };
+  return words[state];
+}
+
+/** What a reader must know of a limit, as `scene` says it. */
+function what({ hangs_on_less: hangs, within_mm: within, leaves_ball_mesh_deg: leaves }) {
+  if (hangs) return `hangs on less than ${within} mm`;
+  return leaves === null ? "" : `the ball's mesh ends from ${roundedDown(leaves, 1)}`;
+}
+
+/** limits.csv of [{ motion, limits }], as the library told them; joint: its name. */
+export function limitsCsv(joint, rows) {
+  const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.about, limit.state, limit.low_deg, limit.high_deg,
+    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, what(limit)];
+  const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
+  return [CSV.join(), ...lines, ""].join("\n");
+}
+
+export class LimitsPanel {
+  /** ask(request): the library's reply to `limits`; shape(): shift and cartilage of the pose; onPose(motion), start and limit; fault(error). */
+  constructor({ ask, shape, onPose, fault }) {
+    Object.assign(this, { ask, shape, onPose, fault, rows: [], run: 0, timer: 0, known: false, of: "" });
+    byId("all-limits").addEventListener("toggle", () => this.begin());
+  }
+
+  setCatalogue({ motions }) {
+    this.motions = motions;
+    this.write();
+  }
+
+  /** Of another joint: nothing is known. */
+  forget() {
+    this.known = false;
+    this.stop();
+  }
+
+  stop() {
+    this.run += 1;
+    this.rows = [];
+    this.of = "";
+    this.write();
+  }
+
+  /** The joint is there, and what is more urgent has been answered. */
+  ready() {
+    this.known = true;
+    this.begin();
+  }
+
+  /** Another pose; only its shift and the cartilage count. */
+  posed() {
+    if (!this.of || this.of === JSON.stringify(this.shape())) return;
+    this.stop();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.begin(), WAIT);
+  }
+
+  complete() {
+    return this.rows.length === this.motions?.length;
+  }
+
+  async begin() {
+    if (!this.known || this.of || !byId("all-limits").open) return;
+    const mine = (this.run += 1);
+    const shape = this.shape();
+    this.of = JSON.stringify(shape);
+    for (const motion of this.motions) {
+      try {
+        const { limits } = await this.ask({ ...shape, motion: motion.name, largest_deg: 360 });
+        if (mine !== this.run) return;
+        this.rows.push({ motion, limits });
+        this.write();
+      } catch (error) {
+        if (mine === this.run) this.fault(error);
+        return;
+      }
+    }
+  }
+
+  cell(motion, limit) {
+    if (!limit) return make("td", { textContent: "–" });
+    const [text, title] = shortly(limit);
+    if (limit.state !== "limited") return make("td", { textContent: text, title });
+    const go = make("button", { type: "button", className: "plain", textContent: text, title, onclick: () => this.onPose(motion, limit.low_deg) });
+    return make("td", {}, go, ...(limit.clock ? [make("span", { className: "clock", textContent: limit.clock })] : []));
+  }
+
+  write() {
+    const done = this.rows.length;
+    byId("limits-rows").replaceChildren(...(this.motions ?? []).map((motion, k) => {
+      const limits = this.rows[k]?.limits;
+      const of = ([about, cartilage]) => limits.find((each) => each.about === about && each.threshold_mm > 0 === cartilage);
+      const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of ? "…" : "" })];
+      return make("tr", {}, make("th", { scope: "row", textContent: motion.label }), ...cells);
+    }));
+    byId("save-limits").disabled = !this.motions || !this.complete();
+    byId("limits-say").textContent = this.of && !this.complete() ? `Working, ${done} of ${this.motions.length} …` : "";
+  }
+}

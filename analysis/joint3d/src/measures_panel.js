@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is measured of the meshes of a joint.
+import { byId, make } from "./elements.js";
+
+const NAMES = {
+  head_radius: "Radius of the head", head_neck_offset: "Head-neck offset", neck_shaft_angle: "Neck-shaft angle (CCD)",
+  femoral_torsion: "Torsion of the femur", inclination: "Inclination of the socket", version: "Version of the socket",
+  half_opening: "Half opening of the socket", lateral_centre_edge: "Lateral centre-edge angle (LCE)",
+  socket_radius: "Radius of the socket", coverage: "Share of directions within the rim",
+};
+const name = (measure) => NAMES[measure] ?? `Alpha at ${measure.replace("alpha_at_", "")} o’clock`;
+const number = (value, unit) => ({ deg: `${value.toFixed(1)}°`, 1: `${(100 * value).toFixed(1)} %` })[unit] ?? `${value.toFixed(2)} ${unit}`;
+const amount = ({ value, uncertainty, unit }) => `${number(value, unit)} ± ${number(uncertainty, unit)}`.replace("-", "−");
+
+export class MeasuresPanel {
+  /** ask(): the library's reply to `measures`. */
+  constructor(ask) {
+    Object.assign(this, { ask, asked: 0 });
+  }
+
+  /** Of another joint. */
+  async again() {
+    const mine = (this.asked += 1);
+    byId("measures-rows").replaceChildren();
+    byId("measures-say").textContent = "Measuring …";
+    const { measures, left_out: leftOut } = await this.ask().catch(({ message }) => ({ measures: [], left_out: [message] }));
+    if (mine !== this.asked) return;
+    byId("measures-rows").replaceChildren(...measures.map((each) =>
+      make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }))));
+    byId("measures-say").textContent = leftOut.map((line) => `Left out: ${line}.`).join(" ");
+  }
+}

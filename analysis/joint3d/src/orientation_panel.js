@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In which orientations of the socket required motions are free: a map over inclination and anteversion, and the socket as it is.
+import { ChangePanel } from "./change_panel.js";
+import { byId, drawn, legWords, make, roundedDown, roundedUp } from "./elements.js";
+
+const [WIDTH, HEIGHT] = [320, 312];
+const AREA = { left: 40, right: 8, top: 8, bottom: 34 };
+const SQUARE = 5; // numbers each: inclination, anteversion, half width, state, and which part of a motion is so
+const STATES = [["free", "#2a6f97"], ["blocked", "#f1e3a0"], ["unknown: the mesh ends", "#c9ccd1"], ["undecided", "#8d949c"]];
+const WORDS = ["All required motions are free", "Blocked", "Not known, since the ball's mesh ends under the socket", "Undecided"];
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }; // degrees of inclination and anteversion
+
+export class OrientationPanel extends ChangePanel {
+  constructor(app, open) {
+    super(app, open, { id: "orientation", kind: "orientation" });
+    byId("orientation-tilt").addEventListener("change", ({ target }) => { app.state.tilt = Number(target.value); this.again(); });
+    const plot = byId("orientation-plot");
+    for (const kind of ["pointermove", "pointerdown"]) plot.addEventListener(kind, (event) => this.point(event));
+    plot.addEventListener("focus", () => this.look(this.looked ?? this.found?.as_scanned));
+    plot.addEventListener("keydown", (event) => this.step(event));
+  }
+
+  question() {
+    return { required: this.app.state.required, tilt_deg: this.app.state.tilt };
+  }
+
+  show() {
+    super.show();
+    byId("orientation-tilt").value = this.app.state.tilt;
+  }
+
+  clear() {
+    byId("orientation-plot").replaceChildren();
+    byId("orientation-key").replaceChildren();
+    byId("orientation-here").textContent = "";
+    this.looked = null;
+  }
+
+  /** The place under a pointer. */
+  point({ clientX, clientY }) {
+    if (!this.found) return;
+    const { left, top, width, height } = byId("orientation-plot").getBoundingClientRect();
+    this.look(this.angles(((clientX - left) / width) * WIDTH, ((clientY - top) / height) * HEIGHT));
+  }
+
+  step(event) {
+    const way = ARROWS[event.key];
+    if (!way || !this.looked) return;
+    event.preventDefault();
+    this.look({ inclination_deg: this.looked.inclination_deg + way[0], anteversion_deg: this.looked.anteversion_deg + way[1] });
+  }
+
+  /** Marks the square that holds these angles, and says what is so there and because of which motion. */
+  look(angles) {
+    if (!angles) return;
+    const { squares, legs } = this.found;
+    const holds = (k) => Math.abs(squares[k] - angles.inclination_deg) <= squares[k + 2] && Math.abs(squares[k + 1] - angles.anteversion_deg) <= squares[k + 2];
+    let k = 0;
+    while (k < squares.length && !holds(k)) k += SQUARE;
+    if (k === squares.length) return; // beside the map
+    this.looked = angles;
+    const [, , , state, leg] = squares.subarray(k, k + SQUARE);
+    for (const [name, value] of Object.entries(this.rectangle(k))) this.mark.setAttribute(name, value);
+    const words = `At inclination ${angles.inclination_deg.toFixed(1)}° and anteversion ${angles.anteversion_deg.toFixed(1)}°: ${WORDS[state]}${leg < 0 ? "" : `: ${legWords(legs[leg])}`}.`;
+    byId("orientation-here").textContent = words;
+  }
+
+  draw() {
+    const { squares, map, as_scanned: now, area_deg2: area } = this.found;
+    const across = (WIDTH - AREA.left - AREA.right) / map.width_deg;
+    const up = (HEIGHT - AREA.top - AREA.bottom) / map.width_deg;
+    const x = (inclination) => AREA.left + (inclination - map.least_inclination_deg) * across;
+    const y = (anteversion) => HEIGHT - AREA.bottom - (anteversion - map.least_anteversion_deg) * up;
+    this.angles = (px, py) => ({ inclination_deg: map.least_inclination_deg + (px - AREA.left) / across, anteversion_deg: map.least_anteversion_deg + (HEIGHT - AREA.bottom - py) / up });
+    this.rectangle = (k) => {
+      const [inclination, anteversion, half] = squares.subarray(k, k + 3);
+      return { x: x(inclination - half), y: y(anteversion + half), width: 2 * half * across + 0.15, height: 2 * half * up + 0.15 };
+    };
+    const cells = Array.from({ length: squares.length / SQUARE }, (_, k) => drawn("rect", { ...this.rectangle(SQUARE * k), fill: STATES[squares[SQUARE * k + 3]][1] }));
+    this.mark = drawn("rect", { class: "mark" });
+    const tick = (angle, at) => drawn("text", { class: "tick middle", ...at }, String(angle));
+    byId("orientation-plot").replaceChildren(...cells,
+      ...[0, 30, 60, 90].map((angle) => tick(angle, { x: x(angle), y: HEIGHT - AREA.bottom + 14 })),
+      ...[-30, 0, 30, 60].map((angle) => tick(angle, { x: AREA.left - 14, y: y(angle) + 3.5 })),
+      drawn("text", { class: "title middle", x: (AREA.left + WIDTH) / 2, y: HEIGHT - 4 }, "inclination, °"),
+      drawn("text", { class: "title middle", transform: `translate(10 ${(AREA.top + HEIGHT - AREA.bottom) / 2}) rotate(-90)` }, "anteversion, °"),
+      drawn("circle", { r: 4, class: "now", cx: x(now.inclination_deg), cy: y(now.anteversion_deg) }), this.mark);
+    const there = STATES.filter((_, state) => [area.free, area.blocked, area.unknown, area.open][state] > 0);
+    byId("orientation-key").replaceChildren(...there.map(([word, colour]) => {
+      const swatch = make("span", { className: "swatch" });
+      swatch.style.background = colour;
+      return make("b", {}, swatch, ` ${word}`);
+    }));
+    byId("orientation-say").textContent = `As it is, at inclination ${now.inclination_deg.toFixed(1)}° and anteversion ${now.anteversion_deg.toFixed(1)}°: `
+      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.`;
+  }
+}

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""For those who evaluate the artefact: each claim, the command that checks it, its minutes and what to expect."""
+
+from __future__ import annotations
+
+import html
+from pathlib import Path
+
+from common.jobs import Job
+from report import reference
+from report.artefacts import title_of
+from report.markup import element
+
+
+def seconds(job: Job, maker: dict[str, Job], seen: set[str]) -> float:
+    """Budget of a job and of all that it is made from, each once."""
+    if job.name in seen:
+        return 0.0
+    seen.add(job.name)
+    needed = (maker[file] for file in job.depends if file in maker)
+    return job.budget[0] + sum(seconds(other, maker, seen) for other in needed)
+
+
+def expected(job: Job, kept: Path) -> str:
+    """What the reference run found; empty where it has no verdict on it."""
+    if not (kept / "verdicts.csv").is_file():
+        return ""
+    verdicts = reference.read(kept / "verdicts.csv")
+    counts = verdicts[verdicts.artefact == job.name].verdict.value_counts()
+    return ", ".join(f"{count} {name}" for name, count in counts.items())
+
+
+def section(jobs: list[Job], kept: Path) -> str:
+    """A row for each table and figure that has verdicts."""
+    maker = {output: job for job in jobs for output in job.outputs}
+    rows = ""
+    for job in jobs:
+        if job.kind not in ("table", "figure") or not (verdicts := expected(job, kept)):
+            continue
+        cells = (
+            element("a", title_of(job.name), href=f"#{job.name}") + "<br>" + html.escape(job.question),
+            element("code", f"experiments/reproduce --only {job.name}"),
+            f"{seconds(job, maker, set()) / 60:.1f}",
+            verdicts,
+        )
+        rows += element("tr", "".join(element("td", cell) for cell in cells))
+    head = "".join(element("th", title, scope="col") for title in ("claim", "command", "minutes", "expected"))
+    table = element("table", element("thead", element("tr", head)) + element("tbody", rows))
+    return (
+        element("h2", "To check a claim", id="claims")
+        + element("p", "Minutes are the budget of the quick profile on two cores, after the build, with nothing made before."
+                       " Expected are the verdicts of the reference run.")
+        + element("div", table, class_="scroll")
+    )

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "10_error_against_time/all_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "10_error_against_time/scenes.hpp"
+#include "files/stopwatch.hpp"
+#include "gap/simd/instruction_set.hpp"
+
+namespace impinge::lab {
+namespace {
+
+constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
+constexpr std::size_t kOtherQuestions = 1 << 17;
+constexpr std::size_t kFewQuestions = 1 << 10;
+constexpr int kThreads = 2;
+constexpr double kDistance = 25.0;       // mm, of the probes: as far as the joint space is
+constexpr double kMostError = 1.0;       // mm, of 99 of 100 probes, by the coarsest table here
+constexpr double kMostFalseHits = 0.02;  // of the probes: of those on the rim itself, in float
+
+// A method with its errors.
+struct Examined {
+  GapCase method;
+  std::shared_ptr<const GapQuery> query;
+  double build_s = 0.0;  // of the query, the first time
+  BenchmarkErrors errors;
+};
+
+// Some of the points, evenly through all of them.
+AskedPoints few_of(const std::vector<Vec3>& all) {
+  std::vector<Vec3> few;
+  const std::size_t step = all.size() / kFewQuestions + 1;
+  for (std::size_t i = 0; i < all.size(); i += step) few.push_back(all[i]);
+  return AskedPoints(std::move(few));
+}
+
+// One surface's vertices asked of the other.
+struct Direction {
+  const BenchmarkScene& scene;
+  AskedSurface surface;  // that is asked
+  AskedPoints all;
+  AskedPoints few;
+  BenchmarkProbes radial;
+  BenchmarkProbes euclidean;
+
+  Direction(const BenchmarkScene& of, Surface scanned, const BenchmarkOptions& options)
+      : scene(of),
+        surface{mesh_of(of.pair, other(scanned)), facing_layer(other(scanned)), scanned},
+        all(mesh_of(of.pair, scanned).vertices),
+        few(few_of(all.points)),
+        radial(radial_probes(surface.mesh, surface.layer, options.radial)),
+        euclidean(euclidean_probes(surface.mesh, kDistance, options.euclidean)) {}
+
+  std::string name() const { return scanned_ball() ? "ball->socket" : "socket->ball"; }
+  bool scanned_ball() const { return surface.scanned == Surface::ball; }
+};
+
+// Radii (distances, of a method that answers these) by the gaps of a method, in the socket's own pose.
+PointQuery radii_by(const GapQuery& query, Surface scanned) {
+  return {[&query, scanned](std::span<const Vec3> points, std::span<double> out) {
+    const bool radial = query.measure == Measure::radial;
+    std::vector<Vec3> at(points.begin(), points.end());
+    if (radial)
+      for (Vec3& x : at) x *= kDistance / x.norm();
+    const AskedPoints asked(std::move(at));
+    GapScratch scratch;
+    query.scan(asked, {}, scratch);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double gap = scratch.gap(i);
+      out[i] = radial ? asked.points[i].norm() + gap_sign<double>(scanned) * gap : gap;
+    }
+  }};
+}
+
+void require_good(const Examined& found, const Direction& direction) {
+  const BenchmarkErrors& errors = found.errors;
+  const double false_share = static_cast<double>(errors.false_hits) / static_cast<double>(errors.directions);
+  if (errors.p99 <= kMostError && false_share <= kMostFalseHits) return;
+  throw std::runtime_error(direction.scene.name + ", " + direction.name() + ": " + found.method.name + " " +
+                           found.method.setting + " " + found.method.storage + " is off by " +
+                           std::to_string(errors.p99) + " mm, with " + std::to_string(errors.false_hits) +
+                           " false hits: its time means nothing until its answers are right");
+}
+
+Examined examine(const GapCase& method, const Direction& direction, const AscentOptions& ascent) {
+  Examined found{method, {}, 0.0, {}};
+  Stopwatch watch;
+  found.query = std::make_shared<const GapQuery>(method.make());
+  found.build_s = watch.lap_s();
+  if (!found.query->answers) return found;
+  const bool radial = found.query->measure == Measure::radial;
+  found.errors = measure_errors(radii_by(*found.query, direction.surface.scanned),
+                                radial ? direction.radial : direction.euclidean, ascent);
+  require_good(found, direction);
+  require_bound(found.errors, {found.query->bound_mm}, {direction.scene.name, method.name, method.setting});
+  return found;
+}
+
+struct Work {
+  std::shared_ptr<const GapQuery> query;
+  const AskedPoints& asked;
+  Vec3 axis;  // of the motion
+  std::string instruction_set;
+  int threads;
+  int poses;
+};
+
+void scan_poses(const Work& work, GapScratch& scratch) {
+  for (int k = 0; k < work.poses; ++k) {
+    work.query->scan(work.asked, motion_pose(work.axis, k), scratch);
+    benchmark::DoNotOptimize(scratch.floats.data());
+    benchmark::DoNotOptimize(scratch.doubles.data());
+    benchmark::ClobberMemory();
+  }
+}
+
+// Each thread does all poses of its own.
+std::function<void()> run_of(const Work& work) {
+  auto scratches = std::make_shared<std::vector<GapScratch>>(work.threads);
+  return [work, scratches] {
+    use_instruction_set(work.instruction_set);
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < scratches->size(); ++t)
+      others.emplace_back([&work, &scratch = (*scratches)[t]] { scan_poses(work, scratch); });
+    scan_poses(work, scratches->front());
+  };
+}
+
+// One pose of the motion after the other.
+std::function<void()> pose_after_pose(const Work& work) {
+  auto scratch = std::make_shared<GapScratch>();
+  auto turn = std::make_shared<int>(0);
+  return [work, scratch, turn] {
+    use_instruction_set(work.instruction_set);
+    work.query->scan(work.asked, motion_pose(work.axis, (*turn)++), *scratch);
+  };
+}
+
+// A row of the table: places in the cases.
+struct Row {
+  std::size_t time = 0;
+  std::size_t build = 0;
+  std::size_t method = 0;  // in the examined ones
+};
+
+// Everything of a scene.
+struct Asking {
+  const BenchmarkTiming& timing;
+  std::function<void()> flush;
+  Built<GapQuery> built = std::make_shared<std::optional<GapQuery>>();
+  std::vector<Examined> examined = {};
+  std::vector<TimedCase> cases = {};
+  std::vector<Row> rows = {};
+};
+
+std::vector<Cell> key_of(const Direction& direction, const GapCase& method, const Work& work,
+                         const char* state) {
+  return {direction.scene.name,
+          direction.scene.pair.ball.faces.size(),
+          direction.name(),
+          method.name,
+          method.setting,
+          method.storage,
+          method.kernel ? work.instruction_set : std::string("none"),
+          work.threads,
+          state};
+}
+
+void add_case(Asking& asking, std::vector<Cell> key, const Work& work, bool cold) {
+  TimedCase timed;
+  timed.key = std::move(key);
+  timed.run = cold ? pose_after_pose(work) : run_of(work);
+  if (cold) timed.before = asking.flush;
+  timed.rounds = asking.timing.rounds;
+  timed.units = static_cast<double>(work.asked.points.size()) * (cold ? 1 : work.threads * work.poses);
+  asking.cases.push_back(std::move(timed));
+}
+
+// Building, and each way to ask that the method is worth.
+void add_method(Asking& asking, const Direction& direction, const GapCase& method, bool thorough) {
+  const Examined& found = asking.examined.back();
+  const AskedPoints& asked = method.few ? direction.few : direction.all;
+  const std::size_t questions = method.kernel ? kKernelQuestions : method.few ? 1 : kOtherQuestions;
+  Work work{found.query,
+            asked,
+            direction.scene.axis,
+            instruction_sets().front(),
+            1,
+            static_cast<int>(questions / asked.points.size()) + 1};
+  const std::size_t build = asking.cases.size();
+  asking.cases.push_back(build_case(key_of(direction, method, work, "build"), asking.built, method.make,
+                                    found.build_s, asking.timing));
+  const auto add = [&](const char* state) {
+    asking.rows.push_back({asking.cases.size(), build, asking.examined.size() - 1});
+    add_case(asking, key_of(direction, method, work, state), work, state == std::string_view("cold"));
+  };
+  for (const std::string& set : instruction_sets()) {
+    work.instruction_set = set;
+    if (set == instruction_sets().front() || (method.widely && thorough)) add("warm");
+  }
+  work.instruction_set = instruction_sets().front();
+  if (thorough && !method.few) add("cold");
+  work.threads = kThreads;
+  if (method.widely) add("warm");
+}
+
+void add_rows(Table& table, const Asking& asking, const TimingRun& run) {
+  for (const Row& place : asking.rows) {
+    const Timing& timing = run.timings[place.time];
+    const Examined& of = asking.examined[place.method];
+    const BenchmarkErrors& errors = of.errors;
+    const auto microns = [&](double mm) { return of.query->answers ? Cell(kMicrometres * mm) : Cell(); };
+    std::vector<Cell> row = timing.key;
+    row.insert(row.end(), {run.timings[place.build].summary.median, kNanoseconds * timing.summary.median,
+                           kNanoseconds * timing.summary.iqr, timing.summary.count,
+                           name_of(of.query->measure), microns(errors.max_over), microns(errors.max_under),
+                           microns(errors.rms), microns(errors.p99), microns(of.query->bound_mm),
+                           errors.misses, errors.false_hits, errors.directions, of.query->bytes});
+    table.add_row(std::move(row));
+  }
+}
+
+}  // namespace
+
+std::vector<Column> gap_keys() {
+  return {{"scene", "", "as in error_against_time.csv"},
+          {"triangles", "1", "of the ball"},
+          {"direction", "", "whose vertices are looked up -> in whose surface"},
+          {"method", "",
+           "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar, usid_scalar: the "
+           "library in double; cgal_, embree_closest: trees; vtk_: buckets; vdb_grid: distances on voxels; "
+           "others: kernels of that scheme"},
+          {"setting", "",
+           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality, or "
+           "OpenVDB's voxels"},
+          {"storage", "", "double, float, uint16, corners (15 bits, the corners of a cell together) or none"},
+          {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},
+          {"threads", "1", "that ask at the same time"},
+          {"state", "",
+           "warm: pose after pose; cold: after a block larger than all caches was overwritten, each pose "
+           "timed alone"}};
+}
+
+GapTables make_gap_tables() {
+  GapTables tables;
+  tables.table.columns = gap_keys();
+  const std::vector<Column> more{
+      {"build_ms", "ms", "median time of everything that is done once for a surface"},
+      {"ns_vertex", "ns",
+       "median time of one vertex, its share of the pose included; of all threads together"},
+      {"iqr_ns", "ns", "interquartile range of it over the rounds"},
+      {"rounds", "1", "rounds measured"},
+      {"measure", "", "radial gaps, or Euclidean distances, whose errors are those of distances"},
+      {"max_over_um", "um", "largest error of a radius to the far side; none for the floor"},
+      {"max_under_um", "um", "to the near side"},
+      {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
+      {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
+      {"bound_um", "um", "proven bound on the error; empty where nothing is proven"},
+      {"misses", "1",
+       "directions without an answer where there is a surface: cells of the rim, or too far for the voxels"},
+      {"false_hits", "1", "directions with an answer where there is no surface"},
+      {"directions", "1", "in which the error was looked at"},
+      {"bytes", "B", "of table and mask, or of a library's tree"}};
+  tables.table.columns.insert(tables.table.columns.end(), more.begin(), more.end());
+  return tables;
+}
+
+void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const BenchmarkOptions& options,
+                  GapTables& tables, Progress& progress) {
+  progress.say(scene.name + ": all gaps of a pose");
+  const Direction directions[] = {{scene, Surface::ball, options}, {scene, Surface::socket, options}};
+  Asking asking{options.gap_timing, overwrite_caches(options.gap_timing.flush_bytes)};
+  for (const Direction& direction : directions) {
+    const auto methods = cases_of(gaps_methods(), &Method::gaps, direction.surface, plan.sizes);
+    add_labels(tables.labels, methods);
+    for (const GapCase& method : methods) {
+      asking.examined.push_back(examine(method, direction, options.ascent));
+      add_method(asking, direction, method, plan.thorough);
+    }
+  }
+  TimingRun run = run_interleaved(asking.cases, options.gap_timing.options, progress);
+  use_best_instruction_set();
+  add_rows(tables.table, asking, run);
+  append(tables.timing, std::move(run));
+}
+
+}  // namespace impinge::lab

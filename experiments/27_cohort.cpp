@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  Does the published spread of shape give the published spread of internal rotation?
+// @writes    cohort cohort_quantiles
+// @timing    no
+// @seconds   14 60
+// @reads     27_cohort/study.json
+// @links     cohort
+//
+// 200 hips of 27_cohort/study.json, as the program cohort works them out: the limit of every motion, the
+// shape as measured from the meshes, and where on the dial they are close at their limits. A cohort of 10,000
+// is a run of that program (experiments/README.md), and results/reference/cohort/ keeps one.
+
+#include "cohort/answers.hpp"
+#include "cohort/shard.hpp"
+#include "cohort/summary.hpp"
+#include "harness/build_info.hpp"
+#include "harness/driver.hpp"
+
+namespace {
+
+using namespace impinge::lab;
+
+constexpr std::size_t kBetweenLines = 20;        // hips
+constexpr std::size_t kFacesInQuick = 1000;      // of a surface
+constexpr std::size_t kFineFacesInQuick = 3000;  // where a second look is due
+
+// The quantiles of every quantity, a row each.
+impinge::Table quantile_table(const nlohmann::json& summary) {
+  impinge::Table table;
+  table.columns = {
+      {"quantity", "", "column of cohort.csv"},
+      {"p", "1", "share of hips below"},
+      {"value", "as of the quantity", "its quantile in these hips"},
+      {"sampling_low", "as of the quantity", "lower end of 95 % for the population's; empty if unknown"},
+      {"sampling_high", "as of the quantity", "upper end of the same"},
+      {"input_low", "as of the quantity", "lower end of what mesh and centre can make of the value"},
+      {"input_high", "as of the quantity", "upper end of the same"}};
+  const auto cell = [](const nlohmann::json& x) {
+    return x.is_number() ? impinge::Cell(x.get<double>()) : impinge::Cell();
+  };
+  for (const auto& [name, quantity] : summary["quantities"].items()) {
+    for (const auto& q : quantity["quantiles"]) {
+      const auto& sampling = q["sampling"];
+      const auto& input = q["mesh_and_centre"];
+      table.add_row({name, cell(q["p"]), cell(q["value"]), cell(sampling[0]), cell(sampling[1]),
+                     cell(input[0]), cell(input[1])});
+    }
+  }
+  return table;
+}
+
+void body(DriverRun& run) {
+  const std::filesystem::path source = build_info().source_folder;
+  Study study = read_study(source / "experiments/27_cohort/study.json", std::nullopt);
+  if (run.quick()) {
+    study.faces = kFacesInQuick;
+    study.check_faces = kFineFacesInQuick;
+  }
+  const Members members(study);
+  Result result;
+  result.parameters = {{"study", study.text},
+                       {"study_sha256", study.digest},
+                       {"faces", study.faces},
+                       {"check_faces", study.check_faces}};
+  result.table.columns = cohort_columns(study);
+  for (std::size_t j = 0; j < members.size(); ++j) {
+    result.table.rows.push_back(cohort_row(study, members, j));
+    if ((j + 1) % kBetweenLines == 0) run.progress.say(std::to_string(j + 1) + " hips");
+  }
+  const std::string csv = to_csv(result.table);
+  const auto rows = std::string_view(csv).substr(csv.find('\n') + 1);
+  const nlohmann::json summary = summary_of(study, result.table.columns, rows);
+  result.name = "cohort";
+  result.question = "What are shape and limits of hips whose parameters spread as published?";
+  run.write(result);
+  result.name = "cohort_quantiles";
+  result.question = "How do shape and limits spread, and how well are their quantiles known?";
+  result.table = quantile_table(summary);
+  run.write(result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_driver(argc, argv, {"27_cohort", "A cohort of hips whose parameters spread as published."},
+                    body);
+}

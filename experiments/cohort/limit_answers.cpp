@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cohort/limit_answers.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "gap/simd/exact_cells.hpp"
+#include "hip/close_zones.hpp"
+#include "motion/named_motion.hpp"
+#include "motion/told_limit.hpp"
+
+namespace impinge::lab {
+namespace {
+
+// A hip that turns.
+class TurningHip {
+ public:
+  TurningHip(const BallSocketPair& meshes, const std::optional<Side>& side)
+      : meshes_(meshes), side_(side), dial_(clock_face(meshes.socket)), limits_(meshes) {}
+
+  // What all motions share that are asked for another centre: those of named_motions() may all grow as far.
+  CentreIntervals for_centres() const {
+    return limits_.centre_intervals({CentreDoubt::common, kErrorOfInput, 0.0, kLargestAngle});
+  }
+
+  // Is the motion known without a side?
+  bool knows(const NamedMotion& motion) const {
+    return side_ || motion_name(motion.growing).angle == &Motion::flexion;
+  }
+  JointTurn turn(const NamedMotion& motion) const {
+    return joint_turn(motion.start, motion_name(motion.growing), side_);
+  }
+  TurnLimit limit(const NamedMotion& motion) const {
+    return limits_.first_contact(turn(motion), largest(motion));
+  }
+  const std::optional<ClockFace>& dial() const { return dial_; }
+  static double largest(const NamedMotion& motion) {
+    return largest_growth(motion.start, motion_name(motion.growing));
+  }
+
+ private:
+  const BallSocketPair& meshes_;
+  std::optional<Side> side_;
+  std::optional<ClockFace> dial_;
+  TurnLimits limits_;
+};
+
+// The socket, whose vertices are scanned against the faces of the ball.
+class ZoneScan {
+ public:
+  ZoneScan(const BallSocketPair& meshes, double threshold)
+      : socket_(meshes.socket),
+        threshold_(threshold),
+        cells_(exact_cells(meshes.ball, facing_layer(Surface::ball))),
+        vertices_(packed_vertices<float>(meshes.socket.vertices)),
+        area_(vertex_areas(meshes.socket)),
+        found_(area_.size()),
+        gap_(area_.size()) {}
+
+  // The largest zone of a pose.
+  std::optional<ClockZone> largest(const ClockFace& dial, const Pose& pose) {
+    scan_gaps(cells_, vertices_, pose, Surface::socket, found_);
+    std::copy(found_.begin(), found_.end(), gap_.begin());
+    const std::vector<ClockZone> zones = close_zones(dial, {socket_.vertices, gap_, area_}, threshold_);
+    return zones.empty() ? std::nullopt : std::optional(zones.front());
+  }
+
+ private:
+  const TriangleMesh& socket_;
+  double threshold_;
+  ExactCells cells_;
+  PackedVertices<float> vertices_;
+  std::vector<double> area_;
+  std::vector<float> found_;
+  std::vector<double> gap_;
+};
+
+Pose pose_at(const JointTurn& turn, double angle_deg) {
+  const Eigen::AngleAxisd grown(angle_deg * kDegree, turn.axis);
+  return {turn.outer * grown.toRotationMatrix() * turn.inner, Vec3::Zero()};
+}
+
+void add_limit(const TurningHip& hip, const TurnLimit& limit, const CentreInterval& any,
+               std::vector<Cell>& cells) {
+  cells.emplace_back(name(limit.state));
+  cells.emplace_back(limit.low_deg);
+  cells.emplace_back(any.low_deg);
+  cells.emplace_back(any.high_deg);
+  const bool placed = limit.contact && hip.dial();
+  cells.push_back(placed ? Cell(hip.dial()->hours(limit.contact->place)) : Cell());
+}
+
+void add_zone(const std::optional<ClockZone>& zone, std::vector<Cell>& cells) {
+  if (zone)
+    cells.insert(cells.end(), {Cell(zone->from), Cell(zone->to), Cell(zone->area)});
+  else
+    cells.resize(cells.size() + 3);
+}
+
+}  // namespace
+
+std::vector<Column> limit_columns(const CohortQuestions& asked) {
+  std::vector<Column> columns;
+  for (const NamedMotion& motion : named_motions()) {
+    const std::string m(motion.name);
+    columns.insert(columns.end(), {{m + "_state", "", "how the search for the limit ended"},
+                                   {m + "_deg", "deg", "no contact up to here"},
+                                   {m + "_low_deg", "deg", "the same for every centre within 0.5 mm"},
+                                   {m + "_high_deg", "deg", "contact by here for every such centre"},
+                                   {m + "_clock", "h", "where they touch, on the dial of the socket"}});
+    if (!asked.zones) continue;
+    columns.insert(columns.end(), {{m + "_zone_from", "h", "where the largest close zone begins"},
+                                   {m + "_zone_to", "h", "where it ends, clockwise"},
+                                   {m + "_zone_mm2", "mm^2", "its area on the socket"}});
+  }
+  return columns;
+}
+
+std::vector<Cell> limit_cells(const CohortQuestions& asked, const BallSocketPair& meshes,
+                              const std::optional<Side>& side) {
+  const TurningHip hip(meshes, side);
+  std::optional<ZoneScan> zones;
+  if (asked.zones && hip.dial()) zones.emplace(meshes, asked.zone_gap_mm);
+  const CentreIntervals centres = hip.for_centres();
+  std::vector<Cell> cells;
+  for (const NamedMotion& motion : named_motions()) {
+    if (!hip.knows(motion)) {
+      cells.resize(cells.size() + (asked.zones ? 8 : 5));
+      continue;
+    }
+    const TurnLimit limit = hip.limit(motion);
+    add_limit(hip, limit, centre_interval(centres, hip.turn(motion), limit), cells);
+    if (!asked.zones) continue;
+    const Pose end = pose_at(hip.turn(motion), limit.low_deg);
+    add_zone(zones ? zones->largest(*hip.dial(), end) : std::nullopt, cells);
+  }
+  return cells;
+}
+
+std::vector<Column> plain_limit_columns() {
+  std::vector<Column> columns;
+  for (const NamedMotion& motion : named_motions())
+    columns.push_back({std::string(motion.name) + "_deg", "deg", "no contact up to here"});
+  return columns;
+}
+
+std::vector<Cell> plain_limit_cells(const BallSocketPair& meshes, const std::optional<Side>& side) {
+  const TurningHip hip(meshes, side);
+  std::vector<Cell> cells;
+  for (const NamedMotion& motion : named_motions())
+    cells.push_back(hip.knows(motion) ? Cell(hip.limit(motion).low_deg) : Cell());
+  return cells;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a parameter spreads over a population.
+#pragma once
+
+#include <string>
+
+#include "hip/hip_parameters.hpp"
+
+namespace impinge::lab {
+
+// The kinds of distributions.
+enum class Shape {
+  normal,           // of `centre` and `width`, cut off at the ends
+  censored_normal,  // the same, but what is beyond an end is put on it: hips without a cam have a height of 0
+  lognormal,        // median `centre`, `width` the standard deviation of the natural logarithm; cut off
+  uniform,          // between the ends
+};
+
+// "normal" ... as a study file has it; std::invalid_argument, one line, for others.
+Shape shape_of(const std::string& name);
+
+// The distribution of one parameter, in its unit.
+struct Spread {
+  const HipParameter* parameter = nullptr;  // of hip_parameter_list()
+  Shape shape = Shape::normal;
+  double centre = 0.0;
+  double width = 1.0;  // above 0
+  double least = 0.0;  // both ends within the range of the parameter, least below most
+  double most = 0.0;
+  std::string source;  // where it was published, or that it is our choice
+};
+
+// The value whose share below is that of z in a standard normal distribution; nearly -inf to nearly inf.
+double value_at(const Spread& spread, double z);
+
+}  // namespace impinge::lab

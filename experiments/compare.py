@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What changed between two runs, of another commit, compiler or machine: experiments/compare.py RUN RUN, two result folders.
+
+Says on what each was made; the verdicts that are not the same; the errors that are above their proven bounds, in either; how
+many numbers of each CSV differ, times aside; and the ratios of the times, second over first, with their spread: the
+interquartile ranges of both medians, as shares, in quadrature. A ratio that is no farther from 1 than that says nothing.
+Rows are compared where both runs have as many and their words agree. Exit code 0 if nothing changed beyond the times, 1 if
+something did, 2 for a folder that is no run. Standard library only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import math
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(SOURCE / "analysis" / "common"))
+
+from sidecars import Refused, sidecar  # noqa: E402
+
+MADE_ON = ("commit", "dirty", "profile", "compiler", "flags", "cpu", "cores", "system")
+UNITS_OF_TIME = ("ns", "us", "ms", "s")
+# Errors and the bounds that are proven of them, by the name of the CSV.
+BOUNDS = {
+    "error_against_time": (("max_over_um", "bound_um"), ("max_under_um", "bound_um")),
+    "phantoms": (("error", "bound"),),
+    "sampling_error_proven": (("measured_max_mm", "bound_mm"), ("attained_mm", "bound_mm")),
+    "stability_detail": (("error_um", "bound_um"),),
+}
+SHOWN = 10  # lines of a kind, all of them with --all
+KEYS = ("artefact", "row", "column")
+
+
+class Run:
+    """A result folder: its verdicts, its CSVs, and what their sidecars say."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        if not (folder / "verdicts.csv").is_file() and not list(folder.glob("data/*.csv")):
+            raise Refused(f"{folder} is no result folder: it has no verdicts.csv and no data/*.csv")
+        self.verdicts = {}
+        if (folder / "verdicts.csv").is_file():
+            self.verdicts = {tuple(row[key] for key in KEYS): row for row in read(folder / "verdicts.csv")}
+        tables = sorted(folder.glob("data/*.csv"))
+        self.records = {table.stem: sidecar(table) for table in tables}
+
+    def rows(self, name: str) -> list[dict[str, str]]:
+        """With the columns of NAME_spread.csv, where some times have their spread."""
+        rows = read(self.folder / "data" / f"{name}.csv")
+        if f"{name}_spread" in self.records:
+            spread = read(self.folder / "data" / f"{name}_spread.csv")
+            rows = [{**more, **row} for row, more in zip(rows, spread)] if len(spread) == len(rows) else rows
+        return rows
+
+    def made_on(self) -> dict[str, str]:
+        """What all of its CSVs say; several answers one behind the other."""
+        records = list(self.records.values())
+        if not records and (self.folder / "run.json").is_file():  # of results/reference
+            records = [json.loads((self.folder / "run.json").read_text())]
+        return {key: " and ".join(sorted({str(record.get(key)) for record in records})) for key in MADE_ON}
+
+
+def read(table: Path) -> list[dict[str, str]]:
+    with table.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def number(text: str | None) -> float:
+    """NaN for an empty cell and for a word."""
+    try:
+        return float(text or "nan")
+    except ValueError:
+        return math.nan
+
+
+class Report:
+    """Lines, a heading above each kind."""
+
+    def __init__(self, everything: bool):
+        self.everything = everything
+        self.changed = False
+
+    def lines(self, heading: str, lines: list[str], changed: bool = True) -> None:
+        self.changed |= changed and bool(lines)
+        print(f"{heading}: {len(lines) if lines else 'none'}")
+        for line in lines if self.everything else lines[:SHOWN]:
+            print(f"  {line}")
+        if not self.everything and len(lines) > SHOWN:
+            print(f"  and {len(lines) - SHOWN} more; --all has them")
+
+
+def changed_verdicts(one: Run, two: Run) -> list[str]:
+    lines = []
+    for key in {**one.verdicts, **two.verdicts}:
+        before, after = (run.verdicts.get(key, {"verdict": "not there", "measured": ""}) for run in (one, two))
+        if before["verdict"] != after["verdict"]:
+            measured = f" ({before['measured']} -> {after['measured']})" if before["measured"] != after["measured"] else ""
+            lines.append(f"{', '.join(key)}: {before['verdict']} -> {after['verdict']}{measured}")
+    return lines
+
+
+def beyond_bounds(run: Run, label: str) -> list[str]:
+    lines = []
+    for name in sorted(BOUNDS.keys() & run.records.keys()):
+        for place, row in enumerate(run.rows(name), start=2):
+            for error, bound in BOUNDS[name]:
+                if abs(number(row.get(error))) > number(row.get(bound)):
+                    lines.append(f"{label}, {name}.csv, line {place}: {error} {row[error]} > {bound} {row[bound]}")
+    return lines
+
+
+def columns(run: Run, name: str) -> dict[str, str]:
+    return {column["name"]: column["unit"] for column in run.records[name].get("columns", [])}
+
+
+def is_time(unit: str) -> bool:
+    return unit.split(" ")[0].split("/")[0] in UNITS_OF_TIME
+
+
+def paired(one: Run, two: Run, name: str) -> list[tuple[dict, dict]] | None:
+    """The rows of both; none where they are not of the same."""
+    first, second = one.rows(name), two.rows(name)
+    if len(first) != len(second):
+        return None
+    for a, b in zip(first, second):
+        words = [column for column, unit in columns(one, name).items() if unit == "" and column != "inconclusive"]
+        if any(a.get(word) != b.get(word) and math.isnan(number(a.get(word))) for word in words):
+            return None
+    return list(zip(first, second))
+
+
+def spread_name(column: str) -> str:
+    """The column of the interquartile range of a time: median_ms has iqr_ms, build_ms has build_iqr_ms."""
+    if column.startswith("median_"):
+        return "iqr_" + column.removeprefix("median_")
+    stem, _, unit = column.rpartition("_")
+    return f"{stem}_iqr_{unit}"
+
+
+def ratios(pairs: list[tuple[dict, dict]], column: str) -> list[tuple[float, float]]:
+    """Second over first, and the spread of that."""
+    spread = spread_name(column)
+    found = []
+    for first, second in pairs:
+        a, b, da, db = (number(row.get(name)) for name in (column, spread) for row in (first, second))
+        if a > 0 and b > 0 and not math.isnan(da + db):
+            found.append((b / a, math.hypot(da / a, db / b)))
+    return found
+
+
+def told_ratios(name: str, column: str, found: list[tuple[float, float]]) -> str:
+    logs = sorted(math.log(ratio) for ratio, _ in found)
+    beyond = sum(abs(math.log(ratio)) > spread for ratio, spread in found)
+    spreads = sorted(spread for _, spread in found)
+    return (
+        f"{name}.csv {column}: {math.exp(sum(logs) / len(logs)):.3g} in the geometric mean of {len(found)}, from "
+        f"{math.exp(logs[0]):.3g} to {math.exp(logs[-1]):.3g}, spread {spreads[len(spreads) // 2]:.2g} in the median; "
+        f"{beyond} beyond their spread"
+    )
+
+
+def compare_data(one: Run, two: Run, report: Report) -> None:
+    other, numbers, times = [], [], []
+    for name in sorted(one.records.keys() | two.records.keys()):
+        if name not in one.records or name not in two.records:
+            other.append(f"{name}.csv is in the {'second' if name in two.records else 'first'} alone")
+            continue
+        if name.endswith("_samples"):
+            continue
+        pairs = paired(one, two, name)
+        if pairs is None:
+            other.append(f"{name}.csv has other rows")
+            continue
+        timed = {column for column, unit in columns(one, name).items() if is_time(unit)}
+        for column in columns(one, name):
+            if column in timed:
+                found = ratios(pairs, column)
+                times += [told_ratios(name, column, found)] if found else []
+            elif not one.records[name].get("timing"):
+                numbers += told_numbers(name, column, pairs)
+    report.lines("CSVs that cannot be compared", other)
+    report.lines("columns whose numbers differ", numbers)
+    report.lines("ratios of times, second over first", times, changed=False)
+
+
+def told_numbers(name: str, column: str, pairs: list[tuple[dict, dict]]) -> list[str]:
+    differing = [(first.get(column), second.get(column)) for first, second in pairs if first.get(column) != second.get(column)]
+    if not differing:
+        return []
+    off = [abs(number(b) - number(a)) / max(abs(number(a)), abs(number(b)), 1e-300) for a, b in differing]
+    known = [share for share in off if not math.isnan(share)]
+    most = f", by {100 * max(known):.3g} % at most" if known else ""
+    return [f"{name}.csv {column}: {len(differing)} of {len(pairs)}{most}"]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="compare", description="What changed between two runs.")
+    parser.add_argument("first", type=Path, help="result folder")
+    parser.add_argument("second", type=Path, help="result folder of another commit, compiler or machine")
+    parser.add_argument("--all", action="store_true", help="every line, not the first ten of a kind")
+    options = parser.parse_args()
+    try:
+        one, two = Run(options.first), Run(options.second)
+        report = Report(options.all)
+        sides = [run.made_on() for run in (one, two)]
+        for key in MADE_ON:
+            before, after = (side[key] for side in sides)
+            print(f"{key}: {before}" if before == after else f"{key}: {before} -> {after}")
+        report.lines("verdicts that changed", changed_verdicts(one, two))
+        report.lines(
+            "errors above their proven bounds", beyond_bounds(one, "first") + beyond_bounds(two, "second")
+        )
+        compare_data(one, two, report)
+    except Refused as error:
+        print(f"compare: error: {error}", file=sys.stderr)
+        return 2
+    return 1 if report.changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

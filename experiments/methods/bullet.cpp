@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @can     points contact
+// @links   gap contact heap_use peer::bullet
+//
+// Method bullet_collide: trees of boxes along the axes on both surfaces, Bullet's GImpact, without a margin.
+// It finds all contacts of the pair, with no way to stop at the first.
+// In float, so that a verdict may differ from the exact one next to contact.
+
+#include <memory>
+
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <btBulletCollisionCommon.h>
+
+#include "methods/contact.hpp"
+#include "methods/whole_pose.hpp"
+
+namespace impinge::lab {
+namespace {
+
+btVector3 in_float(const Vec3& x) {
+  return {static_cast<btScalar>(x.x()), static_cast<btScalar>(x.y()), static_cast<btScalar>(x.z())};
+}
+
+std::vector<btVector3> vertices_of(const TriangleMesh& mesh) {
+  std::vector<btVector3> vertices;
+  for (const Vec3& v : mesh.vertices) vertices.push_back(in_float(v));
+  return vertices;
+}
+
+std::vector<int> indices_of(const TriangleMesh& mesh) {
+  std::vector<int> indices;
+  for (const Face& face : mesh.faces)
+    for (const VertexIndex v : face) indices.push_back(static_cast<int>(v));
+  return indices;
+}
+
+// Bullet reads the vertices and indices where they are.
+struct Body {
+  explicit Body(const TriangleMesh& mesh) : vertices(vertices_of(mesh)), indices(indices_of(mesh)) {
+    shape.setMargin(0.0F);
+    shape.updateBound();
+    object.setCollisionShape(&shape);
+  }
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  std::vector<btVector3> vertices;
+  std::vector<int> indices;
+  btTriangleIndexVertexArray triangles{
+      static_cast<int>(indices.size() / 3), indices.data(),       3 * static_cast<int>(sizeof(int)),
+      static_cast<int>(vertices.size()),    &vertices.front()[0], static_cast<int>(sizeof(btVector3))};
+  btGImpactMeshShape shape{&triangles};
+  btCollisionObject object;
+  btCollisionObjectWrapper placed{nullptr, &shape, &object, object.getWorldTransform(), -1, -1};
+};
+
+// Says whether there is any contact, and keeps none.
+class AnyContact : public btManifoldResult {
+ public:
+  using btManifoldResult::btManifoldResult;
+  void addContactPoint(const btVector3&, const btVector3&, btScalar distance) override {
+    hit = hit || distance <= 0.0F;
+  }
+  bool hit = false;
+};
+
+class Joint {
+ public:
+  explicit Joint(const BallSocketPair& pair) : ball_(pair.ball), socket_(pair.socket) {
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
+    algorithm_ =
+        dispatcher_.findAlgorithm(&ball_.placed, &socket_.placed, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+  }
+  Joint(const Joint&) = delete;
+  Joint& operator=(const Joint&) = delete;
+  ~Joint() {
+    algorithm_->~btCollisionAlgorithm();
+    dispatcher_.freeCollisionAlgorithm(algorithm_);
+  }
+
+  bool touches(const Pose& pose) {
+    btMatrix3x3 turn;
+    for (int row = 0; row < 3; ++row) turn[row] = in_float(pose.rotation.row(row));
+    ball_.object.setWorldTransform(btTransform(turn, in_float(pose.translation)));
+    AnyContact contact(&ball_.placed, &socket_.placed);
+    algorithm_->processCollision(&ball_.placed, &socket_.placed, step_, &contact);
+    return contact.hit;
+  }
+
+ private:
+  Body ball_;
+  Body socket_;
+  btDefaultCollisionConfiguration settings_;
+  btCollisionDispatcher dispatcher_{&settings_};
+  btDispatcherInfo step_;
+  btCollisionAlgorithm* algorithm_ = nullptr;
+};
+
+Touch collide(const BallSocketPair& pair) {
+  return [joint = std::make_shared<Joint>(pair)](const Pose& pose) { return joint->touches(pose); };
+}
+
+}  // namespace
+
+Method bullet_method() {
+  Method method;
+  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
+    return std::vector{touch_case("bullet_collide", "Bullet (GImpact), collide", scene, collide)};
+  };
+  method.contact = [](const CulledJoint& joint) {
+    ContactCase one;
+    static_cast<Case&>(one) = {"bullet_collide", "Bullet (GImpact), touch", "", 2};
+    one.touches = collide(joint.meshes());
+    one.few = true;
+    return std::vector{one};
+  };
+  return method;
+}
+
+}  // namespace impinge::lab

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rotation from a matrix of few digits.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace impinge {
+
+/// So far a matrix of few digits is a rotation.
+inline constexpr double kLargestSkew = 1e-4;
+
+/// The rotation nearest to a matrix in the least squares sense (Kabsch 1976); none where a number is off from
+/// it by more than kLargestSkew, or the matrix mirrors.
+inline std::optional<Eigen::Matrix3d> nearest_rotation(const Eigen::Matrix3d& given) {
+  if (!given.allFinite()) return std::nullopt;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> parts(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d nearest = parts.matrixU() * parts.matrixV().transpose();
+  if (!((given - nearest).cwiseAbs().maxCoeff() <= kLargestSkew) || nearest.determinant() < 0.0)
+    return std::nullopt;
+  return nearest;
+}
+
+}  // namespace impinge

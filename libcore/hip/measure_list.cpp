@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hip/measure_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "gap/formatted.hpp"
+#include "hip/hip_measures.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kMostAtEnd = 0.1;  // of the rim
+constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
+
+// The values of one measurement, in the order of the names; NaN where the mesh does not have it.
+struct Values {
+  std::vector<double> all;
+  std::string refused;  // of all of them
+  bool at_end = false;  // is the rim the end of the mesh?
+};
+
+struct Named {
+  std::string name;
+  std::string unit;
+  std::string missing;  // why it may not be there
+};
+
+std::vector<Named> femur_names() {
+  const std::string shaft = "the mesh has no straight shaft";
+  std::vector<Named> names{{"head_radius", "mm", ""},
+                           {"head_neck_offset", "mm", ""},
+                           {"neck_shaft_angle", "deg", shaft},
+                           {"femoral_torsion", "deg", shaft}};
+  for (std::size_t hour = 0; hour < kClockHours; ++hour)
+    names.push_back({"alpha_at_" + std::to_string(hour == 0 ? kClockHours : hour), "deg",
+                     "the surface does not leave the head there"});
+  return names;
+}
+
+std::vector<Named> socket_names() {
+  return {{"socket_radius", "mm", ""},
+          {"inclination", "deg", ""},
+          {"version", "deg", ""},
+          {"half_opening", "deg", ""},
+          {"lateral_centre_edge", "deg", "the rim does not cross the coronal plane through the head"},
+          {"coverage", "1", ""}};
+}
+
+Values femur_values(const TriangleMesh& ball, Side side, const MeasureChoices& choices) {
+  try {
+    const FemurMeasures found = measure_femur(ball, side, choices);
+    Values values{{found.head.radius, found.head_neck_offset, found.neck_shaft_angle.value_or(kNotThere),
+                   found.femoral_torsion.value_or(kNotThere)},
+                  "",
+                  false};
+    values.all.insert(values.all.end(), found.alpha.begin(), found.alpha.end());
+    return values;
+  } catch (const std::invalid_argument& error) {
+    return {{}, error.what(), false};
+  }
+}
+
+Values socket_values(const TriangleMesh& socket, const SphereFit& head, Side side,
+                     const MeasureChoices& choices) {
+  try {
+    const AcetabulumMeasures found = measure_acetabulum(socket, head, side, choices);
+    return {{found.socket.radius, found.inclination, found.version, found.half_opening,
+             found.lateral_centre_edge.value_or(kNotThere), found.coverage},
+            "",
+            found.at_mesh_end > kMostAtEnd};
+  } catch (const std::invalid_argument& error) {
+    return {{}, error.what(), false};
+  }
+}
+
+// A choice, and one to either side of the usual one.
+struct Varied {
+  double MeasureChoices::*choice;
+  double low;
+  double high;
+};
+constexpr std::array kOfFemur{
+    Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::neck_section, 1.3, 1.4},
+    Varied{&MeasureChoices::alpha_share, 0.015, 0.025}, Varied{&MeasureChoices::alpha_window, 0.15, 0.45},
+    Varied{&MeasureChoices::shaft_share, 0.25, 0.45}};
+constexpr std::array kOfSocket{
+    Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::rim_band, 0.1, 0.2},
+    Varied{&MeasureChoices::first_meridian, 0.33, 0.67}, Varied{&MeasureChoices::plane_tolerance, 0.5, 2.0}};
+
+double most_of(const std::string& unit) { return unit == "deg" ? 10.0 : unit == "mm" ? 2.0 : 0.1; }
+
+Measure judged(const Named& named, double value, const std::vector<double>& others) {
+  if (std::isnan(value))
+    return {named.name, std::nullopt, std::nullopt, named.unit, "refused: " + named.missing};
+  double moved = 0.0;
+  for (const double other : others) {
+    if (std::isnan(other))
+      return {named.name, std::nullopt, std::nullopt, named.unit,
+              "refused: it is lost when it is measured a little otherwise"};
+    moved = std::max(moved, std::abs(other - value));
+  }
+  if (moved > most_of(named.unit)) {
+    return {named.name, std::nullopt, moved, named.unit,
+            "refused: it moves by " + formatted("%.2g ", moved) + named.unit +
+                " when it is measured a little otherwise"};
+  }
+  return {named.name, value, moved, named.unit, "measured"};
+}
+
+// One surface, measured in the usual way and in all others.
+template <class Ask>
+void add_measures(const std::vector<Named>& names, std::span<const Varied> choices, const Ask& ask,
+                  std::vector<Measure>& measures) {
+  const Values usual = ask(MeasureChoices{});
+  std::vector<Values> others;
+  if (usual.refused.empty()) {
+    for (const Varied& varied : choices) {
+      for (const double value : {varied.low, varied.high}) {
+        MeasureChoices otherwise;
+        otherwise.*varied.choice = value;
+        others.push_back(ask(otherwise));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!usual.refused.empty()) {
+      measures.push_back(
+          {names[k].name, std::nullopt, std::nullopt, names[k].unit, "refused: " + usual.refused});
+      continue;
+    }
+    std::vector<double> other;
+    other.reserve(others.size());
+    for (const Values& values : others) other.push_back(values.refused.empty() ? values.all[k] : kNotThere);
+    measures.push_back(judged(names[k], usual.all[k], other));
+    Measure& last = measures.back();
+    if (usual.at_end && last.value && last.name != "socket_radius")
+      last.state = "measured to the end of the mesh";
+  }
+}
+
+}  // namespace
+
+std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side) {
+  std::vector<Measure> measures;
+  add_measures(
+      femur_names(), kOfFemur,
+      [&](const MeasureChoices& choices) { return femur_values(joint.ball, side, choices); }, measures);
+  SphereFit head;
+  try {
+    head = fit_ball(joint.ball);
+  } catch (const std::invalid_argument&) {
+    head.radius = joint.ball.vertices.front().norm();  // no ball: about the centre
+  }
+  add_measures(
+      socket_names(), kOfSocket,
+      [&](const MeasureChoices& choices) { return socket_values(joint.socket, head, side, choices); },
+      measures);
+  return measures;
+}
+
+}  // namespace impinge

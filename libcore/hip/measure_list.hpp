@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The measures of a hip by name, each with how far it can be trusted.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hip/anatomy.hpp"
+#include "mesh/ball_socket_pair.hpp"
+
+namespace impinge {
+
+/// One measure. Nothing of a value that is refused.
+struct Measure {
+  std::string name;                   // such as femoral_torsion
+  std::optional<double> value;        // in `unit`
+  std::optional<double> uncertainty;  // see measure_hip()
+  std::string unit;                   // mm, deg or 1
+  std::string state;                  // "measured", "measured to the end of the mesh", or "refused: " and why
+};
+
+/// head_radius, head_neck_offset, neck_shaft_angle, femoral_torsion, alpha_at_12 ... alpha_at_11 (o'clock
+/// about the neck), socket_radius, inclination, version, half_opening, lateral_centre_edge and coverage
+/// (hip/hip_measures.hpp), in this order, of meshes in the joint frame.
+///
+/// Each is measured again with every choice of the measurement (MeasureChoices) varied to either side; the
+/// uncertainty is the farthest that it moves. A measure that moves by more than 10 degrees, 2 mm or a tenth,
+/// or is lost on the way, is refused: its mesh does not carry it. Where more than a tenth of the rim is the
+/// end of the mesh, what hangs on the rim says so: a socket that was cut within its rim looks like one that
+/// ends there. What is not in the meshes, as where the pelvis lay, is not in the uncertainty.
+std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side);
+
+}  // namespace impinge

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/declared_axes.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+
+#include "files/file_error.hpp"
+#include "mesh/mesh_format.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr std::size_t kStlHead = 80;  // of a binary STL
+constexpr std::string_view kTag = "SPACE=";
+
+std::string head_of(const std::filesystem::path& file) {
+  std::string head(kAxesHead, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return head;
+}
+
+// The lines that a format's header has before its numbers begin.
+std::string_view header_of(MeshFormat format, std::string_view head) {
+  switch (format) {
+    case MeshFormat::ply:
+      return head.substr(0, head.find("end_header"));
+    case MeshFormat::stl:
+      return head.substr(0, std::max(kStlHead, std::min(head.find('\n'), head.size())));
+    case MeshFormat::obj: {
+      std::size_t end = 0;
+      while (end < head.size() && (head[end] == '#' || head[end] == '\r' || head[end] == '\n'))
+        end = std::min(head.find('\n', end), head.size() - 1) + 1;
+      return head.substr(0, end);
+    }
+    case MeshFormat::off:
+      break;
+  }
+  return {};
+}
+
+// A word of its own, not the end of COLORSPACE=.
+bool says(std::string_view header, const std::string& code) {
+  const std::string word = std::string(kTag) + code;
+  const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
+  for (std::size_t at = header.find(word); at != header.npos; at = header.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !letter(header[at - 1])) && (end == header.size() || !letter(header[end]))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::string> declared_axes(const std::filesystem::path& file) {
+  return declared_axes(file, head_of(file));
+}
+
+std::optional<std::string> declared_axes(const std::filesystem::path& name, std::string_view head) {
+  const std::string_view header = header_of(mesh_format(name), head);
+  std::optional<std::string> found;
+  for (const char* code : {"RAS", "LPS"}) {
+    if (!says(header, code)) continue;
+    if (found)
+      throw FileError(name, "its header says both SPACE=RAS and SPACE=LPS", "leave the one that is true");
+    found = code;
+  }
+  return found;
+}
+
+AxesChoice agreed_axes(const std::filesystem::path& ball, const std::filesystem::path& socket,
+                       const std::optional<std::string>& given, const std::string& option) {
+  const SaidAxes of_ball{ball, declared_axes(ball)};  // the first to be refused
+  return agreed_axes(of_ball, {socket, declared_axes(socket)}, given, option);
+}
+
+AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,
+                       const std::string& option) {
+  if (ball.code && socket.code && ball.code != socket.code)
+    throw FileError(socket.file,
+                    "its header says SPACE=" + *socket.code + ", and that of the ball SPACE=" + *ball.code,
+                    "export both in one frame");
+  if (given) {
+    for (const SaidAxes& said : {ball, socket}) {
+      if (said.code && *said.code != *given)
+        throw FileError(said.file,
+                        "its header says SPACE=" + *said.code + ", and " + option + " says " + *given,
+                        "leave " + option + " out, or correct the header");
+    }
+    return {*given, "given"};
+  }
+  if (ball.code || socket.code) return {ball.code ? *ball.code : *socket.code, "header"};
+  return {};
+}
+
+}  // namespace impinge

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where +x, +y and +z of mesh files point, as their headers say it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace impinge {
+
+/// "RAS" or "LPS" of a header that has SPACE=RAS or SPACE=LPS, which 3D Slicer writes
+/// (vtkMRMLModelStorageNode): in a comment of PLY, in the 80 bytes or the first line of STL, in the comments
+/// that OBJ begins with. None where the header does not say, and of a file that cannot be opened. FileError
+/// where it says both.
+std::optional<std::string> declared_axes(const std::filesystem::path& file);
+/// The same of bytes that a file begins with, kAxesHead of them or all that it has; its name says the format.
+std::optional<std::string> declared_axes(const std::filesystem::path& name, std::string_view head);
+inline constexpr std::size_t kAxesHead = 65536;
+
+/// An axis code (hip/anatomy.hpp), and who said so.
+struct AxesChoice {
+  std::string code = "RAS";
+  std::string from = "assumed";  // or "given", or "header"
+};
+
+/// What declared_axes() has found in a file.
+struct SaidAxes {
+  std::filesystem::path file;       // as messages name it
+  std::optional<std::string> code;  // none where its header does not say
+};
+
+/// Of two files in one frame: what is given, else what a header says, else RAS. FileError where a header
+/// contradicts the other one, or what is given by the option of that name.
+AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,
+                       const std::string& option);
+AxesChoice agreed_axes(const std::filesystem::path& ball, const std::filesystem::path& socket,
+                       const std::optional<std::string>& given, const std::string& option);
+
+}  // namespace impinge

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Have triangles a common point? Exact signs of the corners as they stand (sphere/plane_side.hpp), without a
+// centre: two triangles meet where a side of one meets the other.
+#pragma once
+
+#include "mesh/triangle_distance.hpp"
+
+namespace impinge {
+
+/// Do the segment p - q and the triangle meet, ends and sides included? A triangle without area meets
+/// nothing.
+bool meets_segment(const Triangle& face, const Vec3& p, const Vec3& q);
+
+/// Do they meet, sides and corners included? Both have an area.
+bool faces_meet(const Triangle& a, const Triangle& b);
+
+}  // namespace impinge

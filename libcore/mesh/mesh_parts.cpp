@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/mesh_parts.hpp"
+
+namespace impinge {
+namespace {
+
+TriangleMesh between(const TriangleMesh& mesh, const MeshPart& from, const MeshPart& to) {
+  TriangleMesh part;
+  for (std::size_t v = from.first_vertex; v < to.first_vertex; ++v) part.vertices.push_back(mesh.vertices[v]);
+  for (std::size_t f = from.first_face; f < to.first_face; ++f) {
+    Face face = mesh.faces[f];
+    for (VertexIndex& v : face) v -= static_cast<VertexIndex>(from.first_vertex);
+    part.faces.push_back(face);
+  }
+  return part;
+}
+
+}  // namespace
+
+void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::string& name,
+                 const TriangleMesh& part) {
+  const std::size_t before = mesh.vertices.size();
+  parts.push_back({name, before, mesh.faces.size()});
+  mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+  for (Face face : part.faces) {
+    for (VertexIndex& v : face) v += static_cast<VertexIndex>(before);
+    mesh.faces.push_back(face);
+  }
+}
+
+TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
+  return parts.empty() ? mesh : between(mesh, {}, parts.front());
+}
+
+TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {
+  const MeshPart end{"", mesh.vertices.size(), mesh.faces.size()};
+  return between(mesh, parts[k], k + 1 < parts.size() ? parts[k + 1] : end);
+}
+
+std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
+  std::vector<TriangleMesh> surfaces;
+  for (std::size_t k = 0; k < parts.size(); ++k) surfaces.push_back(part_surface(mesh, parts, k));
+  return surfaces;
+}
+
+}  // namespace impinge

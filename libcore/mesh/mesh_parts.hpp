@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh of several surfaces: the main one first, then parts of bone beside it, such as a trochanter.
+//
+// What a part stops, and where it does not, is said in motion/body_pairs.hpp.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace impinge {
+
+/// Where a part begins in a mesh; it ends where the next one begins.
+struct MeshPart {
+  std::string name;              // in words, such as "greater trochanter"
+  std::size_t first_vertex = 0;  // places in the mesh
+  std::size_t first_face = 0;    // the same of its faces
+};
+
+/// Puts a part behind what a mesh has.
+void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::string& name,
+                 const TriangleMesh& part);
+
+/// The mesh without its parts: what a sphere is fitted to, what has a rim, an axis and measures.
+TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+
+/// One of its parts.
+TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
+
+/// Parts alone, each a surface of its own, mm.
+struct BoneParts {
+  std::vector<TriangleMesh> ball;    // beside the ball
+  std::vector<TriangleMesh> socket;  // beside the socket
+};
+/// All of its parts.
+std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+
+}  // namespace impinge

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bone beside the joint (mesh/mesh_parts.hpp) against the bone of the other side: a part of the ball with the
+// socket or its parts, a part of the socket with the ball.
+//
+// The main surfaces of a joint face each other: the ball is bone from its centre to its outermost layer, the
+// socket from its innermost layer outwards, and a radius beyond the other is contact (gap/overlay.hpp). A
+// part fills no ray like that: it is bone between where a ray enters and leaves it, and a shaft that a spine
+// stands over at a distance is not in its way. So here bone is in contact
+//   where the surfaces have a common point, faces seen edge-on included: then, without a translation, both
+//     have one radius in one direction; or
+//   where a vertex of one is inside the other, although no surfaces meet.
+// A closed surface has an inside; so has the ball, from its centre on, whatever end a shaft has. A socket
+// that is not closed has none: what lies behind it in a single pose is not seen. Motions do not need it. From
+// a clear pose bodies move continuously, and what is not inside another can come to be so only through a pose
+// in which surfaces meet: of closed ones their distance is continuous, and an open one ends where its mesh
+// does.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gap/pose.hpp"
+#include "hip/motion.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/mesh_parts.hpp"
+#include "motion/swept_parts.hpp"
+#include "motion/turn_contact.hpp"
+
+namespace impinge {
+
+/// The bodies of a joint and its pairs that have a part. Meshes in one frame, mm.
+class BodyPairs {
+ public:
+  BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+
+  bool empty() const { return pairs_.empty(); }
+  /// Are two of them in contact? Exact, of the ball's vertices as the pose rounds them.
+  bool impinged(const Pose& pose) const;
+  /// Is along its ray some vertex that near to the other body, mm, or inside?
+  bool vertex_within(const Pose& pose, double gap_mm) const;
+  /// Is some vertex inside the other body, and farther than that from its surface?
+  bool vertex_inside_by(const Pose& pose, double depth_mm) const;
+  /// First contacts of the turn, pair by pair.
+  std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
+  /// As first_within() of swept_parts.hpp, of all pairs; rotations to the frame of the axis.
+  double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
+                      double largest) const;
+
+ private:
+  struct Body {
+    Body(TriangleMesh of, bool main, bool ball);
+    TriangleMesh mesh;
+    TurnParts parts;
+    SweptParts faces;
+    Vec3 anchor = Vec3::Zero();  // the centre, of a main surface; a point outside of a part
+    bool about_centre = false;   // which of them
+    bool anchored = false;       // has it an inside?
+    bool anchor_inside = false;  // is the anchor there?
+    bool holds(const Vec3& x) const;
+  };
+  struct Pair {
+    std::size_t ball;  // 0 is the main surface
+    std::size_t socket;
+  };
+  template <class Found>
+  bool any_vertex(const Pose& pose, const Found& found) const;
+
+  std::vector<std::unique_ptr<const Body>> ball_;
+  std::vector<std::unique_ptr<const Body>> socket_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace impinge

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What NumPy and the library hand each other: views without copies, and loops without Python's lock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include "files/stopwatch.hpp"
+#include "sphere/direction.hpp"
+
+namespace impinge::python {
+
+namespace py = pybind11;
+
+/// Any array, converted once where it is not one of doubles in rows (C order).
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// The same of unsigned 32-bit integers.
+using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
+
+/// A read-only view of rows of `columns` numbers, which `owner` keeps alive.
+template <class Number>
+py::array view_of(const Number* first, std::size_t rows, std::size_t columns, const py::handle& owner) {
+  const auto shape = columns == 1 ? std::vector<std::size_t>{rows} : std::vector<std::size_t>{rows, columns};
+  py::array view(py::dtype::of<Number>(), shape, first, owner);
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return view;
+}
+
+/// Points, one a row, of an array of shape (n, 3) or (3,).
+inline std::span<const Vec3> points_of(const Doubles& array) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.size()) / 3};
+}
+
+/// A point or vector as three numbers.
+inline py::tuple point_tuple(const Vec3& x) { return py::make_tuple(x.x(), x.y(), x.z()); }
+
+/// Looks now and then whether the user has interrupted, and then throws; called without Python's lock.
+class InterruptWatch {
+ public:
+  void look() {
+    constexpr double kPatience = 100.0;  // ms
+    if ((worked_ms_ += watch_.lap_ms()) < kPatience) return;
+    worked_ms_ = 0.0;
+    const py::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+
+ private:
+  Stopwatch watch_;
+  double worked_ms_ = 0.0;
+};
+
+/// Calls work(k) for all k below `count` without Python's lock, and looks about every 0.1 s whether the user
+/// has interrupted.
+template <class Work>
+void without_lock(std::size_t count, const Work& work) {
+  const py::gil_scoped_release released;
+  InterruptWatch watch;
+  for (std::size_t k = 0; k < count; ++k) {
+    work(k);
+    watch.look();
+  }
+}
+
+}  // namespace impinge::python

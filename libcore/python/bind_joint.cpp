@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The class Joint, and the surfaces of one.
+#include <pybind11/stl.h>
+
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/joint_class.hpp"
+
+namespace impinge::python {
+namespace {
+
+// One of the two surfaces, for reading.
+struct SurfaceView {
+  SharedJoint joint;
+  Surface of;
+  const TriangleMesh& mesh() const { return joint->joint().mesh(of); }
+};
+
+void bind_surface(py::module_& module) {
+  py::class_<SurfaceView>(module, "Surface", "The mesh of the ball or of the socket, about Joint.centre.")
+      .def_property_readonly("vertices",
+                             [](const py::object& self) {
+                               const auto& at = self.cast<const SurfaceView&>().mesh().vertices;
+                               return view_of(at.front().data(), at.size(), 3, self);
+                             })
+      .def_property_readonly("faces",
+                             [](const py::object& self) {
+                               const auto& faces = self.cast<const SurfaceView&>().mesh().faces;
+                               return view_of(faces.front().data(), faces.size(), 3, self);
+                             })
+      .def_property_readonly("areas", [](const py::object& self) {
+        const auto& view = self.cast<const SurfaceView&>();
+        const auto& areas = view.joint->joint().part(view.of).area;
+        return view_of(areas.data(), areas.size(), 1, self);
+      });
+}
+
+// With the names of summary.json.
+py::object landmarks(const PoseJoint& joint) {
+  const auto& frames = joint.joint().joint.frames;
+  if (!frames) return py::none();
+  const auto angle = [&](double Motion::*of) {
+    return frames->scanned ? std::optional((*frames->scanned).*of) : std::nullopt;
+  };
+  py::dict found;
+  found["pelvic_tilt_deg"] = frames->pelvic_tilt_deg;
+  found["scanned_flexion_deg"] = angle(&Motion::flexion);
+  found["scanned_abduction_deg"] = angle(&Motion::abduction);
+  found["scanned_internal_rotation_deg"] = angle(&Motion::internal_rotation);
+  return found;
+}
+
+py::object side_text(const PoseJoint& joint) {
+  if (!joint.joint().side) return py::none();
+  return py::str(*joint.joint().side == Side::left ? "left" : "right");
+}
+
+std::string described(const PoseJoint& joint) {
+  return "<impinge.Joint of " + std::to_string(joint.joint().mesh(Surface::ball).vertices.size()) + " and " +
+         std::to_string(joint.joint().mesh(Surface::socket).vertices.size()) + " vertices>";
+}
+
+void bind_facts(JointClass& joint) {
+  joint
+      .def_property_readonly("ball",
+                             [](const SharedJoint& self) {
+                               return SurfaceView{self, Surface::ball};
+                             })
+      .def_property_readonly("socket",
+                             [](const SharedJoint& self) {
+                               return SurfaceView{self, Surface::socket};
+                             })
+      .def_property_readonly("side", &side_text)
+      .def_property_readonly("axes", &PoseJoint::axes)
+      .def_property_readonly("landmarks", &landmarks)
+      .def_property_readonly("warnings", [](const PoseJoint& self) { return self.joint().joint.warnings; })
+      .def_property_readonly("centre",
+                             [](const PoseJoint& self) {
+                               const Vec3& c = self.joint().joint.centre;
+                               return py::array_t<double>(3, c.data());
+                             })
+      .def_property_readonly("fit",
+                             [](const PoseJoint& self) -> py::object {
+                               const auto& fit = self.joint().joint.fit;
+                               if (!fit) return py::none();
+                               return py::make_tuple(fit->radius, fit->rms);
+                             })
+      .def("__repr__", &described);
+}
+
+}  // namespace
+
+void bind_joint(py::module_& module) {
+  bind_surface(module);
+  JointClass joint(module, "Joint", "A ball-and-socket joint of two meshes.");
+  bind_making(joint);
+  bind_pose_answers(joint);
+  bind_limits(joint);
+  bind_volume(joint);
+  bind_change(joint);
+  bind_measures(joint);
+  bind_facts(joint);
+}
+
+}  // namespace impinge::python

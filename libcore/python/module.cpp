@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/file_error.hpp"
+#include "python/bindings.hpp"
+
+PYBIND11_MODULE(_impinge, module) {
+  module.doc() = "Gaps, contact and limits of ball-and-socket joints. Lengths in mm, angles in degrees.";
+  pybind11::register_exception<impinge::FileError>(module, "FileError", PyExc_RuntimeError);
+  impinge::python::bind_hip(module);
+  impinge::python::bind_joint(module);
+  impinge::python::bind_scheme(module);
+}

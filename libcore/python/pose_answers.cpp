@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What many poses are asked: arrays in, arrays out.
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include <pybind11/stl.h>
+
+#include "python/arrays.hpp"
+#include "python/joint_class.hpp"
+#include "python/poses.hpp"
+
+namespace impinge::python {
+namespace {
+
+using Floats = py::array_t<float>;
+
+// Where gaps of the vertices of a surface go: the array that was given, or a new one.
+Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py::object& given) {
+  const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(poses),
+                                         static_cast<py::ssize_t>(joint.joint().mesh(of).vertices.size())};
+  if (given.is_none()) return Floats(shape);
+  const bool fits = py::isinstance<Floats>(given) && py::array(given).ndim() == 2 &&
+                    std::equal(shape.begin(), shape.end(), py::array(given).shape()) &&
+                    (py::array(given).flags() & py::array::c_style) != 0 && py::array(given).writeable();
+  if (!fits)
+    throw std::invalid_argument(
+        "out: give two writable float32 arrays in C order, for ball and socket; the "
+        "one for the " +
+        std::string(name(of)) + " has shape (" + std::to_string(shape[0]) + ", " + std::to_string(shape[1]) +
+        ")");
+  return Floats(given);
+}
+
+template <class Table>
+void scan_all(const PackedJoint<Table>& packed, const std::vector<Pose>& poses, float* ball, float* socket) {
+  const std::size_t width[] = {packed.ball.size(), packed.socket.size()};
+  without_lock(poses.size(), [&](std::size_t k) {
+    scan_joint(packed, poses[k], {ball + k * width[0], width[0]}, {socket + k * width[1], width[1]});
+  });
+}
+
+py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<double>& precision_deg,
+               const std::optional<std::pair<py::object, py::object>>& out) {
+  const std::vector<Pose> poses = poses_of(joint.joint(), given);
+  Floats ball = gap_array(joint, Surface::ball, poses.size(), out ? out->first : py::none());
+  Floats socket = gap_array(joint, Surface::socket, poses.size(), out ? out->second : py::none());
+  float* const ball_gap = ball.mutable_data();
+  float* const socket_gap = socket.mutable_data();
+  if (precision_deg) {
+    const auto make = [&]() -> const PackedJoint<CornerTable>& {
+      const py::gil_scoped_release released;
+      return joint.tables(*precision_deg);
+    };
+    scan_all(make(), poses, ball_gap, socket_gap);
+  } else {
+    const auto make = [&]() -> const PackedJoint<ExactCells>& {
+      const py::gil_scoped_release released;
+      return joint.cells();
+    };
+    scan_all(make(), poses, ball_gap, socket_gap);
+  }
+  return py::make_tuple(ball, socket);
+}
+
+py::array touch(PoseJoint& joint, const py::object& given) {
+  const std::vector<Pose> poses = poses_of(joint.joint(), given);
+  py::array_t<bool> found(static_cast<py::ssize_t>(poses.size()));
+  bool* const touches = found.mutable_data();
+  without_lock(poses.size(), [&](std::size_t k) {
+    touches[k] = *joint.answer({.touch = true, .smallest_gap = false}, poses[k]).touch;
+  });
+  return found;
+}
+
+// A row of the array that smallest_gap() returns.
+struct SmallestRow {
+  double gap_mm;
+  double bound_mm;
+  double clock;
+  std::int64_t vertex;
+  std::int64_t surface;
+};
+
+SmallestRow smallest_row(const SessionJoint& joint, const std::optional<SeriesGap>& found) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!found) return {kNone, kNone, kNone, -1, -1};
+  return {
+      found->least.gap_mm, found->bound_mm, joint.dial ? joint.dial->hours(joint.axes * found->place) : kNone,
+      static_cast<std::int64_t>(found->least.at.vertex), found->least.at.scanned == Surface::ball ? 0 : 1};
+}
+
+py::array smallest_gap(PoseJoint& joint, const py::object& given) {
+  const std::vector<Pose> poses = poses_of(joint.joint(), given);
+  py::array_t<SmallestRow> rows(static_cast<py::ssize_t>(poses.size()));
+  SmallestRow* const row = rows.mutable_data();
+  without_lock(poses.size(), [&](std::size_t k) {
+    row[k] =
+        smallest_row(joint.joint(), joint.answer({.touch = false, .smallest_gap = true}, poses[k]).smallest);
+  });
+  return rows;
+}
+
+}  // namespace
+
+void bind_pose_answers(JointClass& joint) {
+  PYBIND11_NUMPY_DTYPE(SmallestRow, gap_mm, bound_mm, clock, vertex, surface);
+  const auto none = py::none();
+  joint
+      .def("gaps", &gaps, py::arg("poses"), py::kw_only(), py::arg("precision_deg") = none,
+           py::arg("out") = none,
+           "Radial gaps in mm of all vertices of ball and socket, two float32 arrays of shape (poses, "
+           "vertices): of the faces, or of tables of that spacing. NaN where the other surface is not met.")
+      .def("touch", &touch, py::arg("poses"),
+           "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,).")
+      .def("smallest_gap", &smallest_gap, py::arg("poses"),
+           "A structured array of shape (poses,): gap_mm, bound_mm (proven, on its error), clock (hours), "
+           "vertex and surface (0 "
+           "ball, 1 socket, -1 none) and clock (hours).")
+      .def(
+          "matrices",
+          [](const PoseJoint& self, const py::object& poses) {
+            return matrices_of(self.joint(), poses_of(self.joint(), poses));
+          },
+          py::arg("poses"), "x' = M x of each pose in the frame of the meshes, mm; shape (poses, 4, 4).");
+}
+
+}  // namespace impinge::python

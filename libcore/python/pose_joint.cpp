@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/pose_joint.hpp"
+
+#include "table/fill/cube_fill.hpp"
+
+namespace impinge::python {
+namespace {
+
+CornerTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
+  PackedTable<CubeGnomonic, float> table;
+  CubeFill fill;
+  fill.scheme = CubeGnomonic::with_precision(precision_deg);
+  fill.layer = facing_layer(of);
+  fill_cube(mesh, fill, table);
+  return corner_table(table);
+}
+
+}  // namespace
+
+const PackedJoint<ExactCells>& PoseJoint::cells() {
+  const std::scoped_lock lock(busy_);
+  const TriangleMesh& ball = joint().joint.ball.mesh;
+  const TriangleMesh& socket = joint().joint.socket.mesh;
+  if (!cells_) {
+    cells_ = std::make_unique<const PackedJoint<ExactCells>>(
+        packed_joint(exact_cells(ball, facing_layer(Surface::ball)),
+                     exact_cells(socket, facing_layer(Surface::socket)), ball, socket));
+  }
+  return *cells_;
+}
+
+const PackedJoint<CornerTable>& PoseJoint::tables(double precision_deg) {
+  const std::scoped_lock lock(busy_);
+  const TriangleMesh& ball = joint().joint.ball.mesh;
+  const TriangleMesh& socket = joint().joint.socket.mesh;
+  auto& made = tables_[precision_deg];
+  if (!made) {
+    made = std::make_unique<const PackedJoint<CornerTable>>(
+        packed_joint(filled(ball, Surface::ball, precision_deg),
+                     filled(socket, Surface::socket, precision_deg), ball, socket));
+  }
+  return *made;
+}
+
+SeriesAnswer PoseJoint::answer(const SeriesOutputs& outputs, const Pose& pose) {
+  const std::scoped_lock lock(busy_);
+  auto& series = series_[{outputs.touch, outputs.smallest_gap}];
+  if (!series) series = std::make_unique<PoseSeries>(joint().joint, outputs);
+  return series->answer(pose);
+}
+
+LimitAnswers PoseJoint::limits(const LimitRequest& request) {
+  const std::scoped_lock lock(busy_);
+  return answer_limits(session_, request);
+}
+
+ResectionAnswer PoseJoint::resection(const ResectionRequest& request) {
+  const std::scoped_lock lock(busy_);
+  return answer_resection(session_, request);
+}
+
+OrientationAnswer PoseJoint::orientation(const OrientationRequest& request) {
+  const std::scoped_lock lock(busy_);
+  return answer_orientation(session_, request);
+}
+
+ClearanceProof PoseJoint::proof(const LimitRequest& request) {
+  const std::scoped_lock lock(busy_);
+  return answer_proof(session_, request);
+}
+
+}  // namespace impinge::python

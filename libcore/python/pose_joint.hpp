@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A joint and what its questions need, made when first asked for. Questions may come from several threads.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gap/simd/corner_table.hpp"
+#include "gap/simd/exact_cells.hpp"
+#include "gap/simd/joint_scan.hpp"
+#include "session/limits.hpp"
+#include "session/orientation.hpp"
+#include "session/pose_series.hpp"
+#include "session/proof.hpp"
+#include "session/resection.hpp"
+#include "session/session.hpp"
+
+namespace impinge::python {
+
+class PoseJoint {
+ public:
+  PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
+      : axes_(axes), session_(std::move(joint), side, axes) {}
+  PoseJoint(const PoseJoint&) = delete;
+  PoseJoint& operator=(const PoseJoint&) = delete;
+
+  const SessionJoint& joint() const { return *session_.joint; }
+  const std::string& axes() const { return axes_; }
+
+  /// What answers for the faces themselves, or for tables of that spacing (degrees, `cube_gnomonic`).
+  const PackedJoint<ExactCells>& cells();
+  const PackedJoint<CornerTable>& tables(double precision_deg);
+
+  /// One after the other, whatever the thread.
+  SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
+  LimitAnswers limits(const LimitRequest& request);
+  ResectionAnswer resection(const ResectionRequest& request);
+  OrientationAnswer orientation(const OrientationRequest& request);
+  ClearanceProof proof(const LimitRequest& request);
+
+ private:
+  std::mutex busy_;  // held while something is made, or asked that keeps what it made
+  std::string axes_;
+  Session session_;
+  std::unique_ptr<const PackedJoint<ExactCells>> cells_;
+  std::map<double, std::unique_ptr<const PackedJoint<CornerTable>>> tables_;  // by precision
+  std::map<std::pair<bool, bool>, std::unique_ptr<PoseSeries>> series_;       // by touch, smallest_gap
+};
+
+}  // namespace impinge::python

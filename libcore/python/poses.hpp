@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses as a script gives them.
+#pragma once
+
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+#include "gap/pose.hpp"
+#include "session/session.hpp"
+
+namespace impinge::python {
+
+/// Angles, a text of them or matrices (impinge/__init__.pyi says which), as poses of the ball in the centre
+/// frame. std::invalid_argument, one line, for anything else.
+std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& given);
+
+/// Angles in degrees of an array of shape (3,) or a text. std::invalid_argument for anything else.
+Motion motion_of(const pybind11::object& given);
+
+/// Motions that are to be reached: angles of shape (3,) or (n, 3), a text, or several texts.
+/// std::invalid_argument, one line, for anything else, and for a motion that moves nothing.
+std::vector<Motion> required_motions(const SessionJoint& joint, const pybind11::object& given);
+
+/// Matrices of poses, shape (n, 4, 4), x' = M x in the frame of the meshes, mm.
+pybind11::array matrices_of(const SessionJoint& joint, const std::vector<Pose>& poses);
+
+}  // namespace impinge::python

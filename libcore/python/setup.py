@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pip install --no-build-isolation ./libcore/python: CMake builds the module of this very clone and installs it into the
+wheel. What it needs of Debian 12: experiments/packages, marked (python)."""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+class CMakeBuild(build_ext):
+    def build_extension(self, ext: Extension) -> None:
+        package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
+        build = Path(self.build_temp).resolve()
+        options = ["-DIMPINGE_PYTHON_ONLY=ON", "-DCMAKE_BUILD_TYPE=Release", f"-DPython3_EXECUTABLE={sys.executable}"]
+        unity = ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=8"]
+        subprocess.check_call(["cmake", "-G", "Ninja", "-S", ROOT, "-B", build, *options, *unity])
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count())
+        subprocess.check_call(["cmake", "--build", build, "--target", "impinge_python", "--parallel", jobs])
+        subprocess.check_call(["cmake", "--install", build, "--component", "python", "--prefix", package.parent])
+
+
+setup(
+    version=re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1),
+    ext_modules=[Extension("impinge._impinge", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One question to every joint of a folder, answered by one table.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/options.hpp"
+
+namespace impinge {
+
+/// Asks each joint of options.bones (scene/joint_folder.hpp), with the centre, side and axes of its
+/// description where the options give none, and writes into options.out
+///   limits.csv     of the question limit (scene/limit_table.hpp)
+///   measures.csv   of the question measures (scene/measure_table.hpp)
+///   joints.csv     of touch and first-contact: joint, touch, smallest_gap_mm, surface and vertex
+/// A joint that cannot be used is left out: summary.json says why, and so does a line on `log`, which tells
+/// the progress too. std::runtime_error where none is left, FileError where a file cannot be written.
+///
+/// Returns the contents of summary.json.
+nlohmann::json answer_bones(const SceneOptions& options, std::ostream& log);
+
+/// The same for a reader at a terminal.
+std::string describe_bones(const nlohmann::json& summary);
+
+}  // namespace impinge

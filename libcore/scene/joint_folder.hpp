@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real ball-and-socket joints that a user brings: a folder with one folder a subject. In each, in one frame
+// and in millimetres,
+//   ball, femoral_head or humeral_head                                      the ball
+//   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
+// as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
+//   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z], otherwise it is
+//                     fitted to the ball; perhaps with the head's radius, "radius_mm", and the "side" and
+//                     "axes" of results/README.md
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hip/anatomy.hpp"
+#include "sphere/direction.hpp"
+
+namespace impinge {
+
+/// One joint, as its folder describes it.
+struct JointFolder {
+  std::string subject;           // name of its folder
+  std::filesystem::path ball;    // mesh file
+  std::filesystem::path socket;  // mesh file
+  std::optional<Vec3> centre;    // of rotation, in the input frame, mm, from the description
+  std::optional<double> radius;  // of the head, from the description, mm
+  std::optional<Side> side;      // from the description
+  std::optional<std::string>
+      axes;  // where +x, +y and +z of the meshes point (hip/anatomy.hpp), from the description
+};
+
+/// What a folder holds.
+struct JointFolders {
+  std::vector<JointFolder> joints;    // in the order of their names
+  std::vector<std::string> left_out;  // "FOLDER has no ball mesh": a line each
+};
+
+/// std::runtime_error, one line, for a description that cannot be used, or where no folder holds a joint.
+JointFolders find_joints(const std::filesystem::path& folder);
+
+}  // namespace impinge

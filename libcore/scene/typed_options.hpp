@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of `scene` as they are typed, and what they mean.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/options.hpp"
+
+namespace impinge {
+
+/// The empty text stands for an option not given.
+struct TypedOptions {
+  std::string centre = "fit";
+  std::string scheme;
+  std::string precision;
+  std::string max_error;
+  std::string pose;
+  std::string side;
+  std::string cartilage;
+  std::string question = "all-gaps";
+  std::string motion;
+  std::vector<std::string> required;
+  std::string clearance;
+  std::string neck;
+  bool least = false;
+  std::string tilt;
+  std::string width;
+  std::string gap;
+  std::string centre_within;
+  std::string surfaces = "both";
+  std::string outputs;
+};
+
+/// Throws OptionError: "option NAME: 'VALUE' ADVICE".
+[[noreturn]] void refuse_option(std::string_view option, std::string_view value, std::string_view advice);
+
+/// Fills in what the texts say. OptionError where they cannot be used, alone or together with what options
+/// has.
+void interpret(const TypedOptions& typed, SceneOptions& options);
+
+}  // namespace impinge

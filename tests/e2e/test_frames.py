@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames that files bring with them: SPACE= in the headers that 3D Slicer writes, and landmarks. A joint in another frame
+has the limits of the joint that it was made from. SCENE and MAKE_PAIR name the two programs.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SCENE = os.environ["SCENE"]
+MAKE_PAIR = os.environ["MAKE_PAIR"]
+LPS = np.diag([-1.0, -1.0, 1.0])
+
+
+def turn(axis: int, degrees: float) -> np.ndarray:
+    """Right-handed, about a coordinate axis."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    matrix = np.eye(3)
+    a, b = (axis + 1) % 3, (axis + 2) % 3
+    matrix[[a, b, a, b], [a, b, b, a]] = c, c, -s, s
+    return matrix
+
+
+def femur_turn(flexion: float, abduction: float, internal: float, side: str) -> np.ndarray:
+    """By words: the femur of a right hip abducts towards +x and turns its front towards -x; mirrored on the left."""
+    mirror = -1 if side == "left" else 1
+    return turn(0, flexion) @ turn(1, -mirror * abduction) @ turn(2, mirror * internal)
+
+
+def ply_text(vertices, faces, comment=""):
+    head = f"ply\nformat ascii 1.0\ncomment VTK generated PLY File\n{comment}element vertex {len(vertices)}\n"
+    head += "property float x\nproperty float y\nproperty float z\n"
+    head += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    rows = [" ".join(map(repr, map(float, v))) for v in vertices] + [f"3 {a} {b} {c}" for a, b, c in faces]
+    return (head + "\n".join(rows) + "\n").encode()
+
+
+def stl_bytes(vertices, faces, header):
+    rows = [struct.pack("<12fH", 0, 0, 0, *vertices[face].ravel(), 0) for face in faces]
+    return header.ljust(80, b"\0") + struct.pack("<I", len(faces)) + b"".join(rows)
+
+
+def stl_text(vertices, faces, header):
+    corner = "    vertex {} {} {}\n"
+    facets = ["  facet normal 0 0 0\n   outer loop\n" + "".join(corner.format(*map(float, vertices[v])) for v in face)
+              + "   endloop\n  endfacet\n" for face in faces]
+    return f"solid {header}\n{''.join(facets)}endsolid\n".encode()
+
+
+def obj_text(vertices, faces, header):
+    rows = ["v {} {} {}".format(*map(float, v)) for v in vertices] + [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
+    return (f"# {header}\n\nmtllib ball.mtl\n\n" + "\n".join(rows) + "\n").encode()
+
+
+# A right pelvis and femur that stand straight, about the centre of the right hip.
+STANDING = {
+    "asis_right": (40.0, 45.0, 75.0),
+    "asis_left": (-210.0, 45.0, 75.0),
+    "pubic_tubercle_right": (-60.0, 45.0, -15.0),
+    "pubic_tubercle_left": (-110.0, 45.0, -15.0),
+    "epicondyle_medial": (-40.0, 0.0, -400.0),
+    "epicondyle_lateral": (40.0, 0.0, -400.0),
+}
+
+
+class Frames(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory(prefix="impinge-frames-")
+        cls.addClassCleanup(holder.cleanup)
+        cls.root = Path(holder.name)
+        hip = cls.root / "hip"
+        subprocess.run([MAKE_PAIR, "--hip", "cam", "--set", "shaft_length=0", "--faces", "1500", "--out", hip],
+                       check=True, capture_output=True)
+        cls.meshes = {}
+        for name in ("ball", "socket"):
+            cls.meshes[name] = cls.read_ply(hip / f"{name}.ply")
+        cls.truth = cls.limit(cls, "truth", *cls.write(cls, "truth", lambda v, f: ply_text(v, f)))
+
+    @staticmethod
+    def read_ply(path):
+        """make_pair's: binary, doubles, triangles."""
+        data = path.read_bytes()
+        head, body = data.split(b"end_header\n", 1)
+        counts = [int(line.split()[-1]) for line in head.decode().splitlines() if line.startswith("element")]
+        vertices = np.frombuffer(body, "<f8", 3 * counts[0]).reshape(-1, 3)
+        faces = np.frombuffer(body, np.dtype([("n", "u1"), ("v", "<i4", 3)]), counts[1], 24 * counts[0])["v"]
+        return vertices, faces
+
+    def write(self, name, text, kind="ply", ball=np.eye(3), socket=np.eye(3)):
+        files = []
+        (self.root / name).mkdir(exist_ok=True)
+        for part, move in (("ball", ball), ("socket", socket)):
+            vertices, faces = self.meshes[part]
+            path = self.root / name / f"{part}.{kind}"
+            path.write_bytes(text(vertices @ move.T, faces))
+            files.append(path)
+        return files
+
+    def scene(self, name, ball, socket, *more, side="right"):
+        words = [SCENE, "--ball", ball, "--socket", socket, "--side", side, "--out", self.root / name / "out", *more]
+        return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+
+    def limit(self, name, ball, socket, *more):
+        done = Frames.scene(self, name, ball, socket, "--centre", "0,0,0", "--question", "limit", "--motion", "internal_rotation",
+                            "--pose", "flexion=60,abduction=-10", *more)
+        if done.returncode != 0:
+            raise AssertionError(done.stderr)
+        found = json.loads((self.root / name / "out/summary.json").read_text())
+        return found["contact"][0]["low_deg"], found, done.stdout
+
+    def same_limit(self, name, files, *more):
+        low, found, said = self.limit(name, *files, *more)
+        self.assertAlmostEqual(low, self.truth[0], delta=1e-3)
+        return found, said
+
+    def test_slicers_headers_are_used_and_said(self):
+        self.assertEqual(self.truth[1]["axes"], "RAS")
+        self.assertNotIn("axes", self.truth[2])
+        header = "3D Slicer output. SPACE=LPS"
+        for name, kind, text in (
+            ("ply", "ply", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n")),
+            ("stl", "stl", lambda v, f: stl_bytes(v, f, header.encode())),
+            ("stl_text", "STL", lambda v, f: stl_text(v, f, header)),
+            ("obj", "obj", lambda v, f: obj_text(v, f, header)),
+        ):
+            with self.subTest(name):
+                found, said = self.same_limit(name, self.write(name, text, kind, LPS, LPS))
+                self.assertEqual(found["axes"], "LPS")
+                self.assertIn("axes                LPS, as the headers of the meshes say\n", said)
+                self.assertFalse([w for w in found["warnings"] if "no right socket" in w])
+
+    def test_from_headers_of_slicer_to_limits_volume_and_measures(self):
+        truth = self.write("plain", lambda v, f: ply_text(v, f))
+        slicer = self.write("slicer", lambda v, f: stl_bytes(v, f, b"3D Slicer output. SPACE=LPS"), "stl", LPS, LPS)
+        for question, file, more, keys, numbers in (
+            ("limits", "limits.csv", (), ("motion", "threshold_mm", "centre", "state"), ("low_deg", "high_deg")),
+            ("measures", "measures.csv", (), ("measure", "unit", "state"), ("value",)),
+            ("volume", "volume.json", ("--width", 0.3), ("neutral_blocked",), ("share_low", "share_high", "reachable_low")),
+        ):
+            answers = []
+            for name, files in (("plain", truth), ("slicer", slicer)):
+                done = self.scene(f"{name}_{question}", *files, "--question", question, *more)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                text = (self.root / f"{name}_{question}" / "out" / file).read_text()
+                answers.append(list(csv.DictReader(text.splitlines())) if file.endswith("csv") else [json.loads(text)])
+            self.assertEqual(*([[row[key] for key in keys] for row in rows] for rows in answers))
+            for ours, theirs in zip(*answers):
+                for key in numbers:
+                    self.assertEqual(ours[key] in ("", None), theirs[key] in ("", None))
+                    if ours[key] not in ("", None):
+                        self.assertAlmostEqual(float(ours[key]), float(theirs[key]), delta=2e-3, msg=str((ours, theirs)))
+
+    def test_what_is_said_otherwise_stays(self):
+        for name, text in (
+            ("none", lambda v, f: ply_text(v, f, "comment COLORSPACE=LPS\n")),
+            ("longer", lambda v, f: ply_text(v, f, "comment SPACE=LPSX\n")),
+            ("ras", lambda v, f: ply_text(v, f, "comment SPACE=RAS\n")),
+        ):
+            self.assertEqual(self.same_limit(name, self.write(name, text))[0]["axes"], "RAS")
+        ball, _ = self.write("half", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n"), "ply", LPS, LPS)
+        _, socket = self.write("other_half", lambda v, f: ply_text(v, f), "ply", LPS, LPS)
+        self.assertEqual(self.same_limit("half", (ball, socket))[0]["axes"], "LPS")
+        self.assertEqual(self.same_limit("half", (ball, socket), "--axes", "LPS")[0]["axes"], "LPS")
+
+    def test_contradictions_are_refused(self):
+        lps = self.write("lps", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n"))
+        ras = self.write("ras", lambda v, f: ply_text(v, f, "comment SPACE=RAS\n"))
+        both = self.write("both", lambda v, f: ply_text(v, f, "comment SPACE=RAS\nobj_info SPACE=LPS\n"))
+        for files, more, said in (
+            (lps, ("--axes", "RAS"), f"{lps[0]}: its header says SPACE=LPS, and --axes says RAS; leave --axes out, or correct "
+                                     "the header"),
+            ((lps[0], ras[1]), (), f"{ras[1]}: its header says SPACE=RAS, and that of the ball SPACE=LPS; export both in one "
+                                   "frame"),
+            (both, (), f"{both[0]}: its header says both SPACE=RAS and SPACE=LPS; leave the one that is true"),
+        ):
+            done = self.scene("refused", *files, *more)
+            self.assertEqual((done.returncode, done.stderr), (1, f"scene: error: {said}\n"))
+
+    def posed(self, name, landmarks, body, femur, file="points.csv", meshes="RAS"):
+        """Files of the joint with the femur turned and the whole body turned, and its landmarks beside it."""
+        space = LPS if meshes == "LPS" else np.eye(3)
+        files = self.write(name, lambda v, f: ply_text(v, f), "ply", space @ body @ femur, space @ body)
+        points = {label: body @ (femur if "epicondyle" in label else np.eye(3)) @ np.array(at)
+                  for label, at in landmarks.items()}
+        path = self.root / name / file
+        if path.suffix == ".json":
+            control = [{"id": str(k), "label": label.upper().replace("_", " "), "position": list(LPS @ at)}
+                       for k, (label, at) in enumerate(points.items())] + [{"id": "9", "label": "L4"}]
+            path.write_text(json.dumps({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": control}]}))
+        else:
+            rows = [f"{label},{','.join(map(repr, map(float, space @ at)))}\n" for label, at in points.items()]
+            path.write_text("label,x,y,z\n" + "".join(rows) + "sacrum,1,2,3\n")
+        return (*files, path)
+
+    def test_landmarks_bring_a_posed_joint_back_to_neutral(self):
+        body = turn(2, 4) @ turn(1, -3) @ turn(0, -12)  # about x by -12: the upper end forward
+        femur = femur_turn(14, -6, 9, "right")
+        up = body @ (0, 0, 1)
+        for name, file, meshes in (("csv", "points.csv", "RAS"), ("markups", "points.mrk.json", "RAS"),
+                                   ("markups_lps", "points.mrk.json", "LPS"), ("csv_lps", "points.csv", "LPS")):
+            with self.subTest(name):
+                ball, socket, points = self.posed(name, STANDING, body, femur, file, meshes)
+                found, said = self.same_limit(name, (ball, socket), "--landmarks", points, "--axes", meshes)
+                marks = found["landmarks"]
+                self.assertAlmostEqual(marks["pelvic_tilt_deg"], np.degrees(np.arctan2(up[1], up[2])), delta=1e-6)
+                self.assertGreater(marks["pelvic_tilt_deg"], 10)
+                for key, angle in (("flexion", 14), ("abduction", -6), ("internal_rotation", 9)):
+                    self.assertAlmostEqual(marks[f"scanned_{key}_deg"], angle, delta=1e-6)
+                self.assertIn("the femur at flexion 14.0, abduction -6.0, internal rotation 9.0: angles are counted from neutral",
+                              said)
+
+    def test_without_epicondyles_angles_begin_at_the_scan(self):
+        pelvis = {label: at for label, at in STANDING.items() if "epicondyle" not in label}
+        ball, socket, points = self.posed("pelvis", pelvis, turn(0, -20), np.eye(3))
+        found, said = self.same_limit("pelvis", (ball, socket), "--landmarks", points)
+        self.assertIsNone(found["landmarks"]["scanned_flexion_deg"])
+        self.assertIn("landmarks           pelvic tilt 20.0 degrees in the scan: angles are counted from the pose of the scan",
+                      said)
+
+    def test_landmarks_that_cannot_be_used_are_refused(self):
+        swapped = dict(STANDING, asis_right=STANDING["asis_left"], asis_left=STANDING["asis_right"])
+        for name, landmarks, said in (
+            ("missing", {k: v for k, v in STANDING.items() if k != "asis_left"}, "the landmark asis_left is missing; mark it"),
+            ("one", {k: v for k, v in STANDING.items() if k != "epicondyle_medial"},
+             "the landmark epicondyle_medial is missing; mark it"),
+            ("swapped", swapped, "the right landmarks of the pelvis lie to the left of the left ones; check the labels and "
+                                 "the axes"),
+            ("above", dict(STANDING, pubic_tubercle_right=(-60, 45, 200), pubic_tubercle_left=(-110, 45, 200)),
+             "the ASIS lie below the pubic tubercles; check the labels and the axes"),
+            ("close", dict(STANDING, epicondyle_medial=(30, 0, -400)),
+             "the landmarks epicondyle_medial and epicondyle_lateral are closer than 20 mm; check them"),
+            ("inside", dict(STANDING, epicondyle_medial=(40, 0, -400), epicondyle_lateral=(-40, 0, -400)),
+             "the lateral epicondyle lies medially; check the labels, the side and the axes"),
+        ):
+            with self.subTest(name):
+                ball, socket, points = self.posed(name, landmarks, np.eye(3), np.eye(3))
+                done = self.scene(name, ball, socket, "--landmarks", points)
+                self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"scene: error: {points}: {said}"))
+
+    def test_files_that_are_no_landmarks_are_refused(self):
+        files = self.write("files", lambda v, f: ply_text(v, f))
+        cure = "give markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z in mm"
+        for name, text, said in (
+            ("headless.csv", "asis_right,1,2,3\n", "does not begin with label,x,y,z"),
+            ("words.csv", "label,x,y,z\nasis_right,1,2,up\n", "'1,2,up' are not three numbers"),
+            ("short.csv", "label,x,y,z\nasis_right,1,2\n", "'1,2' are not three numbers"),
+            ("long.csv", "label,x,y,z\nasis_right,1,2,3,4\n", "a line has more than a label and three numbers"),
+            ("twice.csv", "label,x,y,z\nasis_right,1,2,3\nRight ASIS,1,2,3\n", "the landmark Right ASIS is there twice"),
+            ("cut.mrk.json", '{"markups": [', "has no markups"),
+            ("list.mrk.json", "[]", "has no markups"),
+            ("frame.mrk.json", '{"markups": [{"coordinateSystem": "XYZ", "controlPoints": []}]}',
+             "its coordinateSystem is neither LPS nor RAS"),
+        ):
+            with self.subTest(name):
+                path = self.root / "files" / name
+                path.write_text(text)
+                done = self.scene("files", *files, "--landmarks", path)
+                self.assertEqual(done.returncode, 1)
+                self.assertTrue(done.stderr.splitlines()[-1].startswith(f"scene: error: {path}: {said.split(chr(39))[0]}"), done.stderr)
+                self.assertIn(cure, done.stderr)
+
+    def test_matrices_begin_at_the_scan_and_are_refused_beside_a_femur(self):
+        ball, socket, points = self.posed("matrices", STANDING, np.eye(3), np.eye(3))
+        poses = self.root / "matrices/poses.csv"
+        poses.write_text("1,0,0,0,0,1,0,0,0,0,1,0\n")
+        done = self.scene("matrices", ball, socket, "--landmarks", points, "--poses", poses)
+        self.assertIn("give angles, or leave --landmarks out", done.stderr)
+        self.assertEqual(done.returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`scene` where it writes a table: all motions, measures, and every joint of a folder. Rows of a table are those of the
+questions asked one by one. SCENE and MAKE_PAIR name the two programs; IMPINGE_BONES may name a folder of real joints.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+SCENE = os.environ["SCENE"]
+MAKE_PAIR = os.environ["MAKE_PAIR"]
+MOTIONS = ["flexion", "extension", "abduction", "adduction", "internal_rotation", "external_rotation"]
+CLINICAL = ["internal_rotation_at_45", "internal_rotation_at_70", "internal_rotation_at_90", "external_rotation_at_90", "fadir",
+            "faber"]
+LIMITS = ("joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,"
+          "what").split(",")
+MEASURES = ["head_radius", "head_neck_offset", "neck_shaft_angle", "femoral_torsion",
+            *(f"alpha_at_{hour}" for hour in (12, *range(1, 12))), "socket_radius", "inclination", "version", "half_opening",
+            "lateral_centre_edge", "coverage"]
+
+
+def run(*words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Tables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory(prefix="impinge-tables-")
+        cls.addClassCleanup(holder.cleanup)
+        cls.root = Path(holder.name)
+        cls.bones = cls.root / "bones"
+        for name, side, hip, faces in (("b_left", "left", "cam", 700), ("a_right", "right", "normal", 600)):
+            made = run(MAKE_PAIR, "--hip", hip, "--set", f"side={side}", "--faces", faces, "--out", cls.bones / name)
+            assert made.returncode == 0, made.stderr
+            axes = "+x = patient right, +y = anterior, +z = superior"
+            (cls.bones / name / "subject.json").write_text(json.dumps({"side": side, "axes": axes, "center_of_rotation_mm": [0, 0, 0]}))
+        (cls.bones / "c_half").mkdir()
+        (cls.bones / "c_half/ball.ply").write_bytes((cls.bones / "b_left/ball.ply").read_bytes())
+        (cls.bones / "d_broken").mkdir()
+        (cls.bones / "d_broken/ball.ply").write_bytes((cls.bones / "b_left/ball.ply").read_bytes()[:2000])
+        (cls.bones / "d_broken/socket.ply").write_bytes((cls.bones / "b_left/socket.ply").read_bytes())
+
+    def ask(self, out, name, *more):
+        folder = self.bones / name
+        side = name.split("_")[1]
+        done = run(SCENE, "--ball", folder / "ball.ply", "--socket", folder / "socket.ply", "--side", side, "--centre", "0,0,0",
+                   "--out", self.root / out, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.root / out / "summary.json").read_text()), done
+
+    def ask_all(self, out, *more):
+        done = run(SCENE, "--bones", self.bones, "--out", self.root / out, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("scene: joint 1 of 3, a_right\n", done.stderr)
+        self.assertIn(f"scene: warning: left out: {self.bones}/c_half has no socket mesh\n", done.stderr)
+        self.assertRegex(done.stderr, r"left out: \S+d_broken/ball.ply: ")
+        summary = json.loads((self.root / out / "summary.json").read_text())
+        self.assertEqual([joint["joint"] for joint in summary["joints"]], ["a_right", "b_left"])
+        self.assertEqual(len(summary["left_out"]), 2)
+        return summary
+
+    def test_all_motions_are_those_asked_one_by_one(self):
+        _, done = self.ask("all", "b_left", "--question", "limit", "--motion", "all")
+        rows = rows_of(self.root / "all/limits.csv")
+        self.assertEqual(list(rows[0]), LIMITS)
+        self.assertEqual(list(dict.fromkeys(row["motion"] for row in rows)), MOTIONS + CLINICAL)
+        starts = {"flexion": (), "fadir": ("--pose", "flexion=90,adduction=15"), "faber": ("--pose", "flexion=45,abduction=30")}
+        growing = {"fadir": "internal_rotation", "faber": "external_rotation"}
+        for motion, start in starts.items():
+            asked, _ = self.ask("one", "b_left", "--question", "limit", "--motion", growing.get(motion, motion), *start)
+            answers = [*asked["contact"], asked["cartilage"]]
+            ours = [row for row in rows if row["motion"] == motion]
+            self.assertEqual(len(ours), len(answers))
+            for row, answer in zip(ours, answers):
+                self.assertEqual(row["joint"], "")
+                for key in ("threshold_mm", "low_deg", "high_deg", "centre_low_deg"):
+                    self.assertEqual(float(row[key]), answer[key], (motion, key))
+                for key in ("centre", "state"):
+                    self.assertEqual(row[key], answer[key])
+            if motion == "flexion":
+                continue
+            named, _ = self.ask("named", "b_left", "--question", "limit", "--motion", motion)
+            self.assertEqual((named["contact"], named["motion"]), (asked["contact"], motion))
+        self.assertIn("limits, degrees", done.stdout)
+        self.assertIn("{limits.csv,summary.json}", done.stdout)
+
+    def test_the_rows_of_limits_are_degrees_and_mm_about_both_centres(self):
+        self.ask("rows", "b_left", "--question", "limits", "--cartilage", "3")
+        rows = rows_of(self.root / "rows/limits.csv")
+        self.assertEqual([(row["motion"], row["centre"], float(row["threshold_mm"])) for row in rows],
+                         [(motion, *about) for motion in MOTIONS + CLINICAL for about in (("ball", 0), ("socket", 0), ("ball", 3))])
+        touches = []
+        for row in rows:
+            low, limited = float(row["low_deg"]), row["state"] == "limited"
+            self.assertIn(row["state"], ("limited", "free", "blocked", "unknown"))
+            self.assertTrue(0 <= float(row["centre_low_deg"]) <= low <= 180, row)
+            self.assertTrue(not limited or low <= float(row["high_deg"]) < low + 0.01, row)
+            if row["clock"]:
+                self.assertRegex(row["clock"], r"^(1?\d):[0-5]\d$")
+            if limited and (row["centre"], float(row["threshold_mm"])) == ("ball", 0) and row["motion"] in ("abduction", "extension"):
+                touches.append([self.ask("at", "b_left", "--question", "touch", "--pose", f"{row['motion']}={row[end]}")[0]["touch"]
+                                for end in ("low_deg", "high_deg")])
+        self.assertTrue(touches and all(ends == [False, True] for ends in touches), touches)
+        self.ask("bare", "b_left", "--question", "limits", "--cartilage", "0")
+        self.assertEqual({row["threshold_mm"] for row in rows_of(self.root / "bare/limits.csv")}, {"0"})
+
+    def test_a_folder_gives_the_rows_of_its_joints(self):
+        summary = self.ask_all("limits", "--question", "limit", "--motion", "flexion")
+        self.assertEqual([joint["side"] for joint in summary["joints"]], ["right", "left"])
+        rows = rows_of(self.root / "limits/limits.csv")
+        for name in ("a_right", "b_left"):
+            asked, _ = self.ask("single", name, "--question", "limit", "--motion", "flexion")
+            ours = [float(row["low_deg"]) for row in rows if row["joint"] == name]
+            self.assertEqual(ours, [answer["low_deg"] for answer in (*asked["contact"], asked["cartilage"])])
+
+    def test_touch_and_smallest_gap_of_a_folder(self):
+        self.ask_all("touch", "--question", "touch", "--pose", "flexion=120,internal_rotation=40")
+        rows = rows_of(self.root / "touch/joints.csv")
+        self.ask_all("gap", "--question", "first-contact", "--pose", "flexion=60,internal_rotation=10")
+        for row, gap in zip(rows, rows_of(self.root / "gap/joints.csv")):
+            asked, _ = self.ask("single", row["joint"], "--question", "touch", "--pose", "flexion=120,internal_rotation=40")
+            self.assertEqual(row["touch"], "yes" if asked["touch"] else "no")
+            asked, _ = self.ask("single", gap["joint"], "--question", "first-contact", "--pose", "flexion=60,internal_rotation=10")
+            smallest = asked["smallest_gap"]
+            self.assertEqual((float(gap["smallest_gap_mm"]), gap["surface"], int(gap["vertex"])),
+                             (smallest["gap_mm"], smallest["surface"], smallest["vertex"]))
+        self.assertEqual({row["touch"] for row in rows}, {"yes"})
+
+    def test_a_generated_hip_has_its_measures(self):
+        folder = self.root / "normal"
+        run(MAKE_PAIR, "--hip", "normal", "--faces", 12000, "--out", folder)
+        done = run(SCENE, "--ball", folder / "ball.ply", "--socket", folder / "socket.ply", "--side", "right", "--question", "measures",
+                   "--out", self.root / "measures")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads((self.root / "measures/summary.json").read_text())
+        rows = {row["measure"]: row for row in rows_of(self.root / "measures/measures.csv")}
+        self.assertEqual(list(rows), MEASURES)
+        self.assertEqual(list(rows["version"]), ["joint", "measure", "value", "uncertainty", "unit", "state"])
+        for name, truth, most in (("head_radius", 24.0, 0.05), ("head_neck_offset", 9.1, 0.05), ("neck_shaft_angle", 128.0, 0.5),
+                                  ("femoral_torsion", 12.0, 0.5), ("socket_radius", 28.5, 0.05), ("inclination", 54.0, 0.5),
+                                  ("version", 19.0, 0.5), ("half_opening", 87.0, 0.5), ("lateral_centre_edge", 32.7, 0.5)):
+            # A generated socket ends at its rim.
+            at_end = name in ("inclination", "version", "half_opening", "lateral_centre_edge")
+            self.assertEqual(rows[name]["state"], "measured to the end of the mesh" if at_end else "measured", name)
+            self.assertAlmostEqual(float(rows[name]["value"]), truth, delta=most, msg=name)
+            self.assertGreaterEqual(float(rows[name]["uncertainty"]), 0)
+        self.assertEqual([m["measure"] for m in summary["measures"]], MEASURES)
+        self.assertIn("neck_shaft_angle    128 +- ", done.stdout)
+
+    def test_measures_of_a_folder_are_those_of_its_joints(self):
+        self.ask_all("all_measures", "--question", "measures")
+        table = rows_of(self.root / "all_measures/measures.csv")
+        for name in ("a_right", "b_left"):
+            self.ask("one_measured", name, "--question", "measures")
+            single = rows_of(self.root / "one_measured/measures.csv")
+            self.assertEqual([row["value"] for row in table if row["joint"] == name], [row["value"] for row in single])
+            self.assertEqual(len(single), len(MEASURES))
+
+    def test_what_a_mesh_does_not_carry_is_refused(self):
+        folder = self.root / "stump"
+        run(MAKE_PAIR, "--hip", "normal", "--set", "shaft_length=0", "--faces", 6000, "--out", folder)
+        done = run(SCENE, "--ball", folder / "ball.ply", "--socket", folder / "socket.ply", "--side", "right", "--question", "measures",
+                   "--out", self.root / "stump_out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = {row["measure"]: row for row in rows_of(self.root / "stump_out/measures.csv")}
+        for name in ("neck_shaft_angle", "femoral_torsion"):
+            self.assertEqual((rows[name]["value"], rows[name]["state"]), ("", "refused: the mesh has no straight shaft"))
+        self.assertEqual(rows["version"]["state"], "measured to the end of the mesh")
+
+    def test_a_folder_that_cannot_be_used_is_refused(self):
+        for words, said in (
+            (("--bones", self.root / "nowhere", "--question", "touch"), "cannot be read"),
+            (("--bones", self.root, "--question", "touch"), "no folder in it holds a joint"),
+            (("--bones", self.bones), "its answer is a table; add --question limit, measures, touch or first-contact"),
+            (("--bones", self.bones, "--question", "touch", "--centre", "0,0,0"), "--centre is of one joint; leave one of the two out"),
+        ):
+            done = run(SCENE, *words, "--out", self.root / "refused")
+            self.assertIn(said, done.stderr)
+            self.assertIn(done.returncode, (1, 2))
+            self.assertEqual(done.stderr.count("\n"), 1)
+
+    @unittest.skipUnless(os.environ.get("IMPINGE_BONES"), "no real joints")
+    def test_real_joints_have_measures_that_agree_or_are_refused(self):
+        """The whole pelvis and what was cut out of it have one socket."""
+        for folder in Path(os.environ["IMPINGE_BONES"]).iterdir():
+            sockets = [folder / f"{name}.ply" for name in ("acetabulum_facing", "acetabulum", "pelvis")]
+            femur = folder / "femur.ply"
+            if not femur.is_file() or not sockets[0].is_file():
+                continue
+            said = json.loads((folder / "subject.json").read_text())
+            axes = "".join(word[0].upper() for word in said["axes"].replace("patient ", "").split() if word[0] in "rlapsi"
+                           and word.strip(",") in ("right", "left", "anterior", "posterior", "superior", "inferior"))
+            found = []
+            for socket in filter(Path.is_file, sockets):
+                done = run(SCENE, "--ball", femur, "--socket", socket, "--side", said["side"], "--axes", axes, "--question", "measures",
+                           "--out", self.root / "real")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found.append({row["measure"]: row for row in rows_of(self.root / "real/measures.csv")})
+            for name in ("version", "inclination", "lateral_centre_edge", "socket_radius"):
+                values = [float(rows[name]["value"]) for rows in found if rows[name]["value"]]
+                if len(values) > 1:
+                    self.assertLess(max(values) - min(values), 5, (folder.name, name, values))
+
+
+if __name__ == "__main__":
+    unittest.main()

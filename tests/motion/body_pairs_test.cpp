@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact of bone beside a joint against CGAL's exact intersection of all faces, in random poses; insides by
+// the solid angle that a closed mesh fills.
+#include "motion/body_pairs.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <CGAL/intersections.h>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/meeting_faces.hpp"
+#include "mesh/star_shape.hpp"
+#include "reference/kernel_point.hpp"
+#include "reference/meeting_surfaces.hpp"
+#include "support/hip_with_parts.hpp"
+#include "support/random_cases.hpp"
+
+namespace impinge {
+namespace {
+
+TriangleMesh posed(const TriangleMesh& mesh, const Pose& pose) {
+  TriangleMesh moved = mesh;
+  for (Vec3& x : moved.vertices) x = to_socket(pose, x);
+  return moved;
+}
+
+// Of a closed mesh; edges of a vertex in it by much less than the size of a face are not asked.
+bool is_inside(const TriangleMesh& mesh, const Vec3& x) {
+  double angle = 0.0;
+  for (const Face& face : mesh.faces)
+    angle += solid_angle(corner(mesh, face, 0) - x, corner(mesh, face, 1) - x, corner(mesh, face, 2) - x);
+  return std::abs(angle) > 2.0 * kPi;
+}
+
+Kernel::Triangle_3 exact(const Triangle& face) {
+  return {kernel_point(face[0]), kernel_point(face[1]), kernel_point(face[2])};
+}
+
+// On a small grid every kind of degenerate meeting turns up: in one plane, along a side, in a corner.
+TEST(MeetingFaces, AreThoseOfCgal) {
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<int> grid(0, 3);
+  std::size_t met = 0;
+  std::size_t apart = 0;
+  while (met + apart < 2 * random_cases()) {
+    const auto triangle = [&] {
+      Triangle face;
+      for (Vec3& x : face) x = Vec3(grid(random), grid(random), grid(random) > 1 ? 1.0 : 0.0);
+      return face;
+    };
+    const Triangle a = triangle();
+    const Triangle b = triangle();
+    if (exact(a).is_degenerate() || exact(b).is_degenerate()) continue;
+    const bool meet = CGAL::do_intersect(exact(a), exact(b));
+    ASSERT_EQ(faces_meet(a, b), meet);
+    ++(meet ? met : apart);
+  }
+  EXPECT_GT(std::min(met, apart), random_cases() / 5);
+}
+
+struct Hips {
+  Hip hip = make_hip(test::hip_with_parts(), 700);
+  BallSocketPair main = main_surfaces(hip);
+  BoneParts beside{part_surfaces(hip.ball, hip.ball_parts), part_surfaces(hip.socket, hip.socket_parts)};
+};
+
+// Shifts take bodies to each other that a turn alone never brings near.
+TEST(BodyPairs, MeetWhereCgalSays) {
+  const Hips hips;
+  const BodyPairs pairs(hips.main, hips.beside);
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  std::size_t met = 0;
+  std::size_t inside = 0;
+  std::size_t apart = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(random_cases() / 10, 400); ++k) {
+    const Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
+    const double far = k % 2 == 0 ? 0.0 : 12.0;
+    const Pose pose{turn.normalized().toRotationMatrix(),
+                    far * Vec3(normal(random), normal(random), normal(random))};
+    bool meet = false;
+    bool holds = false;
+    const auto compare = [&](const TriangleMesh& ball, const TriangleMesh& socket, bool closed) {
+      const TriangleMesh moved = posed(ball, pose);
+      meet = meet || surfaces_meet(moved, socket);
+      holds =
+          holds || is_inside(moved, socket.vertices[0]) || (closed && is_inside(socket, moved.vertices[0]));
+    };
+    for (const TriangleMesh& spine : hips.beside.socket) {
+      compare(hips.main.ball, spine, true);
+      for (const TriangleMesh& part : hips.beside.ball) compare(part, spine, true);
+    }
+    for (const TriangleMesh& part : hips.beside.ball) {
+      const TriangleMesh moved = posed(part, pose);
+      meet = meet || surfaces_meet(moved, hips.main.socket);
+    }
+    if (!meet && !holds) {
+      ++apart;
+      // The shaft is open at its end, of which a solid angle is not sure.
+      EXPECT_FALSE(pairs.impinged(pose)) << k;
+    } else {
+      ++(meet ? met : inside);
+      EXPECT_TRUE(pairs.impinged(pose)) << k;
+    }
+  }
+  EXPECT_GT(met, 10U);
+  EXPECT_GT(apart, 10U);
+  RecordProperty("inside", static_cast<int>(inside));
+}
+
+// A sphere in another one, of which either may be the larger, and beside it.
+TEST(BodyPairs, OneInsideTheOtherIsContact) {
+  const auto at = [](double radius, double x) {
+    TriangleMesh mesh = icosphere(radius, 2);
+    for (Vec3& v : mesh.vertices) v += x * Vec3::UnitX();
+    return mesh;
+  };
+  const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
+  for (const auto& [ball, socket] : {std::pair{5.0, 9.0}, std::pair{9.0, 5.0}}) {
+    EXPECT_TRUE(BodyPairs(main, {{at(ball, 60.0)}, {at(socket, 61.0)}}).impinged({}));
+    EXPECT_FALSE(BodyPairs(main, {{at(ball, 60.0)}, {at(socket, 90.0)}}).impinged({}));
+  }
+  EXPECT_TRUE(BodyPairs(main, {{}, {at(3.0, 10.0)}}).impinged({})) << "in the head";
+  EXPECT_FALSE(BodyPairs(main, {{}, {at(3.0, 30.0)}}).impinged({})) << "beside the head";
+}
+
+// Vertices at a known distance along the ray.
+TEST(BodyPairs, AVertexIsNearAlongItsRay) {
+  TriangleMesh near = icosphere(5.0, 2);
+  TriangleMesh far = near;
+  for (Vec3& v : near.vertices) v += 50.0 * Vec3::UnitZ();
+  for (Vec3& v : far.vertices) v += 64.0 * Vec3::UnitZ();
+  const BodyPairs pairs({icosphere(20.0, 2), icosphere(300.0, 2)}, {{near}, {far}});
+  double least = HUGE_VAL;  // of a vertex of either along its ray, by all faces
+  const auto measure = [&least](const TriangleMesh& of, const TriangleMesh& met) {
+    for (const Vec3& x : of.vertices) {
+      for (const Face& face : met.faces) {
+        const auto [a, b, c] = corners_of(met, face);
+        Eigen::Matrix3d corners;
+        corners << a, b, c;
+        const Vec3 share = corners.inverse() * x.normalized();
+        if (share.minCoeff() >= 0.0) least = std::min(least, std::abs(1.0 / share.sum() - x.norm()));
+      }
+    }
+  };
+  measure(near, far);
+  measure(far, near);
+  ASSERT_LT(least, 10.0);
+  EXPECT_FALSE(pairs.vertex_within({}, least - 1e-6));
+  EXPECT_TRUE(pairs.vertex_within({}, least + 1e-6));
+}
+
+}  // namespace
+}  // namespace impinge

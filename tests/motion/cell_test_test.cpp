@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No rotation in a cell that is called free is impinged, and every one in a cell that is called blocked is:
+// all pairs of faces say so of the first thousand, the culled overlay of the others
+// (support/exact_touch.hpp).
+#include "motion/cell_test.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
+#include "support/exact_touch.hpp"
+#include "support/random_cases.hpp"
+
+namespace impinge {
+namespace {
+
+// Rotations near the border of what is free are few: cells whose parent is open are asked.
+struct Asked {
+  std::size_t free = 0;
+  std::size_t blocked = 0;
+};
+
+RotationCell any_cell(std::mt19937_64& engine, std::uint32_t level) {
+  std::normal_distribution<double> normal;
+  Quaternion4 q;
+  for (double& x : q) x = normal(engine);
+  return cell_of(q, level);
+}
+
+Quaternion4 any_of(const RotationCell& cell, std::mt19937_64& engine) {
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::array<double, 3> along{};
+  for (double& x : along) x = std::clamp(1.3 * place(engine), -1.0, 1.0);  // borders too
+  return point_of(cell, along);
+}
+
+Asked attack(const BallSocketPair& joint, std::size_t rotations) {
+  const CellTest test(joint);
+  CellSearch search(test);
+  test::ExactTouch overlay(joint);
+  std::mt19937_64 engine(11);
+  Asked asked;
+  for (std::size_t round = 0; asked.free + asked.blocked < rotations; ++round) {
+    RotationCell cell = any_cell(engine, kFinestCells);
+    // From coarse to fine, as a refinement would: the first that is decided.
+    CellVerdict verdict;
+    for (std::uint32_t level = 2; level <= 9 && verdict.state == CellState::open; ++level) {
+      const RotationCell part{level, cell.number >> (3 * (kFinestCells - level))};
+      verdict = search.decide(part, verdict.hint);
+      if (verdict.state != CellState::open) cell = part;
+    }
+    if (verdict.state == CellState::open || verdict.state == CellState::unknown) continue;
+    const Quaternion4 q = any_of(cell, engine);
+    const bool blocked = verdict.state == CellState::blocked;
+    ++(blocked ? asked.blocked : asked.free);
+    EXPECT_EQ(overlay.impinged({rotation_of(q), Vec3::Zero()}), blocked)
+        << cell.level << " " << cell.number << " " << q.transpose();
+  }
+  return asked;
+}
+
+TEST(CellTest, IsNeverWrongOfAHip) {
+  const Hip hip = make_hip(hip_preset("cam"), 1500);
+  const Asked asked = attack({hip.ball, hip.socket}, random_cases());
+  EXPECT_GT(asked.free, random_cases() / 10);
+  EXPECT_GT(asked.blocked, random_cases() / 10);
+}
+
+TEST(CellTest, IsNeverWrongOfAPair) {
+  const Asked asked = attack(make_ball_socket_pair(600, impinging_cam()), random_cases());
+  EXPECT_GT(asked.blocked, 0U);
+}
+
+void add_face(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+  mesh.faces.push_back({first, first + 1, first + 2});
+}
+
+// Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
+// the turn of its direction is that of its own length, whatever a gap adds to that.
+TEST(CellTest, AGapMakesNoDirectionTurnLess) {
+  struct Case {
+    double gap, within;
+  };
+  for (const auto& [gap, within] : {Case{0.0, 0.1}, Case{0.5, 0.1}, Case{2.0, 0.1}, Case{2.0, 0.5}}) {
+    constexpr double kLength = 20.0;
+    const double small = 1e-3 * within;
+    TriangleMesh ball = sphere(0.5 * kLength, 8);
+    add_face(ball, {-small, 0, -kLength}, {small, 0, -kLength}, {0, small, -kLength});
+    const Vec3 off(0.0, 0.998 * within, 0.0);
+    const Vec3 to = Vec3(0, 0, kLength) + 2.0 * off;
+    TriangleMesh socket;
+    add_face(socket, to + Vec3(-small, -0.1 * small, -1e-9), to + Vec3(small, -0.1 * small, -1e-9),
+             to + Vec3(0, small, -1e-9));
+    const Eigen::Matrix3d half = Vec3(1.0, -1.0, -1.0).asDiagonal();
+    ASSERT_TRUE(
+        SurfaceOverlay(relative_to(ball, off), relative_to(socket, off)).impinged({half, Vec3::Zero()}));
+    const CellTest test({ball, socket}, {gap, within});
+    for (const double radius : {0.0, 1e-6, 1e-4})
+      EXPECT_NE(CellSearch(test).decide(RotationBall{half, radius}).state, CellState::free)
+          << gap << " " << radius;
+  }
+}
+
+// Moved out by the gap, a corner may be rounded into a plane with the centre: its face counts as before.
+TEST(CellTest, AFaceThatTheGapMakesEdgeOnCounts) {
+  for (const double place : {7.9, 7.901, 7.902, 7.95}) {
+    TriangleMesh ball = sphere(3.0, 8);
+    add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
+    const TriangleMesh socket = sphere(15.0, 200);
+    ASSERT_TRUE(SurfaceOverlay(ball, socket).impinged({Eigen::Matrix3d::Identity(), Vec3::Zero()}));
+    const CellTest test({ball, socket}, {1.0, 0.0});
+    EXPECT_NE(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-3}).state, CellState::free)
+        << place;
+  }
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bone beside the joint stops it: limits of phantoms in closed form, and of hips by CGAL's exact
+// intersection of all faces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/mesh_parts.hpp"
+#include "motion/body_pairs.hpp"
+#include "motion/turn_limit.hpp"
+#include "reference/meeting_surfaces.hpp"
+#include "support/hip_with_parts.hpp"
+
+namespace impinge {
+namespace {
+
+const JointTurn kAboutZ{.axis = Vec3::UnitZ()};
+
+// A sphere of a part: its middle lies in the plane z = 0.
+struct Beside {
+  double from_centre;  // mm
+  double radius;       // mm
+  double turned_deg;   // from +x
+};
+
+TriangleMesh mesh_of(const Beside& part) {
+  TriangleMesh mesh = icosphere(part.radius, 4);
+  const double turn = part.turned_deg * kDegree;
+  for (Vec3& x : mesh.vertices) x += part.from_centre * Vec3(std::cos(turn), std::sin(turn), 0.0);
+  return mesh;
+}
+
+// A ball in a cup about +z, each with a part.
+TurnLimits phantom(const Beside& of_ball, const Beside& of_socket) {
+  return TurnLimits({icosphere(20.0, 2), cup(28.0, 60.0, 400)}, {{mesh_of(of_ball)}, {mesh_of(of_socket)}});
+}
+
+// Spheres whose middles are at a and b from the centre touch where these are the sum of the radii apart, and
+// never where one is nearer to the centre by more than that, whatever directions they share.
+TEST(Parts, OfSpheresMeetWhereTheyTouch) {
+  const Beside socket{40.0, 8.0, 75.0};
+  for (const Beside& ball : {Beside{40.0, 5.0, 0.0}, Beside{47.0, 6.0, 0.0}, Beside{50.0, 9.0, -20.0}}) {
+    const TurnLimit limit = phantom(ball, socket).first_contact(kAboutZ, 180.0);
+    ASSERT_EQ(limit.state, LimitState::limited);
+    const double sum = ball.radius + socket.radius;
+    const double a = ball.from_centre;
+    const double b = socket.from_centre;
+    const double apart = std::acos((a * a + b * b - sum * sum) / (2.0 * a * b)) / kDegree;
+    EXPECT_NEAR(limit.low_deg, socket.turned_deg - ball.turned_deg - apart, 0.1);
+    EXPECT_LT(limit.high_deg - limit.low_deg, 1e-6);
+    EXPECT_EQ(limit.contact.value().body, (std::array<std::size_t, 2>{1, 1}));
+  }
+}
+
+TEST(Parts, WithinOrBeyondOneAnotherPass) {
+  const Beside socket{40.0, 8.0, 75.0};
+  for (const Beside& ball : {Beside{26.0, 3.0, 0.0}, Beside{60.0, 9.0, -20.0}})
+    EXPECT_EQ(phantom(ball, socket).first_contact(kAboutZ, 180.0).state, LimitState::free);
+}
+
+// A gap of vertices: just before the limit none has it, just behind some vertex has.
+TEST(Parts, HaveAGapWhereAVertexHas) {
+  const Beside ball{40.0, 5.0, 0.0};
+  const Beside socket{44.0, 8.0, 75.0};
+  const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
+  const BodyPairs pairs(main, {{mesh_of(ball)}, {mesh_of(socket)}});
+  const TurnLimits limits(main, {{mesh_of(ball)}, {mesh_of(socket)}});
+  for (const double gap : {0.1, 1.0, 3.0}) {
+    const TurnLimit limit = limits.gap_of(kAboutZ, gap, 180.0);
+    ASSERT_EQ(limit.state, LimitState::limited);
+    const auto within = [&](double degrees) {
+      return pairs.vertex_within(
+          {Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitZ()).toRotationMatrix(), Vec3::Zero()}, gap);
+    };
+    for (double at = 0.0; at < limit.low_deg - 1e-4; at += 3.7) EXPECT_FALSE(within(at)) << at;
+    EXPECT_FALSE(within(limit.low_deg - 1e-4));
+    EXPECT_TRUE(within(limit.high_deg + 1e-6));
+    EXPECT_LT(limit.high_deg - limit.low_deg, 1e-6);
+  }
+}
+
+// Of hips: before the limit no face meets another by CGAL, nor do the main surfaces impinge; behind it they
+// do. Where a part is what stops, the main surfaces alone go on.
+TEST(Parts, OfHipsTouchWhereCgalSays) {
+  const Hip hip = make_hip(test::hip_with_parts(), kFewestHipFaces);
+  const BallSocketPair main = main_surfaces(hip);
+  const BoneParts beside{part_surfaces(hip.ball, hip.ball_parts),
+                         part_surfaces(hip.socket, hip.socket_parts)};
+  const TurnLimits limits(main, beside);
+  const TurnLimits without(main);
+  const auto meet = [&](const JointTurn& turn, double degrees) {
+    const Eigen::Matrix3d at =
+        turn.outer * Eigen::AngleAxisd(degrees * kDegree, turn.axis).toRotationMatrix() * turn.inner;
+    std::vector<TriangleMesh> ball = beside.ball;
+    ball.insert(ball.begin(), main.ball);
+    for (TriangleMesh& mesh : ball) {
+      for (Vec3& x : mesh.vertices) x = at * x;
+    }
+    for (std::size_t k = 0; k < ball.size(); ++k) {
+      for (const TriangleMesh& spine : beside.socket) {
+        if (surfaces_meet(ball[k], spine)) return true;
+      }
+      if (k > 0 && surfaces_meet(ball[k], main.socket)) return true;
+    }
+    return false;
+  };
+  std::size_t by_parts = 0;
+  for (const MotionName& motion : motion_names()) {
+    for (const Motion& start : {Motion{}, Motion{.flexion = 90.0}}) {
+      const JointTurn turn = joint_turn(start, motion, Side::right);
+      const double largest = std::min(largest_growth(start, motion), 180.0);
+      if (!(largest > 0.0)) continue;
+      const TurnLimit limit = limits.first_contact(turn, largest);
+      const TurnLimit alone = without.first_contact(turn, largest);
+      EXPECT_LE(limit.low_deg, alone.low_deg);
+      for (double share : {0.2, 0.5, 0.8}) EXPECT_FALSE(meet(turn, share * limit.low_deg)) << motion.name;
+      EXPECT_FALSE(meet(turn, std::max(0.0, limit.low_deg - 0.01))) << motion.name;
+      if (limit.state != LimitState::limited) continue;
+      if (limit.contact->body == std::array<std::size_t, 2>{}) {
+        EXPECT_EQ(limit.high_deg, alone.high_deg);
+        continue;
+      }
+      ++by_parts;
+      EXPECT_TRUE(meet(turn, limit.high_deg + 0.01)) << motion.name;
+    }
+  }
+  EXPECT_GE(by_parts, 1U);
+}
+
+// Of a threshold and of a doubtful centre: what is found for a joint that is moved lies in what was said.
+TEST(Parts, OfHipsKeepWhatIsSaidOfTheCentre) {
+  const auto sphere_at = [](double turned) { return mesh_of({40.0, 7.0, turned}); };
+  const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
+  const TurnLimits limits(main, {{sphere_at(0.0)}, {sphere_at(75.0)}});
+  const CentreQuestion question{CentreDoubt::common, 0.5, 0.0, 180.0};
+  const TurnLimit limit = limits.first_contact(kAboutZ, 180.0);
+  const CentreInterval interval = limits.centre_interval(kAboutZ, limit, question);
+  EXPECT_TRUE(interval.limited);
+  double least = 180.0;
+  double most = 0.0;
+  for (int k = 0; k < 6; ++k) {
+    const Vec3 t = 0.5 * Eigen::AngleAxisd(k * kPi / 3.0, Vec3::UnitZ()).toRotationMatrix() * Vec3::UnitX();
+    const TurnLimits moved({relative_to(main.ball, t), relative_to(main.socket, t)},
+                           {{relative_to(sphere_at(0.0), t)}, {relative_to(sphere_at(75.0), t)}});
+    const TurnLimit found = moved.first_contact(kAboutZ, 180.0);
+    least = std::min(least, found.low_deg);
+    most = std::max(most, found.high_deg);
+  }
+  EXPECT_LT(interval.low_deg, least);
+  EXPECT_GT(interval.high_deg, most);
+  EXPECT_LT(most - least, interval.high_deg - interval.low_deg);
+  EXPECT_LT(interval.high_deg - interval.low_deg, 10.0);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is refused, in which words; the stubs; the example."""
+import ast
+import subprocess
+import sys
+
+import impinge
+import numpy as np
+import pytest
+from shared import ROOT, TURNS, sphere
+
+
+def marked(**landmarks):
+    return impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0), landmarks=landmarks)
+
+
+REFUSED = [
+    (ValueError, lambda j: impinge.Joint.from_hip("cam", side="up"), "side 'up' is neither left nor right"),
+    (ValueError, lambda j: impinge.Joint.from_hip("flat"), "'flat'"),
+    (ValueError, lambda j: impinge.Joint.from_hip(cam_heigth=3), "a hip has no parameter 'cam_heigth'; there are side, "),
+    (ValueError, lambda j: impinge.Joint.from_hip(cam_height=99), "parameter cam_height = 99 is outside of what a hip"),
+    (ValueError, lambda j: impinge.Joint.from_arrays(sphere(9), sphere(9, 1), axes="LAS"), "is left-handed and would mirror"),
+    (RuntimeError, lambda j: impinge.Joint.from_arrays(sphere(9), sphere(9)), "check ball and socket"),
+    (ValueError, lambda j: impinge.Joint.from_arrays(([1.0], [2]), sphere(9)), "ball: give vertices and faces as two arrays"),
+    (impinge.FileError, lambda j: impinge.Joint.from_arrays((np.eye(3), [[0, 1, 3]]), sphere(9)), "is not there"),
+    (ValueError, lambda j: marked(asis_right=(1, 2)), "landmarks: 'asis_right' is no place; give (x, y, z) in mm"),
+    (ValueError, lambda j: marked(asis_right="here"), "landmarks: 'asis_right' is no place; give"),
+    (ValueError, lambda j: marked(asis_right=(1, 2, np.nan)), "landmarks: the landmark asis_right has no place; give each once"),
+    (ValueError, lambda j: marked(asis_right=(1, 2, 3), right_asis=(1, 2, 3)), "landmarks: the landmark right_asis is there twice"),
+    (RuntimeError, lambda j: marked(asis_right=(1, 2, 3)), "landmarks: the landmark asis_left is missing; mark it"),
+    (ValueError, lambda j: j.gaps([[1.0, 2.0]]), "poses: an array of shape (1, 2) holds none; give angles in degrees"),
+    (ValueError, lambda j: j.gaps([["a", "b", "c"]]), "poses: no array of numbers; give"),
+    (ValueError, lambda j: j.touch([np.nan, 0, 0]), "poses: an angle is not within 180 degrees of 0"),
+    (ValueError, lambda j: j.touch([181, 0, 0]), "poses: an angle is not within 180 degrees of 0"),
+    (ValueError, lambda j: j.touch("bend=3"), "unknown motion 'bend'"),
+    (ValueError, lambda j: j.touch(np.diag([-1.0, 1, 1, 1])), "poses: matrix 0 does not turn only"),
+    (ValueError, lambda j: j.touch(np.full((1, 3, 4), np.nan)), "poses: matrix 0 does not turn only"),
+    (ValueError, lambda j: j.touch(np.diag([1.0, 1, 1, 2])), "poses: the last row of matrix 0 is not 0,0,0,1"),
+    (ValueError, lambda j: j.gaps(TURNS, precision_deg=0), "precision"),
+    (ValueError, lambda j: j.gaps(TURNS, out=(np.empty((5, 3), np.float32), None)), "out: give two writable float32 arrays"),
+    (ValueError, lambda j: j.gaps(TURNS, out=(j.gaps(TURNS)[0].astype(float), None)), "out: give two writable float32"),
+    (ValueError, lambda j: j.limits("bend"), "unknown motion 'bend'"),
+    (ValueError, lambda j: j.limits("flexion", start=[180, 0, 0]), "leaves no room for flexion"),
+    (ValueError, lambda j: j.limits(cartilage_mm=-1), "cartilage_mm: is no thickness"),
+    (ValueError, lambda j: j.volume(width=1), "width: is no share; give a number above 0 and below 1"),
+    (ValueError, lambda j: j.volume(width=np.nan), "width: is no share"),
+    (ValueError, lambda j: j.volume(gap_mm=-1), "gap_mm: is no length; give a number of mm, 0 or more"),
+    (ValueError, lambda j: j.volume(centre_within_mm=np.inf), "centre_within_mm: is no length"),
+    (ValueError, lambda j: j.resection("flexion=0"), "required: a motion moves nothing; give an angle other than 0"),
+    (ValueError, lambda j: j.resection([]), "required: an array of shape (0,) holds no motions; give angles in degrees"),
+    (ValueError, lambda j: j.resection([[1, 2]]), "required: an array of shape (1, 2) holds no motions"),
+    (ValueError, lambda j: j.resection(np.empty((0, 3))), "required: there is none; give"),
+    (ValueError, lambda j: j.resection([200, 0, 0]), "required: an angle is not within 180 degrees of 0"),
+    (ValueError, lambda j: j.resection(["flexion=20", "bend=2"]), "unknown motion 'bend'"),
+    (ValueError, lambda j: j.resection("flexion=20", clearance_mm=0), "clearance_mm: is no length; give a number of mm above 0"),
+    (ValueError, lambda j: j.resection("flexion=20", neck_mm=-2), "neck_mm: is no length; give a number of mm above 0"),
+    (RuntimeError, lambda j: j.resection("flexion=20", least=True), "the socket is no closed mesh of one orientation"),
+    (RuntimeError, lambda j: j.resection("flexion=20", clearance_mm=5), "less than the clearance; give a smaller one"),
+    (RuntimeError, lambda j: j.resection("flexion=90,internal_rotation=30", neck_mm=60), "or allow a thinner neck"),
+    (ValueError, lambda j: j.orientation_map("flexion=20", tilt_deg=91), "tilt_deg: is no tilt; give degrees from -90 to 90"),
+    (ValueError, lambda j: j.orientation_map("flexion=20", resolution_deg=0), "resolution_deg: is none; give degrees"),
+    (ValueError, lambda j: j.certificate(TURNS), "poses: a certificate is of one pose, not of 5"),
+    (ValueError, lambda j: j.certificate(motion="bend"), "unknown motion 'bend'"),
+    (RuntimeError, lambda j: j.certificate([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.1 degrees"),
+    (ValueError, lambda j: impinge.Scheme("rside"), "unknown scheme 'rside'; there are "),
+    (ValueError, lambda j: impinge.Scheme("rsid", 0.7), "an RSID precision divides 180 degrees"),
+    (ValueError, lambda j: impinge.Scheme("rsid").stencils([0, 0, 0]), "directions: a vector is zero"),
+    (ValueError, lambda j: impinge.Scheme("rsid").stencils([0, 1]), "directions: an array of shape (2,)"),
+]
+
+
+@pytest.mark.parametrize("case", range(len(REFUSED)))
+def test_what_cannot_be_used_is_refused_in_one_line(hip, case):
+    kind, ask, text = REFUSED[case]
+    with pytest.raises(kind) as refused:
+        ask(hip)
+    assert text in str(refused.value) and "\n" not in str(refused.value)
+
+
+def members(tree):
+    """Public names of a stub, with those of its classes."""
+    names = set()
+    for node in tree.body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(node.name)
+        if isinstance(node, ast.ClassDef):
+            names |= {f"{node.name}.{part.name}" for part in node.body if isinstance(part, ast.FunctionDef)}
+    return {name for name in names if "__" not in name}
+
+
+def kinds(of):
+    """Keys of what a question answers, by the name of the stub's dict."""
+    limit, volume = of.limits("flexion")[0], of.volume(width=0.5)
+    cut, turned = of.resection("flexion=90,internal_rotation=25"), of.orientation_map("flexion=10", resolution_deg=9)
+    beside = sphere(5.0)
+    walled = impinge.Joint.from_arrays(sphere(20.0), (beside[0] + [0, 0, 30], beside[1]), centre=(0, 0, 0))
+    return {"Limit": limit, "Volume": volume, "VolumeMotion": volume["motions"][0], "Resection": cut, "Leg": cut["legs"][0],
+            "Bracket": cut["legs"][0]["before"], "Neck": cut["neck"],
+            "CutSize": walled.resection("flexion=5", least=True)["least"], "OrientationMap": turned,
+            "Orientation": turned["as_scanned"], "Areas": turned["area_deg2"], "Measure": of.measures()[0]}
+
+
+def test_the_stubs_have_what_the_module_has(hip):
+    tree = ast.parse((ROOT / "libcore/python/impinge/__init__.pyi").read_text(encoding="utf-8"))
+    dicts = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef) and node.bases and
+             getattr(node.bases[0], "id", "") == "TypedDict"}
+    module = set(impinge.__all__)
+    for name in impinge.__all__:
+        thing = getattr(impinge, name)
+        if isinstance(thing, type) and thing.__module__ == "impinge._impinge":
+            module |= {f"{name}.{part}" for part in vars(thing) if not part.startswith("__")}
+    assert members(tree) - set(dicts) == module
+    found = kinds(hip)
+    assert set(dicts) == {*found, "Landmarks"}
+    for name, answer in found.items():
+        assert [part.target.id for part in dicts[name].body if isinstance(part, ast.AnnAssign)] == list(answer), name
+
+
+def test_the_example_draws_its_picture(files, tmp_path):
+    for words in ([], [*files, "left"]):
+        picture = tmp_path / f"{len(words)}.png"
+        done = subprocess.run([sys.executable, "-B", ROOT / "libcore/python/examples/hip.py", *words, picture],
+                              capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        assert picture.read_bytes().startswith(b"\x89PNG") and "free to" in done.stdout and "centre" in done.stdout
+        assert "% are reached without contact" in done.stdout

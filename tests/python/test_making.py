@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Joints of files, arrays and parameters: frames, sides, landmarks; and schemes."""
+import impinge
+import numpy as np
+import pytest
+from shared import TURNS, program, scene, written
+
+STANDING = {"asis_right": (120, 60, 120), "asis_left": (-120, 60, 120), "pubic_tubercle_right": (25, 60, 10),
+            "pubic_tubercle_left": (-25, 60, 10)}
+
+
+def marked(path, places):
+    path.write_text("label,x,y,z\n" + "".join(f"{name},{','.join(map(str, x))}\n" for name, x in places.items()), encoding="utf-8")
+    return path
+
+
+def test_landmarks_give_the_frames_that_they_give_the_program(files, tmp_path):
+    tilt = np.radians(12)  # the plane leans forward: the ASIS lead
+    lean = np.array([[1, 0, 0], [0, np.cos(tilt), np.sin(tilt)], [0, -np.sin(tilt), np.cos(tilt)]])
+    centre = impinge.Joint.read(*files, side="left").centre
+    places = {name: tuple(lean @ np.array(x, dtype=float) + centre) for name, x in STANDING.items()}
+    places |= {"epicondyle_medial": centre + (30, -100, -380), "epicondyle_lateral": centre + (-40, -100, -380)}
+    points = marked(tmp_path / "points.csv", places)
+    joint = impinge.Joint.read(*files, side="left", landmarks=points)
+    assert joint.landmarks["pelvic_tilt_deg"] == pytest.approx(12)
+    scene(files, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
+    theirs = written(tmp_path, "summary.json")
+    assert {"file": str(points), **joint.landmarks} == theirs["landmarks"]
+    assert joint.limits("flexion")[0]["low_deg"] == theirs["contact"][0]["low_deg"]
+    assert impinge.Joint.read(*files, side="left").landmarks is None
+    with pytest.raises(ValueError, match="leave out landmarks="):
+        joint.certificate()
+    swapped = marked(tmp_path / "swapped.csv", {**places, "asis_right": places["asis_left"], "asis_left": places["asis_right"]})
+    with pytest.raises(RuntimeError, match="swapped.csv: the right landmarks .*; check the labels and the axes"):
+        impinge.Joint.read(*files, side="left", landmarks=swapped)
+
+
+def test_landmarks_give_joints_of_arrays_the_frames_that_they_give_those_of_files(files, tmp_path):
+    read = impinge.Joint.read(*files, side="left")
+    lean = np.radians(-7)
+    places = {name: np.array([[1, 0, 0], [0, np.cos(lean), np.sin(lean)], [0, -np.sin(lean), np.cos(lean)]]) @ x + read.centre
+              for name, x in STANDING.items()}
+    femur = {"Medial epicondyle": read.centre + (30, 40, -380), "lateral EPICONDYLE": tuple(read.centre + (-40, 40, -380))}
+    arrays = [(s.vertices + read.centre, s.faces) for s in (read.ball, read.socket)]
+    for landmarks in (places, places | femur, {**places, **femur, "sacrum": (0, 0, 0)}):
+        points = marked(tmp_path / "points.csv", {name: tuple(map(float, x)) for name, x in landmarks.items()})
+        truth = impinge.Joint.read(*files, side="left", centre=read.centre, landmarks=points)
+        assert truth.landmarks["pelvic_tilt_deg"] == pytest.approx(-7)
+        for given in (landmarks, points, str(points)):
+            joint = impinge.Joint.from_arrays(*arrays, side="left", centre=read.centre, landmarks=given)
+            assert joint.landmarks == truth.landmarks
+            assert np.allclose(joint.matrices(TURNS), truth.matrices(TURNS), atol=1e-9)
+            assert joint.limits("flexion")[0]["low_deg"] == pytest.approx(truth.limits("flexion")[0]["low_deg"], abs=1e-3)
+        assert impinge.Joint.read(*files, side="left", centre=read.centre, landmarks=landmarks).landmarks == truth.landmarks
+    assert joint.landmarks["scanned_flexion_deg"] == pytest.approx(np.degrees(np.arctan2(40, 380)) - 7)
+
+
+def test_from_headers_of_slicer_to_limits_volume_and_measures(files, tmp_path):
+    """The files of the hip as 3D Slicer writes them, turned to LPS, and nothing said but the side."""
+    truth, heads = impinge.Joint.read(*files, side="left"), []
+    for file, surface in zip(files, (truth.ball, truth.socket)):
+        x = (surface.vertices + truth.centre) * (-1, -1, 1)
+        rows = [" ".join(map(repr, map(float, row))) for row in x] + ["3 " + " ".join(map(str, face)) for face in surface.faces]
+        head = (f"ply\nformat ascii 1.0\ncomment VTK generated PLY File\ncomment SPACE=LPS\nelement vertex {len(x)}\n"
+                "property double x\nproperty double y\nproperty double z\n"
+                f"element face {len(surface.faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+        heads.append(tmp_path / file.name)
+        heads[-1].write_text(head + "\n".join(rows) + "\n", encoding="utf-8")
+    joint = impinge.Joint.read(*heads, side="left")
+    assert joint.axes == "LPS" and len(joint.warnings) == len(truth.warnings)
+    for ours, theirs in zip(joint.limits(), truth.limits(), strict=True):
+        assert [ours[key] for key in ("motion", "centre", "threshold_mm", "state")] == [
+            theirs[key] for key in ("motion", "centre", "threshold_mm", "state")]
+        assert ours["low_deg"] == pytest.approx(theirs["low_deg"], abs=1e-3)
+    ours, theirs = joint.volume(width=0.3), truth.volume(width=0.3)
+    assert ours["reachable_low"] == pytest.approx(theirs["reachable_low"], abs=1e-3) and ours["reachable_low"] > 0
+    for ours, theirs in zip(joint.measures(), truth.measures(), strict=True):
+        assert (ours["measure"], ours["state"]) == (theirs["measure"], theirs["state"])
+        assert ours["value"] == (None if theirs["value"] is None else pytest.approx(theirs["value"], abs=1e-3))
+
+
+def test_headers_of_slicer_say_the_axes(files, tmp_path):
+    heads = []
+    for file in files:
+        said = tmp_path / file.name
+        said.write_bytes(file.read_bytes().replace(b"\nelement vertex", b"\ncomment SPACE=LPS\nelement vertex", 1))
+        heads.append(said)
+    with pytest.warns(UserWarning, match="check axes= first"):  # the files of a left hip, turned by half a turn
+        assert impinge.Joint.read(*heads, side="left").axes == "LPS"
+    assert impinge.Joint.read(*files, side="left").axes == "RAS"
+    with pytest.raises(impinge.FileError, match="LPS.*axes="):
+        impinge.Joint.read(*heads, side="left", axes="RAS")
+
+
+def test_arrays_make_the_joint_that_files_make(files):
+    joint = impinge.Joint.read(*files, side="left")
+    again = impinge.Joint.from_arrays(
+        *((s.vertices + joint.centre, s.faces) for s in (joint.ball, joint.socket)), side="left", centre=joint.centre)
+    assert np.allclose(again.smallest_gap(TURNS)["gap_mm"], joint.smallest_gap(TURNS)["gap_mm"], atol=1e-6)
+
+
+def test_parameters_make_the_hip_that_they_say():
+    assert "cam" in impinge.hip_presets()
+    cam, changed = impinge.hip_parameters("cam"), impinge.Joint.from_hip("cam", faces=2000, head_radius=22)
+    ranges = impinge.hip_parameter_ranges()
+    assert set(cam) == {"side", *ranges} and cam["cam_height"] > 0
+    assert all(least <= cam[name] <= most for name, (_, least, most) in ranges.items())
+    assert np.quantile(np.linalg.norm(changed.ball.vertices, axis=1), 0.1) == pytest.approx(22, abs=0.2)
+
+
+def test_a_side_is_asked_for_and_a_wrong_one_warned_of(files):
+    joint = impinge.Joint.read(*files)
+    assert joint.side is None and joint.gaps("flexion=10")[0].shape[0] == 1
+    for ask in (joint.gaps, joint.resection, joint.orientation_map):
+        with pytest.raises(ValueError, match="give left or right with side="):
+            ask([0, 10, 0])
+    with pytest.raises(ValueError, match="measures need to know the side; give left or right"):
+        joint.measures()
+    assert joint.volume(width=0.5)["motions"] == []
+    with pytest.warns(UserWarning, match="lies to the right of the ball, which no right socket does; check axes= first"):
+        wrong = impinge.Joint.read(*files, side="right")
+    assert any("check axes= first" in warning for warning in wrong.warnings)
+
+
+def test_files_are_refused_in_the_words_of_the_program(files, tmp_path):
+    broken = tmp_path / "broken.ply"
+    broken.write_bytes(files[0].read_bytes()[:900])
+    for ball in (tmp_path / "missing.ply", broken):
+        said = program("SCENE", "--ball", ball, "--socket", files[1], "--out", tmp_path / "out").stderr
+        with pytest.raises(impinge.FileError) as refused:
+            impinge.Joint.read(ball, files[1])
+        assert said == f"scene: error: {refused.value}\n"
+
+
+@pytest.mark.parametrize("name", impinge.schemes())
+def test_schemes_give_their_directions_and_stencils(name):
+    scheme = impinge.Scheme(name, 5.0)
+    entries = scheme.directions()
+    assert entries.shape == (len(scheme), 3) and np.allclose(np.linalg.norm(entries, axis=1), 1)
+    random = np.random.default_rng(1).normal(size=(500, 3))
+    places, weights, cells = scheme.stencils(random)
+    assert np.allclose(weights.sum(axis=1), 1) and weights.min() >= 0 and (weights[places < 0] == 0).all()
+    assert places.max() < len(scheme) and 0 <= cells.min() and cells.max() < scheme.cells
+    unit = random / np.linalg.norm(random, axis=1, keepdims=True)
+    nearest = np.degrees(np.arccos(np.clip(unit @ entries.T, -1, 1).max(axis=1)))
+    assert nearest.max() <= scheme.covering_radius_deg + 1e-6
+    taps = np.einsum("ni,nki->nk", unit, entries[places])[weights > 0]
+    assert np.degrees(np.arccos(np.clip(taps, -1, 1))).max() <= scheme.stencil_radius_deg + 1e-6
+    assert scheme.name == name and scheme.label and scheme.citation

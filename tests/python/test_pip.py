@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`pip install --no-build-isolation ./libcore/python` in an environment that sees Debian's packages, from a clone, without
+the network."""
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(os.environ["SOURCE"])
+
+
+def run(*command, **keywords):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **keywords)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_pip_builds_and_installs_the_module(tmp_path):
+    clone = tmp_path / "clone"
+    shutil.copytree(ROOT, clone, ignore=shutil.ignore_patterns(".git", "build", "results", "node_modules"))
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    if shutil.which("ccache"):
+        environment["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
+        environment["CCACHE_BASEDIR"] = str(clone)
+        environment["CCACHE_NOHASHDIR"] = "1"
+    run(sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "venv")
+    python = tmp_path / "venv/bin/python"
+    run(python, "-m", "pip", "install", "--no-index", "--no-build-isolation", clone / "libcore/python", env=environment)
+    shutil.rmtree(clone)  # what was installed stands alone
+    script = "import impinge; print(impinge.__file__, len(impinge.schemes()), impinge.Joint.from_hip(faces=500).touch([0, 0, 0]))"
+    where, schemes, *touch = run(python, "-c", script, env=environment, cwd=tmp_path).split()
+    assert str(tmp_path / "venv") in where and int(schemes) >= 13 and touch == ["[False]"]
+    assert (Path(where).parent / "__init__.pyi").is_file() and (Path(where).parent / "py.typed").is_file()

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Gaps, contact and the smallest gap of poses: against NumPy and against `scene`."""
+import signal
+import threading
+import time
+
+import impinge
+import numpy as np
+import pytest
+from shared import TURNS, sphere, table
+
+
+def radial(points, surface, farthest):
+    """Radius of the surface along each point, by solving for the weights of the corners of every face; and the slowest
+    weight of the face that is met, 0 on an edge."""
+    corners = surface.vertices[surface.faces]
+    usable = abs(np.linalg.det(corners)) > 1e-9
+    inverse = np.linalg.inv(corners[usable].transpose(0, 2, 1))
+    length = np.linalg.norm(points, axis=1)
+    weights = np.einsum("fij,nj->nfi", inverse, points / length[:, None])
+    radius = np.where((weights >= 0).all(axis=2), 1 / weights.sum(axis=2), np.nan)
+    close = (abs(weights.min(axis=2)) < 1e-6 * abs(weights).max(axis=2)).any(axis=1)
+    with np.errstate(invalid="ignore"):
+        met = (np.fmax if farthest else np.fmin).reduce(radius, axis=1)
+    return met, length, close
+
+
+def brute_gaps(joint, matrix):
+    """Of both surfaces, and which vertices are too close to an edge for floats; matrices about the centre."""
+    rotation = matrix[:3, :3]
+    shift = rotation @ joint.centre + matrix[:3, 3] - joint.centre
+    socket, length, doubt = radial(joint.ball.vertices @ rotation.T + shift, joint.socket, False)
+    ball, far, doubt_too = radial((joint.socket.vertices - shift) @ rotation, joint.ball, True)
+    return (socket - length, doubt), (far - ball, doubt_too)
+
+
+def test_gaps_are_those_of_every_ray_against_every_face(hip):
+    matrices = hip.matrices(TURNS)
+    matrices[-1, :3, 3] += (0.4, -0.3, 0.2)
+    found = hip.gaps(matrices)
+    met = 0
+    for k, matrix in enumerate(matrices):
+        for gap, (truth, doubt) in zip(found, brute_gaps(hip, matrix)):
+            sure = ~doubt
+            assert (np.isnan(gap[k][sure]) == np.isnan(truth[sure])).all()
+            both = sure & ~np.isnan(truth)
+            met += both.sum()
+            assert abs(gap[k] - truth)[both].max() < 2e-3  # floats, and the slope of a face
+    assert met > 1000
+
+
+def test_smallest_gap_is_the_least_of_all_and_names_its_vertex(hip):
+    rows = hip.smallest_gap(TURNS)
+    for k, matrix in enumerate(hip.matrices(TURNS)):
+        gaps = [truth for truth, _ in brute_gaps(hip, matrix)]
+        least = min(np.nanmin(g) for g in gaps)
+        assert abs(rows["gap_mm"][k] - least) <= rows["bound_mm"][k] + 1e-9
+        assert abs(gaps[rows["surface"][k]][rows["vertex"][k]] - least) <= 1e-9
+        assert rows["bound_mm"][k] < 1e-9 and 0 <= rows["clock"][k] < 12
+
+
+def test_touch_agrees_with_the_gaps_of_vertices(hip):
+    poses = np.column_stack([np.linspace(0, 130, 60), np.zeros(60), np.linspace(0, 40, 60)])
+    touches = hip.touch(poses)
+    gap = hip.smallest_gap(poses)["gap_mm"]
+    assert touches[gap < -1e-6].all() and (gap < -1e-6).any()
+    assert (gap[~touches] > -1e-6).all() and not touches.all()
+
+
+def test_spheres_touch_where_their_shift_takes_up_the_space():
+    joint = impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0))
+    shifts = np.tile(np.eye(4), (4, 1, 1))
+    shifts[:, 0, 3] = (0.0, 4.5, 5.3, 7.0)  # the polyhedra lie within 0.2 mm of the spheres
+    assert joint.touch(shifts).tolist() == [False, False, True, True]
+    assert abs(joint.smallest_gap(shifts[:1])["gap_mm"][0] - 5.0) < 0.3
+
+
+def test_tables_come_near_the_faces(hip):
+    ball, socket = hip.gaps(TURNS)
+    for precision, most in ((0.25, 0.3), (1.0, 1.2)):
+        for exact, table in zip((ball, socket), hip.gaps(TURNS, precision_deg=precision)):
+            both = ~np.isnan(exact) & ~np.isnan(table)
+            assert both.sum() > 0.5 * (~np.isnan(exact)).sum()
+            assert np.quantile(abs(exact - table)[both], 0.9) < most
+            assert (exact != table)[both].any()
+
+
+def test_arrays_are_shared_and_not_copied(hip):
+    vertices = hip.ball.vertices
+    assert np.shares_memory(vertices, hip.ball.vertices) and not vertices.flags.writeable
+    assert hip.ball.faces.max() == len(vertices) - 1 and hip.ball.areas.shape == (len(vertices),)
+    out = (np.empty((5, len(vertices)), np.float32), np.empty((5, len(hip.socket.vertices)), np.float32))
+    found = hip.gaps(TURNS, out=out)
+    assert found[0] is out[0] and found[1] is out[1]
+    assert np.array_equal(out[0], hip.gaps(np.asfortranarray(TURNS))[0], equal_nan=True)
+    kept = impinge.Joint.from_hip("normal", faces=500).ball.vertices  # the joint is gone, its vertices are not
+    assert np.isfinite(kept).all() and np.linalg.norm(kept, axis=1).max() < 200
+
+
+def interrupted_after(seconds, ask):
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            ask()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_other_threads_go_on_while_gaps_are_worked_out():
+    joint = impinge.Joint.from_hip("cam", faces=12000)
+    poses = np.zeros((4000, 3))
+    joint.gaps(poses[:1])
+    started, done = threading.Event(), threading.Event()
+
+    def work():
+        started.set()
+        joint.gaps(poses, out=out)
+        done.set()
+
+    out = tuple(np.empty((len(poses), len(s.vertices)), np.float32) for s in (joint.ball, joint.socket))
+    thread = threading.Thread(target=work)
+    thread.start()
+    started.wait()
+    for _ in range(20):
+        time.sleep(0.001)
+        assert not done.is_set()
+    thread.join()
+
+
+@pytest.mark.parametrize("ask", [lambda joint: joint.touch(np.tile(TURNS, (4_000_000, 1))), lambda joint: joint.volume(width=1e-4)])
+def test_an_interrupt_ends_a_long_question(hip, ask):
+    interrupted_after(0.3, lambda: ask(hip))
+
+
+def test_all_threads_get_the_answers_of_one(hip):
+    truth = hip.gaps(TURNS)[0], hip.touch(TURNS), hip.smallest_gap(TURNS)
+    joint = impinge.Joint.from_hip("cam", faces=900)
+    wrong = []
+
+    def ask():
+        found = joint.gaps(TURNS)[0], joint.touch(TURNS), joint.smallest_gap(TURNS)
+        wrong.extend(k for k in range(3) if found[k].tobytes() != truth[k].tobytes())
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong

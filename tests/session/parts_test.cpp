@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a joint says of bone beside it.
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "session/limits.hpp"
+#include "session/measurement.hpp"
+#include "session/orientation.hpp"
+#include "session/pose_series.hpp"
+#include "session/proof.hpp"
+#include "session/resection.hpp"
+#include "session/volume.hpp"
+#include "support/hip_with_parts.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+Session session_of(Hip hip) {
+  JointInput input;
+  input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
+  input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
+  input.side = Side::right;
+  return {assemble_joint(std::move(input)), Side::right, "RAS"};
+}
+
+// Which part stops a motion is said, and the main surfaces give centre, dial and warnings as without parts.
+TEST(Parts, AreNamedByALimit) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const Session without = session_of(make_hip({}, 2000));
+  const auto parts_of = [&](double flexion, const char* motion) {
+    const LimitAnswers found = answer_limits(session, {.start = {.flexion = flexion}, .growing = motion});
+    EXPECT_EQ(found.contact.ball_part, found.socket.value().ball_part);
+    EXPECT_EQ(found.contact.socket_part, found.socket.value().socket_part);
+    return found.contact.ball_part + "/" + found.contact.socket_part;
+  };
+  EXPECT_EQ(parts_of(70.0, "internal_rotation"), "/AIIS");
+  EXPECT_EQ(parts_of(0.0, "adduction"), "/");
+  const Joint& with = session.joint->joint;
+  EXPECT_EQ(with.centre, without.joint->joint.centre);
+  EXPECT_EQ(with.warnings, without.joint->joint.warnings);
+  EXPECT_EQ(session.joint->dial.value().twelve, without.joint->dial.value().twelve);
+}
+
+// The spine is above the shadow of a shaft at 120 degrees, nowhere near it: how much of the shaft there is
+// changes nothing.
+TEST(Parts, StopNothingThatPassesThemAtADistance) {
+  double least = 360.0;
+  double most = 0.0;
+  for (const double length : {15.0, 40.0}) {
+    HipParameters parameters = test::hip_with_parts();
+    parameters.shaft_length = length;
+    Session session = session_of(make_hip(parameters, 2000));
+    const double low = answer_limits(session, {.start = {}, .growing = "flexion"}).contact.told.limit.low_deg;
+    least = std::min(least, low);
+    most = std::max(most, low);
+    for (const double flexion : {120.0, low - 0.1}) {
+      PoseQuestion asked;
+      asked.question = Question::touch;
+      asked.motion = {.flexion = flexion};
+      EXPECT_FALSE(answer_question(*session.joint, asked).answer.touches.at(0)) << length << " " << flexion;
+    }
+  }
+  EXPECT_LT(most - least, 0.5);
+}
+
+// Touch of one pose, of a list of poses and a limit say the same of the spine.
+TEST(Parts, TouchInPosesBehindTheLimit) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
+  const TurnLimit limit = answer_limits(session, request).contact.told.limit;
+  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  for (const double beyond : {-0.01, 0.01}) {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0, .internal_rotation = limit.high_deg + beyond};
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.at(0), beyond > 0.0);
+    EXPECT_EQ(series.answer(pose_of(*session.joint, asked.motion)).touch, beyond > 0.0);
+  }
+}
+
+// What does not look at parts says so, and leaves them out of nothing in silence.
+TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const SessionJoint& joint = *session.joint;
+  const std::string cure =
+      ": bone beside the joint, such as greater trochanter, is looked at by limits and touch alone; leave it "
+      "out";
+  const auto refused = [&](const std::string& what, const std::function<void()>& ask) {
+    EXPECT_EQ(test::thrown<std::runtime_error>(ask), what + cure);
+  };
+  refused("gaps", [&] { measure(session, {}); });
+  refused("motion volume", [&] { answer_volume(joint, {}); });
+  refused("orientation", [&] { answer_orientation(session, {}); });
+  refused("resection", [&] { answer_resection(session, {}); });
+  refused("certificate", [&] { answer_proof(joint, Pose{}); });
+  refused("gaps of poses", [&] { PoseSeries(joint.joint, {}); });
+}
+
+}  // namespace
+}  // namespace impinge

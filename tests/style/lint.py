@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""clang-tidy on every source of libcore/ and experiments/, once each, many in one translation unit.
+
+lint.py BUILD CLANG_TIDY [--dry-run] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
+includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
+library and give no name twice outside of functions. A name that this does not see is an error of the compiler, and then the
+files of that unit are looked at one by one.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+OTHERS = re.compile(r"#include <(?:CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
+LARGEST = 40  # files in a unit
+
+
+def flags_of(entry: dict) -> list[str]:
+    """What finds headers and defines macros, paths absolute."""
+    words = shlex.split(entry["command"])
+    flags = []
+    for word, following in zip(words, [*words[1:], ""]):
+        if word == "-isystem":
+            flags.append(f"-isystem{following}")
+        elif word.startswith(("-I", "-D", "-isystem/", "-std")):
+            flags.append(word)
+    return flags
+
+
+def sources_of(entry: dict) -> list[Path]:
+    """The file, or those of a unity build's."""
+    file = Path(entry["directory"], entry["file"])
+    if "/Unity/" not in str(file):
+        return [file]
+    return [Path(name) for name in re.findall(r'^#include "(.*)"', file.read_text(), re.MULTILINE)]
+
+
+def names_in(text: str) -> set[str]:
+    """What is declared outside of functions and classes: lines that begin at the margin, as clang-format leaves them."""
+    lines = re.findall(r"^(?![#/}{]|namespace\b|using namespace\b|template\b)\S.*", text, re.MULTILINE)
+    found = (re.match(r"[^(={;]*?(\w+)(?: final)?(?: : .*)?(?:<.*>)?\s*(?:\[.*\])?\s*[(={;]", line) for line in lines)
+    return {match[1] for match in found if match}
+
+
+def is_program(text: str) -> bool:
+    """Whether the file gives nothing to others."""
+    return bool(re.search(r"^int main\(", text, re.MULTILINE)) and "\nnamespace impinge" not in text
+
+
+class Unit:
+    """Files for one run of clang-tidy."""
+
+    def __init__(self, kind: str):
+        self.kind = kind
+        self.files: list[Path] = []
+        self.flags: dict[str, str] = {}  # by what they define, or themselves
+        self.names: set[str] = set()
+
+    def takes(self, kind: str, names: set[str]) -> bool:
+        return self.kind == kind != "alone" and len(self.files) < LARGEST and not self.names & names
+
+    def add(self, file: Path, flags: list[str], names: set[str]) -> None:
+        self.files.append(file)
+        self.names |= names
+        for flag in flags:
+            self.flags.setdefault(flag.split("=")[0], flag)
+
+
+def units(build: Path) -> list[Unit]:
+    """Every file is in one of them."""
+    made: list[Unit] = []
+    seen: set[Path] = set()
+    folders = tuple(f"{top}/{name}/" for top in (ROOT, build) for name in ("libcore", "experiments", "analysis/joint3d/engine"))
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        for file in sources_of(entry):
+            if file in seen or not str(file).startswith(folders):
+                continue
+            seen.add(file)
+            text = file.read_text()
+            names = names_in(text)
+            # Highway includes a file once for each instruction set; the digests have other headers before the library's.
+            if "HWY_TARGET_INCLUDE" in text or "no_schemes" in entry["command"]:
+                kind = "alone"
+            elif is_program(text):
+                kind, names = "programs", set()
+            else:
+                kind = "others" if OTHERS.search(text) else "ours"
+            unit = next((unit for unit in made if unit.takes(kind, names)), None)
+            if unit is None:
+                unit = Unit(kind)
+                made.append(unit)
+            unit.add(file, flags_of(entry), names)
+    return made
+
+
+def text_of(unit: Unit) -> str:
+    """One translation unit. Programs get a namespace each, behind the headers of all."""
+    if unit.kind != "programs":
+        return "".join(f'#include "{file}"\n' for file in unit.files)
+    headers = [line for file in unit.files for line in re.findall("^#include .*", file.read_text(), re.MULTILINE)]
+    programs = [f'namespace program_{k} {{\n#define main(...) main_{k}(__VA_ARGS__)\n#include "{file}"\n#undef main\n}}' for k, file in enumerate(unit.files)]
+    return "\n".join([*dict.fromkeys(headers), *programs, ""])
+
+
+def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
+    """Prints what clang-tidy says."""
+    at.write_text(text_of(unit))
+    mains = ",".join(["main", *(f"main_{k}" for k in range(LARGEST))])
+    settings = (ROOT / ".clang-tidy").read_text()
+    settings += f"  - {{ key: bugprone-exception-escape.FunctionsThatShouldNotThrow, value: '{mains}' }}\n"
+    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), "-Wno-everything"]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    if done.returncode and len(unit.files) > 1 and "clang-diagnostic-error" in done.stdout:
+        print(f"{at.name} does not compile as one:\n" + "\n".join(re.findall(".*clang-diagnostic-error.*", done.stdout)))
+        parts = [Unit("alone") for _ in unit.files]
+        for part, file in zip(parts, unit.files):
+            part.files, part.flags = [file], unit.flags
+        return all([is_clean(part, at.with_name(f"{at.stem}_{k}.cpp"), clang_tidy) for k, part in enumerate(parts)])
+    print(done.stdout, end="", flush=True)
+    return done.returncode == 0
+
+
+def main() -> None:
+    """Exit code 1 for any warning."""
+    build, clang_tidy = Path(sys.argv[1]).resolve(), sys.argv[2]
+    made = sorted(units(build), key=lambda unit: -len(unit.files))
+    folder = build / "lint"
+    folder.mkdir(exist_ok=True)
+    print(f"{sum(len(unit.files) for unit in made)} files in {len(made)} units")
+    sys.exit(not all([is_clean(unit, folder / f"unit_{k}.cpp", clang_tidy) for k, unit in enumerate(made)]))
+
+
+if __name__ == "__main__":
+    main()
