@@ -17,6 +17,20 @@ const joint = (page) => text(page, "joint-name");
 const message = (page) => page.waitForSelector("#message:not([hidden])").then(() => text(page, "message-text"));
 const settled = (page) => page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
 
+/** How many tabs' meshes this browser keeps. */
+const keys = (page) => page.evaluate(() => new Promise((done) => {
+  const opening = indexedDB.open("joint3d", 1);
+  opening.onupgradeneeded = () => opening.transaction.abort();
+  opening.onerror = () => done(0);
+  opening.onsuccess = () => { opening.result.transaction("meshes").objectStore("meshes").getAllKeys().onsuccess = ({ target }) => { opening.result.close(); done(target.result.length); }; };
+}));
+
+/** Waits until the page's meshes are kept; another page's are not, in a browser of its own. */
+async function kept(page) {
+  for (let k = 0; k < 200 && await keys(page) === 0; k += 1) await page.waitForTimeout(50);
+  assert.equal(await keys(page), 1, "the meshes are not kept");
+}
+
 /** The pair as OBJ files, each corner as of change(x, y, z, part). */
 function pair(name, change = (x, y, z) => [x, y, z], said = {}) {
   const made = path.join(FOLDER, "normal");
@@ -88,7 +102,7 @@ async function reload(browser) {
     page.getAttribute('#drawings [aria-pressed="true"]', "value"), page.textContent("#compass")]);
   const camera = () => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("camera"));
   const before = await seen();
-  await page.waitForTimeout(700);
+  await page.waitForTimeout(1200); // the address follows twice a second
   const stood = await camera();
   assert.match(stood, /^(-?[\d.]+,){5}-?[\d.]+$/);
   await page.reload();
@@ -112,7 +126,7 @@ async function ownMeshes(browser) {
   assert.match(before[0], /good-ball.obj and good-socket.obj, right/);
   assert.match(await page.locator("#preset option:checked").textContent(), /Your own: good-ball/);
   assert.ok(await page.isHidden("#generated"), "parameters of a hip that is not shown");
-  await page.waitForTimeout(1500);
+  await kept(page);
   await page.reload();
   await settled(page);
   assert.deepEqual([await joint(page), await smallest(page)], before, "a reload loses them");
@@ -121,6 +135,7 @@ async function ownMeshes(browser) {
   await posed(page, () => page.fill("#value-parameter-cam_height", "1"));
   await posed(page, () => page.selectOption("#preset", "own"));
   assert.deepEqual([await joint(page), await smallest(page)], before, "a hip of parameters discards them");
+  await page.waitForFunction(() => /joint=own/.test(location.hash)); // the address follows twice a second
   const fragment = await page.evaluate(() => location.hash);
   const other = await open(browser, SIZE, fragment); // another browser: nothing is kept there
   assert.match(await message(other.page), /not here/);
@@ -133,16 +148,11 @@ async function ownMeshes(browser) {
 /** Gone with the tab: the next page of the same browser deletes it. */
 async function closedTabs(browser) {
   const context = await browser.newContext();
-  const keys = (page) => page.evaluate(() => new Promise((done) => {
-    const opening = indexedDB.open("joint3d", 1);
-    opening.onsuccess = () => { opening.result.transaction("meshes").objectStore("meshes").getAllKeys().onsuccess = ({ target }) => done(target.result.length); };
-  }));
   const first = await context.newPage();
   await first.goto(address());
   await settled(first);
   await choose(first, pair("good"));
-  await first.waitForTimeout(1000);
-  assert.equal(await keys(first), 1);
+  await kept(first);
   await first.close();
   const second = await context.newPage();
   await second.goto(`${address()}#joint=own`);
@@ -206,7 +216,7 @@ async function slicer(browser) {
   const found = await answers(page);
   assert.equal(found.words, truth.words);
   found.numbers.forEach((number, k) => assert.ok(Math.abs(number - truth.numbers[k]) < 0.11, `${number}, ${truth.numbers[k]} of the same joint`));
-  await page.waitForTimeout(1500);
+  await kept(page);
   await page.reload();
   await settled(page);
   assert.match(await text(page, "files-say"), /axes LPS as the headers say/);
