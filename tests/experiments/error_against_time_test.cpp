@@ -112,7 +112,6 @@ TEST(BenchmarkMethods, KeepTheirBounds) {
   sizes.tables.most_faces = 1000;
   sizes.grid_nodes = {8};
   for (const PointCase& maker : methods_of(scene, sizes)) {
-    if (maker.measure == Measure::pose) continue;
     if (maker.kind == "ours" && maker.scheme != "rsid" && maker.scheme != "cube_gnomonic") continue;
     const PointQuery query = maker.make();
     bytes[maker.name + '/' + maker.setting] = query.bytes;
