@@ -10,6 +10,7 @@ sidecar vouches for, and all of them come from one commit without changes. Stand
 from __future__ import annotations
 
 import argparse
+import collections
 import csv
 import json
 import os
@@ -83,6 +84,14 @@ def check_verdicts(verdicts: Path) -> None:
         )
 
 
+def outcome(verdicts: Path) -> str:
+    """How often each verdict was given, each number of the thesis once, as the README says it."""
+    with verdicts.open(newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if not row["rule"].startswith("not counted: ")]
+    counts = collections.Counter(row["verdict"] for row in rows)
+    return f"{len(rows)} verdicts: " + ", ".join(f"{count} {name}" for name, count in counts.most_common())
+
+
 def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
     """The folder changes when everything is written, and what an older run left in it goes."""
     reference.mkdir(parents=True, exist_ok=True)
@@ -127,6 +136,7 @@ def main() -> int:
     print(
         f"{options.reference}: verdicts and {len(tables)} tables of commit {run['commit'][:12]}, full profile"
     )
+    print(f"{outcome(options.reference / 'verdicts.csv')} (for the README)")
     return 0
 
 

@@ -131,14 +131,18 @@ def bars(axes: plt.Axes, rows: pd.DataFrame) -> None:
 def filling(axes: plt.Axes, table: pd.DataFrame) -> None:
     """Time against entries, in memory that is used again; exact at the entries, but for the storage."""
     rows = table[(table.memory == "used again") & (table.triangles == fill.TRIANGLES)]
-    for place, (line, own) in enumerate(rows.groupby("line", sort=False)):
-        own = own.sort_values("entries")
-        colour = common.COLOURS[place % (len(common.COLOURS) - 1)]
-        axes.plot(own.entries, own.median_ms, "o-", color=colour, markersize=4, linewidth=1.1)
-        last = own.iloc[-1]
-        common.note(axes, line, (last.entries, last.median_ms), (6, 0), ha="left", va="center", color=colour)
+    places = sorted(rows.entries.unique())
     axes.set(xscale="log", yscale="log", xlabel="entries of both tables", ylabel="time to fill both, ms")
-    axes.set_title(f"Filling, generated {fill.TRIANGLES}")
+    axes.set(ylim=(rows.median_ms.min() / 2, rows.median_ms.max() * 2), title=f"Filling, generated {fill.TRIANGLES}")
+    axes.set_xticks(places, [common.digits(entries, 2) for entries in places])
+    axes.minorticks_off()
+    last = rows[rows.entries == places[-1]].sort_values("median_ms")
+    at = axes.transData.transform(last[["entries", "median_ms"]].to_numpy())[:, 1] * 72.0 / axes.figure.dpi
+    for k, (row, height) in enumerate(zip(last.itertuples(), error_panel.spread(at) - at)):
+        own = rows[rows.line == row.line].sort_values("entries")
+        axes.plot(own.entries, own.median_ms, "o-", color=common.COLOURS[k], markersize=4, linewidth=1.1)
+        where = (row.entries, row.median_ms)
+        common.note(axes, row.line, where, (6, height), ha="left", va="center", color=common.COLOURS[k])
 
 
 common.run(main, "--name")

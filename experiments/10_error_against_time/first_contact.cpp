@@ -156,20 +156,21 @@ std::vector<Column> first_contact_keys() {
 }
 
 QuestionTable make_first_contact_table() {
-  return question_table(first_contact_keys(),
-                        {{"build_ms", "ms", "time of everything that is done once for a joint"},
-                         {"ms_motion", "ms", "median time of a motion"},
-                         {"iqr_ms", "ms", "interquartile range of it over the rounds"},
-                         {"rounds", "1", "rounds measured"},
-                         {"motions", "1", "turns about random axes that end in a contact, up to 120 degrees"},
-                         {"missed", "1", "of these, in which it finds no contact"},
-                         {"error_deg", "deg",
-                          "largest distance of its angle from the first contact of the surfaces, 120 degrees "
-                          "where it finds none; of "
-                          "turn_limit the widest bracket, whose ends the exact overlay confirms"},
-                         {"median_error_deg", "deg", "median of the same"},
-                         {"bound_deg", "deg", "proven bound on the error; empty where nothing is proven"},
-                         {"bytes", "B", "growth of the heap (mallinfo2) while building"}});
+  return question_table(
+      first_contact_keys(),
+      {{"build_ms", "ms", "time of everything that is done once for a joint"},
+       {"ms_motion", "ms", "median time of a motion"},
+       {"iqr_ms", "ms", "interquartile range of it over the rounds"},
+       {"rounds", "1", "rounds measured"},
+       {"motions", "1", "turns about random axes that end in a contact, up to 120 degrees"},
+       {"missed", "1", "of these, in which it finds no contact"},
+       {"error_deg", "deg",
+        "largest distance of its angle from the first contact of motion/turn_limit.hpp, from 120 degrees "
+        "where it finds none; where a rim passes under an overhang, common points of faces "
+        "come later; of turn_limit the widest bracket, whose ends the exact overlay confirms"},
+       {"median_error_deg", "deg", "median of the same"},
+       {"bound_deg", "deg", "proven bound on the error; empty where nothing is proven"},
+       {"bytes", "B", "growth of the heap (mallinfo2) while building"}});
 }
 
 void run_first_contact(const BenchmarkScene& scene, std::span<const MadeContact> methods, bool quick,

@@ -47,7 +47,7 @@ ContactQuery smallest_gap(const BallSocketPair& pair) {
 std::vector<ContactCase> culled_cases(const BallSocketPair& pair) {
   std::vector cases{touch_only("culled_faces", "touch, culled", 3, pair, touch_of<CulledOverlay>),
                     touch_only("culled", "touch of vertices, culled", 3, pair, touch_of<const CulledJoint&>),
-                    touch_only("coherent", "touch of vertices, culled, from pose to pose", 3, pair,
+                    touch_only("coherent", "touch of vertices, coherent", 3, pair,
                                touch_of<CoherentContact>),
                     ContactCase{{"culled_least_gap", "smallest gap, culled", "", 3},
                                 [&pair] { return smallest_gap(pair); }}};

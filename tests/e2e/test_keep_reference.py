@@ -46,8 +46,11 @@ class KeepReference(unittest.TestCase):
         (self.results / "tables" / "a.csv").write_text("x\n1\n")
         (self.results / "tables" / "a.tex").write_text("1")
         with (ROOT / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
-            rows = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
-        self.verdicts([["artefact", "row", "column"], *rows])
+            names = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
+        rows = [[*name, "any", "differs" if k == 1 else "reproduced"] for k, name in enumerate(names)]
+        rows[0][3:] = ["not counted: the same number as elsewhere", "differs"]
+        self.counted = len(rows) - 1
+        self.verdicts([["artefact", "row", "column", "rule", "verdict"], *rows])
 
     def tearDown(self):
         self.folder.cleanup()
@@ -89,6 +92,7 @@ class KeepReference(unittest.TestCase):
         (self.reference / "joint.png").write_text("a picture")
         done = self.keep()
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"{self.counted} verdicts: {self.counted - 1} reproduced, 1 differs", done.stdout)
         kept = {str(file.relative_to(self.reference)) for file in self.reference.rglob("*") if file.is_file()}
         self.assertEqual(kept, {"verdicts.csv", "tables/a.csv", "run.json", "joint.png"})
         for name in ("verdicts.csv", "tables/a.csv"):
