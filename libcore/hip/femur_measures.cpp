@@ -156,10 +156,11 @@ FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureCh
   found.head_neck_offset = radius - found.neck_radius;
   if (const auto clock = clock_about(neck)) {
     const std::vector<Segment> contour = sphere_section(right, (1.0 + choices.alpha_share) * radius);
-    for (std::size_t h = 0; h < kClockHours; ++h) {
-      const auto hours = static_cast<double>(h);
-      found.alpha[h] = steady_crossing(contour, neck, *clock, hours, choices.alpha_window);
-    }
+    const auto alpha_at = [&](double hours) {
+      return steady_crossing(contour, neck, *clock, hours, choices.alpha_window);
+    };
+    for (std::size_t h = 0; h < kClockHours; ++h) found.alpha[h] = alpha_at(static_cast<double>(h));
+    found.alpha_at_1_30 = alpha_at(1.5);
   }
   if (const auto shaft = shaft_axis(right, radius, choices.shaft_share)) {
     found.neck_shaft_angle = 180.0 - angle_between(neck, *shaft) / kDegree;

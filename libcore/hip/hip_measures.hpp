@@ -37,6 +37,7 @@ struct FemurMeasures {
   double head_neck_offset = 0.0;  // mm, radius of the head minus that of the neck
   std::array<double, kClockHours> alpha{};  // at 12, 1, ... 11 o'clock about the neck axis; NaN where the
                                             /// surface does not leave the head
+  double alpha_at_1_30 = 0.0;               // the same half an hour past 1, where most cams are
   /// None where there is no straight shaft:
   std::optional<double> neck_shaft_angle;
   std::optional<double> femoral_torsion;  // degrees, as HipParameters::femoral_torsion

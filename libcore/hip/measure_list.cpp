@@ -37,9 +37,13 @@ std::vector<Named> femur_names() {
                            {"head_neck_offset", "mm", ""},
                            {"neck_shaft_angle", "deg", shaft},
                            {"femoral_torsion", "deg", shaft}};
-  for (std::size_t hour = 0; hour < kClockHours; ++hour)
-    names.push_back({"alpha_at_" + std::to_string(hour == 0 ? kClockHours : hour), "deg",
-                     "the surface does not leave the head there"});
+  const auto add_alpha = [&names](const std::string& time) {
+    names.push_back({"alpha_at_" + time, "deg", "the surface does not leave the head there"});
+  };
+  for (std::size_t hour = 0; hour < kClockHours; ++hour) {
+    add_alpha(std::to_string(hour == 0 ? kClockHours : hour));
+    if (hour == 1) add_alpha("1_30");
+  }
   return names;
 }
 
@@ -59,7 +63,10 @@ Values femur_values(const TriangleMesh& ball, Side side, const MeasureChoices& c
                    found.femoral_torsion.value_or(kNotThere)},
                   "",
                   false};
-    values.all.insert(values.all.end(), found.alpha.begin(), found.alpha.end());
+    for (std::size_t hour = 0; hour < kClockHours; ++hour) {
+      values.all.push_back(found.alpha[hour]);
+      if (hour == 1) values.all.push_back(found.alpha_at_1_30);
+    }
     return values;
   } catch (const std::invalid_argument& error) {
     return {{}, error.what(), false};

@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-/// One measure. Nothing of a value that is refused.
+/// One measure. Nothing of a value that is refused. What is published of it: hip/published_measures.hpp.
 struct Measure {
   std::string name;                   // such as femoral_torsion
   std::optional<double> value;        // in `unit`
@@ -21,9 +21,9 @@ struct Measure {
   std::string state;                  // "measured", "measured to the end of the mesh", or "refused: " and why
 };
 
-/// head_radius, head_neck_offset, neck_shaft_angle, femoral_torsion, alpha_at_12 ... alpha_at_11 (o'clock
-/// about the neck), socket_radius, inclination, version, half_opening, lateral_centre_edge and coverage
-/// (hip/hip_measures.hpp), in this order, of meshes in the joint frame.
+/// head_radius, head_neck_offset, neck_shaft_angle, femoral_torsion, alpha_at_12, alpha_at_1, alpha_at_1_30,
+/// alpha_at_2 ... alpha_at_11 (o'clock about the neck), socket_radius, inclination, version, half_opening,
+/// lateral_centre_edge and coverage (hip/hip_measures.hpp), in this order, of meshes in the joint frame.
 ///
 /// Each is measured again with every choice of the measurement (MeasureChoices) varied to either side; the
 /// uncertainty is the farthest that it moves. A measure that moves by more than 10 degrees, 2 mm or a tenth,

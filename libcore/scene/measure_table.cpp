@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gap/formatted.hpp"
+#include "hip/published_measures.hpp"
 #include "scene/asked.hpp"
 
 namespace impinge {
@@ -15,6 +16,19 @@ nlohmann::json number_json(const std::optional<double>& value) {
 
 Cell number_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
+nlohmann::json text_json(std::string_view text) { return text.empty() ? nlohmann::json() : text; }
+
+// As "; published: mean 40.9, sd 7 (Hack 2010)"; empty where nothing is.
+std::string published_text(const PublishedMeasure& published) {
+  if (published.source.empty()) return "";
+  const std::string numbers = published.mean
+                                  ? formatted("mean %.4g, sd %.2g", *published.mean, *published.sd)
+                                  : formatted("median %.4g, quartiles %.4g and %.4g", *published.median,
+                                              *published.lower_quartile, *published.upper_quartile);
+  const std::string_view author = published.source.substr(0, published.source.find(','));
+  return "; published: " + numbers + " (" + std::string(author) + ")";
+}
+
 }  // namespace
 
 Table measure_table() {
@@ -24,13 +38,25 @@ Table measure_table() {
                    {"value", "", "in `unit`; empty where it is refused"},
                    {"uncertainty", "", "in `unit`: how far it moves when it is measured otherwise"},
                    {"unit", "", "mm, deg or 1"},
-                   {"state", "", "measured, or refused and why"}};
+                   {"state", "", "measured, or refused and why"},
+                   {"published_mean", "", "in `unit`, of a population; empty without a source"},
+                   {"published_sd", "", "in `unit`: standard deviation"},
+                   {"published_median", "", "in `unit`, where the source has one in place of a mean"},
+                   {"published_lower_quartile", "", "in `unit`"},
+                   {"published_upper_quartile", "", "in `unit`"},
+                   {"published_of", "", "the group, and how it was measured"},
+                   {"published_source", "", "where"}};
   return table;
 }
 
 void add_measure_rows(const std::string& joint, const std::vector<Measure>& measures, Table& table) {
-  for (const Measure& m : measures)
-    table.add_row({joint, m.name, number_cell(m.value), number_cell(m.uncertainty), m.unit, m.state});
+  for (const Measure& m : measures) {
+    const PublishedMeasure published = published_measure(m.name);
+    table.add_row({joint, m.name, number_cell(m.value), number_cell(m.uncertainty), m.unit, m.state,
+                   number_cell(published.mean), number_cell(published.sd), number_cell(published.median),
+                   number_cell(published.lower_quartile), number_cell(published.upper_quartile), published.of,
+                   published.source});
+  }
 }
 
 nlohmann::json measures_summary(const SceneOptions& options, const SessionJoint& joint,
@@ -38,11 +64,19 @@ nlohmann::json measures_summary(const SceneOptions& options, const SessionJoint&
   nlohmann::json report = asked_json(options, joint.joint);
   report["measures"] = nlohmann::json::array();
   for (const Measure& m : measures) {
+    const PublishedMeasure published = published_measure(m.name);
     report["measures"].push_back({{"measure", m.name},
                                   {"value", number_json(m.value)},
                                   {"uncertainty", number_json(m.uncertainty)},
                                   {"unit", m.unit},
-                                  {"state", m.state}});
+                                  {"state", m.state},
+                                  {"published_mean", number_json(published.mean)},
+                                  {"published_sd", number_json(published.sd)},
+                                  {"published_median", number_json(published.median)},
+                                  {"published_lower_quartile", number_json(published.lower_quartile)},
+                                  {"published_upper_quartile", number_json(published.upper_quartile)},
+                                  {"published_of", text_json(published.of)},
+                                  {"published_source", text_json(published.source)}});
   }
   return report;
 }
@@ -55,6 +89,7 @@ std::string describe_measures(const std::vector<Measure>& measures) {
     const std::string unit = m.unit == "1" ? "" : " " + m.unit;
     text += line;
     text += m.value ? formatted("%.3g +- %.2g", *m.value, *m.uncertainty) + unit : m.state;
+    text += published_text(published_measure(m.name));
     text += "\n";
   }
   return text;

@@ -12,7 +12,8 @@
 
 namespace impinge {
 
-/// measures.csv without rows: joint, measure, value, uncertainty, unit, state (hip/measure_list.hpp).
+/// measures.csv without rows: joint, measure, value, uncertainty, unit, state (hip/measure_list.hpp), and
+/// what is published of the measure (hip/published_measures.hpp).
 Table measure_table();
 /// Adds those of a joint.
 void add_measure_rows(const std::string& joint, const std::vector<Measure>& measures, Table& table);

@@ -274,7 +274,7 @@ async function allLimits(page, saved) {
   assert.equal(await value(page, "value-flexion"), 90);
   assert.ok(Math.abs(await value(page, "value-internal_rotation") - low) < 0.01);
   assert.ok(Math.abs(await smallest(page)) < 0.1, `a gap of ${await smallest(page)} at the limit`);
-  assert.match(await text(page, "measures-rows"), /CCD.*126\.\d°/);
+  assert.match(await text(page, "measures-rows"), /CCD.*126\.\d° ± \d\.\d°Published: median 122\.2°, quartiles 117\.9° and 125\.6° of 1,070 femora, by CT \(Hartel 2016\)/);
   await posed(page, () => page.click("#reset-pose"));
   await type(page, "flexion", 45);
 }

@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -21,8 +22,15 @@ CLINICAL = ["internal_rotation_at_45", "internal_rotation_at_70", "internal_rota
 LIMITS = ("joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,"
           "what").split(",")
 MEASURES = ["head_radius", "head_neck_offset", "neck_shaft_angle", "femoral_torsion",
-            *(f"alpha_at_{hour}" for hour in (12, *range(1, 12))), "socket_radius", "inclination", "version", "half_opening",
+            *(f"alpha_at_{hour}" for hour in (12, 1, "1_30", *range(2, 12))), "socket_radius", "inclination", "version", "half_opening",
             "lateral_centre_edge", "coverage"]
+
+PUBLISHED = [f"published_{key}" for key in ("mean", "sd", "median", "lower_quartile", "upper_quartile", "of", "source")]
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def number(cell):
+    return float(cell) if cell else None
 
 
 def run(*words):
@@ -147,7 +155,7 @@ class Tables(unittest.TestCase):
         summary = json.loads((self.root / "measures/summary.json").read_text())
         rows = {row["measure"]: row for row in rows_of(self.root / "measures/measures.csv")}
         self.assertEqual(list(rows), MEASURES)
-        self.assertEqual(list(rows["version"]), ["joint", "measure", "value", "uncertainty", "unit", "state"])
+        self.assertEqual(list(rows["version"]), ["joint", "measure", "value", "uncertainty", "unit", "state", *PUBLISHED])
         for name, truth, most in (("head_radius", 24.0, 0.05), ("head_neck_offset", 9.1, 0.05), ("neck_shaft_angle", 128.0, 0.5),
                                   ("femoral_torsion", 12.0, 0.5), ("socket_radius", 28.5, 0.05), ("inclination", 54.0, 0.5),
                                   ("version", 19.0, 0.5), ("half_opening", 87.0, 0.5), ("lateral_centre_edge", 32.7, 0.5)):
@@ -158,6 +166,35 @@ class Tables(unittest.TestCase):
             self.assertGreaterEqual(float(rows[name]["uncertainty"]), 0)
         self.assertEqual([m["measure"] for m in summary["measures"]], MEASURES)
         self.assertIn("neck_shaft_angle    128 +- ", done.stdout)
+        self.assertIn("deg; published: median 122.2, quartiles 117.9 and 125.6 (Hartel 2016)\n", done.stdout)
+        self.assertIn("deg; published: mean 40.9, sd 7 (Hack 2010)\n", done.stdout)
+        for said in summary["measures"]:
+            row = rows[said["measure"]]
+            self.assertEqual([number(row[key]) for key in PUBLISHED[:5]] + [row[key] or None for key in PUBLISHED[5:]],
+                             [said[key] for key in PUBLISHED])
+        self.same_as_the_cohort_study(rows)
+
+    def same_as_the_cohort_study(self, rows):
+        """Whose inputs and comparison have the same numbers, and sources, by hand."""
+        study = json.loads((ROOT / "experiments/27_cohort/study.json").read_text())["parameters"]
+        for name in ("version", "lateral_centre_edge", "half_opening"):
+            self.assertEqual([number(rows[name][key]) for key in ("published_mean", "published_sd")],
+                             [study[name]["mean"], study[name]["sd"]])
+            self.assertEqual(rows[name]["published_source"].split(",")[0], re.search(r"[A-Z][a-z]+ 20\d\d", study[name]["source"])[0])
+        for name in ("neck_shaft_angle", "femoral_torsion"):
+            row, source = rows[name], study[name]["source"]
+            self.assertEqual(source.partition(" of ")[0],
+                             f"median {row['published_median']}, quartiles {row['published_lower_quartile']} and {row['published_upper_quartile']}")
+            self.assertEqual(number(row["published_median"]), study[name]["mean"])
+            self.assertIn(source.rpartition(" ")[2], row["published_source"])
+            self.assertEqual(row["published_mean"], "")
+        compared = dict(re.findall(r'"(alpha at [\d:]+, (?:mean|sd))": \(([\d.]+), HACK', (ROOT / "analysis/common/cohort.py").read_text()))
+        for name, time in (("alpha_at_3", "3:00"), ("alpha_at_1_30", "1:30")):
+            self.assertEqual([number(rows[name][key]) for key in ("published_mean", "published_sd")],
+                             [number(compared[f"alpha at {time}, {what}"]) for what in ("mean", "sd")])
+        with_source = {name for name, row in rows.items() if row["published_source"]}
+        self.assertEqual(with_source, {"version", "lateral_centre_edge", "half_opening", "neck_shaft_angle", "femoral_torsion", "alpha_at_3",
+                                       "alpha_at_1_30"})
 
     def test_measures_of_a_folder_are_those_of_its_joints(self):
         self.ask_all("all_measures", "--question", "measures")

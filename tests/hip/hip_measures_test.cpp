@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,17 @@ TriangleMesh far_away(TriangleMesh mesh) {
   return mesh;
 }
 
+// Over the time that a measured alpha is the median of: on top of a narrow cam it is up to a degree below
+// alpha at that place.
+double median_alpha(const HipSurface& surface, double hours) {
+  constexpr int kBeside = 50;
+  std::vector<double> alpha;
+  for (int k = -kBeside; k <= kBeside; ++k)
+    alpha.push_back(alpha_angle_deg(surface, hours + MeasureChoices{}.alpha_window * k / kBeside));
+  std::ranges::sort(alpha);
+  return alpha[kBeside];
+}
+
 void expect_measures(const HipParameters& p, const Hip& hip) {
   HipParameters right = p;
   right.side = Side::right;
@@ -40,6 +52,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   EXPECT_NEAR(femur.femoral_torsion.value(), p.femoral_torsion, kAngle);
   for (std::size_t h = 0; h < kClockHours; ++h)
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
+  EXPECT_NEAR(femur.alpha_at_1_30, median_alpha(surface, 1.5), kAngle);
 
   const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);

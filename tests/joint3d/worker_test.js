@@ -124,6 +124,9 @@ test('limits are those of a sweep, and measures those that a hip was made with',
   const found = Object.fromEntries(measures.map(({ measure, value }) => [measure, value]));
   for (const key of ['neck_shaft_angle', 'femoral_torsion', 'inclination', 'version', 'half_opening', 'lateral_centre_edge'])
     assert.ok(Math.abs(found[key] - made[key]) < 0.5, `${key} ${found[key]} ${made[key]}`);
+  const published = Object.fromEntries(measures.map(({ measure, published: of }) => [measure, of]));
+  assert.deepEqual([published.alpha_at_3.mean, published.alpha_at_3.sd, published.alpha_at_3.median, published.coverage], [40.9, 7, null, null]);
+  assert.match(published.neck_shaft_angle.source, /^Hartel 2016/);
   for (const key of ['head_radius', 'head_neck_offset']) assert.ok(Math.abs(found[key] - made[key]) < 0.05, `${key} ${found[key]}`);
   const bare = { source: 'files', centre: [0, 0, 0], ball: whole, socket: round };
   await one('joint', { ...bare, side: 'left' });

@@ -146,8 +146,12 @@ def test_measures_are_those_of_the_program_and_of_the_parameters(files, tmp_path
     assert [m["measure"] for m in ours] == [row["measure"] for row in rows]
     for measure, row in zip(ours, rows):
         assert (measure["unit"], measure["state"]) == (row["unit"], row["state"])
-        for key in ("value", "uncertainty"):
+        for key in ("value", "uncertainty", *(f"published_{part}" for part in ("mean", "sd", "median", "lower_quartile", "upper_quartile"))):
             assert measure[key] == (float(row[key]) if row[key] else None)
+        for key in ("published_of", "published_source"):
+            assert measure[key] == (row[key] or None)
+    alpha = next(m for m in ours if m["measure"] == "alpha_at_3")
+    assert (alpha["published_mean"], alpha["published_sd"], alpha["published_source"][:9]) == (40.9, 7.0, "Hack 2010")
     by_name = {m["measure"]: m["value"] for m in impinge.Joint.from_hip("cam", faces=4000).measures()}
     made = impinge.hip_parameters("cam")
     assert by_name["head_radius"] == pytest.approx(made["head_radius"], abs=0.05)

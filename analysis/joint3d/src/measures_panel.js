@@ -8,9 +8,16 @@ const NAMES = {
   half_opening: "Half opening of the socket", lateral_centre_edge: "Lateral centre-edge angle (LCE)",
   socket_radius: "Radius of the socket", coverage: "Share of directions within the rim",
 };
-const name = (measure) => NAMES[measure] ?? `Alpha at ${measure.replace("alpha_at_", "")} o’clock`;
+const name = (measure) => NAMES[measure] ?? `Alpha at ${measure.replace("alpha_at_", "").replace("_", ":")} o’clock`;
 const number = (value, unit) => ({ deg: `${value.toFixed(1)}°`, 1: `${(100 * value).toFixed(1)} %` })[unit] ?? `${value.toFixed(2)} ${unit}`;
 const amount = ({ value, uncertainty, unit }) => `${number(value, unit)} ± ${number(uncertainty, unit)}`.replace("-", "−");
+/** What is published of the measure, for the reader to hold it against; nothing where nothing is. */
+function published({ published: found, unit }) {
+  if (!found) return [];
+  const { mean, sd, median, lower_quartile: lower, upper_quartile: upper, of, source } = found;
+  const spread = mean === null ? `median ${number(median, unit)}, quartiles ${number(lower, unit)} and ${number(upper, unit)}` : `mean ${number(mean, unit)}, SD ${number(sd, unit)}`;
+  return [make("dd", { className: "published", title: source, textContent: `Published: ${spread} of ${of} (${source.split(",")[0]})`.replaceAll("+-", "±") })];
+}
 
 export class MeasuresPanel {
   /** ask(): the library's reply to `measures`. */
@@ -26,7 +33,7 @@ export class MeasuresPanel {
     const { measures, left_out: leftOut } = await this.ask().catch(({ message }) => ({ measures: [], left_out: [message] }));
     if (mine !== this.asked) return;
     byId("measures-rows").replaceChildren(...measures.map((each) =>
-      make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }))));
+      make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }), ...published(each))));
     byId("measures-say").textContent = leftOut.map((line) => `Left out: ${line}.`).join(" ");
   }
 }

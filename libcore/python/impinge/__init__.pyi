@@ -128,13 +128,20 @@ class OrientationMap(TypedDict):
     squares: NDArray[Any]  # structured, a row a square; see Joint.orientation_map()
 
 class Measure(TypedDict):
-    """With the names of measures.csv; libcore/hip/measure_list.hpp says what they are."""
+    """With the names of measures.csv; libcore/hip/measure_list.hpp and published_measures.hpp say what they are."""
 
     measure: str
     value: float | None  # None where it is refused
     uncertainty: float | None  # how far it moves when it is measured a little otherwise
     unit: str  # mm, deg or 1
     state: str  # measured, measured to the end of the mesh, or refused: and why
+    published_mean: float | None  # of a population, in `unit`; all of these are None without a source
+    published_sd: float | None
+    published_median: float | None  # where the source has one in place of a mean
+    published_lower_quartile: float | None
+    published_upper_quartile: float | None
+    published_of: str | None  # the group, and how it was measured
+    published_source: str | None
 
 class Landmarks(TypedDict):
     """What landmarks say, degrees."""
@@ -256,7 +263,8 @@ class Joint:
         resolution). Nothing here may guide a treatment."""
     def measures(self) -> list[Measure]:
         """Alpha by the clock, offset, neck-shaft angle, torsion, version, coverage and more of both meshes, each with its
-        uncertainty; one that a mesh does not carry is refused. They need the side."""
+        uncertainty and, where the definition is the same, beside what is published of a population; one that a mesh does
+        not carry is refused. They need the side."""
     def certificate(self, pose: Poses | None = None, *, motion: str | None = None) -> str:
         """The text of a proof that one pose (that of the scan where it is None) is without contact, or of a ray that shows
         contact; with `motion`, such as "flexion", that the way from there to 0.1 degrees before the limit is without
