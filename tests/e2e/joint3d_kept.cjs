@@ -25,6 +25,9 @@ const keys = (page) => page.evaluate(() => new Promise((done) => {
   opening.onsuccess = () => { opening.result.transaction("meshes").objectStore("meshes").getAllKeys().onsuccess = ({ target }) => { opening.result.close(); done(target.result.length); }; };
 }));
 
+/** Waits until the address says so: it follows the page twice a second, and a reload takes it as it is then. */
+const written = (page, ...words) => page.waitForFunction((all) => all.every((each) => location.hash.includes(each)), words);
+
 /** Waits until the page's meshes are kept; another page's are not, in a browser of its own. */
 async function kept(page) {
   for (let k = 0; k < 200 && await keys(page) === 0; k += 1) await page.waitForTimeout(50);
@@ -127,6 +130,7 @@ async function ownMeshes(browser) {
   assert.match(await page.locator("#preset option:checked").textContent(), /Your own: good-ball/);
   assert.ok(await page.isHidden("#generated"), "parameters of a hip that is not shown");
   await kept(page);
+  await written(page, "joint=own", "flexion=60");
   await page.reload();
   await settled(page);
   assert.deepEqual([await joint(page), await smallest(page)], before, "a reload loses them");
@@ -135,7 +139,7 @@ async function ownMeshes(browser) {
   await posed(page, () => page.fill("#value-parameter-cam_height", "1"));
   await posed(page, () => page.selectOption("#preset", "own"));
   assert.deepEqual([await joint(page), await smallest(page)], before, "a hip of parameters discards them");
-  await page.waitForFunction(() => /joint=own/.test(location.hash)); // the address follows twice a second
+  await written(page, "joint=own");
   const fragment = await page.evaluate(() => location.hash);
   const other = await open(browser, SIZE, fragment); // another browser: nothing is kept there
   assert.match(await message(other.page), /not here/);
@@ -217,6 +221,7 @@ async function slicer(browser) {
   assert.equal(found.words, truth.words);
   found.numbers.forEach((number, k) => assert.ok(Math.abs(number - truth.numbers[k]) < 0.11, `${number}, ${truth.numbers[k]} of the same joint`));
   await kept(page);
+  await written(page, "joint=own");
   await page.reload();
   await settled(page);
   assert.match(await text(page, "files-say"), /axes LPS as the headers say/);
