@@ -13,7 +13,7 @@ KEYS = ["method", "setting", "storage", "direction", "instruction_set"]
 
 def load(results: Path) -> pd.DataFrame:
     """data/counts.csv with the label of each method as `name`, and of the rows of all_gaps that were timed with the same instructions their `ns_vertex`; the ratios of
-    both to the floor with the same instructions. What has no instruction set of its own may have run on others when
+    both to the memory-bound baseline with the same instructions. What has no instruction set of its own may have run on others when
     it was timed: no time stands beside it."""
     table = common.load(results, "counts")
     table["name"] = table.method.map(table.attrs["labels"])

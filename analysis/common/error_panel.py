@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost. Tables have the width of the axes, from 0.1 um on; what is exact has a band of its own at
-the left. Rows have error_um, cost, bound_um, group (a line each), name, and always (to be labelled on or off the front).
+"""One panel of error against cost. What is wrong has the width of the axes, from a least error on; what is exact has a band of
+its own at the left. Rows have error, cost, bound, group (a line each), name, and always (to be labelled on or off the front).
 """
+
+from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,11 +12,29 @@ import pandas as pd
 import common
 from common import pareto
 
-LEAST, MOST = 0.1, 1e4  # um; what is less is exact here, and what is more stands at the end
-LARGEST = 100.0  # um: the axes go so far at least
 BAND = 1.2  # decades: width of what is exact
 FADED = "#c4c4c4"
 LINE = 12.0  # points between labels that would cover one another
+
+
+@dataclass(frozen=True)
+class Errors:
+    """The axis of errors: what is less than `least` is exact, what is more than `most` stands at the end, and the axis goes to
+    `shown` at least.
+    """
+
+    least: float
+    most: float
+    shown: float
+    label: str
+
+    def place(self, error: float) -> float:
+        """Where an error stands across."""
+        return BAND / 5 if error < self.least else BAND + np.log10(min(error, self.most) / self.least)
+
+
+MICROMETRES = Errors(0.1, 1e4, 100.0, "largest error measured, µm")
+DEGREES = Errors(1e-2, 1e3, 100.0, "largest error measured, degrees")
 
 
 def grid_of(lines: int, height: float) -> tuple[plt.Figure, np.ndarray]:
@@ -31,19 +51,20 @@ def grid_of(lines: int, height: float) -> tuple[plt.Figure, np.ndarray]:
     return figure, grid
 
 
-def draw(axes: plt.Axes, rows: pd.DataFrame) -> None:
+def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors = MICROMETRES) -> None:
     """All of it but title and label of the cost."""
-    rows = rows[np.isfinite(rows.error_um)].copy()
-    rows["x"] = [place(error) for error in rows.error_um]
-    rows["front"] = pareto.front(rows.error_um.clip(LEAST, None).to_numpy(), rows.cost.to_numpy())
-    most = min(MOST, max(LARGEST, 1.5 * rows.error_um.max()))
-    axes.set(yscale="log", xlim=(-0.1, place(most)), ylim=(rows.cost.min() / 2, rows.cost.max() * 2))
+    rows = rows[np.isfinite(rows.error)].copy()
+    rows["x"] = [errors.place(error) for error in rows.error]
+    rows["exact"] = rows.error < errors.least
+    rows["front"] = pareto.front(rows.error.clip(errors.least, None).to_numpy(), rows.cost.to_numpy())
+    most = min(errors.most, max(errors.shown, 1.5 * rows.error.max()))
+    axes.set(yscale="log", xlim=(-0.1, errors.place(most)), ylim=(rows.cost.min() / 2, rows.cost.max() * 2))
     axes.axvspan(-0.1, BAND, color="#f2f2f2", zorder=0, linewidth=0)
-    decades = range(-1, int(np.floor(np.log10(most))) + 1)
+    decades = range(round(np.log10(errors.least)), int(np.floor(np.log10(most))) + 1)
     axes.set_xticks(
-        [BAND / 2, *(place(10.0**k) for k in decades)], ["exact", *(f"{10.0**k:g}" for k in decades)]
+        [BAND / 2, *(errors.place(10.0**k) for k in decades)], ["exact", *(f"{10.0**k:g}" for k in decades)]
     )
-    axes.set_xlabel("largest error measured, µm")
+    axes.set_xlabel(errors.label)
     for _, group in rows.groupby("group", sort=False):
         group = group.sort_values("x")
         axes.plot(group.x, group.cost, ".-", color=FADED, linewidth=0.7, markersize=4, zorder=1)
@@ -53,17 +74,12 @@ def draw(axes: plt.Axes, rows: pd.DataFrame) -> None:
     for row in chosen.itertuples():
         colour = colours[row.name]
         axes.plot(row.x, row.cost, "o", color=colour, markersize=6, zorder=4)
-        if np.isfinite(row.bound_um):
-            axes.plot([row.x, place(row.bound_um)], [row.cost] * 2, "-|", color=colour, linewidth=0.8, zorder=3)
+        if np.isfinite(row.bound):
+            axes.plot([row.x, errors.place(row.bound)], [row.cost] * 2, "-|", color=colour, linewidth=0.8, zorder=3)
     on = rows[rows.front].sort_values(["x", "cost"])
     end = np.append(on.x, axes.get_xlim()[1])
     axes.step(end, np.append(on.cost, on.cost.iloc[-1]), where="post", color="black", linewidth=1.1, zorder=2)
     label(axes, chosen, colours)
-
-
-def place(error: float) -> float:
-    """Where an error stands across."""
-    return BAND / 5 if error < LEAST else BAND + np.log10(min(error, MOST) / LEAST)
 
 
 def choose(rows: pd.DataFrame) -> pd.DataFrame:
@@ -77,7 +93,7 @@ def label(axes: plt.Axes, chosen: pd.DataFrame, colours: dict) -> None:
     """Names at the edge, or beside what is exact, moved up or down until none covers another."""
     figure = axes.figure
     for exact in (True, False):
-        own = chosen[(chosen.error_um < LEAST) == exact].sort_values("cost")
+        own = chosen[chosen.exact == exact].sort_values("cost")
         if own.empty:
             continue
         points = axes.transData.transform(np.column_stack([own.x, own.cost])) * 72.0 / figure.dpi

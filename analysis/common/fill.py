@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tables, the target and the figure of experiment 13_fill share."""
+"""What the tables, the target and the figures share of filling, in experiment 10_error_against_time."""
 
 from pathlib import Path
 

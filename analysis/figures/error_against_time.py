@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @options   --name NAME
 # @name      error-against-time
-# @question  The error of every method against the time of a gap, of a pose, of touch, and of filling.
-# @data      error_against_time error_against_time_spread all_gaps contact
+# @question  The error of every method against its time: a vertex, all gaps, touch, smallest gap, first contact, filling.
+# @data      error_against_time error_against_time_spread all_gaps contact first_contact fill
 # @name      error-against-time-scenes
 # @question  The error of every method against the time of a query, on every scene.
 # @data      error_against_time error_against_time_spread
@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 
 import common
-from common import contact, error_panel, fast, pareto
+from common import contact, error_panel, fast, fill, pareto
 
 REFERENCES = {  # labelled wherever they are: what a reader knows, or compares with
     "cgal_first_hit": "CGAL, first hit",
@@ -29,19 +29,23 @@ def main(options) -> common.Figure:
 
 
 def questions(results, table: pd.DataFrame) -> plt.Figure:
-    """Gap of a vertex, all gaps of a pose, touch and smallest gap, fill."""
-    figure, grid = error_panel.grid_of(2, 3.4)
+    """A panel a question; but for the vertex and filling, of a hip."""
+    figure, grid = error_panel.grid_of(3, 3.3)
     scene = pareto.main_scene(list(table.scene.unique()))
-    own = table[table.scene == scene]
-    error_panel.draw(grid[0, 0], queries(own, "query_ns"))
+    error_panel.draw(grid[0, 0], queries(table[table.scene == scene], "query_ns"))
     grid[0, 0].set(title="Gap of a vertex, asked alone", ylabel="time of a query, ns")
-    hip = scans(fast.load(results, scenes=fast.HIPS))
-    error_panel.draw(grid[0, 1], hip)
-    name = hip.scene.iloc[0].replace("_", " ")
-    grid[0, 1].set(title=f"All gaps of a pose, {name}", ylabel="time of a vertex, ns")
-    touches(grid[1, 0], hip_rows(contact.load(results, scenes=fast.HIPS)))
-    error_panel.draw(grid[1, 1], queries(own, "build_ms"))
-    grid[1, 1].set(title="Filling or building", ylabel="time of a surface, ms")
+    gaps = scans(fast.load(results, scenes=fast.HIPS))
+    error_panel.draw(grid[0, 1], gaps)
+    grid[0, 1].set(title=f"All gaps of a pose, {words(gaps)}", ylabel="time of a vertex, ns")
+    poses = hip_rows(contact.load(results, scenes=fast.HIPS))
+    bars(grid[1, 0], poses[poses.question == "touch"])
+    grid[1, 0].set(title=f"Touch, {words(poses)}")
+    bars(grid[1, 1], poses[poses.question != "touch"])
+    grid[1, 1].set(title=f"Smallest gap, {words(poses)}")
+    turns = motions(hip_rows(common.load(results, "first_contact")))
+    error_panel.draw(grid[2, 0], turns, error_panel.DEGREES)
+    grid[2, 0].set(title=f"First contact of a motion, {words(turns)}", ylabel="time of a motion, ms")
+    filling(grid[2, 1], fill.load(results))
     return figure
 
 
@@ -68,7 +72,7 @@ def queries(own: pd.DataFrame, cost: str) -> pd.DataFrame:
     if not own.empty:
         rows.loc[own[cost].idxmin(), "always"] = True
     rows["group"] = np.where(embree, "embree", rows.line)
-    return rows.rename(columns={cost: "cost"})
+    return rows.rename(columns={cost: "cost", "error_um": "error", "bound_um": "bound"})
 
 
 def hip_rows(table: pd.DataFrame) -> pd.DataFrame:
@@ -86,28 +90,59 @@ def scans(table: pd.DataFrame) -> pd.DataFrame:
     rows["name"] = np.where(embree, "Embree", rows.line)
     rows["always"] = embree | scalar | rows.method.isin(["cgal_first_hit", "cube_cells_exact"])
     rows["group"] = np.where(embree, "embree", rows.line)
-    return rows.rename(columns={"ns_vertex": "cost"})
+    return rows.rename(columns={"ns_vertex": "cost", "error_um": "error", "bound_um": "bound"})
 
 
-def touches(axes: plt.Axes, table: pd.DataFrame) -> None:
-    """Exact answers, one bar a method: from the fastest to the slowest of the three gaps."""
-    rows = table[~table.method.isin(contact.NOT_DRAWN)]
+def words(rows: pd.DataFrame) -> str:
+    """The scene of the rows, as a reader reads it."""
+    return rows.scene.iloc[0].replace("_", " ")
+
+
+def motions(table: pd.DataFrame) -> pd.DataFrame:
+    """A line a method over its steps."""
+    rows = table.copy()
+    rows["name"] = rows.method.map(table.attrs["labels"]).fillna(rows.method)
+    rows["always"] = True
+    rows["group"] = rows.method
+    return rows.rename(columns={"ms_motion": "cost", "error_deg": "error", "bound_deg": "bound"})
+
+
+def bars(axes: plt.Axes, rows: pd.DataFrame) -> None:
+    """One bar a method, from the fastest to the slowest of the three gaps; with its largest error, where it has one."""
     spans = rows.groupby("line").us_pose.agg(["min", "median", "max"]).sort_values("median", ascending=False)
+    errors = rows.groupby("line").error_um.max()
     for place, (line, span) in enumerate(spans.iterrows()):
         axes.plot([span["min"], span["max"]], [place, place], color=common.COLOURS[0], linewidth=5, alpha=0.35)
         axes.plot(span["median"], place, "o", color=common.COLOURS[0], markersize=5)
         left = span["median"] > np.sqrt(spans["median"].min() * spans["median"].max())
+        exact = not errors[line] >= error_panel.MICROMETRES.least
         common.note(
             axes,
-            line,
+            line if exact else f"{line} ({common.digits(errors[line], 2)} µm)",
             (span["min"] if left else span["max"], place),
             (-7 if left else 7, 0),
             ha="right" if left else "left",
             va="center",
         )
     axes.set(xscale="log", yticks=[], ylim=(-0.6, len(spans) - 0.4), xlabel="time of a pose, µs")
-    axes.set_title(f"Touch and smallest gap, {rows.scene.iloc[0].replace('_', ' ')}")
     axes.set_xlim(spans["min"].min() / 2, spans["max"].max() * 2)
+
+
+def filling(axes: plt.Axes, table: pd.DataFrame) -> None:
+    """Time against entries, in memory that is used again; exact at the entries, but for the storage."""
+    rows = table[(table.memory == "used again") & (table.triangles == fill.TRIANGLES)]
+    places = sorted(rows.entries.unique())
+    axes.set(xscale="log", yscale="log", xlabel="entries of both tables", ylabel="time to fill both, ms")
+    axes.set(ylim=(rows.median_ms.min() / 2, rows.median_ms.max() * 2), title=f"Filling, generated {fill.TRIANGLES}")
+    axes.set_xticks(places, [common.digits(entries, 2) for entries in places])
+    axes.minorticks_off()
+    last = rows[rows.entries == places[-1]].sort_values("median_ms")
+    at = axes.transData.transform(last[["entries", "median_ms"]].to_numpy())[:, 1] * 72.0 / axes.figure.dpi
+    for k, (row, height) in enumerate(zip(last.itertuples(), error_panel.spread(at) - at)):
+        own = rows[rows.line == row.line].sort_values("entries")
+        axes.plot(own.entries, own.median_ms, "o-", color=common.COLOURS[k], markersize=4, linewidth=1.1)
+        where = (row.entries, row.median_ms)
+        common.note(axes, row.line, where, (6, height), ha="left", va="center", color=common.COLOURS[k])
 
 
 common.run(main, "--name")

@@ -2,7 +2,7 @@
 # @name      fast-gaps
 # @question  How long does a gap take, and how far off is it, beside Embree and the machine's limit?
 # @data      all_gaps
-"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree, OpenVDB and the floor."""
+"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree, OpenVDB and the memory-bound baseline."""
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -43,10 +43,10 @@ def with_one_embree(rows: pd.DataFrame) -> pd.DataFrame:
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
-    """A line a method over its settings, bars of the interquartile range; the floor across."""
+    """A line a method over its settings, bars of the interquartile range; the memory-bound baseline across."""
     common.medians(axes, rows, "error_um", "ns_vertex", "iqr_ns", looks)
     floor = rows[rows.method == "floor"].ns_vertex.iloc[0]
-    axes.axhline(floor, color="black", linewidth=1.0, linestyle=":", label="floor: stream, rotate, one read")
+    axes.axhline(floor, color="black", linewidth=1.0, linestyle=":", label="memory-bound baseline: stream, rotate, one read")
     axes.set(xscale="log", yscale="log", xlabel="largest error of a gap, µm")
 
 

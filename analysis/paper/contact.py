@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      contact contact_agreement
-"""Numbers of the paper about experiment 13_contact: contact:METHOD:us the longest time of the three gaps at 12,000
+"""Numbers of the paper about touch and smallest gaps: contact:METHOD:us the longest time of the three gaps at 12,000
 triangles, contact:METHOD:um the largest error of its gaps, contact:METHOD:fcl the ratio to FCL's answer, of touch the
 least of the three gaps, of distance the median, contact:poses, :impinged, :wrong, :between, :beyond and :unexplained
 of the agreement.

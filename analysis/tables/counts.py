@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-counts
-# @question  Instructions and cache misses of a gap, beside its time over that of the floor.
+# @question  Instructions and cache misses of a gap, beside its time over that of the memory-bound baseline.
 # @data      counts all_gaps
-"""Instructions and cache misses of a vertex or a pose, beside the time over that of the floor."""
+"""Instructions and cache misses of a vertex or a pose, beside the time over that of the memory-bound baseline."""
 
 import pandas as pd
 
@@ -21,8 +21,8 @@ def main(options) -> common.Table:
 def latex(table: pd.DataFrame) -> str:
     """One line a way and direction."""
     head = (
-        r"of a vertex (a pose: touch) & & instructions & $\times$ floor & "
-        r"time $\times$ floor & misses, 32 KiB & 1 MiB \\"
+        r"of a vertex (a pose: touch) & & instructions & $\times$ baseline & "
+        r"time $\times$ baseline & misses, 32 KiB & 1 MiB \\"
     )
     lines = []
     for row in table.itertuples():

@@ -9,9 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "10_error_against_time/scenes.hpp"
 #include "files/stopwatch.hpp"
 #include "gap/simd/instruction_set.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -233,7 +233,8 @@ std::vector<Column> gap_keys() {
           {"triangles", "1", "of the ball"},
           {"direction", "", "whose vertices are looked up -> in whose surface"},
           {"method", "",
-           "embree_rayN: N rays at a time; floor: the least a look-up does; rsid_scalar, usid_scalar: the "
+           "embree_rayN: N rays at a time; floor: a memory-bound baseline, the least a look-up does; "
+           "rsid_scalar, usid_scalar: the "
            "library in double; cgal_, embree_closest: trees; vtk_: buckets; vdb_grid: distances on voxels; "
            "others: kernels of that scheme"},
           {"setting", "",
@@ -247,38 +248,35 @@ std::vector<Column> gap_keys() {
            "timed alone"}};
 }
 
-GapTables make_gap_tables() {
-  GapTables tables;
-  tables.table.columns = gap_keys();
-  const std::vector<Column> more{
-      {"build_ms", "ms", "median time of everything that is done once for a surface"},
-      {"ns_vertex", "ns",
-       "median time of one vertex, its share of the pose included; of all threads together"},
-      {"iqr_ns", "ns", "interquartile range of it over the rounds"},
-      {"rounds", "1", "rounds measured"},
-      {"measure", "", "radial gaps, or Euclidean distances, whose errors are those of distances"},
-      {"max_over_um", "um", "largest error of a radius to the far side; none for the floor"},
-      {"max_under_um", "um", "to the near side"},
-      {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
-      {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
-      {"bound_um", "um", "proven bound on the error; empty where nothing is proven"},
-      {"misses", "1",
-       "directions without an answer where there is a surface: cells of the rim, or too far for the voxels"},
-      {"false_hits", "1", "directions with an answer where there is no surface"},
-      {"directions", "1", "in which the error was looked at"},
-      {"bytes", "B", "of table and mask, or of a library's tree"}};
-  tables.table.columns.insert(tables.table.columns.end(), more.begin(), more.end());
-  return tables;
+QuestionTable make_gap_table() {
+  return question_table(
+      gap_keys(),
+      {{"build_ms", "ms", "median time of everything that is done once for a surface"},
+       {"ns_vertex", "ns",
+        "median time of one vertex, its share of the pose included; of all threads together"},
+       {"iqr_ns", "ns", "interquartile range of it over the rounds"},
+       {"rounds", "1", "rounds measured"},
+       {"measure", "", "radial gaps, or Euclidean distances, whose errors are those of distances"},
+       {"max_over_um", "um", "largest error of a radius to the far side; none for the floor"},
+       {"max_under_um", "um", "to the near side"},
+       {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
+       {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
+       {"bound_um", "um", "proven bound on the error; empty where nothing is proven"},
+       {"misses", "1",
+        "directions without an answer where there is a surface: cells of the rim, or too far for the voxels"},
+       {"false_hits", "1", "directions with an answer where there is no surface"},
+       {"directions", "1", "in which the error was looked at"},
+       {"bytes", "B", "of table and mask, or of a library's tree"}});
 }
 
 void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const BenchmarkOptions& options,
-                  GapTables& tables, Progress& progress) {
+                  QuestionTable& found, Progress& progress) {
   progress.say(scene.name + ": all gaps of a pose");
   const Direction directions[] = {{scene, Surface::ball, options}, {scene, Surface::socket, options}};
   Asking asking{options.gap_timing, overwrite_caches(options.gap_timing.flush_bytes)};
   for (const Direction& direction : directions) {
     const auto methods = cases_of(gaps_methods(), &Method::gaps, direction.surface, plan.sizes);
-    add_labels(tables.labels, methods);
+    add_labels(found.labels, methods);
     for (const GapCase& method : methods) {
       asking.examined.push_back(examine(method, direction, options.ascent));
       add_method(asking, direction, method, plan.thorough);
@@ -286,8 +284,8 @@ void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const Benchm
   }
   TimingRun run = run_interleaved(asking.cases, options.gap_timing.options, progress);
   use_best_instruction_set();
-  add_rows(tables.table, asking, run);
-  append(tables.timing, std::move(run));
+  add_rows(found.table, asking, run);
+  append(found.timing, std::move(run));
 }
 
 }  // namespace impinge::lab

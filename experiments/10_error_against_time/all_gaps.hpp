@@ -3,12 +3,10 @@
 // a look-up can do.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "10_error_against_time/report.hpp"
-#include "files/csv.hpp"
 #include "methods/gaps.hpp"
 
 namespace impinge::lab {
@@ -19,13 +17,7 @@ struct GapPlan {
   bool thorough = false;  // are its methods asked cold, too, and with every instruction set?
 };
 
-// The result, row by row, and the times behind it.
-struct GapTables {
-  Table table;                                     // all_gaps.csv
-  TimingRun timing;                                // of all scenes; keys as in gap_keys()
-  std::map<std::string, std::string> labels = {};  // of the methods
-};
-GapTables make_gap_tables();  // with its columns, and no row
+QuestionTable make_gap_table();  // all_gaps.csv
 
 // scene, triangles, direction, method, setting, storage, instruction_set, threads, state.
 std::vector<Column> gap_keys();
@@ -33,6 +25,6 @@ std::vector<Column> gap_keys();
 // Both directions: adds their rows. std::runtime_error for a method whose errors are too large for its time
 // to mean anything, BoundViolated for a bound that does not hold.
 void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const BenchmarkOptions& options,
-                  GapTables& tables, Progress& progress);
+                  QuestionTable& found, Progress& progress);
 
 }  // namespace impinge::lab

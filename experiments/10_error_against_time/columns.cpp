@@ -15,28 +15,35 @@ std::vector<Column> with_key(const std::vector<Column>& more) {
   return columns;
 }
 
+// What both profiles share.
+void finish(BenchmarkOptions& options) {
+  options.fill_timing.rounds = 5;
+  for (BenchmarkTiming* timing : {&options.pose_timing, &options.fill_timing})
+    timing->options.min_round_ms = 5.0;
+}
+
 }  // namespace
 
 BenchmarkTables make_benchmark_tables() {
   BenchmarkTables tables;
-  tables.main.columns = with_key(
-      {{"build_ms", "ms", "median time of everything that is done once for a surface"},
-       {"query_ns", "ns", "median time of one vertex, warm; of a pose divided by the ball's vertices"},
-       {"bytes", "B", "of everything that is kept; libraries: see the parameters"},
-       {"max_over_um", "um", "largest error to the far side: answer minus truth"},
-       {"max_under_um", "um", "largest error to the near side: truth minus answer"},
-       {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
-       {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
-       {"bound_um", "um", "proven bound on the error; empty where there is none that says anything"},
-       {"misses", "1",
-        "directions in which there is a surface and no answer, those along the rim included"}});
+  tables.main.table.columns =
+      with_key({{"build_ms", "ms", "median time of everything that is done once for a surface"},
+                {"query_ns", "ns", "median time of one vertex, warm"},
+                {"bytes", "B", "of everything that is kept; libraries: see the parameters"},
+                {"max_over_um", "um", "largest error to the far side: answer minus truth"},
+                {"max_under_um", "um", "largest error to the near side: truth minus answer"},
+                {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
+                {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
+                {"bound_um", "um", "proven bound on the error; empty where there is none that says anything"},
+                {"misses", "1",
+                 "directions in which there is a surface and no answer, those along the rim included"}});
   tables.spread.columns = with_key(
       {{"kind", "", "ours, thesis, library, grid or brute"},
        {"scheme", "", "of a table"},
        {"precision_deg", "deg", "spacing of a table's entries at the equator"},
        {"interpolant", "", "smooth, mesh_exact or none"},
        {"storage", "", "double, float, uint16 or none"},
-       {"measure", "", "radial; euclidean: distance of a point; pose: one smallest distance"},
+       {"measure", "", "radial; euclidean: distance of a point"},
        {"build_iqr_ms", "ms", "interquartile range over the rounds; empty if built once"},
        {"query_iqr_ns", "ns", "interquartile range over the rounds"},
        {"query_cold_ns", "ns", "median time of one vertex after the cores' own caches were overwritten"},
@@ -68,10 +75,13 @@ BenchmarkOptions quick_benchmark() {
   options.timing.options.min_round_ms = 1.0;
   options.gap_timing = {4, 0.0, 100.0, std::size_t{64} << 20, {}};
   options.gap_timing.options.min_round_ms = 4.0;
-  for (BenchmarkTiming* timing : {&options.timing, &options.gap_timing}) {
+  options.pose_timing.rounds = 3;
+  options.pose_timing.slow_build_ms = 50.0;
+  for (BenchmarkTiming* timing : {&options.timing, &options.gap_timing, &options.pose_timing}) {
     timing->options.least_repeat_s = 1.0;
     timing->options.repeat_share = 0.1;
   }
+  finish(options);
   return options;
 }
 
@@ -86,6 +96,8 @@ BenchmarkOptions full_benchmark() {
   options.timing.options.min_round_ms = 5.0;
   options.gap_timing.rounds = 15;
   options.gap_timing.options.min_round_ms = 10.0;
+  options.pose_timing.rounds = 11;
+  finish(options);
   return options;
 }
 

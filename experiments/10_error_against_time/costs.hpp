@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the costs of a method are timed, the same for every question.
+// How the costs of a method are timed and kept, the same for every question.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "files/csv.hpp"
 #include "harness/timing.hpp"
 
 namespace impinge::lab {
@@ -24,6 +27,14 @@ struct BenchmarkTiming {
   std::size_t flush_bytes = std::size_t{64} << 20;  // written before a cold question
   TimingOptions options = {};                       // of the rounds
 };
+
+// What comes out of one question.
+struct QuestionTable {
+  Table table;                                     // a row a method, setting and scene
+  TimingRun timing = {};                           // of all scenes
+  std::map<std::string, std::string> labels = {};  // of the methods
+};
+QuestionTable question_table(std::vector<Column> keys, const std::vector<Column>& values);  // without a row
 
 // What was built last: let go before the next is built, so that one alone is there.
 template <class Query>

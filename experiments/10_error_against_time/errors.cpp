@@ -111,18 +111,6 @@ BenchmarkErrors measure_errors(const PointQuery& query, const BenchmarkProbes& p
   return errors;
 }
 
-BenchmarkErrors measure_pose(const PointQuery& query, double truth) {
-  double answer = 0.0;
-  const Vec3 none = Vec3::Zero();
-  query.answer(std::span(&none, 1), std::span(&answer, 1));
-  BenchmarkErrors errors;
-  errors.directions = 1;
-  errors.misses = truth == 0.0 && answer != 0.0 ? 1 : 0;
-  errors.false_hits = answer == 0.0 && truth > 0.0 ? 1 : 0;
-  take(errors, answer - truth, none);
-  return errors;
-}
-
 std::string Violation::text() const {
   const auto hex = [](double x) {
     std::array<char, 40> buffer{};

@@ -38,13 +38,8 @@ struct AscentOptions {
   double first_step = 0.3 * kDegree;  // radians
 };
 
-// Not for Measure::pose.
 BenchmarkErrors measure_errors(const PointQuery& query, const BenchmarkProbes& probes,
                                const AscentOptions& ascent);
-
-// A method that answers for a whole pose, beside the true smallest distance (mm). Where it says no more than
-// that the surfaces do not touch (NaN), a wrong answer is a miss or a false hit.
-BenchmarkErrors measure_pose(const PointQuery& query, double truth);
 
 // An error above its bound. Truth and look-ups are worked out in double: that much is let pass.
 inline constexpr double kBenchmarkRounding = 1e-10;  // mm

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  How wrong is every method, and what does it cost to build, to ask and to keep?
-// @writes    error_against_time error_against_time_spread error_against_time_samples all_gaps
-// all_gaps_samples
+// @writes    error_against_time error_against_time_spread error_against_time_samples
+// @writes    all_gaps all_gaps_samples contact contact_samples contact_agreement
+// @writes    first_contact first_contact_samples fill fill_samples
 // @bones     yes
 // @cache     yes
 // @timing    yes
-// @seconds   59 1500
-// @links     harness hip real_joints reference_cache methods points_methods gaps_methods gap_simd
+// @seconds   97 1950
+// @links     harness hip real_joints reference_cache contact_poses contact motion benchmark_scene
+// @links     methods points_methods gaps_methods contact_methods fill_methods gap_simd
 //
-// On the generated pair, on hips and on real joints. A vertex asked alone: those of the posed ball against
-// the surface of the socket. All gaps of a pose: kernels with vector instructions, the scalar scan and
-// libraries, in both directions, over a motion of 24 poses; closest points and voxels are Euclidean
-// distances. Errors are measured before anything is timed, on the very tables that are timed, and the largest
-// is held against the proven bound: if it is above, the run fails and leaves the direction in
+// One benchmark, a table a question, on the generated pair, on hips and on real joints.
+//   gap of a vertex    vertices of the posed ball, asked alone, against the surface of the socket
+//   all gaps           of a pose, by kernels with vector instructions, the scalar scan and libraries, in both
+//                      directions, over a motion of 24 poses
+//   touch, smallest    of poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; warm
+//   first contact      of turns about random axes, by proven brackets and by steps
+//   fill               of cube maps of both surfaces of the generated pair, in fresh memory, as a program's
+//                      first, and in memory that the C library has kept
+// Answers are verified before anything is timed, on the very tables and trees that are timed. The largest
+// error is held against the proven bound: if it is above, the run fails and leaves the direction in
 // error_against_time_witness.json.
 
 #include <algorithm>
@@ -20,12 +27,17 @@
 #include <optional>
 
 #include "10_error_against_time/all_gaps.hpp"
-#include "10_error_against_time/scenes.hpp"
+#include "10_error_against_time/contact_agreement.hpp"
+#include "10_error_against_time/fill.hpp"
+#include "10_error_against_time/first_contact.hpp"
 #include "files/file_bytes.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "harness/timing_report.hpp"
+#include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "mesh/generated_pair.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace {
 
@@ -38,22 +50,25 @@ constexpr std::size_t kJointsInQuick = 2;  // the smallest
 struct Planned {
   std::function<BenchmarkScene()> make;
   bool points = false;            // a vertex alone?
+  bool contact = false;           // touch and smallest gap?
+  bool motions = false;           // first contact?
   std::optional<GapPlan> gaps{};  // all of a pose
 };
 
-Planned generated(std::size_t faces, bool points, std::optional<GapPlan> gaps) {
-  return {[faces] { return generated_scene(faces); }, points, std::move(gaps)};
+Planned generated(std::size_t faces, bool points, bool contact, std::optional<GapPlan> gaps) {
+  return {[faces] { return generated_scene(faces); }, points, contact, false, std::move(gaps)};
 }
-Planned hip(const std::string& preset, std::size_t faces, bool points, GapPlan gaps) {
-  return {[preset, faces] { return hip_scene(preset, faces); }, points, std::move(gaps)};
+Planned hip(const std::string& preset, std::size_t faces, bool points, bool contact, GapPlan gaps) {
+  return {[preset, faces] { return hip_scene(preset, faces); }, points, contact, contact, std::move(gaps)};
 }
 
 const GapPlan kFew{{{kMainCells}, {0.5}}};
 
 std::vector<Planned> quick_scenes() {
-  return {generated(300, true, {}), generated(3000, true, GapPlan{{{kMainCells}, {}, {}, false}}),
-          generated(12000, true, GapPlan{{{kMainCells, 1100}, {0.5}, {0.5}, true, {0.5}}, true}),
-          hip("normal", 12000, false, {{{kMainCells}, {}, {}, false}})};
+  return {generated(300, true, false, {}),
+          generated(3000, true, true, GapPlan{{{kMainCells}, {}, {}, false}}),
+          generated(12000, true, true, GapPlan{{{kMainCells, 1100}, {0.5}, {0.5}, true, {0.5}}, true}),
+          hip("normal", kHipFaces, false, true, {{{kMainCells}, {}, {}, false}})};
 }
 
 std::vector<Planned> full_scenes() {
@@ -61,17 +76,17 @@ std::vector<Planned> full_scenes() {
   const GapSizes every{
       {64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true, {1.0, 0.5, 0.25}, corners};
   const GapPlan uncertified{{{kMainCells}, {0.5}, {}, false}};
-  std::vector<Planned> all{generated(300, true, kFew), generated(3000, true, kFew),
-                           generated(12000, true, GapPlan{every, true}), generated(100000, true, kFew),
-                           generated(400000, false, uncertified)};
-  for (const std::size_t faces : {3000U, 12000U, 100000U})
-    all.push_back(hip("normal", faces, faces == 12000, kFew));
+  std::vector<Planned> all{generated(300, true, true, kFew), generated(3000, true, true, kFew),
+                           generated(12000, true, true, GapPlan{every, true}),
+                           generated(100000, true, true, kFew), generated(400000, false, true, uncertified)};
+  for (const std::size_t faces : {std::size_t{3000}, kHipFaces, std::size_t{100000}})
+    all.push_back(hip("normal", faces, faces == kHipFaces, faces == kHipFaces, kFew));
   for (const std::string_view preset : hip_preset_names())
-    if (preset != "normal") all.push_back(hip(std::string(preset), 12000, false, kFew));
+    if (preset != "normal") all.push_back(hip(std::string(preset), kHipFaces, false, true, kFew));
   return all;
 }
 
-// Real joints last; in a quick run the smallest.
+// Real joints last; in a quick run the smallest, without touch and motions.
 std::vector<Planned> scenes(DriverRun& run) {
   std::vector<Planned> all = run.quick() ? quick_scenes() : full_scenes();
   if (!run.bones) return all;
@@ -79,9 +94,14 @@ std::vector<Planned> scenes(DriverRun& run) {
   std::ranges::stable_sort(joints, {}, [](const RealJoint& j) { return j.meshes.socket.faces.size(); });
   if (run.quick() && joints.size() > kJointsInQuick) joints.resize(kJointsInQuick);
   for (const RealJoint& joint : joints)
-    all.push_back({[joint] { return real_scene(joint.subject, joint.meshes); }, true,
-                   GapPlan{{{kMainCells}, {0.5}, {}, false}}});
+    all.push_back({[joint] { return real_scene(joint.subject, joint.meshes); }, true, !run.quick(),
+                   !run.quick(), GapPlan{{{kMainCells}, {0.5}, {}, false}}});
   return all;
+}
+
+FillPlan fill_plan(bool quick) {
+  if (quick) return {{3000, 12000}, {128, 256}};
+  return {{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}};
 }
 
 nlohmann::json parameters_of(const BenchmarkOptions& options) {
@@ -102,7 +122,6 @@ nlohmann::json parameters_of(const BenchmarkOptions& options) {
            "exact reference; during an ascent the nearest crossing among all triangles, in double"},
           {"truth_euclidean",
            "exact reference; during an ascent the least distance among all triangles, in double"},
-          {"truth_pose", "least distance among the pairs of triangles that can matter, in double"},
           {"query", "vertices of the posed ball against the surface of the socket"},
           {"cold", "flushed_bytes are written before a batch: more than the cores' own caches hold"},
           {"bytes_embree", "its memory monitor: tree, vertices and triangles"},
@@ -110,40 +129,102 @@ nlohmann::json parameters_of(const BenchmarkOptions& options) {
           {"bytes_tables", "entries and rim mask"}};
 }
 
+// Everything that is found out, a table a question.
+struct Found {
+  BenchmarkTables points = make_benchmark_tables();
+  QuestionTable gaps = make_gap_table();
+  QuestionTable contact = make_contact_table();
+  QuestionTable first_contact = make_first_contact_table();
+};
+
+void ask(const Planned& planned, const BenchmarkOptions& options, Found& found, DriverRun& run) {
+  const BenchmarkScene scene = planned.make();
+  if (planned.points) run_benchmark(scene, options, found.points, run.progress);
+  if (planned.gaps) run_all_gaps(scene, *planned.gaps, options, found.gaps, run.progress);
+  if (!planned.contact) return;
+  const std::vector<MadeContact> methods = made_contacts(scene.pair);
+  run_contact(scene, methods, options, found.contact, run.progress);
+  if (planned.motions)
+    run_first_contact(scene, methods, run.quick(), options, found.first_contact, run.progress);
+}
+
+void write_agreement(DriverRun& run) {
+  AgreementOptions options;
+  options.seed = run.record.seed;
+  options.poses = run.quick() ? 1000 : 10000;
+  Result result;
+  result.name = "contact_agreement";
+  result.question =
+      "Do culled answers agree with the exact test of every vertex and with FCL, close to contact too?";
+  result.table =
+      agreement_table(options, contact_agreement(make_ball_socket_pair(options.triangles), options));
+  run.write(result);
+}
+
+// What a result says of itself.
+struct About {
+  const char* name;
+  const char* question;
+  nlohmann::json parameters;
+};
+
+void write(DriverRun& run, const About& about, QuestionTable found, const std::vector<Column>& keys) {
+  Result result;
+  result.name = about.name;
+  result.question = about.question;
+  result.parameters = about.parameters;
+  result.table = std::move(found.table);
+  result.labels = std::move(found.labels);
+  write_timed(run, std::move(result), keys, found.timing);
+}
+
+void write_points(DriverRun& run, const BenchmarkOptions& options, BenchmarkTables points) {
+  Result result;
+  result.name = "error_against_time_spread";
+  result.question = "What is behind the errors and times of every method?";
+  result.parameters = parameters_of(options);
+  result.labels = points.main.labels;
+  result.table = std::move(points.spread);
+  result.timing = timing_record(points.main.timing);
+  run.write(result);
+  write(run, {"error_against_time", "How wrong is every method, and what does it cost?", result.parameters},
+        std::move(points.main), cost_keys());
+}
+
 void body(DriverRun& run) {
   BenchmarkOptions options = run.quick() ? quick_benchmark() : full_benchmark();
   options.radial.cache = options.euclidean.cache = run.cache;
-  options.radial.seed = options.euclidean.seed = run.record.seed;
-  BenchmarkTables points = make_benchmark_tables();
-  GapTables gaps = make_gap_tables();
+  options.radial.seed = options.euclidean.seed = options.seed = run.record.seed;
+  write_agreement(run);
+  Found found;
   try {
-    for (const Planned& planned : scenes(run)) {
-      const BenchmarkScene scene = planned.make();
-      if (planned.points) run_benchmark(scene, options, points, run.progress);
-      if (planned.gaps) run_all_gaps(scene, *planned.gaps, options, gaps, run.progress);
-    }
+    for (const Planned& planned : scenes(run)) ask(planned, options, found, run);
   } catch (const BoundViolated& violated) {
     write_if_changed(run.record.folder / "error_against_time_witness.json",
                      violated.violation().text() + "\n");
     throw;
   }
-  Result result;
-  result.parameters = parameters_of(options);
-  result.labels = points.labels;
-  result.name = "error_against_time_spread";
-  result.question = "What is behind the errors and times of every method?";
-  result.table = std::move(points.spread);
-  result.timing = timing_record(points.timing);
-  run.write(result);
-  result.name = "error_against_time";
-  result.question = "How wrong is every method, and what does it cost?";
-  result.table = std::move(points.main);
-  write_timed(run, result, cost_keys(), points.timing);
-  result.name = "all_gaps";
-  result.question = "How wrong are all gaps of a pose by every method, and what do they cost?";
-  result.table = std::move(gaps.table);
-  result.labels = gaps.labels;
-  write_timed(run, result, gap_keys(), gaps.timing);
+  write_points(run, options, std::move(found.points));
+  write(run,
+        {"all_gaps", "How wrong are all gaps of a pose by every method, and what do they cost?",
+         parameters_of(options)},
+        std::move(found.gaps), gap_keys());
+  write(run,
+        {"contact",
+         "Does the joint touch, or what is its smallest gap: time of a pose by every method?",
+         {{"warm", true}, {"step_deg", 0.5}, {"motions", 16}}},
+        std::move(found.contact), contact_keys());
+  write(run,
+        {"first_contact",
+         "How far does a joint turn until it touches, by every method, and what does that cost?",
+         {{"largest_deg", 120}, {"halved_to_deg", 0.001}}},
+        std::move(found.first_contact), first_contact_keys());
+  write(run,
+        {"fill",
+         "How long do the tables of ball and socket take to fill?",
+         {{"pair", "generated, default shape"},
+          {"counted", "both tables, with their rim masks (Embree: without)"}}},
+        fill_tables(fill_plan(run.quick()), options.fill_timing, run.progress), fill_keys());
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <benchmark/benchmark.h>
 
 #include "files/stopwatch.hpp"
-#include "methods/surface_distance.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -32,8 +31,6 @@ struct Measured {
   double build_s = 0.0;  // of the query, the first time
   BenchmarkErrors errors;
   MethodBound bound;
-
-  bool is_pose() const { return method.measure == Measure::pose; }
 };
 
 // Times of a method, in the order in which costs_of() asks for them.
@@ -46,28 +43,16 @@ struct Costs {
 struct Truth {
   BenchmarkProbes radial;
   BenchmarkProbes euclidean;
-  double pose = 0.0;
-};
 
-BenchmarkErrors errors_of(const PointQuery& query, Measure measure, const Truth& truth,
-                          const AscentOptions& ascent) {
-  switch (measure) {
-    case Measure::radial:
-      return measure_errors(query, truth.radial, ascent);
-    case Measure::euclidean:
-      return measure_errors(query, truth.euclidean, ascent);
-    case Measure::pose:
-      return measure_pose(query, truth.pose);
-  }
-  return {};
-}
+  const BenchmarkProbes& of(Measure measure) const { return measure == Measure::radial ? radial : euclidean; }
+};
 
 void examine(Measured& measured, const BenchmarkScene& scene, const Truth& truth,
              const BenchmarkOptions& options) {
   Stopwatch watch;
   measured.query = std::make_shared<const PointQuery>(measured.method.make());
   measured.build_s = watch.lap_s();
-  measured.errors = errors_of(*measured.query, measured.method.measure, truth, options.ascent);
+  measured.errors = measure_errors(*measured.query, truth.of(measured.method.measure), options.ascent);
   if (measured.method.bound) measured.bound = measured.method.bound(*measured.query);
   require_bound(measured.errors, measured.bound, {scene.name, measured.method.name, measured.method.setting});
 }
@@ -110,7 +95,7 @@ std::array<TimedCase, 3> costs_of(const Measured& measured, const Costing& costi
   warm.rounds = costing.timing.rounds;
   const auto& all = costing.queries;
   auto batch = std::make_shared<Batch>();
-  batch->points = measured.is_pose() ? all : batch_of(*measured.query, all, costing.timing.batch_ms);
+  batch->points = batch_of(*measured.query, all, costing.timing.batch_ms);
   batch->out.resize(batch->points.size());
   warm.units = static_cast<double>(batch->points.size());
   warm.run = [query = measured.query, batch] {
@@ -143,31 +128,26 @@ Cell cell_if(bool there, double value) { return there ? Cell(value) : Cell(); }
 
 void add_main(Table& table, const Measured& measured, const BenchmarkScene& scene, const Costs& costs) {
   const BenchmarkErrors& errors = measured.errors;
-  const bool answered = measured.method.says_how_far;
   std::vector<Cell> row = key_of(measured, scene);
-  row.insert(row.end(), {costs.build.summary.median, kNanoseconds * costs.warm.summary.median,
-                         measured.query->bytes, cell_if(answered, kMicrometres * errors.max_over),
-                         cell_if(answered, kMicrometres * errors.max_under),
-                         cell_if(!measured.is_pose(), kMicrometres * errors.rms),
-                         cell_if(!measured.is_pose(), kMicrometres * errors.p99),
-                         bound_cell(measured.bound.bound_mm), errors.misses});
+  row.insert(row.end(),
+             {costs.build.summary.median, kNanoseconds * costs.warm.summary.median, measured.query->bytes,
+              kMicrometres * errors.max_over, kMicrometres * errors.max_under, kMicrometres * errors.rms,
+              kMicrometres * errors.p99, bound_cell(measured.bound.bound_mm), errors.misses});
   table.add_row(std::move(row));
 }
 
 void add_spread(Table& table, const Measured& measured, const BenchmarkScene& scene, const Costs& costs) {
   const PointCase& method = measured.method;
   const BenchmarkErrors& errors = measured.errors;
-  const bool many = !measured.is_pose();
   std::vector<Cell> row = key_of(measured, scene);
-  row.insert(
-      row.end(),
-      {method.kind, method.scheme, method.precision_deg, method.interpolant, method.storage,
-       name_of(method.measure), cell_if(costs.build.summary.count > 1, costs.build.summary.iqr),
-       kNanoseconds * costs.warm.summary.iqr, kNanoseconds * costs.cold.summary.median,
-       kNanoseconds * costs.cold.summary.iqr, errors.directions, errors.false_hits,
-       cell_if(many, kMicrometres * errors.uniform_max), cell_if(many, kMicrometres * errors.feature_max),
-       cell_if(many, kMicrometres * errors.adversarial_max), kMicrometres * measured.bound.attained_mm,
-       errors.max() / measured.bound.bound_mm, costs.warm.inconclusive, costs.warm.repeats});
+  row.insert(row.end(),
+             {method.kind, method.scheme, method.precision_deg, method.interpolant, method.storage,
+              name_of(method.measure), cell_if(costs.build.summary.count > 1, costs.build.summary.iqr),
+              kNanoseconds * costs.warm.summary.iqr, kNanoseconds * costs.cold.summary.median,
+              kNanoseconds * costs.cold.summary.iqr, errors.directions, errors.false_hits,
+              kMicrometres * errors.uniform_max, kMicrometres * errors.feature_max,
+              kMicrometres * errors.adversarial_max, kMicrometres * measured.bound.attained_mm,
+              errors.max() / measured.bound.bound_mm, costs.warm.inconclusive, costs.warm.repeats});
   table.add_row(std::move(row));
 }
 
@@ -175,10 +155,9 @@ void add_spread(Table& table, const Measured& measured, const BenchmarkScene& sc
 
 void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options, BenchmarkTables& tables,
                    Progress& progress) {
-  const Truth truth{radial_probes(scene, options.radial), euclidean_probes(scene, options.euclidean),
-                    surface_distance(scene)};
+  const Truth truth{radial_probes(scene, options.radial), euclidean_probes(scene, options.euclidean)};
   const std::vector<PointCase> methods = cases_of(points_methods(), &Method::points, scene, options.sizes);
-  add_labels(tables.labels, methods);
+  add_labels(tables.main.labels, methods);
   progress.say(scene.name + ": errors of " + std::to_string(methods.size()) + " methods");
   std::vector<Measured> all;
   progress.begin(static_cast<double>(methods.size()));
@@ -190,10 +169,10 @@ void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options,
   TimingRun timing = time_all(all, scene, options.timing, progress);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Costs costs{timing.timings[3 * i], timing.timings[3 * i + 1], timing.timings[3 * i + 2]};
-    add_main(tables.main, all[i], scene, costs);
+    add_main(tables.main.table, all[i], scene, costs);
     add_spread(tables.spread, all[i], scene, costs);
   }
-  append(tables.timing, std::move(timing));
+  append(tables.main.timing, std::move(timing));
 }
 
 }  // namespace impinge::lab

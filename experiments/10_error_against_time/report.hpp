@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The benchmark on one scene after the other: errors first, with every bound checked, then the costs; and the
-// tables that they fill.
+// A vertex asked alone, on one scene after the other: errors first, with every bound checked, then the costs.
 #pragma once
 
-#include <map>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,24 +14,25 @@ namespace impinge::lab {
 
 // What runs, where errors are measured, and how costs are timed.
 struct BenchmarkOptions {
-  PointSizes sizes;            // of the methods
-  ProbeOptions radial;         // of methods that answer radii
-  ProbeOptions euclidean;      // of methods that answer distances
-  AscentOptions ascent;        // from the worst probes
-  BenchmarkTiming timing;      // of the costs of a vertex asked alone
-  BenchmarkTiming gap_timing;  // of those of all gaps of a pose
+  PointSizes sizes;             // of the methods
+  ProbeOptions radial;          // of methods that answer radii
+  ProbeOptions euclidean;       // of methods that answer distances
+  AscentOptions ascent;         // from the worst probes
+  std::uint64_t seed = 0;       // of motions
+  BenchmarkTiming timing;       // of the costs of a vertex asked alone
+  BenchmarkTiming gap_timing;   // of those of all gaps of a pose
+  BenchmarkTiming pose_timing;  // of touch, of smallest gaps, and of the first contact of a motion
+  BenchmarkTiming fill_timing;  // of filling tables
 };
 
 // What small machines and short runs can do, and the whole of it.
 BenchmarkOptions quick_benchmark();
 BenchmarkOptions full_benchmark();  // the latter
 
-// The results, row by row, and the times behind them.
+// The results, row by row.
 struct BenchmarkTables {
-  Table main;                                      // error_against_time.csv
-  Table spread;                                    // error_against_time_spread.csv
-  TimingRun timing;                                // of all scenes; keys as in cost_keys()
-  std::map<std::string, std::string> labels = {};  // of the methods
+  QuestionTable main;  // error_against_time.csv; keys as in cost_keys()
+  Table spread;        // error_against_time_spread.csv
 };
 BenchmarkTables make_benchmark_tables();  // with their columns, and no row
 std::vector<Column> cost_keys();          // scene, method, setting and which cost

@@ -7,9 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "10_error_against_time/scenes.hpp"
+#include "contact/culled_joint.hpp"
 #include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/benchmark_scene.hpp"
 #include "methods/contact.hpp"
 #include "methods/gaps.hpp"
 
@@ -37,7 +38,7 @@ std::vector<GapCase> counted_scans(const AskedSurface& surface) {
   return methods;
 }
 
-std::vector<ContactCase> counted_touches(const CulledJoint& joint) {
+std::vector<ContactCase> counted_touches(const BallSocketPair& joint) {
   std::vector<ContactCase> methods = cases_of(contact_methods(), &Method::contact, joint);
   std::erase_if(methods, [](const ContactCase& method) { return !method.counted; });
   return methods;
@@ -84,9 +85,10 @@ void count_touch(const BallSocketPair& pair) {
   const CulledJoint culled(pair);
   const std::vector<Pose> poses = near_poses(culled);
   std::size_t touching = 0;
-  for (const ContactCase& method : counted_touches(culled)) {
+  for (const ContactCase& method : counted_touches(pair)) {
+    const ContactQuery query = method.make();
     count_run(label_of({method.name, "none", "none", "both", "none", "pose"}, kTouchPoses), [&] {
-      for (const Pose& pose : poses) touching += method.touches(pose) ? 1U : 0U;
+      for (const Pose& pose : poses) touching += query.touches(pose) ? 1U : 0U;
     });
   }
 }
@@ -105,8 +107,7 @@ std::map<std::string, std::string> counted_labels() {
   const BallSocketPair pair = make_ball_socket_pair(300);
   std::map<std::string, std::string> labels;
   add_labels(labels, counted_scans({pair.socket, Layer::nearest, Surface::ball}));
-  const CulledJoint joint(pair);
-  add_labels(labels, counted_touches(joint));
+  add_labels(labels, counted_touches(pair));
   return labels;
 }
 

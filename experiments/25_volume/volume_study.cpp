@@ -63,10 +63,11 @@ std::vector<Quaternion4> random_rotations(std::size_t count, std::uint64_t seed)
 // A way to ask one pose after the other, beside what the cells say of each.
 void add_method(const StudiedJoint& joint, const MotionVolume& volume, const ContactCase& method,
                 const std::vector<Quaternion4>& rotations, Table& table) {
+  const ContactQuery query = method.make();
   std::vector<bool> touches;
   touches.reserve(rotations.size());
   Stopwatch watch;
-  for (const Quaternion4& q : rotations) touches.push_back(method.touches({rotation_of(q), Vec3::Zero()}));
+  for (const Quaternion4& q : rotations) touches.push_back(query.touches({rotation_of(q), Vec3::Zero()}));
   const double us_pose = 1e3 * watch.lap_ms() / static_cast<double>(rotations.size());
   std::size_t in_free = 0;
   std::size_t in_blocked = 0;
@@ -85,11 +86,10 @@ void add_method(const StudiedJoint& joint, const MotionVolume& volume, const Con
 
 void add_methods(const StudiedJoint& joint, const MotionVolume& volume, const VolumeStudyOptions& options,
                  Table& table) {
-  const auto culled = std::make_unique<CulledJoint>(joint.meshes);
   const std::vector<Quaternion4> many = random_rotations(options.poses, options.seed);
   const std::vector<Quaternion4> few(many.begin(),
                                      many.begin() + static_cast<std::ptrdiff_t>(options.few_poses));
-  for (const ContactCase& method : cases_of(contact_methods(), &Method::contact, *culled)) {
+  for (const ContactCase& method : cases_of(contact_methods(), &Method::contact, joint.meshes)) {
     if (std::ranges::find(kAsked, method.name) != kAsked.end())
       add_method(joint, volume, method, method.few ? few : many, table);
   }

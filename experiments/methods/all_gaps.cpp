@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     contact
-// @links   contact gap_simd centred_table
+// @links   gap_simd centred_table
 //
 // The gaps of all vertices of a joint by the kernels: all_vertices, of tables in 16 bits; all_corners, of
 // tables with the corners of a cell together and centred errors, as accurate; all_corners_2_threads, the
@@ -71,37 +71,37 @@ bool any_at_most_zero(const JointGaps& gaps) {
   return std::ranges::any_of(gaps.ball, at_most_zero) || std::ranges::any_of(gaps.socket, at_most_zero);
 }
 
-ContactCase scan_case(const char* name, const char* label, const BallSocketPair& pair, const Scan& scan,
-                      std::size_t threads = 1) {
-  const auto team = std::make_shared<Threads>(scan, threads, pair);
-  ContactCase one;
-  static_cast<Case&>(one) = {name, label, "", 4};
-  one.contact = Contact::gaps;
-  one.touches = [team](const Pose& pose) {
-    team->scan(pose, team->gaps.front());
-    return any_at_most_zero(team->gaps.front());
-  };
-  one.run = [team](std::span<const Pose> poses) { team->run(poses); };
-  one.gaps = [team](const Pose& pose) {
-    team->run(std::vector<Pose>(team->gaps.size(), pose));
-    return std::span<const JointGaps>(team->gaps);
-  };
-  return one;
+ContactQuery query_of(const BallSocketPair& pair, Scan scan, std::size_t threads) {
+  const auto team = std::make_shared<Threads>(std::move(scan), threads, pair);
+  return {[team](const Pose& pose) {
+            team->scan(pose, team->gaps.front());
+            return any_at_most_zero(team->gaps.front());
+          },
+          [team](std::span<const Pose> poses) { team->run(poses); },
+          {},
+          [team](const Pose& pose) {
+            team->run(std::vector<Pose>(team->gaps.size(), pose));
+            return std::span<const JointGaps>(team->gaps);
+          }};
 }
 
-std::vector<ContactCase> scan_cases(const CulledJoint& joint) {
-  const BallSocketPair& pair = joint.meshes();
+std::vector<ContactCase> scan_cases(const BallSocketPair& pair) {
   const auto rows = [](const auto&... of) { return packed_table<std::uint16_t>(filled(of...)); };
   const auto sampled = [](const auto&... of) { return corner_table(packed_table<float>(filled(of...))); };
   const auto centred = [](const TriangleMesh& mesh, std::size_t cells, Layer layer) {
     return corner_table(packed_table<float>(centred_table(mesh, filled(mesh, cells, layer), layer)));
   };
-  const Scan corners = scan_of(pair, kCentredCells, centred);
-  return {scan_case("all_vertices", "all gaps, 16 bits", pair, scan_of(pair, kRowsCells, rows)),
-          scan_case("all_corners", "all gaps, corners", pair, corners),
-          scan_case("all_corners_2_threads", "all gaps, corners, two threads", pair, corners, 2),
-          scan_case("all_corners_sampled", "all gaps, corners, not centred", pair,
-                    scan_of(pair, kSampledCells, sampled))};
+  const auto scan_case = [&pair](const char* name, const char* label, ScanCells cells, const auto& made,
+                                 std::size_t threads = 1) {
+    ContactCase one{{name, label, "", 4}};
+    one.contact = Contact::gaps;
+    one.make = [&pair, cells, made, threads] { return query_of(pair, scan_of(pair, cells, made), threads); };
+    return one;
+  };
+  return {scan_case("all_vertices", "all gaps, 16 bits", kRowsCells, rows),
+          scan_case("all_corners", "all gaps, corners", kCentredCells, centred),
+          scan_case("all_corners_2_threads", "all gaps, corners, two threads", kCentredCells, centred, 2),
+          scan_case("all_corners_sampled", "all gaps, corners, not centred", kSampledCells, sampled)};
 }
 
 }  // namespace

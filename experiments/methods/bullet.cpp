@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     points contact
-// @links   gap contact heap_use peer::bullet
+// @can     contact
+// @links   gap peer::bullet
 //
 // Method bullet_collide: trees of boxes along the axes on both surfaces, Bullet's GImpact, without a margin.
 // It finds all contacts of the pair, with no way to stop at the first.
@@ -13,7 +13,6 @@
 #include <btBulletCollisionCommon.h>
 
 #include "methods/contact.hpp"
-#include "methods/whole_pose.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -105,13 +104,8 @@ Touch collide(const BallSocketPair& pair) {
 
 Method bullet_method() {
   Method method;
-  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
-    return std::vector{touch_case("bullet_collide", "Bullet (GImpact), collide", scene, collide)};
-  };
-  method.contact = [](const CulledJoint& joint) {
-    ContactCase one;
-    static_cast<Case&>(one) = {"bullet_collide", "Bullet (GImpact), touch", "", 2};
-    one.touches = collide(joint.meshes());
+  method.contact = [](const BallSocketPair& pair) {
+    ContactCase one = touch_only("bullet_collide", "Bullet (GImpact), touch", 2, pair, collide);
     one.few = true;
     return std::vector{one};
   };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a joint touches, in many poses of a motion.
+// Whether a joint touches, or its smallest gap, in many poses of a motion.
 #pragma once
 
 #include <span>
 
-#include "contact/culled_joint.hpp"
 #include "methods/method.hpp"
 
 namespace impinge::lab {
@@ -22,15 +21,33 @@ enum class Contact {
   gaps       // that of gaps whose error is looked at
 };
 
-/// One way to ask.
-struct ContactCase : Case {
+/// A joint as a method keeps it. It may keep scratch memory between poses: one thread at a time.
+struct ContactQuery {
   Touch touches;                                        // what it says of a pose
-  Contact contact = Contact::faces;                     // and what that must be
-  bool few = false;                                     // so slow that it is asked in one pose of several
-  bool counted = false;                                 // are its instructions counted?
-  std::function<void(std::span<const Pose>)> run = {};  // what is timed; empty: each pose by itself
+  std::function<void(std::span<const Pose>)> run = {};  // what is timed; empty: `touches`, pose after pose
+  /// Smallest gap or distance of a pose, mm, where the same work yields it.
+  std::function<double(const Pose&)> smallest = {};
   /// Its gaps in a pose, once for each of its threads.
   std::function<std::span<const JointGaps>(const Pose&)> gaps = {};
 };
+
+/// One setting, and how it comes to be.
+struct ContactCase : Case {
+  std::function<ContactQuery()> make = {};  // everything that is done once for a joint, which outlives it
+  Contact contact = Contact::faces;
+  Measure measure = Measure::radial;  // of its smallest gap
+  bool few = false;                   // so slow that it is asked in one pose of several
+  bool counted = false;               // are its instructions counted?
+};
+
+/// Touch alone: make(pair) gives it.
+template <class Make>
+ContactCase touch_only(std::string name, std::string label, int place, const BallSocketPair& pair,
+                       const Make& make) {
+  ContactCase one;
+  static_cast<Case&>(one) = {std::move(name), std::move(label), "", place};
+  one.make = [&pair, make] { return ContactQuery{make(pair)}; };
+  return one;
+}
 
 }  // namespace impinge::lab

@@ -2,38 +2,58 @@
 // @can     contact
 // @links   contact
 //
-// Methods culled and culled_least_gap: touch and smallest gap without asking most vertices; coherent: touch,
-// from one pose to the next.
+// Touch and smallest gap without asking most vertices or faces. culled_faces: touch of the surfaces, edges
+// and all, as `scene` answers it; culled: of the vertices; coherent: of the vertices, from one pose to the
+// next; culled_least_gap: smallest gap of a vertex.
 
+#include <concepts>
 #include <memory>
 
 #include "contact/coherent_contact.hpp"
+#include "contact/culled_overlay.hpp"
 #include "methods/contact.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge::lab {
 namespace {
 
-ContactCase culled_case(const char* name, const char* label, Touch touches) {
-  ContactCase one;
-  static_cast<Case&>(one) = {name, label, "", 3};
-  one.touches = std::move(touches);
-  one.contact = Contact::vertices;
-  one.counted = true;
-  return one;
+// A joint and what asks it.
+template <class Asking>
+struct Culled {
+  explicit Culled(const BallSocketPair& pair) : joint(pair), asking(joint) {}
+  CulledJoint joint;
+  Asking asking;
+};
+
+template <class Asking>
+Touch touch_of(const BallSocketPair& pair) {
+  return [culled = std::make_shared<Culled<Asking>>(pair)](const Pose& pose) {
+    if constexpr (std::same_as<Asking, CulledOverlay>)
+      return culled->asking.impinged(pose);
+    else
+      return culled->asking.impinged(pose).has_value();
+  };
 }
 
-std::vector<ContactCase> culled_cases(const CulledJoint& joint) {
-  const auto coherent = std::make_shared<CoherentContact>(joint);
-  std::vector cases{
-      culled_case("culled", "touch, culled",
-                  [&joint](const Pose& pose) { return joint.impinged(pose).has_value(); }),
-      culled_case("coherent", "touch, culled, from pose to pose",
-                  [coherent](const Pose& pose) { return coherent->impinged(pose).has_value(); }),
-      culled_case("culled_least_gap", "smallest gap, culled", [&joint](const Pose& pose) {
-        const auto least = joint.least_gap(pose);
-        return least && least->gap_mm <= 0.0;
-      })};
-  cases.back().counted = false;
+ContactQuery smallest_gap(const BallSocketPair& pair) {
+  const auto joint = std::make_shared<const CulledJoint>(pair);
+  const auto smallest = [joint](const Pose& pose) {
+    const auto least = joint->least_gap(pose);
+    return least ? least->gap_mm : kInfinity;
+  };
+  return {[smallest](const Pose& pose) { return smallest(pose) <= 0.0; }, {}, smallest};
+}
+
+std::vector<ContactCase> culled_cases(const BallSocketPair& pair) {
+  std::vector cases{touch_only("culled_faces", "touch, culled", 3, pair, touch_of<CulledOverlay>),
+                    touch_only("culled", "touch of vertices, culled", 3, pair, touch_of<const CulledJoint&>),
+                    touch_only("coherent", "touch of vertices, coherent", 3, pair, touch_of<CoherentContact>),
+                    ContactCase{{"culled_least_gap", "smallest gap, culled", "", 3},
+                                [&pair] { return smallest_gap(pair); }}};
+  for (ContactCase& one : cases) {
+    if (one.name != "culled_faces") one.contact = Contact::vertices;
+    one.counted = one.name == "culled" || one.name == "coherent";
+  }
   return cases;
 }
 

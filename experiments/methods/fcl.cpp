@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     points touch contact
-// @links   gap contact heap_use peer::fcl
+// @can     touch contact
+// @links   gap peer::fcl
 //
 // FCL's trees of boxes on both surfaces, one answer for a whole pose. fcl_obb and fcl_collide: oriented
 // boxes, do the surfaces meet? One contact is asked for, without its depth, and ends the search. The thesis
@@ -17,7 +17,6 @@
 #include <fcl/narrowphase/distance.h>
 
 #include "methods/contact.hpp"
-#include "methods/whole_pose.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -75,23 +74,19 @@ std::function<double(const Pose&)> smallest_distance(const BallSocketPair& pair)
 
 Method fcl_method() {
   Method method;
-  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
-    return std::vector{touch_case("fcl_collide", "FCL, collide", scene, collide),
-                       pose_case("fcl_distance", "FCL, distance", scene, smallest_distance)};
-  };
   method.touch = [](const BallSocketPair& pair, double /*precision_deg*/) {
     return std::vector{TouchCase{{"fcl_obb", "OBB tree (FCL)", "", 1}, collide(pair)}};
   };
-  method.contact = [](const CulledJoint& joint) {
-    std::vector<ContactCase> cases(2);
-    static_cast<Case&>(cases[0]) = {"fcl_collide", "FCL, touch", "", 0};
-    cases[0].touches = collide(joint.meshes());
+  method.contact = [](const BallSocketPair& pair) {
+    std::vector cases{touch_only("fcl_collide", "FCL, touch", 0, pair, collide),
+                      ContactCase{{"fcl_distance", "FCL, distance", "", 1}}};
     cases[0].counted = true;
-    static_cast<Case&>(cases[1]) = {"fcl_distance", "FCL, distance", "", 1};
-    cases[1].touches = [distance = smallest_distance(joint.meshes())](const Pose& pose) {
-      return distance(pose) <= 0.0;
-    };
+    cases[1].measure = Measure::euclidean;
     cases[1].few = true;
+    cases[1].make = [&pair] {
+      const auto distance = smallest_distance(pair);
+      return ContactQuery{[distance](const Pose& pose) { return distance(pose) <= 0.0; }, {}, distance};
+    };
     return cases;
   };
   return method;

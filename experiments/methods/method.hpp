@@ -12,15 +12,12 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "gap/pose.hpp"
 #include "mesh/ball_socket_pair.hpp"
-
-namespace impinge {
-class CulledJoint;
-}
 
 namespace impinge::lab {
 
@@ -32,6 +29,16 @@ struct Case {
   std::string setting = {};  // such as "1deg float"
   int place = 100;  // among the cases of all methods; of one place: by file, then as the method gives them
 };
+
+/// What an answer is, mm.
+enum class Measure {
+  radial,    // along the ray from the centre: of a radius or of a gap
+  euclidean  // distance of the surface from the point, or of the surfaces from one another
+};
+/// "radial" or "euclidean".
+constexpr std::string_view name_of(Measure measure) {
+  return measure == Measure::radial ? "radial" : "euclidean";
+}
 
 /// Do the surfaces meet in this pose? It may keep scratch memory between poses: one thread at a time.
 using Touch = std::function<bool(const Pose&)>;
@@ -65,8 +72,8 @@ struct Method {
   std::function<std::vector<GapCase>(const AskedSurface&, const GapSizes&)> gaps = {};
   /// With tables of a precision in degrees.
   std::function<std::vector<TouchCase>(const BallSocketPair&, double)> touch = {};
-  /// contact.hpp: whether the joint touches, in many poses of a motion.
-  std::function<std::vector<ContactCase>(const CulledJoint&)> contact = {};
+  /// contact.hpp: whether the joint touches, or its smallest gap, in many poses of a motion.
+  std::function<std::vector<ContactCase>(const BallSocketPair&)> contact = {};
   /// fill.hpp: the table of a surface.
   std::function<std::vector<FillCase>()> fill = {};
   /// baseline.hpp: at several resolutions, beside what the thesis compares itself with.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     points contact
-// @links   gap contact heap_use peer::ode
+// @can     contact
+// @links   gap peer::ode
 //
 // Method ode_collide: trees of boxes along the axes, by OPCODE inside the Open Dynamics Engine. One contact
 // is asked for, none of whose numbers matter. OPCODE works in float, so that a verdict may differ from the
@@ -12,7 +12,6 @@
 #include <ode/ode.h>
 
 #include "methods/contact.hpp"
-#include "methods/whole_pose.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -73,13 +72,8 @@ Touch collide(const BallSocketPair& pair) {
 
 Method ode_method() {
   Method method;
-  method.points = [](const BenchmarkScene& scene, const PointSizes&) {
-    return std::vector{touch_case("ode_collide", "ODE (OPCODE), collide", scene, collide)};
-  };
-  method.contact = [](const CulledJoint& joint) {
-    ContactCase one;
-    static_cast<Case&>(one) = {"ode_collide", "ODE (OPCODE), touch", "", 2};
-    one.touches = collide(joint.meshes());
+  method.contact = [](const BallSocketPair& pair) {
+    ContactCase one = touch_only("ode_collide", "ODE (OPCODE), touch", 2, pair, collide);
     one.few = true;
     return std::vector{one};
   };

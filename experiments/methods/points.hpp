@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the surface of a scene is, point by point: tables, rays, closest points, distance grids, and
-// answers for a whole pose.
+// How far the surface of a scene is, point by point: tables, rays, closest points and distance
+// grids.
 #pragma once
 
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "methods/benchmark_scene.hpp"
@@ -14,17 +13,6 @@
 #include "table/table_bound.hpp"
 
 namespace impinge::lab {
-
-/// What an answer is, mm.
-enum class Measure {
-  radial,     // distance of the surface from the centre along the direction of the point
-  euclidean,  // distance of the surface from the point
-  pose        // one answer for all points: smallest distance between ball and socket, 0 where they touch
-};
-/// "radial", "euclidean" or "pose".
-constexpr std::string_view name_of(Measure measure) {
-  return measure == Measure::radial ? "radial" : measure == Measure::euclidean ? "euclidean" : "pose";
-}
 
 /// What a table keeps, entry by entry, in the order of its scheme.
 struct StoredRadii {
@@ -35,8 +23,8 @@ struct StoredRadii {
 
 /// What was built for a surface, to be asked.
 struct PointQuery {
-  /// One answer for each point (one alone for Measure::pose); NaN where there is no surface. Points in the
-  /// socket's frame, mm, not at the centre.
+  /// One answer for each point; NaN where there is no surface. Points in the socket's frame, mm, not at the
+  /// centre.
   std::function<void(std::span<const Vec3>, std::span<double>)> answer;
   double bytes = 0.0;                        // of everything that was built; NaN where it cannot be known
   double storage_bound = 0.0;                // what fewer bytes a number add to the error at most, mm
@@ -66,7 +54,6 @@ struct PointCase : Case {
   std::string interpolant = "none";                                 // smooth, mesh_exact or none
   std::string storage = "none";                                     // double, float, uint16 or none
   Measure measure = Measure::radial;                                // what the answers are
-  bool says_how_far = true;                                         // of a pose: not only whether it touches
   std::string stability = {};  // its name in the families of stiff cases; empty: it is in none
   bool in_float = false;       // is its rounding that of float?
   /// Everything that is done once for a surface. The scene outlives both.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @can     gaps contact
-// @links   gap contact gap_queries heap_use imaging_vtk peer::vtk
+// @links   gap gap_queries heap_use imaging_vtk peer::vtk
 //
 // Methods vtk_first_hit and vtk_closest: first intersection with a ray from the centre, and distance of a
 // point, by VTK's vtkStaticCellLocator, which sorts triangles into buckets. Of VTK's locators it is the
 // fastest here: vtkModifiedBSPTree, vtkCellTreeLocator and vtkOBBTree take 5 to 300 times as long for a ray,
 // vtkImplicitPolyDataDistance as long for a point. Method vtk_collide: trees of oriented boxes on both
-// surfaces, by vtkCollisionDetectionFilter. It asks for one contact and stops there. The trees are built with
-// the first pose that is asked for.
+// surfaces, by vtkCollisionDetectionFilter. It asks for one contact and stops there. The trees are built
+// with the first pose that is asked for, which is part of building here.
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +109,12 @@ struct Collision {
   vtkNew<vtkCollisionDetectionFilter> filter;
 };
 
+Touch collide(const BallSocketPair& pair) {
+  const auto collision = std::make_shared<Collision>(pair);
+  collision->touches({});
+  return [collision](const Pose& pose) { return collision->touches(pose); };
+}
+
 }  // namespace
 
 Method vtk_method() {
@@ -119,12 +125,8 @@ Method vtk_method() {
                        locator_case(surface, "vtk_closest", "VTK, closest point", Measure::euclidean, 63,
                                     &LocatedSurface::closest)};
   };
-  method.contact = [](const CulledJoint& joint) {
-    ContactCase one;
-    static_cast<Case&>(one) = {"vtk_collide", "VTK, touch", "", 2};
-    one.touches = [collision = std::make_shared<Collision>(joint.meshes())](const Pose& pose) {
-      return collision->touches(pose);
-    };
+  method.contact = [](const BallSocketPair& pair) {
+    ContactCase one = touch_only("vtk_collide", "VTK, touch", 2, pair, collide);
     one.few = true;
     return std::vector{one};
   };

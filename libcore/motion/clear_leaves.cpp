@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr std::size_t kMostNodes = 100'000;  // of one level, undecided: more leaves nobody checks
 constexpr double kMostRadius = 0x1p60;       // in 1 / kLeafUnit mm; a ball beyond 10^6 km has no leaf
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A face as one face of the cube sees it: corners (m, p, q).
 struct LeafFace {

@@ -2,10 +2,10 @@
 #include "motion/profile_index.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "mesh/triangle_distance.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
@@ -36,7 +36,6 @@ ProfileBox profile_of(const Vec3& a, const Vec3& b, const Vec3& c, double margin
 }
 
 ProfileBox bounds_of(const std::vector<ProfileBox>& boxes) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ProfileBox all{kInfinity, -kInfinity, kInfinity, -kInfinity};
   for (const ProfileBox& box : boxes) {
     all.z_low = std::min(all.z_low, box.z_low);

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "10_error_against_time/scenes.hpp"
+#include "methods/benchmark_scene.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -35,7 +35,7 @@ TEST(AllGaps, HaveErrorsWithinTheirBoundsAndTimesInBothDirections) {
   options.gap_timing.slow_build_ms = 0.0;  // every building is slow
   options.gap_timing.flush_bytes = 1 << 16;
   options.gap_timing.options = {.min_round_ms = 0.01, .most_repeats = 0};
-  GapTables tables = make_gap_tables();
+  QuestionTable tables = make_gap_table();
   Progress quiet("test", nullptr);
   run_all_gaps(generated_scene(300), {{{32}, {4.0}, {}, true, {}, {32}}}, options, tables, quiet);
   std::map<std::string, std::size_t> column;

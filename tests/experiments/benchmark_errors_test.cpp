@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "10_error_against_time/errors.hpp"
-#include "10_error_against_time/scenes.hpp"
+#include "methods/benchmark_scene.hpp"
 #include "methods/table_query.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/stored_table.hpp"
@@ -83,17 +83,6 @@ TEST(BenchmarkErrors, TheAscentFindsThePeak) {
   EXPECT_EQ(without.adversarial_max, 0.0);
   EXPECT_LT((with.worst.normalized() - top).norm(), 1e-3);
   EXPECT_GT(with.directions, without.directions + 4 * 200 - 1);
-}
-
-TEST(BenchmarkErrors, OfAPoseAreThoseOfOneAnswer) {
-  const PointQuery distance = formula([](const Vec3&) { return 1.25; });
-  EXPECT_NEAR(measure_pose(distance, 1.0).max_over, 0.25, 1e-15);
-  const PointQuery apart = formula([](const Vec3&) { return kNone; });
-  EXPECT_EQ(measure_pose(apart, 1.0).misses, 0U);
-  EXPECT_EQ(measure_pose(apart, 0.0).misses, 1U);
-  const PointQuery touching = formula([](const Vec3&) { return 0.0; });
-  EXPECT_EQ(measure_pose(touching, 1.0).false_hits, 1U);
-  EXPECT_EQ(measure_pose(touching, 0.0).false_hits, 0U);
 }
 
 TEST(Violation, IsAnErrorAboveTheBound) {

@@ -16,6 +16,7 @@
 #include "mesh/generated_pair.hpp"
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "methods/contact.hpp"
 #include "methods/gaps.hpp"
 #include "methods/grid_field.hpp"
 #include "methods/surface_distance.hpp"
@@ -262,6 +263,11 @@ TEST(TriangleDistance, OfTwoTrianglesIsThatOfTheirNearestPoints) {
   }
 }
 
+ContactQuery contact_of(const BallSocketPair& pair, std::string_view name) {
+  const auto cases = cases_of(contact_methods(), &Method::contact, pair);
+  return std::ranges::find(cases, name, &ContactCase::name)->make();
+}
+
 // Over many poses FCL's smallest distance is not above that of any vertex, and 0 where a vertex is through.
 TEST(PoseMethods, AgreeWithTheDistancesOfTheVertices) {
   BenchmarkScene scene = small_scene();
@@ -269,9 +275,8 @@ TEST(PoseMethods, AgreeWithTheDistancesOfTheVertices) {
     scene.pose.translation = Vec3(0.0, 0.0, moved);
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& x : scene.queries()) least = std::min(least, distance_by_force(scene.surface(), x));
-    const double distance = answers(case_of(scene, "fcl_distance").make(), {Vec3::Zero()}).front();
-    const double touch = answers(case_of(scene, "fcl_collide").make(), {Vec3::Zero()}).front();
-    EXPECT_EQ(touch == 0.0, distance == 0.0) << moved;
+    const double distance = contact_of(scene.pair, "fcl_distance").smallest(scene.pose);
+    EXPECT_EQ(contact_of(scene.pair, "fcl_collide").touches(scene.pose), distance == 0.0) << moved;
     EXPECT_EQ(distance == 0.0, moved == 6.0);
     EXPECT_LE(distance, least + kDouble);
     EXPECT_NEAR(distance, surface_distance(scene), kDouble) << "moved by " << moved;

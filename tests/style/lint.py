@@ -18,7 +18,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 OTHERS = re.compile(r"#include <(?:CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
-LARGEST = 40  # files in a unit
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wno-unknown-warning-option"]  # of clang, beside its checks
+LARGEST = 100  # files in a unit
 
 
 def flags_of(entry: dict) -> list[str]:
@@ -42,10 +43,14 @@ def sources_of(entry: dict) -> list[Path]:
 
 
 def names_in(text: str) -> set[str]:
-    """What is declared outside of functions and classes: lines that begin at the margin, as clang-format leaves them."""
-    lines = re.findall(r"^(?![#/}{]|namespace\b|using namespace\b|template\b)\S.*", text, re.MULTILINE)
-    found = (re.match(r"[^(={;]*?(\w+)(?: final)?(?: : .*)?(?:<.*>)?\s*(?:\[.*\])?\s*[(={;]", line) for line in lines)
-    return {match[1] for match in found if match}
+    """What a second file must not declare outside of functions and classes: lines at the margin, as clang-format leaves them.
+
+    A function's name has its parameters, as others overload it. Members are defined once.
+    """
+    lines = re.findall(r"^(?![#/}{]|(?:namespace|using namespace|template)\b|using [\w:]+;)\S.*", text, re.MULTILINE)
+    found = (re.match(r"[^(={;]*?((?:::)?\w+)(?: final)?(?: : .*)?(?:<.*>)?\s*(?:\[.*\])?\s*(?:[={;]|(\(.*))", line) for line in lines)
+    names = (match.groups(default="") for match in found if match)
+    return {name + parameters for name, parameters in names if not name.startswith("::")}
 
 
 def is_program(text: str) -> bool:
@@ -114,7 +119,7 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
     mains = ",".join(["main", *(f"main_{k}" for k in range(LARGEST))])
     settings = (ROOT / ".clang-tidy").read_text()
     settings += f"  - {{ key: bugprone-exception-escape.FunctionsThatShouldNotThrow, value: '{mains}' }}\n"
-    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), "-Wno-everything"]
+    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode and len(unit.files) > 1 and "clang-diagnostic-error" in done.stdout:
         print(f"{at.name} does not compile as one:\n" + "\n".join(re.findall(".*clang-diagnostic-error.*", done.stdout)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "13_contact/contact_agreement.hpp"
+#include "10_error_against_time/contact_agreement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ class ContactReferee {
       : overlay_(joint.ball, joint.socket),
         culled_(joint),
         coherent_(culled_),
-        fcl_(std::ranges::find(cases_, "fcl_collide", &ContactCase::name)->touches) {}
+        fcl_(std::ranges::find(cases_, "fcl_collide", &ContactCase::name)->make().touches) {}
 
   const CulledJoint& culled() const { return culled_; }
 
@@ -46,7 +46,7 @@ class ContactReferee {
   SurfaceOverlay overlay_;
   CulledJoint culled_;
   CoherentContact coherent_;
-  std::vector<ContactCase> cases_ = cases_of(contact_methods(), &Method::contact, culled_);
+  std::vector<ContactCase> cases_ = cases_of(contact_methods(), &Method::contact, culled_.meshes());
   Touch fcl_;
 };
 

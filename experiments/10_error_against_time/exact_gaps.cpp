@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "13_contact/exact_gaps.hpp"
+#include "10_error_against_time/exact_gaps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kMostError = 1.0;      // mm, of the coarsest mesh here
+constexpr double kMostGapError = 1.0;   // mm, of the coarsest mesh here
 constexpr double kLeastAnswered = 0.9;  // of the vertices that meet the other surface; others are at the rim
 
 // Of the gaps of one pose.
@@ -52,21 +52,21 @@ ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose) {
   return gaps;
 }
 
-double gap_error(const ContactCase& method, const ExactGaps& exact, const Pose& pose) {
-  const std::span<const JointGaps> gaps = method.gaps(pose);
+double gap_error(const MadeContact& made, const ExactGaps& exact, const Pose& pose) {
+  const std::span<const JointGaps> gaps = made.query->gaps(pose);
   Misfit misfit;
   add_misfit(misfit, gaps[0].ball, exact.ball);
   add_misfit(misfit, gaps[0].socket, exact.socket);
-  if (misfit.largest > kMostError ||
+  if (misfit.largest > kMostGapError ||
       static_cast<double>(misfit.answered) < kLeastAnswered * static_cast<double>(misfit.faced)) {
-    throw std::runtime_error(method.name + ": a gap is off by " + std::to_string(misfit.largest) +
+    throw std::runtime_error(made.method.name + ": a gap is off by " + std::to_string(misfit.largest) +
                              " mm, and " + std::to_string(misfit.answered) + " of " +
                              std::to_string(misfit.faced) +
                              " are answered: its time means nothing until that is resolved");
   }
   for (const JointGaps& other : gaps) {
     if (!same_bits(other.ball, gaps[0].ball) || !same_bits(other.socket, gaps[0].socket))
-      throw std::runtime_error(method.name + ": threads find different gaps in one pose");
+      throw std::runtime_error(made.method.name + ": threads find different gaps in one pose");
   }
   return misfit.largest;
 }

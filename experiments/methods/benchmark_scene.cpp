@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/scenes.hpp"
+#include "methods/benchmark_scene.hpp"
 
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "13_contact/contact_motions.hpp"
+#include "10_error_against_time/contact_motions.hpp"
 
 #include <algorithm>
 #include <optional>

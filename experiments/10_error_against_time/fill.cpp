@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "13_fill/fill_study.hpp"
+#include "10_error_against_time/fill.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "harness/timing_report.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/fill.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {
@@ -104,24 +106,29 @@ std::vector<Column> fill_keys() {
           {"entries", "1", "of both tables"}};
 }
 
-TimingRun time_filling(const FillOptions& options, const std::vector<FillCase>& methods, Progress& progress) {
+QuestionTable fill_tables(const FillPlan& plan, const BenchmarkTiming& timing, Progress& progress) {
+  const std::vector<FillCase> methods = cases_of(fill_methods(), &Method::fill);
   std::vector<std::shared_ptr<const BallSocketPair>> pairs;
-  for (const std::size_t triangles : options.triangles)
+  for (const std::size_t triangles : plan.triangles)
     pairs.push_back(std::make_shared<const BallSocketPair>(make_ball_socket_pair(triangles)));
   std::vector<TimedCase> cases;
-  for (const std::size_t cells : options.cells) {
+  for (const std::size_t cells : plan.cells) {
     const auto scheme = CubeGnomonic::with_precision(90.0 / static_cast<double>(cells));
     const auto directions = std::make_shared<const FloatDirections>(scheme);
     for (const auto& pair : pairs) {
       const FillStage stage{pair, scheme, directions};
       check(stage, methods);
       for (const FillCase& method : methods) {
-        cases.push_back(fill_case(stage, method, false, options.rounds));
-        cases.push_back(fill_case(stage, method, true, options.rounds));
+        cases.push_back(fill_case(stage, method, false, timing.rounds));
+        cases.push_back(fill_case(stage, method, true, timing.rounds));
       }
     }
   }
-  return run_interleaved(cases, options.timing, progress);
+  QuestionTable found{{timing_columns(fill_keys()), {}}};
+  add_labels(found.labels, methods);
+  found.timing = run_interleaved(cases, timing.options, progress);
+  for (const Timing& one : found.timing.timings) found.table.add_row(timing_cells(one));
+  return found;
 }
 
 }  // namespace impinge::lab

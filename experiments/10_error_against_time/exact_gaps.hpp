@@ -2,7 +2,8 @@
 // The gaps of all vertices to the faces in a pose, and how far those of a method are off.
 #pragma once
 
-#include "methods/contact.hpp"
+#include "10_error_against_time/contact.hpp"
+#include "contact/culled_joint.hpp"
 
 namespace impinge::lab {
 
@@ -18,6 +19,6 @@ ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose);
 
 /// Largest error of a gap, mm; a vertex without an answer has none. std::runtime_error where it is larger
 /// than a table allows, or where threads that share poses find other gaps than one.
-double gap_error(const ContactCase& method, const ExactGaps& exact, const Pose& pose);
+double gap_error(const MadeContact& made, const ExactGaps& exact, const Pose& pose);
 
 }  // namespace impinge::lab
