@@ -34,7 +34,7 @@ class Errors:
 
 
 MICROMETRES = Errors(0.1, 1e4, 100.0, "largest error measured, µm")
-DEGREES = Errors(1e-2, 1e3, 100.0, "largest error measured, degrees")
+DEGREES = Errors(1e-2, 1e3, 1.0, "largest error measured, degrees")
 
 
 def grid_of(lines: int, height: float) -> tuple[plt.Figure, np.ndarray]:
@@ -62,7 +62,7 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors = MICROMETRES) -> No
     axes.axvspan(-0.1, BAND, color="#f2f2f2", zorder=0, linewidth=0)
     decades = range(round(np.log10(errors.least)), int(np.floor(np.log10(most))) + 1)
     axes.set_xticks(
-        [BAND / 2, *(errors.place(10.0**k) for k in decades)], ["exact", *(f"{10.0**k:g}" for k in decades)]
+        [BAND / 4, *(errors.place(10.0**k) for k in decades)], ["exact", *(f"{10.0**k:g}" for k in decades)]
     )
     axes.set_xlabel(errors.label)
     for _, group in rows.groupby("group", sort=False):

@@ -94,8 +94,9 @@ def scans(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def words(rows: pd.DataFrame) -> str:
-    """The scene of the rows, as a reader reads it."""
-    return rows.scene.iloc[0].replace("_", " ")
+    """The hip of the rows and its thousands of triangles, as a reader reads them."""
+    preset, triangles = rows.scene.iloc[0].removeprefix(fast.HIPS).rsplit("_", 1)
+    return f"{preset.replace('_', ' ')} hip, {int(triangles) // 1000}k"
 
 
 def motions(table: pd.DataFrame) -> pd.DataFrame:

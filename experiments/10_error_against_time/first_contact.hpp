@@ -15,9 +15,9 @@ QuestionTable make_first_contact_table();  // first_contact.csv
 // scene, method, setting, triangles.
 std::vector<Column> first_contact_keys();
 
-// Turns about random axes from the pose as it is, those that end in a contact. std::runtime_error where the
-// exact overlay contradicts a bracket. The methods are those of the scene's joint. Adds the rows; none where
-// the joint impinges already.
+// Turns about random axes from the pose as it is, those that end in a common point of the surfaces.
+// std::runtime_error where the exact overlay contradicts a bracket. The methods are those of the scene's
+// joint. Adds the rows; none where the joint impinges already.
 void run_first_contact(const BenchmarkScene& scene, std::span<const MadeContact> methods, bool quick,
                        const BenchmarkOptions& options, QuestionTable& found, Progress& progress);
 
