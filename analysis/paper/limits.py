@@ -5,7 +5,7 @@
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
 :joints, :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
 contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
-:unbounded (limits without a proven upper end), :hanging (limits that hang on less than that), :shift:most (mm,
+:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that), :shift:most (mm,
 between the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit);
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """

@@ -131,7 +131,10 @@ SharedJoint joint_of_hip(const std::string& preset, std::size_t faces, const py:
   HipParameters parameters = hip_preset(preset);
   for (const auto& [name, value] : changes)
     set_hip_parameter(parameters, setting_of(name.cast<std::string>(), value));
-  Hip hip = make_hip(parameters, faces);
+  Hip hip = [&] {
+    const py::gil_scoped_release others;
+    return make_hip(parameters, faces);
+  }();
   JointInput input;
   input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
   input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};

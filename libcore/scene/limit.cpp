@@ -79,7 +79,7 @@ std::string doubts(const ToldLimit& told) {
   if (told.half_mm_gap_deg)
     text += below + formatted("the gap falls to %g mm at ", kErrorOfInput) +
             rounded_down(*told.half_mm_gap_deg, 1) + " degrees";
-  if (told.hangs_on_less()) text += formatted(": this answer hangs on less than %g mm", kErrorOfInput);
+  if (told.hangs_on_less()) text += formatted(": this answer is sensitive to less than %g mm", kErrorOfInput);
   if (limit.state == LimitState::limited && limit.leaves_mesh_deg)  // with more of the ball it stays impinged
     text += below + "the ball's mesh ends under the socket from " + rounded_down(*limit.leaves_mesh_deg, 1) +
             " degrees on: what is missing may come first";

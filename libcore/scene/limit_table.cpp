@@ -15,7 +15,7 @@ std::string what_of(const LimitAnswer& answer) {
   const ToldLimit& told = answer.told;
   std::string parts = parts_of(answer);
   const std::string before = parts.empty() ? "" : "by " + parts + "; ";
-  if (told.hangs_on_less()) return before + formatted("hangs on less than %g mm", kErrorOfInput);
+  if (told.hangs_on_less()) return before + formatted("sensitive to less than %g mm", kErrorOfInput);
   if (told.limit.leaves_mesh_deg)
     return before + "the ball's mesh ends from " + rounded_down(*told.limit.leaves_mesh_deg, 1);
   return parts.empty() ? "" : "by " + parts;

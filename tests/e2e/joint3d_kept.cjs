@@ -117,6 +117,12 @@ async function reload(browser) {
   await page.waitForTimeout(300);
   assert.deepEqual(await seen(), before, "the skip link changes the session");
   assert.equal(await page.evaluate(() => document.activeElement.closest("details").id), "motion");
+  const fragment = await page.evaluate(() => location.hash);
+  await posed(page, () => page.selectOption("#preset", "normal"));
+  await page.evaluate((hash) => { location.hash = hash; }, fragment); // a link in the page that is open
+  await page.waitForFunction((name) => document.getElementById("joint-name").textContent === name, before[0]);
+  await page.waitForTimeout(1200);
+  assert.equal(await camera(), stood, "a link loses its camera");
   assert.deepEqual(faults, []);
   await close();
 }
@@ -137,6 +143,9 @@ async function ownMeshes(browser) {
   await posed(page, () => page.selectOption("#preset", "cam"));
   assert.match(await joint(page), /Cam/);
   await posed(page, () => page.fill("#value-parameter-cam_height", "1"));
+  await written(page, "joint=cam");
+  await page.reload();
+  await settled(page);
   await posed(page, () => page.selectOption("#preset", "own"));
   assert.deepEqual([await joint(page), await smallest(page)], before, "a hip of parameters discards them");
   await written(page, "joint=own");

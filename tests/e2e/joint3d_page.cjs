@@ -369,6 +369,9 @@ async function everyWidth(browser) {
     assert.ok(await page.isVisible("#copy-link"));
     await page.click("#spread > summary");
     assert.ok(await page.isHidden("#histogram"), "a panel does not fold");
+    await page.emulateMedia({ media: "print" });
+    for (const pressed of [".bar", "#keep", "#files"]) assert.ok(await page.isHidden(pressed), `${pressed} is printed`);
+    assert.ok(await page.isVisible("#view") && await page.isVisible("#smallest-gap"), "the picture or its gap is not printed");
     assert.deepEqual(faults, []);
     await close();
   }

@@ -121,7 +121,7 @@ test('a file of limits has a cell for every column, and quotes a name', () => {
   assert.equal(head.split(',').length, 12);
   assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,');
   assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,the ball\'s mesh ends from 30.0');
-  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,hangs on less than 0.5 mm');
+  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,sensitive to less than 0.5 mm');
 });
 
 test('a state comes back from its fragment, with the camera, and nonsense is left out', async () => {

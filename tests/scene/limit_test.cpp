@@ -102,7 +102,7 @@ TEST(SceneLimit, FlagsWhatHangsOnLessThanHalfAMillimetre) {
   EXPECT_EQ(contact["state"], "free");
   EXPECT_LT(contact["half_mm_gap_deg"].get<double>(), 60.0);
   EXPECT_TRUE(contact["hangs_on_less_than_half_mm"].get<bool>());
-  EXPECT_NE(text.find("hangs on less than 0.5 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("sensitive to less than 0.5 mm"), std::string::npos) << text;
   grazing.cam_height = 3.0;  // a whole millimetre
   const auto clear = told_of(abducted(), scanned_joint(grazing)).summary;
   EXPECT_TRUE(clear["contact"][0]["half_mm_gap_deg"].is_null());

@@ -28,6 +28,10 @@ export class FilesPanel {
       over(false);
       const files = [...event.dataTransfer.files];
       if (!files.length) return;
+      if (byId("files").closest("[inert]")) {
+        this.onFault("The page is still starting; drop the files again when its panels answer");
+        return;
+      }
       if (files.length > 2) {
         this.onFault(`${files.length} files were dropped; drop two meshes, the ball and the socket`);
         return;

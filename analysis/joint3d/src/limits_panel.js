@@ -19,7 +19,7 @@ function shortly({ state, low_deg: low, high_deg: high, clock }) {
 
 /** What a reader must know of a limit, as `scene` says it. */
 function what({ hangs_on_less: hangs, within_mm: within, leaves_ball_mesh_deg: leaves }) {
-  if (hangs) return `hangs on less than ${within} mm`;
+  if (hangs) return `sensitive to less than ${within} mm`;
   return leaves === null ? "" : `the ball's mesh ends from ${roundedDown(leaves, 1)}`;
 }
 

@@ -25,6 +25,7 @@ export function lookBar(app, view, onLook) {
     onLook();
   }));
   view.onTurned = () => {
+    if (!app.ready) return; // the camera stands nowhere yet
     app.state.look.camera = view.eye.place();
     if (app.state.look.view === "free") return;
     app.state.look.view = "free";

@@ -67,7 +67,12 @@ function start() {
   const points = new PointsPanel(app, () => slow.ask("points"), { fault, radius: () => view.parts.radius,
     onPoints: (found, apart) => view.setPoints(found, apart) });
   app.player = new Player(app, moved);
-  const showLook = lookBar(app, view, () => { view.setLook(app.state.look); points.show(); pose(); });
+  const showLook = lookBar(app, view, () => {
+    view.setLook(app.state.look);
+    if (app.state.look.camera) app.state.look.camera = view.eye.place(); // a pelvis asks for more room
+    points.show();
+    pose();
+  });
   const joints = new JointPanel(app, askJoint);
   const files = new FilesPanel((own) => {
     app.player.stop();
@@ -129,7 +134,7 @@ function start() {
     const { text, actions } = own ? doubtOf(joint, own, (change) => files.use(change)) : { text: "", actions: [] };
     if (app.ready || text) say(text, "fault", actions);
     if (own) takeOwn(own);
-    if (other && app.ready) app.state.look.camera = null;
+    if (other && app.kind !== null) app.state.look.camera = null; // a link that has just been opened keeps its own
     Object.assign(app, { kind, ready: true });
     shown = joint;
     poses.begin(joint.ball.positions.length / 3);
@@ -160,11 +165,13 @@ function start() {
     document.querySelector("#motion summary").focus();
   });
 
-  /** The meshes that the state speaks of, where this tab has kept them. */
+  /** The meshes that this tab has kept, whatever joint is shown. */
   async function recall() {
-    if (app.state.joint.name !== OWN || app.own) return;
-    app.own = await kept.found().catch(() => null) ?? null;
-    if (app.own) return files.restore(app.own);
+    if (!app.own) {
+      app.own = await kept.found().catch(() => null) ?? null;
+      if (app.own) files.restore(app.own);
+    }
+    if (app.own || app.state.joint.name !== OWN) return;
     app.state.joint = firstState().joint;
     say(NOT_KEPT, "warning");
   }

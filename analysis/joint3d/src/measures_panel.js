@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is measured of the meshes of a joint.
 import { byId, make } from "./elements.js";
+import { inWords } from "./messages.js";
 
 const NAMES = {
   head_radius: "Radius of the head", head_neck_offset: "Head-neck offset", neck_shaft_angle: "Neck-shaft angle (CCD)",
@@ -30,7 +31,7 @@ export class MeasuresPanel {
     const mine = (this.asked += 1);
     byId("measures-rows").replaceChildren();
     byId("measures-say").textContent = "Measuring …";
-    const { measures, left_out: leftOut } = await this.ask().catch(({ message }) => ({ measures: [], left_out: [message] }));
+    const { measures, left_out: leftOut } = await this.ask().catch((error) => ({ measures: [], left_out: [inWords(error)] }));
     if (mine !== this.asked) return;
     byId("measures-rows").replaceChildren(...measures.map((each) =>
       make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }), ...published(each))));

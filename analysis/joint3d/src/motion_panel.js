@@ -4,9 +4,9 @@ import { byId, sliderRow } from "./elements.js";
 
 const WIDEST = [-180, 180]; // what the library takes
 const ROWS = [
-  { key: "flexion", label: "Flexion", least: -40, most: 140, ends: ["extension", "flexion"] },
-  { key: "abduction", label: "Abduction", least: -60, most: 80, ends: ["adduction", "abduction"] },
-  { key: "internal_rotation", label: "Rotation", least: -80, most: 80, ends: ["external", "internal"] },
+  { key: "flexion", label: "Flexion", least: -90, most: 160, ends: ["extension", "flexion"] },
+  { key: "abduction", label: "Abduction", least: -90, most: 90, ends: ["adduction", "abduction"] },
+  { key: "internal_rotation", label: "Rotation", least: -120, most: 120, ends: ["external", "internal"] },
 ];
 const OFFSETS = [["right", "To the right"], ["forward", "Forward"], ["up", "Up"]];
 

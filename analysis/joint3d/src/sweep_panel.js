@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The smallest gap along a motion, with the limit that no step can jump over.
 import { byId, fillChoice, make, roundedDown, roundedUp } from "./elements.js";
+import { inWords } from "./messages.js";
 import { drawSweep } from "./plots.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
@@ -31,7 +32,7 @@ function ofOtherCentres(limit) {
 
 function halfMillimetre({ within_mm: within, half_mm_gap_deg: half, hangs_on_less: hangs }) {
   if (half === null) return "";
-  return ` The gap falls to ${within} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer hangs on less than that" : ""}.`;
+  return ` The gap falls to ${within} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer is sensitive to less than that" : ""}.`;
 }
 
 function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
@@ -137,7 +138,7 @@ export class SweepPanel {
       this.draw();
       this.say();
     } catch (error) {
-      if (mine === this.asked) byId("sweep-say").textContent = error.message;
+      if (mine === this.asked) byId("sweep-say").textContent = inWords(error);
     }
   }
 

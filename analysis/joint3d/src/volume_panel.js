@@ -92,9 +92,11 @@ export class VolumePanel {
     const { motion, offset } = this.app.state;
     const { sure, perhaps } = rotationRange(this.volume, motion);
     const [x, y] = this.at(motion);
-    this.mark.setAttribute("cx", Math.min(Math.max(x, AREA.left), WIDTH - AREA.right));
-    this.mark.setAttribute("cy", Math.min(Math.max(y, AREA.top), HEIGHT - AREA.bottom));
-    byId("volume-here").textContent = `Near the flexion and abduction of this pose ${sure === perhaps ? sure : `${sure} to ${perhaps}`}° of rotation can be reached.`
+    const outside = x < AREA.left || x > WIDTH - AREA.right || y < AREA.top || y > HEIGHT - AREA.bottom;
+    this.mark.setAttribute("visibility", outside ? "hidden" : "visible");
+    this.mark.setAttribute("cx", x);
+    this.mark.setAttribute("cy", y);
+    byId("volume-here").textContent = outside ? "This pose is outside of the picture." : `Near the flexion and abduction of this pose ${sure === perhaps ? sure : `${sure} to ${perhaps}`}° of rotation can be reached.`
       + (offset.some(Boolean) ? " The volume is that of the joint without the shift of the ball." : "");
   }
 }
