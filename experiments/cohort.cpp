@@ -41,7 +41,7 @@ int fail(const std::string& what, int code) {
 void declare(CLI::App& app, Options& options) {
   CLI::Option* study =
       app.add_option("--study", options.study, "JSON file; experiments/cohort.md has its keys");
-  app.add_option("--hips", options.hips, "so many in the place of the study's own number")
+  app.add_option("--hips", options.hips, "number of hips, in place of the study's")
       ->needs(study)
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   app.add_option("--shard", options.shard, "i/K: part i of K, i from 1 to K")
@@ -64,7 +64,7 @@ void run(const Options& options, const ShardName& shard) {
   require_writable_folder(options.out);
   const ShardRun done = run_shard(study, shard, options.out);
   std::cout << "wrote " << shard_file(options.out, shard).string() << ": hips " << done.hips.first << " to "
-            << done.hips.last << " (that one not), " << done.kept << " of them kept from an earlier run, "
+            << done.hips.last << " (exclusive), " << done.kept << " of them kept from an earlier run, "
             << done.seconds << " s of one core" << std::endl;
 }
 

@@ -81,7 +81,7 @@ int run(int argc, char** argv) {
                  "parameter=value of the hip, once or more; libcore/hip/hip_parameters.hpp has all")
       ->needs(name);
   app.add_option("--faces", faces,
-                 "triangles of each surface; of the pair an even number, of a hip about so many")
+                 "triangles of each surface: an even number for the pair, approximate for a hip")
       ->capture_default_str();
   app.add_option("--out", out, "folder for the two meshes")->required();
   try {

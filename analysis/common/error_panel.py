@@ -45,7 +45,7 @@ def grid_of(lines: int, height: float) -> tuple[plt.Figure, np.ndarray]:
     figure.text(
         0.01,
         0.08 * inch,
-        "black: what nothing beats · line to a tick: proven bound · grey: other schemes, storages and settings",
+        "black: Pareto front · line to a tick: proven bound · grey: other schemes, storages and settings",
         fontsize=common.SMALL,
     )
     return figure, grid

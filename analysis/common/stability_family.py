@@ -17,7 +17,7 @@ def draw(cases: pd.DataFrame, family: pd.Series, of_all: dict[str, dict]) -> plt
     figure, grid = plt.subplots(2, 2, figsize=(11, 7.6))
     high = stability_plot.ceiling(cases)
     for axes, column, title in (
-        (grid[0, 0], "error_over_condition_u", "Forward error over condition and unit roundoff u"),
+        (grid[0, 0], "error_over_condition_u", "Forward error / (condition number · u), u: unit roundoff"),
         (grid[0, 1], "backward_error_over_u", "Backward error over u: |e| / (r tan ψ u), tan ψ ≥ 1"),
     ):
         stability_plot.band(axes, family.threshold, high)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      certified-verdicts
-# @question  How many vertices do certified ranges decide, and what do scans of vertices miss?
+# @question  How many vertices do certified ranges decide, and which contacts do vertex tests miss?
 # @data      certified certified_poses schemes
 """What certified ranges decide, by precision, and how much later scans of vertices see a contact than the surfaces make
 it.
@@ -88,7 +88,7 @@ def draw_missed(axes: plt.Axes, table: pd.DataFrame) -> None:
         yscale="log",
         xlabel="faces of both models",
         ylabel="largest, µm",
-        title="What vertices miss where edges cross; % of poses",
+        title="Edge contacts that vertex tests miss (labels: % of poses)",
     )
     shown = [tick for tick in FACES if faces.min() / 3 <= tick <= faces.max() * 3]
     axes.set_xticks(shown, [f"{tick:,}" for tick in shown])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      euclidean-distances
-# @question  How far are radial gaps above Euclidean distances, and what do they prove of them?
+# @question  How far do radial gaps exceed Euclidean distances, and what bounds on these do they prove?
 # @data      euclidean
 """Radial gaps beside Euclidean distances by where a ray ends, and the proven ends of the distance."""
 
@@ -67,8 +67,8 @@ def finish(above: plt.Axes, below: plt.Axes, joints: pd.DataFrame) -> None:
     below.axhline(1.0, color="black", linestyle="--", linewidth=1.0)
     below.set(
         ylim=(0, 1.25),
-        ylabel="proven end over exact distance",
-        title="What gaps prove: lower (mark) and upper end (dash), medians",
+        ylabel="proven bound / exact distance",
+        title="Bounds on the distance from gaps: lower (mark) and upper (dash), medians",
         xlabel="how the vertex sees the other surface: angle between ray and normal, or rim",
     )
     below.set_xticks(range(len(ZONES)), list(ZONES.values()))

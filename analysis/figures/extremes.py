@@ -5,10 +5,10 @@
 # @seconds   4 4
 # @name      table-12-pictures
 # @for       JOINT in patient_a
-# @question  The socket of a stand-in for patient a at the ends of the recorded motions (Table 12).
+# @question  The socket of a stand-in for patient A at the ends of the recorded motions (Table 12).
 # @name      table-13-pictures
 # @for       JOINT in patient_b
-# @question  The socket of a stand-in for patient b at the ends of the recorded motions (Table 13).
+# @question  The socket of a stand-in for patient B at the ends of the recorded motions (Table 13).
 """The pictures of Tables 12 and 13: the socket at the end of each recorded motion, from medial with its clock, and below
 unrolled.
 """

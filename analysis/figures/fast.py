@@ -19,7 +19,7 @@ def main(options) -> common.Figure:
     for panel, (direction, title) in zip(axes, fast.DIRECTIONS.items()):
         draw(panel, rows[rows.direction == direction], looks)
         panel.set_title(title)
-    axes[0].set_ylabel(f"time a vertex, ns\n(one thread, {fast.set_name(table)})")
+    axes[0].set_ylabel(f"time per vertex, ns\n(one thread, {fast.set_name(table)})")
     figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
     figure.tight_layout(rect=(0, 0.23, 1, 1))
     return figure

@@ -22,7 +22,7 @@ def main(options) -> common.Figure:
     figure, (times, gains) = plt.subplots(1, 2, figsize=(9.6, 5.0), width_ratios=[3, 2])
     one = rows[rows.threads == 1]
     common.medians(times, one, "triangles", "ns_vertex", "iqr_ns", common.look(list(one.line)))
-    times.set(yscale="log", ylabel=f"time a vertex, ns (one thread, {fast.set_name(table)})")
+    times.set(yscale="log", ylabel=f"time per vertex, ns (one thread, {fast.set_name(table)})")
     times.set_title("socket to ball")
     draw_threads(gains, rows[(rows.method == OWN[0])])
     for axes in (times, gains):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-speed-up
-# @question  How many times as fast as Embree's rays is every way to find gaps, and every peer?
+# @question  How many times as fast as Embree's rays is each of our methods and each other library?
 # @data      all_gaps
 """How many times as fast as Embree's rays every way to find gaps is, and every peer."""
 

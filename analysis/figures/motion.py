@@ -7,10 +7,10 @@
 # @seconds   9 9
 # @name      motion-patient_a
 # @for       JOINT in patient_a
-# @question  The recorded motions of a stand-in for patient a, animated.
+# @question  The recorded motions of a stand-in for patient A, animated.
 # @name      motion-patient_b
 # @for       JOINT in patient_b
-# @question  The recorded motions of a stand-in for patient b, animated.
+# @question  The recorded motions of a stand-in for patient B, animated.
 """The recorded motions of a hip as an animation: the joint from the front with its socket as glass, and the socket
 unrolled.
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      resection-orientation
-# @question  How soon is it known what has to go of a cam or how its socket has to be turned, and how does a cut grow with the cam?
+# @question  How fast do the bounds of a cam cut and of the socket's orientations converge, and how does a cut grow with the cam?
 # @data      change_error resection_by_cam
 """How near the proven ends of a resection and of an orientation map are after which time, and the volume of the least cut
 by the height of the cam. Nothing in it may guide a treatment.
@@ -18,8 +18,8 @@ def main(options) -> common.Figure:
     figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8))
     cams(axes[0], common.load(options.results, "resection_by_cam"))
     cut = error[error.question == "resection"]
-    narrowing(axes[1], cut.time_s, 100 * (cut.high - cut.low) / cut.high, "upper end less lower end, %")
-    axes[1].set_title("Volume of the cut, undecided")
+    narrowing(axes[1], cut.time_s, 100 * (cut.high - cut.low) / cut.high, "upper minus lower bound, %")
+    axes[1].set_title("Uncertainty of the cut's volume")
     turned = error[error.question == "orientation"]
     narrowing(axes[2], turned.time_s, 100 * (turned.high - turned.low), "of all orientations, %")
     for row in turned.itertuples():

@@ -19,7 +19,7 @@ def main(options) -> common.Figure:
     figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 3.6), sharey=True)
     draw_totals(left, totals, "bytes", 1e6, "memory, MB")
     draw_totals(right, totals, "us", 1e3, "time, ms")
-    left.set_title("Memory: a dot a joint, the line is the median", fontsize=10)
+    left.set_title("Memory: one dot per joint; line: median", fontsize=10)
     right.set_title("Time of the same answer", fontsize=10)
     figure.tight_layout()
     figure.legend(*right.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)

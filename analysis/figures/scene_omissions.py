@@ -62,7 +62,7 @@ def draw_alone(axes: plt.Axes, needs: pd.DataFrame, totals: pd.DataFrame, unit: 
     axes.set_xlim(0, 115)
     what = "memory" if unit == "bytes" else "time"
     axes.set_xlabel("% of that of whole tables and all look-ups")
-    axes.set_title(f"Left of the {what} by each omission alone", fontsize=10)
+    axes.set_title(f"{what.capitalize()} that remains with each omission alone", fontsize=10)
 
 
 common.run(main)

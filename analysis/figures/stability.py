@@ -2,10 +2,10 @@
 # @data      stability stability_detail stability_families
 # @options   --name NAME
 # @name      stability-overview
-# @question  How far is every method off in stiff and extreme cases, over what their rounding may cost?
+# @question  How large are errors in ill-conditioned and extreme cases, relative to what rounding explains?
 # @name      stability-FAMILY
 # @for       FAMILY in FAMILIES
-# @question  Stiff and extreme cases: FAMILY.
+# @question  Ill-conditioned and extreme cases: FAMILY.
 """Stiff and extreme cases: the error of every method over condition times unit roundoff.
 
 Name `stability-overview` gives every family a panel; `stability-FAMILY` draws one in detail.

@@ -24,7 +24,7 @@ def main(options) -> common.Figure:
     figure, ((area, shear), (rays, hip)) = plt.subplots(2, 2, figsize=(common.WIDTH, 6.6))
     layers = strain.layers(options.results)
     draw_layers(area, layers, "area")
-    area.set(ylabel="overlap over contact", title="Area that the gap calls strained", ylim=(0.4, 2.15))
+    area.set(ylabel="overlap area / contact area", title="Area that the gap calls strained", ylim=(0.4, 2.15))
     for limit, name in ((2.0, "Hertz"), (1.0, "springs"), (0.5, "thin, ν = 0.5")):
         area.axhline(limit, color=common.THESIS_GREY, linestyle=":", linewidth=1.0, zorder=1)
         area.annotate(
@@ -55,7 +55,7 @@ def draw_layers(axes: plt.Axes, layers: pd.DataFrame, column: str) -> None:
     for ratio in ratios:
         mine = layers[layers.poisson == ratio]
         axes.plot(mine.thickness, mine[column], label=f"ν = {ratio:g}", **looks[f"{ratio:g}"], markersize=4)
-    axes.set(xscale="log", xlabel="thickness of a layer over radius of contact")
+    axes.set(xscale="log", xlabel="layer thickness / contact radius")
     axes.set_xticks([0.05, 0.2, 1, 5], ["0.05", "0.2", "1", "5"])
     axes.xaxis.set_minor_locator(plt.NullLocator())
 

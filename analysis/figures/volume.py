@@ -29,7 +29,7 @@ def times(axes: plt.Axes, own: pd.DataFrame, beside: pd.DataFrame) -> None:
     looks = common.look(["", *beside.line])
     for line, rows in beside.groupby("line", sort=False):
         axes.plot(rows.needed_s, rows.proven, label=line, markerfacecolor="white", **looks[line])
-    axes.set(xscale="log", yscale="log", xlabel="time, s (hollow: extrapolated)", ylabel="upper end less lower end")
+    axes.set(xscale="log", yscale="log", xlabel="time, s (hollow: extrapolated)", ylabel="upper minus lower bound")
     widths = sorted(own.width.unique())
     axes.set_yticks(widths, [f"{width:g}" for width in widths])
     axes.minorticks_off()
@@ -54,7 +54,7 @@ def rotations(axes: plt.Axes, table: pd.DataFrame) -> None:
     axes.text(1, 1, said, transform=axes.transAxes, ha="right", va="top", fontsize=common.SMALL)
     axes.set(xlabel="flexion, degrees", ylabel="internal rotation, degrees", xticks=[70, 80, 90], ylim=(0, 115))
     axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.19), ncol=2, columnspacing=1.0, handlelength=1.6)
-    axes.set_title("What flexion leaves (bars: known by the cells)")
+    axes.set_title("Internal rotation left in flexion (bars: proven bounds)")
 
 
 common.run(main)

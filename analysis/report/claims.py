@@ -48,7 +48,7 @@ def section(jobs: list[Job], kept: Path) -> str:
     table = element("table", element("thead", element("tr", head)) + element("tbody", rows))
     return (
         element("h2", "To check a claim", id="claims")
-        + element("p", "Minutes are the budget of the quick profile on two cores, after the build, with nothing made before."
-                       " Expected are the verdicts of the reference run.")
+        + element("p", "Minutes: time budget of the quick profile on two cores, after the build, with no earlier results."
+                       " Expected: the verdicts of the reference run.")
         + element("div", table, class_="scroll")
     )

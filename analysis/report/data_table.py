@@ -38,7 +38,7 @@ def remark(path: Path, table: pd.DataFrame, kept: pd.DataFrame | None) -> str:
     if kept is not None and table.equals(kept):
         words.append("The reference run has the same values.")
     elif kept is not None and reference.aligned(table, kept):
-        words.append("In grey below a value: the reference run's, where it is another.")
+        words.append("Grey: the reference run's value, where it differs.")
     elif kept is not None and max(len(table), len(kept)) > MOST:
         words.append(f"The reference run's, with other rows, is results/reference/tables/{path.name}.")
     return element("p", " ".join(words), class_="soft") if words else ""

@@ -68,10 +68,10 @@ def section(results: Path) -> str:
     shown = lines(table[pareto.competes(table)])
     return (
         '<h2 id="explore">Error against cost, to explore</h2>'
-        "<p>Lower left is better. Click a name to hide its line, double-click to see it alone; point at a marker for its"
-        " numbers; drag to look closer, double-click the"
-        " plot to see everything, methods that are exact among it. Only methods that give the radius along a direction are here.</p>"
-        f'<div class="filters">{choice("scene", "Scene", scenes)}{choice("error", "Across", ERRORS)}'
-        f'{choice("cost", "Upwards", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
+        "<p>Lower left is better. Click a name to hide its line, double-click to show it alone; point at a marker for its"
+        " numbers; drag to zoom, double-click the plot to see everything, exact methods too."
+        " Only methods that give the radius along a direction are shown.</p>"
+        f'<div class="filters">{choice("scene", "Scene", scenes)}{choice("error", "Horizontal axis", ERRORS)}'
+        f'{choice("cost", "Vertical axis", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
         ' of every method"></div>' + data_script("explore-data", shown)
     )

@@ -13,8 +13,8 @@ from verdicts import verdict
 
 MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
-    "reproduced": "came out again",
-    "differs": "came out otherwise",
+    "reproduced": "meets the rule",
+    "differs": "does not meet the rule",
     "inconclusive": "its timing was disqualified",
     "thesis-misprint": "wrong in the thesis",
     "not-comparable": "of another machine or patient",
@@ -39,7 +39,7 @@ def totals(verdicts: pd.DataFrame) -> str:
     """How often each verdict was given, each number of the thesis once."""
     counted = verdict.counted(verdicts)
     counts = counted.verdict.value_counts()
-    left_out = f"{len(verdicts) - len(counted)} more rows are not counted: their rule says where their number is, or that there is none."
+    left_out = f"{len(verdicts) - len(counted)} more rows are not counted: another table has their number, or the thesis has none (see the rule)."
     return element("p", left_out, class_="soft") + element(
         "ul",
         "".join(

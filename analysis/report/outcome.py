@@ -13,7 +13,7 @@ from report.markup import element
 from verdicts import verdict
 
 WORDS = {"holds": "hold", "misprint": "are misprints", "wrong": "are wrong", "imprecise": "are imprecise"}
-PLOT = "The largest error of every method against its time, a panel a question; lower left is better."
+PLOT = "The largest error of every method against its time, one panel per question; lower left is better."
 
 
 def differing(results: Path) -> pd.DataFrame:

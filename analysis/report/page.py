@@ -34,7 +34,7 @@ ABOUT = (
     " table of the other's distance from the centre of rotation, by direction: on a grid of angles (RSID) or along a helix"
     " (USID). Here all of its tables and figures are computed again, each number gets a verdict, and errors, times and limits"
     " are measured beyond it. Below each table and figure stand the command that makes it again and where its data come"
-    " from; a click makes a figure larger. Research software, no medical device."
+    " from; a click makes a figure larger. Research software, not a medical device."
 )
 
 

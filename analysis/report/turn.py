@@ -29,7 +29,7 @@ def section(picture: str) -> str:
         '<h2 id="turn">A joint to turn by hand</h2>'
         "<p>Joint3D, the program of the thesis' Section 3.4, with this library in it: it works out the gap at every vertex as"
         " you watch. Each colour is a range of gaps in mm between ball and socket, given beside the joint: purple where bones"
-        " overlap, red to yellow within the 4 mm that cartilage takes up in both, green on the ball and blue on the socket"
+        " overlap, red to yellow where the gap is below the 4 mm of both cartilage layers, green on the ball and blue on the socket"
         " beyond, grey where no surface is opposite. Numbers are clock positions on the socket's rim, 12 at the top; the dot"
         " marks the smallest gap. All these hips are made from parameters; none is a patient's scan.</p>"
         f'<div class="filters"><label>Joint and pose<select id="turn-joint">{options}</select></label>'

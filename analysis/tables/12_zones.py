@@ -3,10 +3,10 @@
 # @options   --joint JOINT --name NAME
 # @name      table-12
 # @for       JOINT in patient_a
-# @question  Where a stand-in for patient a is impinged at the ends of the recorded motions (Table 12).
+# @question  Where a stand-in for patient A is impinged at the ends of the recorded motions (Table 12).
 # @name      table-13
 # @for       JOINT in patient_b
-# @question  Where a stand-in for patient b is impinged at the ends of the recorded motions (Table 13).
+# @question  Where a stand-in for patient B is impinged at the ends of the recorded motions (Table 13).
 """Tables 12 and 13 in numbers: where and how strongly the stand-in for a patient is impinged at the end of each recorded
 motion.
 """

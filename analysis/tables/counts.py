@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-counts
-# @question  Instructions and cache misses of a gap, beside its time over that of the memory-bound baseline.
+# @question  Instructions and cache misses of a gap, and its time as a multiple of the memory-bound baseline.
 # @data      counts all_gaps
 """Instructions and cache misses of a vertex or a pose, beside the time over that of the memory-bound baseline."""
 

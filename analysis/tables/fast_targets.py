@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-targets
-# @question  What was aimed at in speed, and what was measured.
+# @question  Speed targets, and the speeds measured.
 # @data      all_gaps fill contact
 """What was aimed at in speed, and what was measured."""
 

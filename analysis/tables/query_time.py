@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      table-9-queries
-# @question  Time of one query, ns: that of Table 9 by the vertices of both models.
+# @question  Time per query, ns: the time in Table 9 divided by the vertices of both models.
 # @data      detection_time
 """Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models.
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      stability-summary
-# @question  Which stiff and extreme cases break a method?
+# @question  Which ill-conditioned and extreme cases break a method?
 # @data      stability stability_detail stability_families
 """Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
 

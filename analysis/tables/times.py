@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      table-4-precision
-# @question  Time of a scan to test one pose, by precision of its tables, ms.
+# @question  Time to test one pose, by precision of the tables, ms.
 # @data      detection_time_precision
 # @options   --data detection_time_precision --name NAME
 # @name      table-4-real-joints

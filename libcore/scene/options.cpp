@@ -52,24 +52,26 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
                  "the same beside the socket, such as the anterior inferior iliac spine; one or more");
   app.add_option(
       "--bones", options.bones,
-      "instead of both: a folder with one folder a joint, all of which are asked; the questions but all-gaps "
-      "give one table of them");
+      "instead of --ball and --socket: a folder with one sub-folder per joint; answers limit, limits, "
+      "measures, touch or first-contact for all of them in one table");
   app.add_option("--out", options.out,
-                 "folder for what it writes, made where it is missing: ball.ply, socket.ply, "
-                 "gaps.csv, distances.csv and summary.json");
+                 "output folder, created if missing; which files it gets depends on the question");
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
   auto* scheme =
       app.add_option("--scheme", typed.scheme,
-                     "answer by tables of this sampling scheme, and not by the faces: " + scheme_names());
-  auto* precision = app.add_option("--precision", typed.precision,
-                                   "answer by tables of that spacing, degrees [0.5 with --scheme]");
-  auto* max_error = app.add_option("--max-error", typed.max_error, "or the proven error of every gap in mm")
+                     "read gaps from tables of this sampling scheme, not from the faces: " + scheme_names());
+  auto* precision =
+      app.add_option("--precision", typed.precision,
+                     "spacing of the tables, degrees [0.5 with --scheme]; also turns tables on");
+  auto* max_error = app.add_option("--max-error", typed.max_error,
+                                   "read gaps from tables to within this proven error, mm; where a table "
+                                   "exceeds it, from the faces")
                         ->excludes(precision);
   auto* pose = app.add_option(
       "--pose", typed.pose,
       "motion of the ball in degrees, as flexion=90,internal_rotation=10 (also extension, abduction, "
       "adduction, external_rotation)");
-  app.add_option("--side", typed.side, "left or right, which abduction and rotation need");
+  app.add_option("--side", typed.side, "side of the body: left or right; needed for abduction and rotation");
   app.add_option(
       "--axes", options.axes,
       "where +x, +y and +z of the meshes point: R/L, A/P, S/I [as SPACE= in their headers says, else RAS]");
@@ -100,28 +102,29 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
          "abduction, then rotation; give it again for more of them")
       ->allow_extra_args(false);
   app.add_option("--clearance", typed.clearance,
-                 "with resection: the radial gap that is to stay everywhere on the way, mm [0.5]");
+                 "with resection: radial gap to keep along the whole motion, mm [0.5]");
   app.add_option(
       "--neck", typed.neck,
-      "with resection: width of the bar about the axis of the neck that is to stay whole, mm [70 % of "
-      "the neck's width]");
-  app.add_flag("--least", typed.least,
-               "with resection: the least cut of all too, for a socket with its wall");
+      "with resection: least uncut width about the axis of the neck, mm [70 % of the neck's width]");
+  app.add_flag(
+      "--least", typed.least,
+      "with resection: also the smallest cut that may leave an undercut; the socket must be a closed mesh");
   app.add_option("--tilt", typed.tilt,
-                 "with orientation: tilt of the pelvis backwards from its pose in the scan, degrees [0]");
+                 "with orientation: posterior pelvic tilt relative to the scan, degrees [0]");
   app.add_option("--width", typed.width,
                  "with the question volume: share of all rotations that may stay undecided [0.05]");
-  app.add_option("--gap", typed.gap,
-                 "with the question volume: a gap that counts as contact, mm [0], as that of cartilage");
-  app.add_option("--centre-within", typed.centre_within,
-                 "with the question volume: for every centre of rotation within so many mm of the one given "
-                 "[0]");
-  app.add_option("--surfaces", typed.surfaces, "whose vertices are looked up: ball, socket or both")
+  app.add_option(
+      "--gap", typed.gap,
+      "with the question volume: smaller gaps count as contact, mm [0], e.g. the cartilage thickness");
+  app.add_option(
+      "--centre-within", typed.centre_within,
+      "with the question volume: make the answer hold for every centre within this distance, mm [0]");
+  app.add_option("--surfaces", typed.surfaces, "vertices at which gaps are measured: ball, socket or both")
       ->capture_default_str();
-  auto* outputs = app.add_option(
-      "--outputs", typed.outputs,
-      "with all-gaps, some of gaps,bounds,distances,verdicts [all of them]; what is not asked for is not "
-      "worked out");
+  auto* outputs =
+      app.add_option("--outputs", typed.outputs,
+                     "with all-gaps, some of gaps,bounds,distances,verdicts [all of them]; the rest is not "
+                     "computed");
   auto* poses =
       app.add_option("--poses", options.poses,
                      "many poses: touch and smallest gap of each, with --question all-gaps impinged "
@@ -139,8 +142,9 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
     for (CLI::Option* one : {pose, outputs, scheme, precision, max_error, certificate}) many->excludes(one);
   }
   app.add_flag("--explain", options.explain,
-               "say which way was taken and what is left out, why, and what that saves");
-  app.add_flag("--everything", options.everything, "leave nothing out, to compare");
+               "report how the answer was found, what was skipped and why, and what that saved");
+  app.add_flag("--everything", options.everything,
+               "compute all gaps and all outputs, whatever --question says");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success&) {

@@ -156,8 +156,8 @@ std::string describe_resection(const SceneOptions& options, const ResectionAnswe
   if (found.least) text += "least cut of all    " + size_text(*found.least) + " along a ray (swept.csv)\n";
   for (const ReachedLeg& leg : found.legs) text += "                    " + leg_text(leg);
   if (found.neck)
-    text += "neck                a bar of " + rounded_down(found.neck->after, 1) +
-            " mm about its axis stays whole, of " + rounded_down(found.neck->before, 1) + "\n";
+    text += "neck                " + rounded_down(found.neck->after, 1) +
+            " mm about its axis stays uncut, of " + rounded_down(found.neck->before, 1) + "\n";
   return text + kNoGuide + "\n";
 }
 

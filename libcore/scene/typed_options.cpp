@@ -300,10 +300,9 @@ void require_for_many(const TypedOptions& typed, SceneOptions& options) {
   if (options.limit != nullptr || options.measures || options.everything || typed.surfaces != "both" ||
       !cartilage) {
     throw OptionError("option " + option +
-                      ": of many poses touch and the smallest gap of both surfaces are worked out; leave out "
-                      "--question limit or measures, --surfaces and --everything, and give --cartilage, a "
-                      "number of mm, with "
-                      "--question all-gaps alone");
+                      ": many poses give touch and the smallest gap of both surfaces only; leave out "
+                      "--question limit or measures, --surfaces and --everything; --cartilage needs "
+                      "--question all-gaps and a number of mm");
   }
   if (!options.path) return;
   for_option("--path", [&] {

@@ -198,5 +198,5 @@ try {
   start();
 } catch (error) {
   byId("stage").setAttribute("aria-busy", "false");
-  fault(/WebGL/i.test(error.message) ? "This browser shows no WebGL 2, which the picture needs; another browser, or its settings, may." : error);
+  fault(/WebGL/i.test(error.message) ? "The picture needs WebGL 2, which this browser does not offer: change its settings or use another browser." : error);
 }
