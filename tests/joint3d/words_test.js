@@ -46,7 +46,7 @@ test('ends are rounded outward', () => {
 
 test('a limit is told with ends rounded outward, for any centre and with play', () => {
   const told = words.limitWords(LIMIT);
-  assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock: a certified limit/);
+  assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock \(certified: no contact is skipped\)/);
   assert.match(told, /any centre within 0\.5 mm: at 40\.0° to 60\.1°; with that much play of the ball: not before 39\.0°\./);
   assert.match(told, /falls to 0\.5 mm at 50\.0°\.$/);
   assert.match(words.limitWords({ ...LIMIT, centre_low_deg: 0, centre_high_deg: null }), /within 0\.5 mm: not known;/);

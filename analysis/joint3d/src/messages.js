@@ -23,7 +23,7 @@ export function inWords(error) {
   if (error instanceof Told) return error.message;
   if (isMemory(error)) return NO_MEMORY;
   console.error(error);
-  return "This page has failed: reload it. What it shows is kept in its address.";
+  return "This page has failed: load it again. What it shows is kept in its address.";
 }
 
 export const fault = (error) => say(inWords(error));
