@@ -18,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 OTHERS = re.compile(r"#include <(?:CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wno-unknown-warning-option"]  # of clang, beside its checks
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"]  # of clang, beside its checks
 LARGEST = 100  # files in a unit
 
 
