@@ -20,7 +20,7 @@ constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
 constexpr std::size_t kOtherQuestions = 1 << 17;
 constexpr std::size_t kFewQuestions = 1 << 10;
 constexpr int kThreads = 2;
-constexpr double kDistance = 25.0;       // mm, of the probes: as far as the joint space is
+constexpr double kDistance = 25.0;       // mm, of the probes, in float: as far as the joint space is
 constexpr double kMostError = 1.0;       // mm, of 99 of 100 probes, by the coarsest table here
 constexpr double kMostFalseHits = 0.02;  // of the probes: of those on the rim itself, in float
 
@@ -40,6 +40,11 @@ AskedPoints few_of(const std::vector<Vec3>& all) {
   return AskedPoints(std::move(few));
 }
 
+ProbeOptions in_float(ProbeOptions options) {
+  options.float_at = kDistance;
+  return options;
+}
+
 // One surface's vertices asked of the other.
 struct Direction {
   const BenchmarkScene& scene;
@@ -54,7 +59,7 @@ struct Direction {
         surface{mesh_of(of.pair, other(scanned)), facing_layer(other(scanned)), scanned},
         all(mesh_of(of.pair, scanned).vertices),
         few(few_of(all.points)),
-        radial(radial_probes(surface.mesh, surface.layer, options.radial)),
+        radial(radial_probes(surface.mesh, surface.layer, in_float(options.radial))),
         euclidean(euclidean_probes(surface.mesh, kDistance, options.euclidean)) {}
 
   std::string name() const { return scanned_ball() ? "ball->socket" : "socket->ball"; }
@@ -65,10 +70,7 @@ struct Direction {
 PointQuery radii_by(const GapQuery& query, Surface scanned) {
   return {[&query, scanned](std::span<const Vec3> points, std::span<double> out) {
     const bool radial = query.measure == Measure::radial;
-    std::vector<Vec3> at(points.begin(), points.end());
-    if (radial)
-      for (Vec3& x : at) x *= kDistance / x.norm();
-    const AskedPoints asked(std::move(at));
+    const AskedPoints asked({points.begin(), points.end()});
     GapScratch scratch;
     query.scan(asked, {}, scratch);
     for (std::size_t i = 0; i < points.size(); ++i) {

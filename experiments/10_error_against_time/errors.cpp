@@ -40,7 +40,8 @@ double climb(const PointQuery& query, const BenchmarkProbes& probes, const Ascen
     const Vec3 along = x.normalized().cross(across);
     bool better = false;
     for (const auto& [a, b] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}) {
-      const Vec3 next = x.norm() * (x.normalized() + step * (a * across + b * along)).normalized();
+      const Vec3 next =
+          probes.place(x.norm() * (x.normalized() + step * (a * across + b * along)).normalized());
       const double error = error_at(query, probes, next);
       ++asked;
       take(errors, error, next);

@@ -107,6 +107,9 @@ std::vector<Vec3> stratified_directions(const TriangleMesh& mesh, std::size_t ea
 
 BenchmarkProbes radial_probes(const TriangleMesh& mesh, Layer layer, const ProbeOptions& options) {
   BenchmarkProbes probes = directions_of(mesh, options);
+  probes.in_float = options.float_at > 0.0;
+  if (probes.in_float)
+    for (Vec3& x : probes.points) x = probes.place(options.float_at * x);
   const auto caster = std::make_shared<const RayCaster>(mesh);
   probes.truth_at = [caster, layer](const Vec3& x) { return caster->cast(x.normalized(), layer); };
   probes.truth = cached_exact_radii(options.cache, mesh, {probes.points, layer, {}});

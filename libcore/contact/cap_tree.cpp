@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/cube_cell.hpp"
+#include "sphere/as_floats.hpp"
 #include "sphere/lists.hpp"
 
 namespace impinge {
@@ -43,7 +44,7 @@ CapSummary summary_of(std::span<const CapSummary> parts) {
     all.widest = std::max(all.widest, part.widest);
   }
   if (all.cap.axis.norm() < 1e-3) all.cap.axis = Vec3::UnitZ();
-  all.cap.axis = all.cap.axis.normalized().cast<float>().cast<double>();
+  all.cap.axis = as_floats(all.cap.axis.normalized());
   for (const CapSummary& part : parts)
     all.cap.radius = std::max(all.cap.radius, angle_between(all.cap.axis, part.cap.axis) + part.cap.radius);
   return all;

@@ -38,7 +38,7 @@ std::vector<Vec3> probes(const TriangleMesh& mesh, std::size_t features) {
       for (const double z : {-1.0, 0.0, 1.0})
         if (x != 0.0 || y != 0.0 || z != 0.0) points.emplace_back(x, y, z);
   for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] = test::as_floats((10.0 + 0.25 * static_cast<double>(k % 101)) * points[k]);
+    points[k] = as_floats((10.0 + 0.25 * static_cast<double>(k % 101)) * points[k]);
   return points;
 }
 

@@ -12,7 +12,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/validation.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 #include "support/mesh_files.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -113,7 +113,7 @@ TEST(ReadMesh, IndependentlyWrittenFiles) {
   expect_same(read_mesh(folder.write("b.ply", test::binary_ply(mesh, true))), mesh);
   // Text of nine digits is a little off the doubles; as floats they are the same.
   TriangleMesh single = mesh;
-  for (Vec3& v : single.vertices) v = test::as_floats(v);
+  for (Vec3& v : single.vertices) v = as_floats(v);
   expect_same(read_mesh(folder.write("a.ply", test::ascii_ply(single))), single);
   expect_same(read_mesh(folder.write("a.off", test::off(single))), single);
   expect_same(read_mesh(folder.write("a.obj", test::obj(single))), single);

@@ -17,7 +17,7 @@
 #include "sphere/plane_radius.hpp"
 #include "sphere/triangle_cone.hpp"
 #include "sphere/uniform_directions.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -37,9 +37,9 @@ std::vector<Question> questions(std::size_t count) {
   while (questions.size() < count) {
     const Vec3 middle = 25.0 * uniform_direction(random);
     Question question;
-    for (Vec3& corner : question.corner) corner = test::as_floats(middle + 4.0 * uniform_direction(random));
+    for (Vec3& corner : question.corner) corner = as_floats(middle + 4.0 * uniform_direction(random));
     const auto& [a, b, c] = question.corner;
-    question.u = test::as_floats((0.3 * a + 0.45 * b + 0.25 * c).normalized());
+    question.u = as_floats((0.3 * a + 0.45 * b + 0.25 * c).normalized());
     const TriangleCone cone(a, b, c);
     const bool fat = (b - a).cross(c - a).norm() > 0.6 * (b - a).norm() * (c - a).norm();
     if (fat && cone.side() != 0 && cone.largest_slope() < 1.5) questions.push_back(question);

@@ -12,7 +12,7 @@
 #include "stress/shapes.hpp"
 #include "stress/stiff_surfaces.hpp"
 #include "stress/table_kernels.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
 #include "table/fill/cube_fill.hpp"

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "stress/stiff_surfaces.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 
 namespace impinge::test {

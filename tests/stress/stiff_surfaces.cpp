@@ -16,7 +16,7 @@
 #include "sphere/schemes/usid.hpp"
 #include "stress/aimed_faces.hpp"
 #include "stress/shapes.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
 

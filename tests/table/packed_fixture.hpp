@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gap/simd/packed_vertices.hpp"
-#include "support/as_floats.hpp"
+#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 #include "table/packed_table.hpp"
 
