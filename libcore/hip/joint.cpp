@@ -192,7 +192,7 @@ void require_no_parts(const Joint& joint, const std::string& what) {
   if (joint.ball.parts.empty() && joint.socket.parts.empty()) return;
   const std::string& name = (joint.ball.parts.empty() ? joint.socket : joint.ball).parts.front().name;
   throw std::runtime_error(what + ": bone beside the joint, such as " + name +
-                           ", is looked at by limits and touch alone; leave it out");
+                           ", is looked at by touch, limits, volume and orientation alone; leave it out");
 }
 
 void use_frames(Joint& joint, const AnatomicalFrames& frames) {

@@ -37,6 +37,10 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
   return between(mesh, parts[k], k + 1 < parts.size() ? parts[k + 1] : end);
 }
 
+std::string body_name(std::span<const MeshPart> parts, std::size_t body) {
+  return body == 0 ? "" : parts[body - 1].name;
+}
+
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
   std::vector<TriangleMesh> surfaces;
   for (std::size_t k = 0; k < parts.size(); ++k) surfaces.push_back(part_surface(mesh, parts, k));

@@ -30,6 +30,9 @@ TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
 /// One of its parts.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
 
+/// The name of a body of a mesh: none for body 0, the main surface; body k + 1 is part k.
+std::string body_name(std::span<const MeshPart> parts, std::size_t body);
+
 /// Parts alone, each a surface of its own, mm.
 struct BoneParts {
   std::vector<TriangleMesh> ball;    // beside the ball

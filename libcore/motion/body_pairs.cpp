@@ -2,11 +2,15 @@
 #include "motion/body_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "mesh/collinear.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/meeting_faces.hpp"
 #include "mesh/triangle_distance.hpp"
 
@@ -76,18 +80,111 @@ bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose&
   return false;
 }
 
-bool is_closed(const TriangleMesh& mesh) { return boundary_edges(mesh).empty(); }
+// May a point of one come within reach of a point of the other? `reach(r)` is of points r from the centre,
+// and `shift` what may take points to another distance from it.
+template <class Reach>
+bool may_come_near(const SweptParts& ball, const SweptParts& socket, const Eigen::Matrix3d& rotation,
+                   double shift, const Reach& reach) {
+  if (ball.nodes().empty() || socket.nodes().empty()) return false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [p, q] = pending.back();
+    pending.pop_back();
+    const SweptParts::Node& a = ball.nodes()[p];
+    const SweptParts::Node& b = socket.nodes()[q];
+    const double slack = kNodeRounding * (a.farthest + b.farthest);
+    if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > shift + slack) continue;
+    const double near = reach(std::min(a.farthest, b.farthest + shift)) + slack;
+    if ((rotation * a.centre - b.centre).norm() > a.radius + b.radius + near) continue;
+    if (a.leaf && b.leaf) {
+      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+      const TurnFace moved = turn_face(rotation * c0, rotation * c1, rotation * c2);
+      const TurnFace& face = socket.parts()[b.at];
+      if (!farther_than(moved, face, near) || faces_meet(moved.corner, face.corner)) return true;
+      continue;
+    }
+    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
+    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+  }
+  return false;
+}
+
+// Without those that are there again.
+TriangleMesh once(TriangleMesh mesh) {
+  std::set<Face> seen;
+  std::erase_if(mesh.faces, [&](Face face) {
+    std::ranges::sort(face);
+    return !seen.insert(face).second;
+  });
+  return mesh;
+}
+
+// Where walls that are counted end: edges of one face, or three.
+std::vector<Edge> odd_edges(const TriangleMesh& mesh) {
+  std::vector<Edge> odd;
+  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
+    if (half_edges.size() % 2 == 1) odd.push_back(ends(mesh, half_edges[0]));
+  });
+  return odd;
+}
+
+// From these edges away from beside the centre, to farther than all bodies.
+std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, std::span<const Edge> from, double farthest) {
+  std::vector<TurnFace> walls;
+  for (const auto& [first, last] : from) {
+    const Vec3& a = mesh.vertices[first];
+    const Vec3& b = mesh.vertices[last];
+    const double middle =
+        0.5 * (a.stableNormalized() + b.stableNormalized()).norm();  // how near their chord comes
+    const double least = std::max(1e-6, std::min(a.norm(), b.norm()) * middle);
+    const double times = std::max(2.0, 4.0 * farthest / least);
+    const Vec3 a_far = kBesideCentre + times * (a - kBesideCentre);
+    const Vec3 b_far = kBesideCentre + times * (b - kBesideCentre);
+    walls.push_back(turn_face(a, b, b_far));
+    walls.push_back(turn_face(a, b_far, a_far));
+  }
+  return walls;
+}
 
 }  // namespace
 
-BodyPairs::Body::Body(TriangleMesh of, bool main, bool ball)
-    : mesh(std::move(of)), parts(without_walls(mesh)), faces(faces_with_area(mesh)) {
+BodyPairs::Body::Body(TriangleMesh of, bool main, bool ball, double farthest)
+    : mesh(once(std::move(of))),
+      parts(without_walls(mesh)),
+      faces(faces_with_area(mesh)),
+      beyond(std::vector<TurnFace>{}) {
+  find_pieces();
   if (faces.nodes().empty()) return;
   const SweptParts::Node& all = faces.nodes().front();
+  const std::vector<Edge> odd = odd_edges(mesh);
   about_centre = main;
   anchor_inside = main && ball;
-  anchored = anchor_inside || is_closed(mesh);
+  anchored = anchor_inside || odd.empty();
   anchor = main ? kBesideCentre : Vec3(all.centre + 2.0 * all.radius * kOutside);
+  if (!anchor_inside) return;
+  beyond = SweptParts(walls_beyond(mesh, odd, farthest));
+  for (const Edge& edge : odd) {
+    for (const VertexIndex v : edge) stretch = std::max(stretch, farthest / mesh.vertices[v].norm());
+  }
+}
+
+void BodyPairs::Body::find_pieces() {
+  DisjointSets sets(mesh.vertices.size());
+  std::vector<bool> seen(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    if (collinear(a, b, c)) continue;
+    for (const VertexIndex v : face) {
+      sets.join(face[0], v, false);
+      seen[v] = true;
+    }
+  }
+  for (const VertexIndex v : parts.vertices) {
+    if (!seen[v])
+      loose.push_back(mesh.vertices[v]);
+    else if (sets.find(v).root == v)
+      pieces.push_back(mesh.vertices[v]);
+  }
 }
 
 // The walls between the point and the anchor are counted.
@@ -104,11 +201,21 @@ bool BodyPairs::Body::holds(const Vec3& x) const {
 
 BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside) {
   if (beside.ball.empty() && beside.socket.empty()) return;
-  ball_.push_back(std::make_unique<Body>(main.ball, true, true));
-  socket_.push_back(std::make_unique<Body>(main.socket, true, false));
-  for (const TriangleMesh& part : beside.ball) ball_.push_back(std::make_unique<Body>(part, false, true));
-  for (const TriangleMesh& part : beside.socket)
-    socket_.push_back(std::make_unique<Body>(part, false, false));
+  double farthest = 0.0;
+  const auto reach_to = [&](const TriangleMesh& mesh) {
+    for (const Vec3& x : mesh.vertices) farthest = std::max(farthest, x.norm());
+  };
+  for (const TriangleMesh* mesh : {&main.ball, &main.socket}) reach_to(*mesh);
+  for (const auto* parts : {&beside.ball, &beside.socket}) {
+    for (const TriangleMesh& part : *parts) reach_to(part);
+  }
+  const auto add = [&](auto& bodies, const TriangleMesh& mesh, bool is_main, bool is_ball) {
+    bodies.push_back(std::make_unique<Body>(mesh, is_main, is_ball, farthest));
+  };
+  add(ball_, main.ball, true, true);
+  add(socket_, main.socket, true, false);
+  for (const TriangleMesh& part : beside.ball) add(ball_, part, false, true);
+  for (const TriangleMesh& part : beside.socket) add(socket_, part, false, false);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = b == 0 ? 1 : 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
@@ -152,6 +259,79 @@ bool BodyPairs::vertex_within(const Pose& pose, double gap_mm) const {
 bool BodyPairs::vertex_inside_by(const Pose& pose, double depth_mm) const {
   return any_vertex(pose, [depth_mm](const Body& body, const Vec3& x) {
     return body.holds(x) && body.faces.farther_than(depth_mm, x);
+  });
+}
+
+double BodyPairs::Moved::reach(double from_centre) const {
+  return 2.0 * from_centre * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) +
+         poses.shift_mm;
+}
+
+// x, of this body, is farther from the surface of the other one than the poses take it.
+bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
+  const double near = reach(x.norm()) + kNodeRounding * x.norm();
+  return other.faces.farther_than(near, rotation * x) &&
+         other.beyond.farther_than(near + other.stretch * poses.centre_mm, rotation * x);
+}
+
+// Where the surfaces are apart.
+bool BodyPairs::Moved::may_enter(const Body& other) const {
+  const auto holds = [&](const Vec3& x) { return other.holds(rotation * x); };
+  return std::ranges::any_of(body.pieces, holds) ||
+         std::ranges::any_of(body.loose, [&](const Vec3& x) { return holds(x) || !is_off(other, x); });
+}
+
+bool BodyPairs::Moved::is_within(const Body& other) const {
+  if (!other.anchored || body.faces.nodes().empty()) return false;
+  const SweptParts::Node& whole = other.faces.nodes()[0];
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const SweptParts::Node& node = body.faces.nodes()[pending.back()];
+    pending.pop_back();
+    const Vec3 middle = rotation * node.centre;
+    if ((middle - whole.centre).norm() > node.radius + whole.radius) continue;
+    if (other.faces.farther_than(node.radius, middle) && !other.holds(middle)) continue;  // none is, mostly
+    if (!node.leaf) {
+      pending.insert(pending.end(), {node.at, node.at + 1});
+      continue;
+    }
+    const Vec3& x = body.faces.parts()[node.at].corner[0];
+    if (is_off(other, x) && other.holds(rotation * x)) return true;
+  }
+  return false;
+}
+
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses) const {
+  for (const Pair& pair : pairs_) {
+    const Body& ball = *ball_[pair.ball];
+    const Body& socket = *socket_[pair.socket];
+    const Moved out{ball, poses, poses.rotation};
+    const Moved back{socket, poses, poses.rotation.transpose()};
+    const auto reach = [&](double from_centre) { return out.reach(from_centre); };
+    const auto to_shadow = [&](double from_centre) {
+      return out.reach(from_centre) + ball.stretch * poses.centre_mm;
+    };
+    const auto near = [&](const SweptParts& of, double shift, const auto& within) {
+      return may_come_near(of, socket.faces, poses.rotation, shift, within);
+    };
+    if (near(ball.faces, poses.shift_mm, reach) ||
+        near(ball.beyond, poses.shift_mm + ball.stretch * poses.centre_mm, to_shadow) ||
+        out.may_enter(socket) || back.may_enter(ball))
+      return pair;
+  }
+  return std::nullopt;
+}
+
+bool BodyPairs::overlap(const NearPoses& poses) const {
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+    const Body& ball = *ball_[pair.ball];
+    const Body& socket = *socket_[pair.socket];
+    const Moved out{ball, poses, poses.rotation};
+    const Moved back{socket, poses, poses.rotation.transpose()};
+    if (!surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) && !out.may_enter(socket) &&
+        !back.may_enter(ball))
+      return false;  // nothing of one is inside the other
+    return out.is_within(socket) || back.is_within(ball);
   });
 }
 

@@ -14,9 +14,17 @@
 // a clear pose bodies move continuously, and what is not inside another can come to be so only through a pose
 // in which surfaces meet: of closed ones their distance is continuous, and an open one ends where its mesh
 // does.
+//
+// Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
+// the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
+// farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
+// inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
+// under R and farther than s from the surface is inside in all of them. A ball whose mesh ends counts as bone
+// beyond its end, as the centre sees it; so there the walls of that shadow count as surface too.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "gap/pose.hpp"
@@ -28,10 +36,24 @@
 
 namespace impinge {
 
+/// The poses near a rotation of the ball.
+struct NearPoses {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  double turn = 0.0;       // radians, that they are turned from it at most
+  double shift_mm = 0.0;   // that they are shifted at most
+  double centre_mm = 0.0;  // how far the centre of both bodies may be from the origin
+};
+
 /// The bodies of a joint and its pairs that have a part. Meshes in one frame, mm.
 class BodyPairs {
  public:
   BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+
+  /// Places of two bodies: 0 is the main surface, k the part k - 1.
+  struct Pair {
+    std::size_t ball;
+    std::size_t socket;
+  };
 
   bool empty() const { return pairs_.empty(); }
   /// Are two of them in contact? Exact, of the ball's vertices as the pose rounds them.
@@ -40,6 +62,10 @@ class BodyPairs {
   bool vertex_within(const Pose& pose, double gap_mm) const;
   /// Is some vertex inside the other body, and farther than that from its surface?
   bool vertex_inside_by(const Pose& pose, double depth_mm) const;
+  /// Two that may be in contact in one of the poses; std::nullopt proves that no two are, in any of them.
+  std::optional<Pair> may_meet(const NearPoses& poses) const;
+  /// Is some vertex inside the other body in all of the poses? Yes is proven.
+  bool overlap(const NearPoses& poses) const;
   /// First contacts of the turn, pair by pair.
   std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
   /// As first_within() of swept_parts.hpp, of all pairs; rotations to the frame of the axis.
@@ -48,19 +74,30 @@ class BodyPairs {
 
  private:
   struct Body {
-    Body(TriangleMesh of, bool main, bool ball);
+    Body(TriangleMesh of, bool main, bool ball, double farthest);
     TriangleMesh mesh;
     TurnParts parts;
     SweptParts faces;
+    SweptParts beyond;           // of a ball that ends: walls of its shadow, to beyond all bodies
+    double stretch = 0.0;        // how many times farther from the centre than its end these are
     Vec3 anchor = Vec3::Zero();  // the centre, of a main surface; a point outside of a part
     bool about_centre = false;   // which of them
     bool anchored = false;       // has it an inside?
     bool anchor_inside = false;  // is the anchor there?
+    std::vector<Vec3> pieces;    // a vertex of each connected piece of the faces
+    std::vector<Vec3> loose;     // vertices that only faces without area have
     bool holds(const Vec3& x) const;
+    void find_pieces();
   };
-  struct Pair {
-    std::size_t ball;  // 0 is the main surface
-    std::size_t socket;
+  /// A body in these poses, as the frame of the other one has it.
+  struct Moved {
+    const Body& body;
+    const NearPoses& poses;
+    Eigen::Matrix3d rotation;                // to that frame
+    double reach(double from_centre) const;  // mm, from where the rotation takes a point
+    bool may_enter(const Body& other) const;
+    bool is_within(const Body& other) const;
+    bool is_off(const Body& other, const Vec3& x) const;
   };
   template <class Found>
   bool any_vertex(const Pose& pose, const Found& found) const;

@@ -137,8 +137,10 @@ CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& 
     moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
 }
 
-CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question)
-    : question_(checked(joint, question)), growth_(growth_of(joint.ball, question.gap_mm)) {
+CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside)
+    : question_(checked(joint, question)),
+      growth_(growth_of(joint.ball, question.gap_mm)),
+      beside_(joint, beside) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
     sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
@@ -147,6 +149,14 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question)
   least_ball_ = grown_ball().least_radius() - growth_;
   least_socket_ = socket.least_radius();
   edge_on_ = grown_ball().edge_on() || socket.edge_on();
+}
+
+NearPoses CellTest::poses_near(const RotationBall& rotations) const {
+  const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
+  const double turn = rotations.radius + kTurnSlack;
+  const double most = std::min(kPi, turned + turn);
+  const double within = question_.centre_within_mm;
+  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance), within};
 }
 
 // See cell_test.hpp: of these two faces, which is no more than that of all.
@@ -362,9 +372,8 @@ bool CellSearch::leaves(const Asked& asked) const {
 }
 
 CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
-  const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
-  const double most = std::min(kPi, turned + rotations.radius + kTurnSlack);
-  const double shift = 2.0 * std::sin(0.5 * most) * test_.question_.centre_within_mm * (1.0 + kTolerance);
+  const NearPoses poses = test_.poses_near(rotations);
+  const double shift = poses.shift_mm;
   const double r = test_.question_.centre_within_mm;
   if (r > 0.0 &&
       !(std::min(test_.least_ball_, test_.least_socket_) > std::max(shift, r) + test_.question_.gap_mm))
@@ -374,6 +383,16 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   const Asked asked{rotations.rotation, rotations.rotation.transpose(), shift,
                     CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
   if (asked.angle.wide) return {};
+  CellVerdict verdict = facing(asked, from);
+  if (verdict.state == CellState::blocked || test_.beside_.empty()) return verdict;
+  if (!test_.beside_.may_meet(poses)) return verdict;
+  const bool overlap = test_.beside_.overlap(poses);
+  if (overlap || verdict.state != CellState::open) verdict.hint = {};  // the main surfaces do not stop it
+  verdict.state = overlap ? CellState::blocked : CellState::open;
+  return verdict;
+}
+
+CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
   CellVerdict verdict{CellState::blocked, from};
   const Surface of = from.of_ball ? Surface::ball : Surface::socket;
   double best = -1.0;

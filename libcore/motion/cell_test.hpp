@@ -44,6 +44,7 @@
 #include "contact/cap_limits.hpp"
 #include "gap/surface.hpp"
 #include "mesh/ball_socket_pair.hpp"
+#include "motion/body_pairs.hpp"
 #include "motion/cap_floor.hpp"
 #include "motion/rotation_cells.hpp"
 #include "motion/seen_surface.hpp"
@@ -88,14 +89,18 @@ struct CellVerdict {
 /// A joint made ready for the test. Safe to be asked by several threads.
 class CellTest {
  public:
-  /// Meshes in one frame whose origin is the centre of both, mm. std::invalid_argument for a gap or centre
-  /// below 0, or a surface without a face.
-  CellTest(const BallSocketPair& joint, const CellQuestion& question = {});
+  /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and bone beside them
+  /// (motion/body_pairs.hpp), which no gap is asked of. std::invalid_argument for a gap or centre below 0, or
+  /// a surface without a face.
+  CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
   const CellQuestion& question() const { return question_; }
   /// Unit direction of the face of the ball that a hint names, as the ball lies at rest.
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
+  /// The bone beside the main surfaces, and all poses that rotations stand for.
+  const BodyPairs& beside() const { return beside_; }
+  NearPoses poses_near(const RotationBall& rotations) const;
 
  private:
   friend class CellSearch;
@@ -119,6 +124,7 @@ class CellTest {
   double least_ball_;    // mm, radius of all faces, without the gap
   double least_socket_;  // the same
   bool edge_on_;         // do edge-on faces count, of which the limits know nothing?
+  BodyPairs beside_;
 };
 
 /// Asks a test, one cell at a time; each thread has its own.
@@ -160,6 +166,7 @@ class CellSearch {
   };
   static constexpr std::size_t kMostVertices = 64;  // asked of a surface and a cell
 
+  CellVerdict facing(const Asked& asked, const CellHint& from);  // of the main surfaces
   CapAngle angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
   PosedFace posed(const Asked& asked, std::uint32_t socket_face) const;
   bool may_touch(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;

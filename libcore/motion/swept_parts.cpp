@@ -60,11 +60,6 @@ bool plane_separates(const TurnFace& s, const TurnFace& t, double distance) {
   return low > far || high < -far;
 }
 
-bool farther_than(const TurnFace& s, const TurnFace& t, double distance) {
-  return plane_separates(s, t, distance) || plane_separates(t, s, distance) ||
-         distance_of_faces(s, t) > distance;
-}
-
 // The sphere of a node, by the axis.
 struct Place {
   double z;        // mm, height
@@ -225,6 +220,11 @@ class SweptSearch {
 };
 
 }  // namespace
+
+bool farther_than(const TurnFace& s, const TurnFace& t, double distance) {
+  return plane_separates(s, t, distance) || plane_separates(t, s, distance) ||
+         distance_of_faces(s, t) > distance;
+}
 
 SweptParts::SweptParts(std::vector<TurnFace> parts) : parts_(std::move(parts)) {
   if (parts_.empty()) return;

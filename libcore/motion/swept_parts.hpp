@@ -51,6 +51,9 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
+/// Are these farther apart than that, mm? Not for certain where they pierce each other.
+bool farther_than(const TurnFace& s, const TurnFace& t, double distance);
+
 /// The largest distance that is asked for in a span of angles, mm.
 using WithinSpan = std::function<double(const AngleSpan&)>;
 

@@ -90,6 +90,12 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
   return asked;
 }
 
+void add_part_names(const Joint& joint, const std::string& ball, const std::string& socket, json& found) {
+  const auto named = [](const std::string& name) { return name.empty() ? json(nullptr) : json(name); };
+  if (!joint.ball.parts.empty()) found["ball_part"] = named(ball);
+  if (!joint.socket.parts.empty()) found["socket_part"] = named(socket);
+}
+
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start) {
   for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
   return start;

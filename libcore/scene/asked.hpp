@@ -18,6 +18,11 @@ namespace impinge {
 /// the joint. null for what was not given.
 nlohmann::json asked_json(const SceneOptions& options, const Joint& joint);
 
+/// Which parts of the bones stop something (mesh/mesh_parts.hpp), as ball_part and socket_part: null for the
+/// main surface, left out where a joint has none.
+void add_part_names(const Joint& joint, const std::string& ball, const std::string& socket,
+                    nlohmann::json& found);
+
 /// Hash of 64 bits of bytes that follow those of `start` (Fowler, Noll, Vo).
 inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325U;
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start = kFnvStart);

@@ -16,8 +16,6 @@ json end_or_null(const CentreInterval& found) { return found.limited ? json(foun
 
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
-json part_json(const std::string& name) { return name.empty() ? json(nullptr) : json(name); }
-
 json limit_json(const SessionJoint& joint, const LimitAnswer& answer) {
   const ToldLimit& told = answer.told;
   const TurnLimit& limit = told.limit;
@@ -38,8 +36,7 @@ json limit_json(const SessionJoint& joint, const LimitAnswer& answer) {
   found["position"] = point_json(joint.axes.transpose() * limit.contact->place + answer.centre);
   found["contact"] = name(limit.contact->kind);
   found["clock"] = answer.hours ? json(clock_text(*answer.hours)) : json(nullptr);
-  if (!joint.joint.ball.parts.empty()) found["ball_part"] = part_json(answer.ball_part);
-  if (!joint.joint.socket.parts.empty()) found["socket_part"] = part_json(answer.socket_part);
+  add_part_names(joint.joint, answer.ball_part, answer.socket_part, found);
   return found;
 }
 

@@ -60,6 +60,12 @@ class VerdictFile {
     require_good();
   }
 
+  ~VerdictFile() {
+    if (seen_ == 0 && known_.empty()) remove();
+  }
+  VerdictFile(const VerdictFile&) = delete;
+  VerdictFile& operator=(const VerdictFile&) = delete;
+
   void remove() {
     out_.close();
     std::error_code ignored;
@@ -133,13 +139,15 @@ void write_cells(const std::filesystem::path& path, const MotionVolume& volume) 
   file.rename();
 }
 
-json stop_json(const VolumeStop& stop) {
+json stop_json(const VolumeStop& stop, const Joint& joint) {
   const VolumeLimit& limit = stop.limit;
-  return {{"motion", stop.motion->name},
-          {"low_deg", limit.low_deg},
-          {"high_deg", limit.high_deg ? json(*limit.high_deg) : json(nullptr)},
-          {"clock", stop.hours ? json(clock_text(*stop.hours)) : json(nullptr)},
-          {"ball_direction", stop.on_ball ? point_json(*stop.on_ball) : json(nullptr)}};
+  json found{{"motion", stop.motion->name},
+             {"low_deg", limit.low_deg},
+             {"high_deg", limit.high_deg ? json(*limit.high_deg) : json(nullptr)},
+             {"clock", stop.hours ? json(clock_text(*stop.hours)) : json(nullptr)},
+             {"ball_direction", stop.on_ball ? point_json(*stop.on_ball) : json(nullptr)}};
+  add_part_names(joint, stop.ball_part, stop.socket_part, found);
+  return found;
 }
 
 json volume_json(const SceneOptions& options, const SessionJoint& joint, const VolumeAnswer& answer) {
@@ -147,7 +155,7 @@ json volume_json(const SceneOptions& options, const SessionJoint& joint, const V
   json report = asked_json(options, joint.joint);
   report["units"]["share"] = "1";
   json motions = json::array();
-  for (const VolumeStop& stop : answer.stops) motions.push_back(stop_json(stop));
+  for (const VolumeStop& stop : answer.stops) motions.push_back(stop_json(stop, joint.joint));
   report.update({{"share_low", shares.low()},
                  {"share_high", shares.high()},
                  {"reachable_low", shares.reached()},
@@ -163,8 +171,8 @@ json volume_json(const SceneOptions& options, const SessionJoint& joint, const V
 }  // namespace
 
 json write_volume(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
-  require_no_parts(joint.joint, "motion volume");  // before a file is begun
   const VolumeOptions& asked = *options.volume;
+  if (asked.gap_mm > 0.0) require_no_parts(joint.joint, "motion volume of a gap");  // before a file is begun
   VerdictFile part(options.out, asked_key(options, joint.joint, kVersion));
   if (!part.known().empty())
     log << "scene: " << part.known().size() << " cells were decided before" << std::endl;

@@ -26,14 +26,10 @@ LimitAnswer answered(const SessionJoint& joint, const char* about, const Vec3& c
   return limit;
 }
 
-std::string name_of(const std::vector<MeshPart>& parts, std::size_t body) {
-  return body == 0 ? "" : parts[body - 1].name;
-}
-
 void name_parts(const Joint& joint, LimitAnswer& limit) {
   if (!limit.told.limit.contact) return;
-  limit.ball_part = name_of(joint.ball.parts, limit.told.limit.contact->body[0]);
-  limit.socket_part = name_of(joint.socket.parts, limit.told.limit.contact->body[1]);
+  limit.ball_part = body_name(joint.ball.parts, limit.told.limit.contact->body[0]);
+  limit.socket_part = body_name(joint.socket.parts, limit.told.limit.contact->body[1]);
 }
 
 TurnLimits limits_of(const Joint& joint, const TriangleMesh& ball, const TriangleMesh& socket) {

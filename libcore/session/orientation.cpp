@@ -2,9 +2,11 @@
 #include "session/orientation.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "hip/hip_measures.hpp"
 #include "hip/sphere_fit.hpp"
+#include "session/volume.hpp"
 
 namespace impinge {
 namespace {
@@ -32,9 +34,7 @@ bool holds(const OrientationCell& cell, const CupAngles& angles) {
 
 OrientationAnswer answer_orientation(Session& session, const OrientationRequest& request) {
   const SessionJoint& joint = *session.joint;
-  require_no_parts(joint.joint, "orientation");
-  const BallSocketPair meshes{in_joint_frame(joint, joint.mesh(Surface::ball)),
-                              in_joint_frame(joint, joint.mesh(Surface::socket))};
+  if (!joint.side) throw std::invalid_argument("an orientation needs to know the side; give left or right");
   OrientationAnswer answer;
   OrientationQuestion& question = answer.question;
   question.legs = required_legs(request.required, joint.side);
@@ -46,7 +46,7 @@ OrientationAnswer answer_orientation(Session& session, const OrientationRequest&
                  question.side);
   question.tilt_deg = request.tilt_deg;
   question.resolution_deg = request.resolution_deg;
-  answer.cells = orientation_map(CellTest(meshes), question);
+  answer.cells = orientation_map(cell_test(joint, joint.mesh(Surface::socket)), question);
   for (const OrientationCell& cell : answer.cells) {
     area_of(answer, cell.state) += 4.0 * cell.half_deg * cell.half_deg;
     if (holds(cell, question.at_rest)) answer.as_scanned = cell.state;

@@ -29,7 +29,7 @@ struct OrientationAnswer {
 };
 
 /// The socket turns about the centre of the ball. std::runtime_error, one line, where it has no rim to
-/// measure its orientation by. The side is known.
+/// measure its orientation by, std::invalid_argument without a side.
 OrientationAnswer answer_orientation(Session& session, const OrientationRequest& request);
 
 }  // namespace impinge

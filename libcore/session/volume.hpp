@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "motion/named_motion.hpp"
@@ -22,12 +23,18 @@ struct VolumeRequest {
   VolumeSettings settings;  // when to stop
 };
 
+/// The test of its cells, with the bone beside the main surfaces. `socket` is the mesh to ask about: where it
+/// is seen from, or where it was before the ball was shifted.
+CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question = {});
+
 /// What stops a motion.
 struct VolumeStop {
   const NamedMotion* motion;
   VolumeLimit limit;
-  std::optional<double> hours;  // on the dial, of the socket's face that may be touched first
-  std::optional<Vec3> on_ball;  // unit direction of the ball's, in the ball's frame at rest, joint axes
+  std::optional<double> hours = {};  // on the dial, of the socket's face that may be touched first
+  std::optional<Vec3> on_ball = {};  // unit direction of the ball's, in the ball's frame at rest, joint axes
+  std::string ball_part = {};        // which part of the ball may be touched first; empty: none of them
+  std::string socket_part = {};      // the same of the socket
 };
 
 struct VolumeAnswer {
@@ -35,7 +42,8 @@ struct VolumeAnswer {
   std::vector<VolumeStop> stops;  // of all named motions; none without a side
 };
 
-/// std::invalid_argument as for CellTest and MotionVolume.
+/// std::invalid_argument as for CellTest and MotionVolume. std::runtime_error for a gap of a joint with bone
+/// beside it.
 VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request);
 
 }  // namespace impinge

@@ -3,8 +3,10 @@
 // the solid angle that a closed mesh fills.
 #include "motion/body_pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include <CGAL/intersections.h>
 #include <Eigen/Geometry>
@@ -126,6 +128,100 @@ TEST(BodyPairs, OneInsideTheOtherIsContact) {
   }
   EXPECT_TRUE(BodyPairs(main, {{}, {at(3.0, 10.0)}}).impinged({})) << "in the head";
   EXPECT_FALSE(BodyPairs(main, {{}, {at(3.0, 30.0)}}).impinged({})) << "beside the head";
+}
+
+// What is said of all rotations near one, in random ones of them, at their end too, and with shifts.
+class ManyRotations : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(OfAShaft, ManyRotations, testing::Bool(), [](const auto& cut) {
+  return std::string(cut.param ? "ThatIsCut" : "ThatIsWhole");
+});
+
+TEST_P(ManyRotations, HoldInEveryOne) {
+  Hips hips;
+  if (GetParam()) {
+    std::erase_if(hips.main.ball.faces, [&](const Face& face) {
+      return std::ranges::any_of(face, [&](VertexIndex v) { return hips.main.ball.vertices[v].z() < -45.0; });
+    });
+    ASSERT_FALSE(boundary_edges(hips.main.ball).empty());
+    TriangleMesh far = icosphere(6.0, 1);  // to come behind the cut
+    for (Vec3& x : far.vertices) x += Vec3(30.0, 40.0, 95.0);
+    hips.beside.socket.push_back(far);
+  }
+  const BodyPairs pairs(hips.main, hips.beside);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> even;
+  const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+  std::size_t apart = 0;
+  std::size_t overlap = 0;
+  const std::size_t draws = std::min<std::size_t>(2 * random_cases(), 20'000);
+  for (std::size_t k = 0; k < draws; ++k) {
+    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
+    const Eigen::Matrix3d rotation = at.normalized().toRotationMatrix();
+    const double turn = std::pow(10.0, -3.0 * even(random)) * 0.6;
+    const double shift = k % 3 == 0 ? 2.0 * even(random) : 0.0;
+    const bool clear = !pairs.may_meet({rotation, turn, shift});
+    const bool within = pairs.overlap({rotation, turn, shift});
+    ASSERT_FALSE(clear && within);
+    apart += clear ? 1 : 0;
+    overlap += within ? 1 : 0;
+    for (int j = 0; (clear || within) && j < 3; ++j) {
+      const double angle = turn * (j == 0 ? 1.0 : even(random));
+      const Pose pose{Eigen::AngleAxisd(angle, unit()).toRotationMatrix() * rotation,
+                      shift * (j == 0 ? 1.0 : even(random)) * unit()};
+      ASSERT_EQ(pairs.impinged(pose), within) << k << ": " << turn << " rad, " << shift << " mm";
+    }
+  }
+  EXPECT_GT(apart, draws / 20);
+  EXPECT_GT(overlap, draws / 40);
+}
+
+// A face that is there twice changes nothing, and one that hangs on an edge of two others makes no inside.
+TEST(BodyPairs, CountAFaceOnce) {
+  TriangleMesh spine = icosphere(6.0, 1);
+  for (Vec3& x : spine.vertices) x += 60.0 * Vec3::UnitX();
+  TriangleMesh part = icosphere(2.0, 1);
+  for (Vec3& x : part.vertices) x += 60.0 * Vec3::UnitX();
+  const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
+  for (std::size_t k = 0; k < spine.faces.size(); ++k) {
+    TriangleMesh twice = spine;
+    twice.faces.push_back(spine.faces[k]);
+    const BodyPairs pairs(main, {{part}, {twice}});
+    EXPECT_TRUE(pairs.impinged({})) << k;
+    EXPECT_TRUE(pairs.overlap({.turn = 0.01})) << k;
+  }
+  TriangleMesh fin = spine;
+  fin.vertices.push_back(80.0 * Vec3::UnitX());
+  fin.faces.push_back({fin.faces[0][0], fin.faces[0][1], static_cast<VertexIndex>(fin.vertices.size() - 1)});
+  EXPECT_FALSE(BodyPairs(main, {{part}, {fin}}).overlap({.turn = 0.01}));
+}
+
+// Two spheres 50 mm from the centre: proven apart for all turns by less than about what it takes, and one
+// inside the other for all that leave it there.
+TEST(BodyPairs, AreToldApartUntilTheyAreNear) {
+  const auto at = [](double radius, double turned) {
+    TriangleMesh mesh = icosphere(radius, 3);
+    for (Vec3& v : mesh.vertices) v += 50.0 * Vec3(std::cos(turned), std::sin(turned), 0.0);
+    return mesh;
+  };
+  const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
+  for (const double turned : {0.5, 1.0, 2.0}) {
+    const BodyPairs pairs(main, {{at(5.0, 0.0)}, {at(6.0, turned)}});
+    const double apart = 100.0 * std::sin(0.5 * turned) - 11.0;
+    const double reach = 2.0 * std::asin(apart / 112.0);  // of the farthest point, 56 mm from the centre
+    EXPECT_FALSE(pairs.may_meet({.turn = 0.95 * reach})) << turned;
+    EXPECT_FALSE(pairs.may_meet({.shift_mm = 0.95 * std::min(apart, 19.0)}))
+        << turned << ", and from the balls";
+    const auto met = pairs.may_meet({.turn = 1.2 * turned});
+    ASSERT_TRUE(met) << turned;
+    EXPECT_EQ(met->ball, 1U);
+    EXPECT_EQ(met->socket, 1U);
+  }
+  const BodyPairs inside(main, {{at(2.0, 0.0)}, {at(9.0, 0.0)}});
+  EXPECT_TRUE(inside.overlap({.turn = 0.1}));
+  EXPECT_TRUE(inside.may_meet({.turn = 0.01})) << "its surface is nowhere near";
+  EXPECT_FALSE(inside.overlap({.turn = 0.4}));
 }
 
 // Vertices at a known distance along the ray.

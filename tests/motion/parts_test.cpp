@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -14,8 +15,11 @@
 #include "mesh/mesh_parts.hpp"
 #include "motion/body_pairs.hpp"
 #include "motion/turn_limit.hpp"
+#include "motion/volume.hpp"
 #include "reference/meeting_surfaces.hpp"
+#include "support/exact_touch.hpp"
 #include "support/hip_with_parts.hpp"
+#include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
@@ -131,6 +135,61 @@ TEST(Parts, OfHipsTouchWhereCgalSays) {
     }
   }
   EXPECT_GE(by_parts, 1U);
+}
+
+VolumeSettings up_to(double width) {
+  VolumeSettings settings;
+  settings.width = width;
+  return settings;
+}
+
+// Spheres of 20 mm, 50 mm from the centre: rotations that bring the directions of their middles within
+// t = 2 asin(0.4) of each other are blocked, a share of (1 - cos t) / 2. The meshes are within their spheres,
+// by no more than their sagittas.
+TEST(Parts, OfSpheresBlockAShareInClosedForm) {
+  const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
+  const CellTest test(main, {}, {{mesh_of({50.0, 20.0, 0.0})}, {mesh_of({50.0, 20.0, 75.0})}});
+  const MotionVolume volume(test, up_to(0.06));
+  const auto free = [](double radius) { return 0.5 * (1.0 + std::cos(2.0 * std::asin(radius / 50.0))); };
+  EXPECT_LE(volume.shares().open, 0.06);
+  EXPECT_LE(volume.shares().low(), free(20.0 * 0.996));
+  EXPECT_GE(volume.shares().high(), free(20.0));
+  EXPECT_EQ(volume.shares().unknown, 0.0);
+  EXPECT_EQ(volume.shares().reachable_low, volume.shares().free);
+  const VolumeLimit limit = volume.limit(kAboutZ, 180.0);
+  const double exact = 75.0 - 2.0 * std::asin(0.4) / kDegree;
+  EXPECT_LE(limit.low_deg, exact + 0.3);
+  EXPECT_GE(limit.high_deg.value(), exact);
+  ASSERT_TRUE(limit.stops);
+  EXPECT_EQ(limit.stops->hint.socket_face, CellHint::kNone) << "the main surfaces stop nothing";
+}
+
+// Random rotations asked of the exact overlay and of the bodies.
+TEST(Parts, OfAHipAreInItsVolume) {
+  const Hip hip = make_hip(test::hip_with_parts(), 1500);
+  const BallSocketPair main = main_surfaces(hip);
+  const BoneParts beside{part_surfaces(hip.ball, hip.ball_parts),
+                         part_surfaces(hip.socket, hip.socket_parts)};
+  const MotionVolume volume(CellTest(main, {}, beside), up_to(0.12));
+  const MotionVolume without(CellTest(main), up_to(0.12));
+  EXPECT_LT(volume.shares().high(), without.shares().high());
+  test::ExactTouch overlay(main);
+  const BodyPairs pairs(main, beside);
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  std::size_t by_parts = 0;
+  for (std::size_t k = 0; k < 2 * random_cases(); ++k) {
+    Quaternion4 q;
+    for (double& x : q) x = normal(engine);
+    const Pose pose{rotation_of(q), Vec3::Zero()};
+    const bool joint = overlay.impinged(pose);
+    const bool impinged = joint || pairs.impinged(pose);
+    const VolumeCell cell = volume.at(q);
+    ASSERT_FALSE(cell.state == CellState::free && impinged);
+    ASSERT_FALSE(cell.state == CellState::blocked && !impinged);
+    by_parts += cell.state == CellState::blocked && !joint ? 1 : 0;
+  }
+  EXPECT_GT(by_parts, 2U);
 }
 
 // Of a threshold and of a doubtful centre: what is found for a joint that is moved lies in what was said.

@@ -84,19 +84,47 @@ TEST(Parts, TouchInPosesBehindTheLimit) {
   }
 }
 
+// A volume names the part that stops a motion, and the map is smaller than without parts.
+TEST(Parts, AreInVolumeAndOrientation) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  Session without = session_of(make_hip({}, 1000));
+  VolumeRequest request;
+  request.settings.width = 0.08;
+  const VolumeAnswer found = answer_volume(*session.joint, request);
+  const VolumeAnswer alone = answer_volume(*without.joint, request);
+  EXPECT_LT(found.volume.shares().high(), alone.volume.shares().high());
+  std::size_t by_spine = 0;
+  for (std::size_t k = 0; k < found.stops.size(); ++k) {
+    const VolumeStop& stop = found.stops[k];
+    const auto [start, growing] = std::pair(stop.motion->start, std::string(stop.motion->growing));
+    const TurnLimit limit = answer_limits(session, {.start = start, .growing = growing}).contact.told.limit;
+    EXPECT_LE(stop.limit.low_deg, limit.high_deg + 1e-6) << stop.motion->name;
+    if (stop.limit.high_deg) {
+      EXPECT_GE(*stop.limit.high_deg, limit.low_deg - 1e-6) << stop.motion->name;
+    }
+    EXPECT_TRUE(alone.stops[k].socket_part.empty());
+    by_spine += stop.socket_part == "AIIS" ? 1U : 0U;
+  }
+  EXPECT_GE(by_spine, 1U);
+  OrientationRequest turned{.required = {{.flexion = 90.0, .internal_rotation = 25.0}},
+                            .resolution_deg = 2.0};
+  EXPECT_LT(answer_orientation(session, turned).free, answer_orientation(without, turned).free);
+}
+
 // What does not look at parts says so, and leaves them out of nothing in silence.
 TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const SessionJoint& joint = *session.joint;
   const std::string cure =
-      ": bone beside the joint, such as greater trochanter, is looked at by limits and touch alone; leave it "
-      "out";
+      ": bone beside the joint, such as greater trochanter, is looked at by touch, limits, volume and "
+      "orientation alone; leave it out";
   const auto refused = [&](const std::string& what, const std::function<void()>& ask) {
     EXPECT_EQ(test::thrown<std::runtime_error>(ask), what + cure);
   };
   refused("gaps", [&] { measure(session, {}); });
-  refused("motion volume", [&] { answer_volume(joint, {}); });
-  refused("orientation", [&] { answer_orientation(session, {}); });
+  refused("motion volume of a gap", [&] {
+    answer_volume(joint, {{.gap_mm = 1.0, .centre_within_mm = 0.0}, {}});
+  });
   refused("resection", [&] { answer_resection(session, {}); });
   refused("certificate", [&] { answer_proof(joint, Pose{}); });
   refused("gaps of poses", [&] { PoseSeries(joint.joint, {}); });

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "hip/motion.hpp"
-#include "motion/volume.hpp"
+#include "session/volume.hpp"
 
 namespace impinge {
 namespace {
@@ -47,10 +47,7 @@ std::vector<std::uint8_t> states_of(const MotionVolume& volume, std::optional<Si
 }  // namespace
 
 val volume_reply(const SessionJoint& joint, double width) {
-  require_no_parts(joint.joint, "motion volume");
-  const CellTest test(
-      {in_joint_frame(joint, joint.joint.ball.mesh), in_joint_frame(joint, joint.joint.socket.mesh)});
-  const MotionVolume volume(test, {.width = width, .threads = 1});
+  const MotionVolume volume(cell_test(joint, joint.joint.socket.mesh), {.width = width, .threads = 1});
   const VolumeShares& found = volume.shares();
   return object(
       std::pair("low", found.low()), std::pair("high", found.high()),
