@@ -6,9 +6,11 @@
 // Exit code 0 on success, 1 when a mesh cannot be used, 2 for a wrong option. An error is one line on stderr.
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "files/file_bytes.hpp"
@@ -44,6 +46,26 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
   return names.size() > 1 ? "{" + text + "}" : text;
+}
+
+std::filesystem::path without_slash(const std::filesystem::path& folder) {
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// The nearest folder above it that is there.
+std::filesystem::path existing(const std::filesystem::path& of) {
+  std::error_code unreadable;
+  std::filesystem::path folder = without_slash(of);
+  while (!std::filesystem::exists(folder, unreadable)) folder = folder.parent_path();
+  return folder;
+}
+
+// The folders above and below that were made for an answer that there is not.
+void remove_empty(const std::filesystem::path& of, const std::filesystem::path& above) {
+  std::error_code kept;
+  std::filesystem::path folder = without_slash(of);
+  while (folder != above && std::filesystem::remove(folder, kept)) folder = folder.parent_path();
 }
 
 void say_what_was_written(const SceneOptions& options) {
@@ -119,7 +141,7 @@ void run_measures(const Session& session, const SceneOptions& options) {
 void run_bones(const SceneOptions& options) {
   const nlohmann::json found = answer_bones(options, std::cerr);
   write_if_changed(options.out / "summary.json", json_text(found));
-  std::cout << describe_bones(found);
+  std::cout << describe_bones(options, found);
   say_what_was_written(options);
 }
 
@@ -168,6 +190,7 @@ void run(const SceneOptions& options) {
 
 int main(int argc, char** argv) {
   SceneOptions options;
+  std::filesystem::path there;
   try {
     std::string help;
     const auto parsed = parse_scene_options(argc, argv, help);
@@ -176,6 +199,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     options = *parsed;
+    there = existing(options.out);
     require_writable_folder(options.out);
   } catch (const std::exception& error) {
     return fail(error, 2);
@@ -183,6 +207,7 @@ int main(int argc, char** argv) {
   try {
     run(options);
   } catch (const std::exception& error) {
+    remove_empty(options.out, there);
     return fail(error, 1);
   }
   return 0;

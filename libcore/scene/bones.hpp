@@ -15,7 +15,8 @@ namespace impinge {
 /// description where the options give none, and writes into options.out
 ///   limits.csv     of the question limit (scene/limit_table.hpp)
 ///   measures.csv   of the question measures (scene/measure_table.hpp)
-///   joints.csv     of touch and first-contact: joint, touch, smallest_gap_mm, surface and vertex
+///   joints.csv     of the other questions: a row for each joint, with the numbers of its summary
+///   JOINT/         of the questions volume, resection and orientation: the files of each joint
 /// A joint that cannot be used is left out: summary.json says why, and so does a line on `log`, which tells
 /// the progress too. std::runtime_error where none is left, FileError where a file cannot be written.
 ///
@@ -23,6 +24,6 @@ namespace impinge {
 nlohmann::json answer_bones(const SceneOptions& options, std::ostream& log);
 
 /// The same for a reader at a terminal.
-std::string describe_bones(const nlohmann::json& summary);
+std::string describe_bones(const SceneOptions& options, const nlohmann::json& summary);
 
 }  // namespace impinge

@@ -96,6 +96,23 @@ std::optional<Side> described_side(const nlohmann::json& subject) {
   return side == "left" || side == "right" ? std::optional(parse_side(side)) : std::nullopt;
 }
 
+// std::runtime_error, one line, where it holds none.
+JointFolder joint_in(const fs::path& subject) {
+  const auto ball = find_mesh(subject, kBalls);
+  const auto socket = find_mesh(subject, kSockets);
+  if (!ball || !socket)
+    throw std::runtime_error(subject.string() + " has no " + (ball ? "socket" : "ball") + " mesh");
+  const nlohmann::json text = description(subject);
+  const fs::path file = subject / kSubject;
+  return {subject.filename().string(),
+          *ball,
+          *socket,
+          described_centre(text, file),
+          described_radius(text),
+          described_side(text),
+          axes_of(text, file)};
+}
+
 // The folders in it, in the order of their names.
 std::vector<fs::path> folders_in(const fs::path& folder) {
   std::error_code error;
@@ -114,21 +131,17 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
 JointFolders find_joints(const fs::path& folder) {
   JointFolders found;
   for (const fs::path& subject : folders_in(folder)) {
-    const auto ball = find_mesh(subject, kBalls);
-    const auto socket = find_mesh(subject, kSockets);
-    if (!ball || !socket) {
-      found.left_out.push_back(subject.string() + " has no " + (ball ? "socket" : "ball") + " mesh");
-      continue;
+    try {
+      found.joints.push_back(joint_in(subject));
+    } catch (const std::runtime_error& error) {
+      found.left_out.emplace_back(error.what());
     }
-    const nlohmann::json text = description(subject);
-    const fs::path file = subject / kSubject;
-    found.joints.push_back({subject.filename().string(), *ball, *socket, described_centre(text, file),
-                            described_radius(text), described_side(text), axes_of(text, file)});
   }
   if (found.joints.empty()) {
     throw std::runtime_error(folder.string() +
                              ": no folder in it holds a joint: give one folder a subject with a ball (" +
-                             listed(kBalls) + ") and a socket (" + listed(kSockets) + ")");
+                             listed(kBalls) + ") and a socket (" + listed(kSockets) + ")" +
+                             (found.left_out.empty() ? "" : "; " + found.left_out.front()));
   }
   return found;
 }

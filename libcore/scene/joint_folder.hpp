@@ -33,11 +33,12 @@ struct JointFolder {
 
 /// What a folder holds.
 struct JointFolders {
-  std::vector<JointFolder> joints;    // in the order of their names
-  std::vector<std::string> left_out;  // "FOLDER has no ball mesh": a line each
+  std::vector<JointFolder> joints;  // in the order of their names
+  std::vector<std::string>
+      left_out;  // "FOLDER has no ball mesh", or why its description is none: a line each
 };
 
-/// std::runtime_error, one line, for a description that cannot be used, or where no folder holds a joint.
+/// std::runtime_error, one line, where no folder holds a joint.
 JointFolders find_joints(const std::filesystem::path& folder);
 
 }  // namespace impinge

@@ -29,7 +29,7 @@ void require_meshes(const CLI::App& app, const SceneOptions& options) {
   if (app.count("--out") == 0) throw OptionError("--out is required; see scene --help");
   if (!options.bones) return;
   for (const char* one : {"--ball-part", "--socket-part", "--centre", "--landmarks", "--poses", "--path",
-                          "--require", "--width", "--certificate", "--everything", "--explain"}) {
+                          "--certificate", "--everything", "--explain"}) {
     if (app.count(one) > 0)
       throw OptionError("option --bones: " + std::string(one) + " is of one joint; leave one of the two out");
   }
@@ -52,8 +52,8 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
                  "the same beside the socket, such as the anterior inferior iliac spine; one or more");
   app.add_option(
       "--bones", options.bones,
-      "instead of --ball and --socket: a folder with one sub-folder per joint; answers limit, limits, "
-      "measures, touch or first-contact for all of them in one table");
+      "instead of --ball and --socket: a folder with one sub-folder per joint; answers any question but "
+      "all-gaps for all of them in one table");
   app.add_option("--out", options.out,
                  "output folder, created if missing; which files it gets depends on the question");
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();

@@ -10,6 +10,7 @@ namespace impinge {
 std::vector<std::string> scene_files(const SceneOptions& options) {
   std::vector<std::string> files;
   if (options.many()) return {"poses.csv", "summary.json"};
+  if (options.bones && options.limit == nullptr && !options.measures) return {"joints.csv", "summary.json"};
   if (options.change && options.change->of_socket) return {"orientation.csv", "orientation.json"};
   if (options.change) {
     files = {"resected_ball.ply", "resection.json"};
@@ -19,7 +20,6 @@ std::vector<std::string> scene_files(const SceneOptions& options) {
   if (options.limit != nullptr && (options.all_motions || options.bones))
     return {"limits.csv", "summary.json"};
   if (options.measures) return {"measures.csv", "summary.json"};
-  if (options.bones) return {"joints.csv", "summary.json"};
   if (options.volume) {
     files = {"volume.csv", "volume.json"};
     if (options.side) files.emplace_back("volume.svg");

@@ -155,12 +155,12 @@ void set_limit(const TypedOptions& typed, SceneOptions& options) {
 }
 
 // One of the required motions, along whose path something turns.
-Motion parse_required(const std::string& text, std::optional<Side> side) {
+Motion parse_required(const std::string& text, bool knows_side) {
   return for_option("--require", [&] {
     const Motion motion = parse_motion(text);
     if (motion.flexion == 0.0 && motion.abduction == 0.0 && motion.internal_rotation == 0.0)
       throw std::invalid_argument("'" + text + "' moves nothing; give an angle other than 0");
-    if (!side && (motion.abduction != 0.0 || motion.internal_rotation != 0.0))
+    if (!knows_side && (motion.abduction != 0.0 || motion.internal_rotation != 0.0))
       throw std::invalid_argument(
           "abduction and rotation need to know the side; give left or right with --side");
     return motion;
@@ -178,7 +178,7 @@ void set_change(const TypedOptions& typed, SceneOptions& options) {
   options.question = Question::first_contact;
   ChangeOptions change;
   for (const std::string& text : typed.required) {
-    change.required.push_back(parse_required(text, options.side));
+    change.required.push_back(parse_required(text, options.side || options.bones));
     change.text += (change.text.empty() ? "" : "; ") + text;
   }
   if (!typed.clearance.empty()) change.clearance_mm = parse_positive("--clearance", typed.clearance);
@@ -186,7 +186,7 @@ void set_change(const TypedOptions& typed, SceneOptions& options) {
   change.least = typed.least;
   change.of_socket = typed.question == "orientation";
   if (!typed.tilt.empty()) change.tilt_deg = parse_tilt(typed.tilt);
-  if (change.of_socket && !options.side)
+  if (change.of_socket && !options.side && !options.bones)
     refuse_option("--question", typed.question, "needs to know the side; give left or right with --side");
   options.change = std::move(change);
 }
@@ -237,10 +237,6 @@ void require_asked(const TypedOptions& typed) {
 }
 
 void set_question(const TypedOptions& typed, SceneOptions& options) {
-  if (options.bones &&
-      (typed.question == "volume" || typed.question == "resection" || typed.question == "orientation"))
-    refuse_option("--question", typed.question,
-                  "is asked of one joint; give --ball and --socket, and not --bones");
   if (typed.question == "touch") {
     options.question = Question::touch;
   } else if (typed.question == "first-contact") {
@@ -376,8 +372,7 @@ void interpret(const TypedOptions& typed, SceneOptions& options) {
     throw OptionError(
         "option --certificate: it is of one pose or motion; add --question limit --motion NAME");
   if (options.bones && options.question == Question::all_gaps)
-    throw OptionError(
-        "option --bones: its answer is a table; add --question limit, measures, touch or first-contact");
+    throw OptionError("option --bones: its answer is a table; add a --question other than all-gaps");
   if (!options.everything) return;
   options.question = Question::all_gaps;
   options.limit = nullptr;

@@ -59,6 +59,10 @@ class Tables(unittest.TestCase):
         (cls.bones / "d_broken").mkdir()
         (cls.bones / "d_broken/ball.ply").write_bytes((cls.bones / "b_left/ball.ply").read_bytes()[:2000])
         (cls.bones / "d_broken/socket.ply").write_bytes((cls.bones / "b_left/socket.ply").read_bytes())
+        (cls.bones / "e_undescribed").mkdir()
+        for surface in ("ball.ply", "socket.ply"):
+            (cls.bones / "e_undescribed" / surface).write_bytes((cls.bones / "b_left" / surface).read_bytes())
+        (cls.bones / "e_undescribed/subject.json").write_text("{}")
 
     def ask(self, out, name, *more):
         folder = self.bones / name
@@ -76,7 +80,8 @@ class Tables(unittest.TestCase):
         self.assertRegex(done.stderr, r"left out: \S+d_broken/ball.ply: ")
         summary = json.loads((self.root / out / "summary.json").read_text())
         self.assertEqual([joint["joint"] for joint in summary["joints"]], ["a_right", "b_left"])
-        self.assertEqual(len(summary["left_out"]), 2)
+        self.assertEqual(len(summary["left_out"]), 3)
+        self.assertRegex(done.stderr, r"left out: \S+e_undescribed/subject.json: no center_of_rotation_mm: ")
         return summary
 
     def test_all_motions_are_those_asked_one_by_one(self):
@@ -145,6 +150,44 @@ class Tables(unittest.TestCase):
             self.assertEqual((float(gap["smallest_gap_mm"]), gap["surface"], int(gap["vertex"])),
                              (smallest["gap_mm"], smallest["surface"], smallest["vertex"]))
         self.assertEqual({row["touch"] for row in rows}, {"yes"})
+
+    def test_volume_and_changes_of_a_folder_are_those_of_its_joints(self):
+        required = ("--require", "flexion=100,internal_rotation=25")
+        asked = {"volume": ("--width", "0.3"), "resection": required, "orientation": (*required, "--tilt", "5")}
+        numbers = {
+            "volume": lambda said: [said[key] for key in ("share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open")],
+            "resection": lambda said: [*said["volume_mm3"], *said["area_mm2"], *said["depth_mm"]],
+            "orientation": lambda said: [said["as_scanned"][key] for key in ("inclination_deg", "anteversion_deg", "state")]
+            + [said["area_deg2"][key] for key in ("free", "blocked", "unknown", "open")],
+        }
+        for question, more in asked.items():
+            self.ask_all(question, "--question", question, *more)
+            rows = rows_of(self.root / question / "joints.csv")
+            self.assertEqual([row.pop("joint") for row in rows], ["a_right", "b_left"])
+            for row, name in zip(rows, ("a_right", "b_left")):
+                folder, side = self.bones / name, name.split("_")[1]
+                alone = self.root / f"{question}_{name}"
+                done = run(SCENE, "--ball", folder / "ball.ply", "--socket", folder / "socket.ply", "--side", side, "--centre", "0,0,0",
+                           "--out", alone, "--question", question, *more)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                said = json.loads((alone / f"{question}.json").read_text())
+                self.assertEqual([cell if cell.isalpha() else float(cell) for cell in row.values()], numbers[question](said))
+                files = sorted(file.name for file in alone.iterdir())
+                self.assertEqual(sorted(file.name for file in (self.root / question / name).iterdir()), files)
+                for file in set(files) - {f"{question}.json"}:
+                    self.assertEqual((self.root / question / name / file).read_bytes(), (alone / file).read_bytes(), file)
+
+    def test_a_joint_that_a_question_refuses_is_left_out_by_name(self):
+        bones = self.root / "sideless"
+        for name in ("a_right", "b_left"):
+            (bones / name).mkdir(parents=True)
+            for surface in ("ball.ply", "socket.ply"):
+                (bones / name / surface).write_bytes((self.bones / name / surface).read_bytes())
+        (bones / "b_left/subject.json").write_bytes((self.bones / "b_left/subject.json").read_bytes())
+        done = run(SCENE, "--bones", bones, "--out", self.root / "sides", "--question", "orientation", "--require", "flexion=90")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, rf"left out: {bones}/a_right: .*side")
+        self.assertEqual([path.name for path in (self.root / "sides").iterdir() if path.is_dir()], ["b_left"])
 
     def test_a_generated_hip_has_its_measures(self):
         folder = self.root / "normal"
@@ -220,13 +263,14 @@ class Tables(unittest.TestCase):
         for words, said in (
             (("--bones", self.root / "nowhere", "--question", "touch"), "cannot be read"),
             (("--bones", self.root, "--question", "touch"), "no folder in it holds a joint"),
-            (("--bones", self.bones), "its answer is a table; add --question limit, measures, touch or first-contact"),
+            (("--bones", self.bones), "its answer is a table; add a --question other than all-gaps"),
             (("--bones", self.bones, "--question", "touch", "--centre", "0,0,0"), "--centre is of one joint; leave one of the two out"),
         ):
             done = run(SCENE, *words, "--out", self.root / "refused")
             self.assertIn(said, done.stderr)
             self.assertIn(done.returncode, (1, 2))
             self.assertEqual(done.stderr.count("\n"), 1)
+            self.assertFalse((self.root / "refused").exists())
 
     @unittest.skipUnless(os.environ.get("IMPINGE_BONES"), "no real joints")
     def test_real_joints_have_measures_that_agree_or_are_refused(self):
