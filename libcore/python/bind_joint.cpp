@@ -18,21 +18,28 @@ struct SurfaceView {
 
 void bind_surface(py::module_& module) {
   py::class_<SurfaceView>(module, "Surface", "The mesh of the ball or of the socket, about Joint.centre.")
-      .def_property_readonly("vertices",
-                             [](const py::object& self) {
-                               const auto& at = self.cast<const SurfaceView&>().mesh().vertices;
-                               return view_of(at.front().data(), at.size(), 3, self);
-                             })
-      .def_property_readonly("faces",
-                             [](const py::object& self) {
-                               const auto& faces = self.cast<const SurfaceView&>().mesh().faces;
-                               return view_of(faces.front().data(), faces.size(), 3, self);
-                             })
-      .def_property_readonly("areas", [](const py::object& self) {
-        const auto& view = self.cast<const SurfaceView&>();
-        const auto& areas = view.joint->joint().part(view.of).area;
-        return view_of(areas.data(), areas.size(), 1, self);
-      });
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& self) {
+            const auto& at = self.cast<const SurfaceView&>().mesh().vertices;
+            return view_of(at.front().data(), at.size(), 3, self);
+          },
+          "Shape (n, 3), mm, about Joint.centre.")
+      .def_property_readonly(
+          "faces",
+          [](const py::object& self) {
+            const auto& faces = self.cast<const SurfaceView&>().mesh().faces;
+            return view_of(faces.front().data(), faces.size(), 3, self);
+          },
+          "Shape (m, 3), places of the corners, as the mesh has them.")
+      .def_property_readonly(
+          "areas",
+          [](const py::object& self) {
+            const auto& view = self.cast<const SurfaceView&>();
+            const auto& areas = view.joint->joint().part(view.of).area;
+            return view_of(areas.data(), areas.size(), 1, self);
+          },
+          "Shape (n,), mm^2 of the surface that belong to each vertex.");
 }
 
 // With the names of summary.json.
@@ -62,29 +69,43 @@ std::string described(const PoseJoint& joint) {
 
 void bind_facts(JointClass& joint) {
   joint
-      .def_property_readonly("ball",
-                             [](const SharedJoint& self) {
-                               return SurfaceView{self, Surface::ball};
-                             })
-      .def_property_readonly("socket",
-                             [](const SharedJoint& self) {
-                               return SurfaceView{self, Surface::socket};
-                             })
-      .def_property_readonly("side", &side_text)
-      .def_property_readonly("axes", &PoseJoint::axes)
-      .def_property_readonly("landmarks", &landmarks)
-      .def_property_readonly("warnings", [](const PoseJoint& self) { return self.joint().joint.warnings; })
-      .def_property_readonly("centre",
-                             [](const PoseJoint& self) {
-                               const Vec3& c = self.joint().joint.centre;
-                               return py::array_t<double>(3, c.data());
-                             })
-      .def_property_readonly("fit",
-                             [](const PoseJoint& self) -> py::object {
-                               const auto& fit = self.joint().joint.fit;
-                               if (!fit) return py::none();
-                               return py::make_tuple(fit->radius, fit->rms);
-                             })
+      .def_property_readonly(
+          "ball",
+          [](const SharedJoint& self) {
+            return SurfaceView{self, Surface::ball};
+          },
+          "Its Surface.")
+      .def_property_readonly(
+          "socket",
+          [](const SharedJoint& self) {
+            return SurfaceView{self, Surface::socket};
+          },
+          "Its Surface.")
+      .def_property_readonly("side", &side_text, "Of the body: left, right, or None.")
+      .def_property_readonly("axes", &PoseJoint::axes, "Where +x, +y and +z of the meshes point, as RAS.")
+      .def_property_readonly(
+          "landmarks", &landmarks,
+          "A dict of degrees: pelvic_tilt_deg and the angles of the femur in the scan; None "
+          "without landmarks.")
+      .def_property_readonly(
+          "warnings", [](const PoseJoint& self) { return self.joint().joint.warnings; },
+          "What may be wrong with the meshes: a list of lines.")
+      .def_property_readonly(
+          "centre",
+          [](const PoseJoint& self) {
+            const Vec3& c = self.joint().joint.centre;
+            return py::array_t<double>(3, c.data());
+          },
+          "Shape (3,), mm, frame of the meshes: the centre of rotation.")
+      .def_property_readonly(
+          "fit",
+          [](const PoseJoint& self) -> py::object {
+            const auto& fit = self.joint().joint.fit;
+            if (!fit) return py::none();
+            return py::make_tuple(fit->radius, fit->rms);
+          },
+          "Radius and root mean square residual of the sphere that fits the ball, mm; None "
+          "where the centre was given.")
       .def("__repr__", &described);
 }
 
@@ -92,7 +113,12 @@ void bind_facts(JointClass& joint) {
 
 void bind_joint(py::module_& module) {
   bind_surface(module);
-  JointClass joint(module, "Joint", "A ball-and-socket joint of two meshes.");
+  JointClass joint(
+      module, "Joint",
+      "A ball-and-socket joint of two meshes. Poses are angles of shape (n, 3) or (3,) in degrees "
+      "(flexion, abduction, internal rotation; 0 in the pose of the scan), a text as "
+      "\"flexion=90,internal_rotation=10\", or matrices of shape (n, 4, 4) or (n, 3, 4): x' = M x in "
+      "the frame of the meshes, mm.");
   bind_making(joint);
   bind_pose_answers(joint);
   bind_limits(joint);

@@ -67,16 +67,21 @@ void bind_scheme(py::module_& module) {
   module.def("schemes", &all_scheme_names, "Names of all sampling schemes.");
   py::class_<AnyScheme>(module, "Scheme", "A sampling scheme: which directions a table samples.")
       .def(py::init<std::string_view, double>(), py::arg("name"), py::arg("precision_deg") = 1.0)
-      .def_property_readonly("name", &AnyScheme::name)
-      .def_property_readonly("label", [](const AnyScheme& s) { return text_of(s, true); })
-      .def_property_readonly("citation", [](const AnyScheme& s) { return text_of(s, false); })
-      .def_property_readonly("precision_deg", &AnyScheme::precision_deg)
-      .def_property_readonly("size", &AnyScheme::size)
-      .def_property_readonly("cells", &AnyScheme::cells)
-      .def_property_readonly("covering_radius_deg",
-                             [](const AnyScheme& s) { return s.covering_radius() / kDegree; })
-      .def_property_readonly("stencil_radius_deg",
-                             [](const AnyScheme& s) { return s.stencil_radius() / kDegree; })
+      .def_property_readonly("name", &AnyScheme::name, "One of schemes().")
+      .def_property_readonly(
+          "label", [](const AnyScheme& s) { return text_of(s, true); }, "For figures.")
+      .def_property_readonly(
+          "citation", [](const AnyScheme& s) { return text_of(s, false); }, "Its source.")
+      .def_property_readonly("precision_deg", &AnyScheme::precision_deg,
+                             "Spacing of entries at the equator, degrees.")
+      .def_property_readonly("size", &AnyScheme::size, "Number of entries.")
+      .def_property_readonly("cells", &AnyScheme::cells, "Number of cells that answer between entries.")
+      .def_property_readonly(
+          "covering_radius_deg", [](const AnyScheme& s) { return s.covering_radius() / kDegree; },
+          "Every direction is within this angle of an entry.")
+      .def_property_readonly(
+          "stencil_radius_deg", [](const AnyScheme& s) { return s.stencil_radius() / kDegree; },
+          "Every direction is within this angle of the entries that answer it.")
       .def("directions", &directions_of, "Unit vectors of all entries, shape (size, 3).")
       .def(
           "stencils", &stencils_of, py::arg("directions"),

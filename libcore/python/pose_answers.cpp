@@ -116,8 +116,7 @@ void bind_pose_answers(JointClass& joint) {
            "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,).")
       .def("smallest_gap", &smallest_gap, py::arg("poses"),
            "A structured array of shape (poses,): gap_mm, bound_mm (proven, on its error), clock (hours), "
-           "vertex and surface (0 "
-           "ball, 1 socket, -1 none) and clock (hours).")
+           "vertex and surface (0 ball, 1 socket, -1 none).")
       .def(
           "matrices",
           [](const PoseJoint& self, const py::object& poses) {

@@ -445,6 +445,7 @@ async function cut(browser) {
   assert.match(rows[0], /^flexion to 90°yesyes/);
   assert.match(rows[1], /^internal rotation to 30° at flexion 90[\d.]+°yes, to 30/);
   assert.match(await text(page, "cut-notice"), /may guide a treatment/);
+  assert.match(await text(page, "cut-key"), /femur, not cut.*cut, up to [\d.]+ mm deep/);
   const after = await picture(page);
   await page.click('#cut-shown [value="before"]');
   const before = await picture(page);

@@ -19,7 +19,7 @@ before(async () => {
   fs.cpSync(path.join(__dirname, '../../analysis/joint3d/src'), folder, { recursive: true });
   fs.writeFileSync(path.join(folder, 'package.json'), '{ "type": "module" }');
   fs.symlinkSync(path.join(__dirname, '../../analysis/node_modules'), path.join(folder, 'node_modules'));
-  const names = ['elements', 'files_panel', 'limits_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel'];
+  const names = ['elements', 'files_panel', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel'];
   words = Object.assign({}, ...await Promise.all(names.map((name) => load(`${name}.js`))));
 });
 
@@ -115,12 +115,21 @@ test('names of files say joint and pose, and none is empty', () => {
   assert.equal(words.poseWords({ motion: { flexion: 0, abduction: 0, internal_rotation: 0 }, offset: [0, 0, 0] }), 'Pose of the scan');
 });
 
+test('measures that are refused are named, once a reason', () => {
+  const of = (measure, refused) => ({ measure, refused, value: refused ? null : 1 });
+  assert.equal(words.refusedWords([of('version', null), of('head_radius', null)]), '');
+  const some = [of('version', 'no rim'), of('alpha_at_1_30', 'no neck'), of('head_neck_offset', 'no neck'), of('alpha_at_12', 'no neck'), of('coverage', null)];
+  assert.equal(words.refusedWords(some), 'Left out: Version of the socket (no rim); Head-neck offset, Alpha at 1:30, 12 o’clock (no neck).');
+});
+
 test('a file of limits has a cell for every column, and quotes a name', () => {
   const limits = [LIMIT, { ...LIMIT, about: 'socket', state: 'free', clock: null, leaves_ball_mesh_deg: 30.06 }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, hangs_on_less: true }];
   const [head, ...lines] = words.limitsCsv('cam, right', [{ motion: { name: 'fadir' }, limits }]).trim().split('\n');
   assert.equal(head.split(',').length, 12);
   assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,');
   assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,the ball\'s mesh ends from 30.0');
+  const shifted = words.limitsCsv('cam', [{ motion: { name: 'fadir' }, limits: [limits[2]] }], 'ball shifted by 0.0, 1.0, 0.0 mm').split('\n');
+  assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; sensitive to less than 0.5 mm"$/);
   assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,sensitive to less than 0.5 mm');
 });
 

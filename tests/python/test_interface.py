@@ -116,6 +116,20 @@ def test_the_stubs_have_what_the_module_has(hip):
         assert [part.target.id for part in dicts[name].body if isinstance(part, ast.AnnAssign)] == list(answer), name
 
 
+def test_help_says_what_each_member_is():
+    """And of arrays their shape."""
+    arrays = {"Joint.centre", "Joint.gaps", "Joint.touch", "Joint.smallest_gap", "Joint.matrices", "Surface.vertices", "Surface.faces",
+              "Surface.areas", "Scheme.directions", "Scheme.stencils"}
+    for name in impinge.__all__:
+        thing = getattr(impinge, name)
+        own = isinstance(thing, type) and thing.__module__ == "impinge._impinge"
+        for part in (part for part in vars(thing) if own and not part.startswith("_")):
+            said = getattr(thing, part).__doc__ or ""
+            said = said.partition("\n\n")[2] if said.startswith(f"{part}(") else said  # below the signature
+            assert len(said) > 8, f"{name}.{part}"
+            assert f"{name}.{part}" not in arrays or "(n" in said or "shape" in said.lower(), f"{name}.{part}"
+
+
 def test_the_example_draws_its_picture(files, tmp_path):
     for words in ([], [*files, "left"]):
         picture = tmp_path / f"{len(words)}.png"

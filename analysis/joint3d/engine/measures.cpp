@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measures.hpp"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include "hip/published_measures.hpp"
 #include "session/measures.hpp"
@@ -24,21 +22,14 @@ val published_value(const PublishedMeasure& published) {
 
 val measures_reply(const SessionJoint& joint) {
   val measures = val::array();
-  std::vector<std::string> reasons;  // why some are refused, each once
   for (const Measure& one : answer_measures(joint)) {
-    if (one.value) {
-      measures.call<void>(
-          "push", object(std::pair("measure", one.name), std::pair("value", *one.value),
-                         std::pair("uncertainty", one.uncertainty.value_or(0.0)), std::pair("unit", one.unit),
-                         std::pair("published", published_value(published_measure(one.name)))));
-      continue;
-    }
-    const std::string reason = one.state.substr(std::string("refused: ").size());
-    if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+    const val refused = one.value ? val::null() : text(one.state.substr(std::string("refused: ").size()));
+    measures.call<void>("push", object(std::pair("measure", one.name), std::pair("value", or_null(one.value)),
+                                       std::pair("uncertainty", or_null(one.uncertainty)),
+                                       std::pair("unit", one.unit), std::pair("refused", refused),
+                                       std::pair("published", published_value(published_measure(one.name)))));
   }
-  val left_out = val::array();
-  for (const std::string& reason : reasons) left_out.call<void>("push", reason);
-  return object(std::pair("measures", measures), std::pair("left_out", left_out));
+  return object(std::pair("measures", measures));
 }
 
 }  // namespace impinge

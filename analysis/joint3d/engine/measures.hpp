@@ -7,9 +7,9 @@
 
 namespace impinge {
 
-/// Of ball and socket: `measures`, each with `measure`, `value`, `uncertainty`, `unit` and `published`, null
-/// or the members of hip/published_measures.hpp, and `left_out`, a line for each surface that cannot be
-/// measured. Nothing is measured where the side is not known.
+/// Of ball and socket: `measures`, each with `measure`, `value`, `uncertainty`, `unit`, `refused`, why it has
+/// no value or null, and `published`, null or the members of hip/published_measures.hpp. Nothing is measured
+/// where the side is not known.
 val measures_reply(const SessionJoint& joint);
 
 }  // namespace impinge

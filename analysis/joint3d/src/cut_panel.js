@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least radial cut of the femur with which required motions are reached: how much, and the femur before and after it.
 import { ChangePanel } from "./change_panel.js";
-import { depthColour } from "./cut_surface.js";
-import { css } from "./colours.js";
-import { byId, legWords, make, oneOfButtons, roundedDown, roundedUp } from "./elements.js";
+import { cutRows } from "./cut_surface.js";
+import { byId, legWords, make, oneOfButtons, roundedDown, roundedUp, swatchOf } from "./elements.js";
 
 const ends = ([low, high], places, unit) => `${roundedDown(low, places)} to ${roundedUp(high, places)} ${unit}`;
 
@@ -54,11 +53,7 @@ export class CutPanel extends ChangePanel {
       make("th", { scope: "row", textContent: legWords(words) }),
       make("td", { textContent: reached(before, required) }), make("td", { textContent: reached(after, required) }))));
     byId("cut-shown").hidden = byId("cut-key").hidden = nothing;
-    byId("cut-key").replaceChildren(...[0, 0.01, 0.5, 1].map((share) => {
-      const swatch = make("span", { className: "swatch" });
-      swatch.style.background = css(depthColour(share * depth[1], depth[1]));
-      return make("b", {}, swatch, ` ${share === 0 ? "not cut" : share < 0.5 ? "little" : `${(share * depth[1]).toFixed(1)} mm`}`);
-    }));
+    byId("cut-key").replaceChildren(...cutRows(depth[1]).map((row) => make("b", {}, swatchOf(row), ` ${row.text}`)));
     if (!nothing) this.switchTo(true);
   }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The femur after a cut, coloured by how deep it goes.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
-import { RAMP } from "./colours.js";
+import { RAMP, css } from "./colours.js";
+import { roundedUp } from "./elements.js";
 
 const WHOLE = [226, 230, 222];
 const RAMPED = [...RAMP].reverse(); // the deeper the darker
@@ -14,6 +15,9 @@ export function depthColour(depth, deepest) {
   return RAMPED[k].map((value, c) => Math.round(value + (RAMPED[k + 1][c] - value) * (at - k)));
 }
 
+/** Rows of the legend, as legendRows(). deepest: mm. */
+export const cutRows = (deepest) => [{ colours: [css(WHOLE)], text: "femur, not cut" }, { colours: RAMPED.map(css), text: `cut, up to ${roundedUp(deepest, 1)} mm deep` }];
+
 export class CutSurface {
   constructor() {
     this.material = new MeshLambertMaterial({ side: DoubleSide, vertexColors: true });
@@ -25,6 +29,7 @@ export class CutSurface {
 
   /** cut: the library's reply to `resection`. */
   set({ positions, faces, depth, depth_mm: [, deepest] }) {
+    this.deepest = deepest;
     const geometry = new BufferGeometry();
     const colours = new Float32Array(positions.length);
     const colour = new Color();

@@ -34,6 +34,13 @@ export function make(tag, properties = {}, ...children) {
   return element;
 }
 
+/** The swatch of a row of a legend: one colour, or a gradient of several. */
+export function swatchOf({ colours: [first, ...others] }) {
+  const swatch = make("span", { className: `swatch ${others.length ? "wide" : ""}`, "aria-hidden": "true" });
+  swatch.style.background = others.length ? `linear-gradient(90deg, ${[first, ...others].join()})` : first;
+  return swatch;
+}
+
 /** An SVG element with attributes. */
 export function drawn(tag, attributes = {}, text = null) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);

@@ -3,10 +3,11 @@
 // as a link. Their names say joint and pose.
 import { strToU8, zipSync } from "three/addons/libs/fflate.module.js";
 import { legendRows } from "./colours.js";
+import { cutRows } from "./cut_surface.js";
 import { byId, make } from "./elements.js";
 import { limitsCsv } from "./limits_panel.js";
 import { labelledPicture } from "./picture.js";
-import { fileStem, poseWords } from "./pose_words.js";
+import { fileStem, poseWords, shiftWords } from "./pose_words.js";
 import { gapWords } from "./readouts.js";
 import { OWN } from "./state.js";
 
@@ -19,6 +20,8 @@ function save(content, name) {
 
 const COLUMNS = { surface: "ball or socket", vertex: "index in the mesh after welding", "x, y, z": "mm, in the pose, frame of the meshes", gap_mm: "mm, radial; empty where the other surface is not met" };
 export const about = (name) => document.querySelector(`meta[name="${name}"]`).content;
+
+const titled = (name, { side }) => `${name}, ${side ?? "side unknown"}`;
 
 /** What gaps.csv was made from. joint and pose: the library's replies. */
 function metadata(app, joint, pose, tables) {
@@ -54,9 +57,10 @@ export class ExportPanel {
   async picture() {
     const { name, joint, pose } = this.shown();
     const lines = [poseWords(this.app.state), gapWords(pose.smallest), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
-    if (this.view.parts.isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}, the darker the deeper; the gap is that before it.`);
-    const rows = legendRows(this.app.state.look.colours, pose.colours);
-    save(await labelledPicture(this.view, `${name}, ${joint.side ?? "side unknown"}`, lines, rows), this.named("joint3d", "png"));
+    const { isCut, cut } = this.view.parts;
+    if (isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}; the gap is that before it.`);
+    const rows = [...(isCut ? cutRows(cut.deepest) : []), ...legendRows(this.app.state.look.colours, pose.colours)];
+    save(await labelledPicture(this.view, titled(name, joint), lines, rows), this.named("joint3d", "png"));
   }
 
   async gaps() {
@@ -72,7 +76,8 @@ export class ExportPanel {
 
   async limits() {
     const { name, joint, limits } = this.shown();
-    save(limitsCsv(`${name}, ${joint.side ?? "side unknown"}`, limits), `limits_${fileStem(name, joint.side, { motion: {}, offset: [] })}.csv`);
+    const { offset } = this.app.state;
+    save(limitsCsv(titled(name, joint), limits, shiftWords(offset).replaceAll("−", "-")), `limits_${fileStem(name, joint.side, { motion: {}, offset })}.csv`);
   }
 
   async link() {

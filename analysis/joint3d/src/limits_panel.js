@@ -23,11 +23,11 @@ function what({ hangs_on_less: hangs, within_mm: within, leaves_ball_mesh_deg: l
   return leaves === null ? "" : `the ball's mesh ends from ${roundedDown(leaves, 1)}`;
 }
 
-/** limits.csv of [{ motion, limits }], as the library told them; joint: its name. */
-export function limitsCsv(joint, rows) {
+/** limits.csv of [{ motion, limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
+export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.about, limit.state, limit.low_deg, limit.high_deg,
-    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, what(limit)];
+    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, what(limit)].filter(Boolean).join("; "))];
   const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
   return [CSV.join(), ...lines, ""].join("\n");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the joint is drawn: view, filled or lines or blended, colours, what is shown, and the legend.
 import { legendRows } from "./colours.js";
-import { byId, make, oneOfButtons } from "./elements.js";
+import { byId, make, oneOfButtons, swatchOf } from "./elements.js";
 
 const TURN = 8; // degrees a key press
 const KEYS = {
@@ -54,9 +54,5 @@ export function showLegend(scale, colours) {
   const key = JSON.stringify(rows);
   if (key === written) return;
   written = key;
-  byId("legend-rows").replaceChildren(...rows.map(({ colours: [first, ...others], text }) => {
-    const swatch = make("span", { className: `swatch ${others.length ? "wide" : ""}`, "aria-hidden": "true" });
-    swatch.style.background = others.length ? `linear-gradient(90deg, ${[first, ...others].join()})` : first;
-    return make("li", {}, swatch, make("span", { textContent: text }));
-  }));
+  byId("legend-rows").replaceChildren(...rows.map((row) => make("li", {}, swatchOf(row), make("span", { textContent: row.text }))));
 }

@@ -9,7 +9,9 @@ const NAMES = {
   half_opening: "Half opening of the socket", lateral_centre_edge: "Lateral centre-edge angle (LCE)",
   socket_radius: "Radius of the socket", coverage: "Share of directions within the rim",
 };
-const name = (measure) => NAMES[measure] ?? `Alpha at ${measure.replace("alpha_at_", "").replace("_", ":")} o’clock`;
+const ALPHA = "alpha_at_";
+const hour = (measure) => measure.replace(ALPHA, "").replace("_", ":");
+const name = (measure) => NAMES[measure] ?? `Alpha at ${hour(measure)} o’clock`;
 const number = (value, unit) => ({ deg: `${value.toFixed(1)}°`, 1: `${(100 * value).toFixed(1)} %` })[unit] ?? `${value.toFixed(2)} ${unit}`;
 const amount = ({ value, uncertainty, unit }) => `${number(value, unit)} ± ${number(uncertainty, unit)}`.replace("-", "−");
 /** What is published of the measure, for the reader to hold it against; nothing where nothing is. */
@@ -18,6 +20,19 @@ function published({ published: found, unit }) {
   const { mean, sd, median, lower_quartile: lower, upper_quartile: upper, of, source } = found;
   const spread = mean === null ? `median ${number(median, unit)}, quartiles ${number(lower, unit)} and ${number(upper, unit)}` : `mean ${number(mean, unit)}, SD ${number(sd, unit)}`;
   return [make("dd", { className: "published", title: source, textContent: `Published: ${spread} of ${of} (${source.split(",")[0]})`.replaceAll("+-", "±") })];
+}
+
+/** What is refused, by the reason: "Left out: Version of the socket (the mesh has no rim).", or nothing. */
+export function refusedWords(measures) {
+  const reasons = [...new Set(measures.map(({ refused }) => refused).filter(Boolean))];
+  const named = (why) => {
+    const group = measures.filter(({ refused }) => refused === why).map(({ measure }) => measure);
+    const hours = group.filter((measure) => measure.startsWith(ALPHA)).map(hour);
+    const others = group.filter((measure) => !measure.startsWith(ALPHA)).map(name);
+    return [...others, ...(hours.length ? [`Alpha at ${hours.join(", ")} o’clock`] : [])].join(", ");
+  };
+  const words = reasons.map((why) => `${named(why)} (${why})`).join("; ");
+  return words && `Left out: ${words}.`;
 }
 
 export class MeasuresPanel {
@@ -31,10 +46,10 @@ export class MeasuresPanel {
     const mine = (this.asked += 1);
     byId("measures-rows").replaceChildren();
     byId("measures-say").textContent = "Measuring …";
-    const { measures, left_out: leftOut } = await this.ask().catch((error) => ({ measures: [], left_out: [inWords(error)] }));
+    const { measures, fault } = await this.ask().catch((error) => ({ measures: [], fault: `Left out: ${inWords(error)}.` }));
     if (mine !== this.asked) return;
-    byId("measures-rows").replaceChildren(...measures.map((each) =>
+    byId("measures-rows").replaceChildren(...measures.filter(({ refused }) => !refused).map((each) =>
       make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }), ...published(each))));
-    byId("measures-say").textContent = leftOut.map((line) => `Left out: ${line}.`).join(" ");
+    byId("measures-say").textContent = fault ?? refusedWords(measures);
   }
 }

@@ -157,7 +157,7 @@ class Surface:
     @property
     def vertices(self) -> NDArray[np.float64]: ...  # (n, 3), mm, about Joint.centre
     @property
-    def faces(self) -> NDArray[np.uint32]: ...  # (m, 3), counter-clockwise from outside
+    def faces(self) -> NDArray[np.uint32]: ...  # (m, 3), places of the corners, as the mesh has them
     @property
     def areas(self) -> NDArray[np.float64]: ...  # (n,), mm^2 of the surface that belong to each vertex
 
