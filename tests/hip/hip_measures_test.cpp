@@ -135,6 +135,23 @@ TEST_P(RandomHip, HasItsParameters) {
 
 INSTANTIATE_TEST_SUITE_P(Eight, RandomHip, testing::Range(1U, 9U));
 
+// The rim in closed form, summed over the clock; a cap where it is round.
+TEST(HipMeasures, CoverageIsThatWithinTheRim) {
+  for (const double half_opening : {75.0, 82.0, 87.0, 94.0}) {
+    HipParameters p = hip_preset("normal");
+    p.half_opening = half_opening;
+    const Hip hip = make_hip(p, 20000);
+    const HipSurface surface = hip_surface(p);
+    constexpr int kSteps = 1200;
+    double covered = 0.0;
+    for (int k = 0; k < kSteps; ++k)
+      covered += (1.0 - std::cos(rim_polar(surface, 12.0 * k / kSteps))) / (2.0 * kSteps);
+    const AcetabulumMeasures socket =
+        measure_acetabulum(hip.socket, measure_femur(hip.ball, p.side).head, p.side);
+    EXPECT_NEAR(socket.coverage, covered, 0.003) << half_opening;
+  }
+}
+
 TEST(HipMeasures, TheWallChangesNothing) {
   HipParameters p = hip_preset("pincer");
   p.wall_thickness = 5.0;

@@ -2,15 +2,18 @@
 // Scenes of real joints, against what their descriptions (subject.json) measured by other means. The joints
 // lie beside the project: the environment variable IMPINGE_BONES names their folder. Without it there is
 // nothing to compare.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
+#include "hip/measure_list.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/io.hpp"
 #include "reference/closest_point.hpp"
@@ -114,6 +117,67 @@ TEST(RealBones, CoverageIsThatOfTheDescription) {
         << hip;
     EXPECT_NEAR(joint.ball.star_shape.covered, star["ball"]["fraction_hit"].get<double>(), 0.01) << hip;
   }
+}
+
+// Faces above a share of the mesh's height.
+TriangleMesh above(const TriangleMesh& mesh, double share) {
+  const auto [lowest, highest] = std::ranges::minmax(mesh.vertices, {}, [](const Vec3& x) { return x.z(); });
+  const double cut = lowest.z() + share * (highest.z() - lowest.z());
+  TriangleMesh kept{mesh.vertices, {}};
+  for (const Face& face : mesh.faces) {
+    if (std::ranges::all_of(face, [&](auto v) { return mesh.vertices[v].z() > cut; }))
+      kept.faces.push_back(face);
+  }
+  return kept;
+}
+
+TriangleMesh noisy(TriangleMesh mesh, double mm, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> error(0.0, mm);
+  for (Vec3& x : mesh.vertices) x += Vec3(error(random), error(random), error(random));
+  return mesh;
+}
+
+// How far noise may move a measure beyond what it is said to be uncertain by, which is of the measuring.
+double by_noise(const Measure& measure) {
+  if (measure.name.starts_with("alpha")) return 4.0;  // degrees: the surface leaves the head slowly
+  return measure.unit == "deg" ? 1.5 : measure.unit == "mm" ? 0.15 : 0.01;
+}
+
+// Of whole femurs. A tenth and three tenths of their height are cut off, or every vertex is moved.
+TEST(RealBones, MeasuresStayOrAreRefusedUnderNoiseAndCropping) {
+  std::size_t compared = 0;
+  std::size_t folders = 0;
+  for (const fs::path& hip : hips()) {
+    SceneOptions options = options_of(hip);
+    if (fs::exists(hip / "femur.ply")) options.ball = hip / "femur.ply";
+    options.side = hip.string().ends_with("left") ? Side::left : Side::right;
+    const auto text = nlohmann::json::parse(read_bytes(hip / "subject.json"))["axes"].get<std::string>();
+    options.axes = text.find("LPS") != text.npos ? "LPS" : "RAS";
+    options.axes_given = true;
+    const Session session = load_joint(options);
+    const SessionJoint& joint = *session.joint;
+    const BallSocketPair whole{in_joint_frame(joint, joint.joint.ball.mesh),
+                               in_joint_frame(joint, joint.joint.socket.mesh)};
+    const std::vector<Measure> found = measure_hip(whole, *joint.side);
+    const auto compare = [&](const char* what, const BallSocketPair& changed) {
+      const std::vector<Measure> others = measure_hip(changed, *joint.side);
+      ASSERT_EQ(others.size(), found.size());
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        if (!found[k].value || !others[k].value) continue;
+        const double said = *found[k].uncertainty + *others[k].uncertainty;
+        EXPECT_NEAR(*others[k].value, *found[k].value, said + by_noise(found[k]))
+            << hip << ", " << what << ": " << found[k].name;
+        ++compared;
+      }
+    };
+    for (unsigned seed = 0; seed < 3; ++seed)
+      compare("0.2 mm of noise", {noisy(whole.ball, 0.2, seed), noisy(whole.socket, 0.2, seed + 100)});
+    compare("cropped", {above(whole.ball, 0.1), whole.socket});
+    compare("cropped more", {above(whole.ball, 0.3), whole.socket});
+    ++folders;
+  }
+  EXPECT_GE(compared, 30 * folders);
 }
 
 }  // namespace
