@@ -4,7 +4,8 @@
 
 PYBIND11_MODULE(_impinge, module) {
   module.doc() = "Gaps, contact and limits of ball-and-socket joints. Lengths in mm, angles in degrees.";
-  pybind11::register_exception<impinge::FileError>(module, "FileError", PyExc_RuntimeError);
+  pybind11::register_exception<impinge::FileError>(module, "FileError", PyExc_RuntimeError).attr("__doc__") =
+      "A file, or a mesh, that cannot be used.";
   impinge::python::bind_hip(module);
   impinge::python::bind_joint(module);
   impinge::python::bind_scheme(module);

@@ -122,8 +122,9 @@ def test_help_says_what_each_member_is():
               "Surface.areas", "Scheme.directions", "Scheme.stencils"}
     for name in impinge.__all__:
         thing = getattr(impinge, name)
-        own = isinstance(thing, type) and thing.__module__ == "impinge._impinge"
-        for part in (part for part in vars(thing) if own and not part.startswith("_")):
+        own = vars(thing) if isinstance(thing, type) and thing.__module__ == "impinge._impinge" else {}
+        assert len(thing.__doc__) > 8, name
+        for part in (part for part in own if not part.startswith("_")):
             said = getattr(thing, part).__doc__ or ""
             said = said.partition("\n\n")[2] if said.startswith(f"{part}(") else said  # below the signature
             assert len(said) > 8, f"{name}.{part}"

@@ -14,10 +14,10 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <gtest/gtest.h>
 
+#include "sphere/as_floats.hpp"
 #include "sphere/plane_radius.hpp"
 #include "sphere/triangle_cone.hpp"
 #include "sphere/uniform_directions.hpp"
-#include "sphere/as_floats.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "gap/simd/certified_table.hpp"
 #include "mesh/bodies.hpp"
+#include "sphere/as_floats.hpp"
 #include "stress/shapes.hpp"
 #include "stress/stiff_surfaces.hpp"
 #include "stress/table_kernels.hpp"
-#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
 #include "table/fill/cube_fill.hpp"

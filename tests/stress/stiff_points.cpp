@@ -2,8 +2,8 @@
 #include <array>
 #include <cstddef>
 
-#include "stress/stiff_surfaces.hpp"
 #include "sphere/as_floats.hpp"
+#include "stress/stiff_surfaces.hpp"
 #include "support/directions.hpp"
 
 namespace impinge::test {

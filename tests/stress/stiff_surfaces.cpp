@@ -11,12 +11,12 @@
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/jump_edges.hpp"
+#include "sphere/as_floats.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "stress/aimed_faces.hpp"
 #include "stress/shapes.hpp"
-#include "sphere/as_floats.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
 
