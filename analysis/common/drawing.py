@@ -61,25 +61,23 @@ def style() -> None:
 
 
 def look(names: list[str]) -> dict[str, dict]:
-    """Colour, marker and dash of each name, by first appearance."""
-    return {
-        name: {
+    """Colour, marker and dash of each name, by first appearance; hollow markers in the second round of colours."""
+    looks = {}
+    for i, name in enumerate(dict.fromkeys(names)):
+        again = i // len(COLOURS)
+        looks[name] = {
             "color": COLOURS[i % len(COLOURS)],
             "marker": MARKERS[i % len(MARKERS)],
-            "linestyle": DASHES[i % len(DASHES)],
+            "linestyle": DASHES[(i + again) % len(DASHES)],
         }
-        for i, name in enumerate(dict.fromkeys(names))
-    }
+        if again:
+            looks[name]["markerfacecolor"] = "white"
+    return looks
 
 
 def scheme_looks(schemes: list[str]) -> dict[str, dict]:
-    """look(), with hollow markers from the second round of colours on."""
-    looks = look(schemes)
-    for i, of_one in enumerate(looks.values()):
-        of_one |= {"linewidth": 1.1, "markersize": 5}
-        if i >= len(COLOURS):
-            of_one |= {"markerfacecolor": "white", "linestyle": DASHES[(i + 1) % len(DASHES)]}
-    return looks
+    """look(), with thinner lines."""
+    return {name: of_one | {"linewidth": 1.1, "markersize": 5} for name, of_one in look(schemes).items()}
 
 
 def key(label: str, **look) -> Line2D:

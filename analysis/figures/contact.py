@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      contact-time
-# @question  How long does it take to tell whether a joint touches, beside FCL?
+# @question  How long does it take to tell whether a joint touches, beside other libraries?
 # @data      contact
 """Time to tell whether a joint touches, and its smallest gap, against its triangles."""
 
@@ -14,13 +14,13 @@ from common import contact
 def main(options) -> common.Figure:
     table = contact.load(options.results)
     looks = common.look(list(table.line[~table.method.isin(contact.NOT_DRAWN)].unique()))
-    figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 2.8), sharey=True)
+    figure, axes = plt.subplots(1, 3, figsize=(common.WIDTH, 3.4), sharey=True)
     for panel, (case, title) in zip(axes, contact.CASES.items()):
         draw(panel, table[table.gap_case == case], looks)
         panel.set_title(title)
     axes[0].set(ylabel="time of a pose, µs", ylim=(table.us_pose.min() / 2, table.us_pose.max() * 2))
     figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=3)
-    figure.tight_layout(rect=(0, 0.19, 1, 1))
+    figure.tight_layout(rect=(0, 0.16, 1, 1))
     return figure
 
 

@@ -6,6 +6,7 @@
 
 import matplotlib.pyplot as plt
 import pandas as pd
+from matplotlib.ticker import LogLocator
 
 import common
 from common import fill
@@ -17,7 +18,7 @@ def main(options) -> common.Figure:
     table = fill.load(options.results)
     shown = table[table.memory == "used again"]
     looks = common.look(list(shown.line))
-    figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.4), sharey=True)
     draw(axes[0], shown[shown.cells == CELLS], "triangles", looks)
     axes[0].set(xlabel="triangles of each model", ylabel="time to fill both tables, ms")
     axes[0].set_title(f"{CELLS} cells along an edge ({90 / CELLS:.2g}°)")
@@ -31,7 +32,7 @@ def main(options) -> common.Figure:
         )
     common.marks(axes[1], [], [], color="black", marker="o", markerfacecolor="white", label="hollow: fresh memory")
     figure.legend(*axes[1].get_legend_handles_labels(), loc="lower center", ncol=3)
-    figure.tight_layout(rect=(0, 0.12, 1, 1))
+    figure.tight_layout(rect=(0, 0.1, 1, 1))
     return figure
 
 
@@ -42,6 +43,8 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, key: str, looks: dict) -> None:
     places = sorted(rows[key].unique())
     axes.set_xticks(places, [common.digits(place, 2) for place in places])
     axes.minorticks_off()
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
 
 
 common.run(main)
