@@ -52,6 +52,10 @@ class Target:
         met = self.measured <= self.target if self.most else self.measured >= self.target
         return "yes" if met else "no"
 
+    def shown(self) -> str:
+        """What was measured, in more digits where it is about the target."""
+        return common.digits(self.measured, 3 if abs(self.measured / self.target - 1) < 0.02 else 2)
+
     def times(self) -> tuple[float, float, float, float]:
         """Ours, the peer's, the one that the target asks for, the baseline's."""
         peer = self.measured * self.ours_ns
@@ -81,7 +85,7 @@ def main(options) -> common.Table:
             "key": [one.key for one in targets],
             "what": [one.what for one in targets],
             "target": [one.aim() for one in targets],
-            "measured": [common.digits(one.measured, 2) for one in targets],
+            "measured": [one.shown() for one in targets],
             "met": [one.verdict() for one in targets],
         }
     )
