@@ -57,7 +57,9 @@ bool visit_near(const SweptParts& faces, const Vec3& from, const Vec3& to, const
   return false;
 }
 
-bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose& pose) {
+// Is meet(a, b) true of two triangles? Nodes of which apart(a, b) is true are not opened.
+template <class Apart, class Meet>
+bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apart, const Meet& meet) {
   if (ball.nodes().empty() || socket.nodes().empty()) return false;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
   while (!pending.empty()) {
@@ -65,13 +67,9 @@ bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose&
     pending.pop_back();
     const SweptParts::Node& a = ball.nodes()[p];
     const SweptParts::Node& b = socket.nodes()[q];
-    const double reach = a.radius + b.radius;
-    const double slack = kNodeRounding * (reach + a.centre.norm() + b.centre.norm());
-    if ((to_socket(pose, a.centre) - b.centre).norm() > reach + slack) continue;
+    if (apart(a, b)) continue;
     if (a.leaf && b.leaf) {
-      Triangle moved = ball.parts()[a.at].corner;
-      for (Vec3& x : moved) x = to_socket(pose, x);
-      if (faces_meet(moved, socket.parts()[b.at].corner)) return true;
+      if (meet(a, b)) return true;
       continue;
     }
     const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
@@ -80,33 +78,40 @@ bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose&
   return false;
 }
 
+bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose& pose) {
+  const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    const double reach = a.radius + b.radius;
+    const double slack = kNodeRounding * (reach + a.centre.norm() + b.centre.norm());
+    return (to_socket(pose, a.centre) - b.centre).norm() > reach + slack;
+  };
+  return any_pair(ball, socket, apart, [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    Triangle moved = ball.parts()[a.at].corner;
+    for (Vec3& x : moved) x = to_socket(pose, x);
+    return faces_meet(moved, socket.parts()[b.at].corner);
+  });
+}
+
 // May a point of one come within reach of a point of the other? `reach(r)` is of points r from the centre,
 // and `shift` what may take points to another distance from it.
 template <class Reach>
 bool may_come_near(const SweptParts& ball, const SweptParts& socket, const Eigen::Matrix3d& rotation,
                    double shift, const Reach& reach) {
-  if (ball.nodes().empty() || socket.nodes().empty()) return false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
-  while (!pending.empty()) {
-    const auto [p, q] = pending.back();
-    pending.pop_back();
-    const SweptParts::Node& a = ball.nodes()[p];
-    const SweptParts::Node& b = socket.nodes()[q];
-    const double slack = kNodeRounding * (a.farthest + b.farthest);
-    if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > shift + slack) continue;
-    const double near = reach(std::min(a.farthest, b.farthest + shift)) + slack;
-    if ((rotation * a.centre - b.centre).norm() > a.radius + b.radius + near) continue;
-    if (a.leaf && b.leaf) {
-      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
-      const TurnFace moved = turn_face(rotation * c0, rotation * c1, rotation * c2);
-      const TurnFace& face = socket.parts()[b.at];
-      if (!farther_than(moved, face, near) || faces_meet(moved.corner, face.corner)) return true;
-      continue;
-    }
-    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
-    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
-  }
-  return false;
+  const auto slack = [](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return kNodeRounding * (a.farthest + b.farthest);
+  };
+  const auto near = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return reach(std::min(a.farthest, b.farthest + shift)) + slack(a, b);
+  };
+  const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return std::max(a.nearest - b.farthest, b.nearest - a.farthest) > shift + slack(a, b) ||
+           (rotation * a.centre - b.centre).norm() > a.radius + b.radius + near(a, b);
+  };
+  return any_pair(ball, socket, apart, [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+    const TurnFace moved = turn_face(rotation * c0, rotation * c1, rotation * c2);
+    const TurnFace& face = socket.parts()[b.at];
+    return !farther_than(moved, face, near(a, b)) || faces_meet(moved.corner, face.corner);
+  });
 }
 
 // Without those that are there again.
