@@ -3,7 +3,7 @@
 import { compassLines } from "./labels.js";
 
 const [INK, SOFT] = ["#1b2530", "#566472"];
-const [MARGIN, LINE, COLUMN] = [14, 20, 190]; // CSS pixels
+const [MARGIN, LINE, COLUMN] = [14, 20, 205]; // CSS pixels
 const FONT = (size, weight = 400) => `${weight} ${size}px system-ui, sans-serif`;
 
 /** The words of a line in as many lines as the width asks for. */
