@@ -33,8 +33,8 @@ struct Beside {
   double turned_deg;   // from +x
 };
 
-TriangleMesh mesh_of(const Beside& part) {
-  TriangleMesh mesh = icosphere(part.radius, 4);
+TriangleMesh mesh_of(const Beside& part, std::size_t halvings = 4) {
+  TriangleMesh mesh = icosphere(part.radius, halvings);
   const double turn = part.turned_deg * kDegree;
   for (Vec3& x : mesh.vertices) x += part.from_centre * Vec3(std::cos(turn), std::sin(turn), 0.0);
   return mesh;
@@ -148,17 +148,17 @@ VolumeSettings up_to(double width) {
 // by no more than their sagittas.
 TEST(Parts, OfSpheresBlockAShareInClosedForm) {
   const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
-  const CellTest test(main, {}, {{mesh_of({50.0, 20.0, 0.0})}, {mesh_of({50.0, 20.0, 75.0})}});
-  const MotionVolume volume(test, up_to(0.06));
+  const CellTest test(main, {}, {{mesh_of({50.0, 20.0, 0.0}, 2)}, {mesh_of({50.0, 20.0, 75.0}, 2)}});
+  const MotionVolume volume(test, up_to(0.1));
   const auto free = [](double radius) { return 0.5 * (1.0 + std::cos(2.0 * std::asin(radius / 50.0))); };
-  EXPECT_LE(volume.shares().open, 0.06);
-  EXPECT_LE(volume.shares().low(), free(20.0 * 0.996));
+  EXPECT_LE(volume.shares().open, 0.1);
+  EXPECT_LE(volume.shares().low(), free(20.0 * 0.96));
   EXPECT_GE(volume.shares().high(), free(20.0));
   EXPECT_EQ(volume.shares().unknown, 0.0);
   EXPECT_EQ(volume.shares().reachable_low, volume.shares().free);
   const VolumeLimit limit = volume.limit(kAboutZ, 180.0);
   const double exact = 75.0 - 2.0 * std::asin(0.4) / kDegree;
-  EXPECT_LE(limit.low_deg, exact + 0.3);
+  EXPECT_LE(limit.low_deg, exact + 2.0);
   EXPECT_GE(limit.high_deg.value(), exact);
   ASSERT_TRUE(limit.stops);
   EXPECT_EQ(limit.stops->hint.socket_face, CellHint::kNone) << "the main surfaces stop nothing";
