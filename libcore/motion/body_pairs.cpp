@@ -261,9 +261,10 @@ bool BodyPairs::vertex_within(const Pose& pose, double gap_mm) const {
   });
 }
 
-bool BodyPairs::vertex_inside_by(const Pose& pose, double depth_mm) const {
-  return any_vertex(pose, [depth_mm](const Body& body, const Vec3& x) {
-    return body.holds(x) && body.faces.farther_than(depth_mm, x);
+bool BodyPairs::vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const {
+  return any_vertex(pose, [&](const Body& body, const Vec3& x) {
+    return body.holds(x) && body.faces.farther_than(depth_mm, x) &&
+           body.beyond.farther_than(depth_mm + body.stretch * centre_mm, x);
   });
 }
 

@@ -61,7 +61,8 @@ class BodyPairs {
   /// Is along its ray some vertex that near to the other body, mm, or inside?
   bool vertex_within(const Pose& pose, double gap_mm) const;
   /// Is some vertex inside the other body, and farther than that from its surface?
-  bool vertex_inside_by(const Pose& pose, double depth_mm) const;
+  /// The walls of a ball's shadow count as surface, for every centre within centre_mm of the origin.
+  bool vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const;
   /// Two that may be in contact in one of the poses; std::nullopt proves that no two are, in any of them.
   std::optional<Pair> may_meet(const NearPoses& poses) const;
   /// Is some vertex inside the other body in all of the poses? Yes is proven.

@@ -162,8 +162,8 @@ bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, doub
 bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {
   const Pose pose = pose_of(turn, angle_deg);
   const double moved = shift(pose);
-  if (beside_ != nullptr && beside_->vertex_inside_by(pose, moved * (1.0 + kCertainMargin) + kCertainMargin))
-    return true;
+  const double certain = moved * (1.0 + kCertainMargin) + kCertainMargin;
+  if (beside_ != nullptr && beside_->vertex_inside_by(pose, certain, question_.within_mm)) return true;
   const double enough = question_.gap_mm - moved;
   const auto least = joint_.least_gap(pose);
   if (!least || !(least->gap_mm < enough)) return false;
