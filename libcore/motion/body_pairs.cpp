@@ -167,10 +167,17 @@ BodyPairs::Body::Body(TriangleMesh of, bool main, bool ball, double farthest)
   anchored = anchor_inside || odd.empty();
   anchor = main ? kBesideCentre : Vec3(all.centre + 2.0 * all.radius * kOutside);
   if (!anchor_inside) return;
-  beyond = SweptParts(walls_beyond(mesh, odd, farthest));
   for (const Edge& edge : odd) {
     for (const VertexIndex v : edge) stretch = std::max(stretch, farthest / mesh.vertices[v].norm());
   }
+  const std::vector<TurnFace> walls = walls_beyond(mesh, odd, farthest);
+  for (const TurnFace& wall : walls) {
+    const auto next = static_cast<VertexIndex>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), wall.corner.begin(), wall.corner.end());
+    mesh.faces.push_back({next, next + 1, next + 2});
+  }
+  beyond = SweptParts(walls);
+  parts = without_walls(mesh);
 }
 
 void BodyPairs::Body::find_pieces() {
@@ -356,10 +363,17 @@ std::vector<TurnContacts> BodyPairs::contacts(const JointTurn& turn, double larg
 }
 
 double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
-                               const WithinSpan& within, double largest) const {
-  for (const Pair& pair : pairs_)
-    largest = impinge::first_within(ball_[pair.ball]->faces.rotated(ball),
-                                    socket_[pair.socket]->faces.rotated(socket), within, largest);
+                               const WithinSpan& within, double centre_mm, double largest) const {
+  for (const Pair& pair : pairs_) {
+    const Body& turning = *ball_[pair.ball];
+    const SweptParts resting = socket_[pair.socket]->faces.rotated(socket);
+    largest = impinge::first_within(turning.faces.rotated(ball), resting, within, largest);
+    if (turning.beyond.nodes().empty()) continue;
+    const WithinSpan of_walls = [&](const AngleSpan& span) {
+      return within(span) + turning.stretch * centre_mm;
+    };
+    largest = impinge::first_within(turning.beyond.rotated(ball), resting, of_walls, largest);
+  }
   return largest;
 }
 

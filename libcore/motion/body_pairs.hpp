@@ -69,16 +69,16 @@ class BodyPairs {
   bool overlap(const NearPoses& poses) const;
   /// First contacts of the turn, pair by pair.
   std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
-  /// As first_within() of swept_parts.hpp, of all pairs; rotations to the frame of the axis.
+  /// As first_within() of swept_parts.hpp, of all pairs; rotations to the frame of the axis. Walls as above.
   double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
-                      double largest) const;
+                      double centre_mm, double largest) const;
 
  private:
   struct Body {
     Body(TriangleMesh of, bool main, bool ball, double farthest);
-    TriangleMesh mesh;
-    TurnParts parts;
-    SweptParts faces;
+    TriangleMesh mesh;           // with the walls below, to which a turn may bring a part
+    TurnParts parts;             // of it
+    SweptParts faces;            // without them
     SweptParts beyond;           // of a ball that ends: walls of its shadow, to beyond all bodies
     double stretch = 0.0;        // how many times farther from the centre than its end these are
     Vec3 anchor = Vec3::Zero();  // the centre, of a main surface; a point outside of a part

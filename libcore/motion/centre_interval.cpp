@@ -131,7 +131,7 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   first = first_within(ball_.points.rotated(ball), socket_.walls.rotated(socket), within, first);
   first = first_within(ball_.walls.rotated(ball), socket_.points.rotated(socket), within, first);
   first = first_within(ball_.faces.rotated(ball), socket_.faces.rotated(socket), within, first);
-  if (beside_ != nullptr) first = beside_->first_within(ball, socket, within, first);
+  if (beside_ != nullptr) first = beside_->first_within(ball, socket, within, question_.within_mm, first);
   return std::min(first / kDegree, to_deg);
 }
 

@@ -11,6 +11,7 @@
 
 #include "hip/hip.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/mesh_parts.hpp"
 #include "motion/body_pairs.hpp"
@@ -43,6 +44,38 @@ TriangleMesh mesh_of(const Beside& part, std::size_t halvings = 4) {
 // A ball in a cup about +z, each with a part.
 TurnLimits phantom(const Beside& of_ball, const Beside& of_socket) {
   return TurnLimits({icosphere(20.0, 2), cup(28.0, 60.0, 400)}, {{mesh_of(of_ball)}, {mesh_of(of_socket)}});
+}
+
+// A ball that ends counts as bone beyond its end. A part comes into that from the side, where the ball has no
+// face.
+TEST(Parts, MeetTheShadowOfABallThatEnds) {
+  constexpr double kEnd = 16.0;  // mm from the centre, of the ball's 20
+  BallSocketPair main{icosphere(20.0, 4), cup(28.0, 30.0, 400)};
+  std::erase_if(main.ball.faces, [&](const Face& face) {
+    return std::ranges::any_of(face, [&](VertexIndex v) { return main.ball.vertices[v].x() > kEnd; });
+  });
+  const Beside socket{40.0, 3.0, 110.0};
+  const TurnLimits limits(main, {{}, {mesh_of(socket)}});
+  const TurnLimit limit = limits.first_contact(kAboutZ, 180.0);
+  ASSERT_EQ(limit.state, LimitState::limited);
+  double widest = 0.0;
+  double narrowest = kPi;
+  for (const Edge& edge : boundary_edges(main.ball)) {
+    const double angle = std::acos(main.ball.vertices[edge[0]].normalized().x());
+    widest = std::max(widest, angle);
+    narrowest = std::min(narrowest, angle);
+  }
+  const double before = socket.turned_deg - std::asin(socket.radius / socket.from_centre) / kDegree;
+  EXPECT_GT(limit.low_deg, before - widest / kDegree - 0.1);
+  EXPECT_LT(limit.low_deg, before - narrowest / kDegree + 0.1);
+  EXPECT_LT(limit.high_deg - limit.low_deg, 0.5);
+  for (int k = 0; k <= 1000; ++k) EXPECT_FALSE(limits.impinged(kAboutZ, 1e-3 * k * limit.low_deg)) << k;
+  EXPECT_TRUE(limits.impinged(kAboutZ, limit.high_deg));
+  EXPECT_TRUE(limits.impinged(kAboutZ, socket.turned_deg));
+  const CentreQuestion question{.within_mm = 0.5, .largest_deg = 180.0};
+  const CentreInterval interval = limits.centre_interval(kAboutZ, limit, question);
+  EXPECT_LT(interval.low_deg, limit.low_deg - 0.3);
+  EXPECT_GT(interval.low_deg, limit.low_deg - 3.0);
 }
 
 // Spheres whose middles are at a and b from the centre touch where these are the sum of the radii apart, and
