@@ -9,14 +9,16 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kMostGapError = 1.0;   // mm, of the coarsest mesh here
-constexpr double kLeastAnswered = 0.9;  // of the vertices that meet the other surface; others are at the rim
+// A table that is not of this joint is wrong nearly everywhere. A right one is off by more than a millimetre
+// next to steep faces of a coarse mesh, and has no answer at the rim.
+constexpr double kNear = 1.0;       // mm
+constexpr double kLeastNear = 0.9;  // of the vertices that face the other surface
 
 // Of the gaps of one pose.
 struct Misfit {
-  double largest = 0.0;      // error, mm
-  std::size_t faced = 0;     // vertices that meet the other surface
-  std::size_t answered = 0;  // of these, by the table
+  double largest = 0.0;   // error, mm
+  std::size_t faced = 0;  // vertices that meet the other surface
+  std::size_t near = 0;   // of these, whose gap is answered and near the exact one
 };
 
 void add_misfit(Misfit& misfit, const std::vector<float>& gaps, const std::vector<double>& exact) {
@@ -24,8 +26,9 @@ void add_misfit(Misfit& misfit, const std::vector<float>& gaps, const std::vecto
     if (std::isnan(exact[i])) continue;
     ++misfit.faced;
     if (std::isnan(gaps[i])) continue;
-    ++misfit.answered;
-    misfit.largest = std::max(misfit.largest, std::abs(static_cast<double>(gaps[i]) - exact[i]));
+    const double error = std::abs(static_cast<double>(gaps[i]) - exact[i]);
+    if (error < kNear) ++misfit.near;
+    misfit.largest = std::max(misfit.largest, error);
   }
 }
 
@@ -57,12 +60,10 @@ double gap_error(const MadeContact& made, const ExactGaps& exact, const Pose& po
   Misfit misfit;
   add_misfit(misfit, gaps[0].ball, exact.ball);
   add_misfit(misfit, gaps[0].socket, exact.socket);
-  if (misfit.largest > kMostGapError ||
-      static_cast<double>(misfit.answered) < kLeastAnswered * static_cast<double>(misfit.faced)) {
-    throw std::runtime_error(made.method.name + ": a gap is off by " + std::to_string(misfit.largest) +
-                             " mm, and " + std::to_string(misfit.answered) + " of " +
+  if (static_cast<double>(misfit.near) < kLeastNear * static_cast<double>(misfit.faced)) {
+    throw std::runtime_error(made.method.name + ": only " + std::to_string(misfit.near) + " of " +
                              std::to_string(misfit.faced) +
-                             " are answered: its time means nothing until that is resolved");
+                             " gaps are near the exact ones: its time means nothing until that is resolved");
   }
   for (const JointGaps& other : gaps) {
     if (!same_bits(other.ball, gaps[0].ball) || !same_bits(other.socket, gaps[0].socket))
