@@ -24,7 +24,7 @@ constexpr double kFloatShare = 1e-5;  // of a radius, far above what float takes
 template <class Value>
 TableFilling at_once(const FilledSurface& surface, int threads) {
   const auto table = std::make_shared<PackedTable<CubeGnomonic, Value>>();
-  const CubeFill how{surface.scheme, surface.layer, threads, {}};
+  const CubeFill how{surface.scheme, surface.layer, threads};
   return {[table, how, &mesh = surface.mesh] { fill_cube(mesh, how, *table); }, [table] { *table = {}; },
           [table, scheme = surface.scheme](std::size_t entry) {
             const double q = table->smallest + table->step * static_cast<double>(table->values[entry]);

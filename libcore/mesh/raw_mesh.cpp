@@ -50,7 +50,7 @@ TriangleMesh mesh_of(const std::filesystem::path& file, const RawMesh& raw) {
                         " coordinates that are NaN, infinite or beyond 3e38",
                     "remove them or export the mesh again");
   }
-  mesh = weld(mesh).mesh;
+  mesh = weld(mesh);
   require_area(file, mesh);
   return mesh;
 }

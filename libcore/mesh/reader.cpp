@@ -163,7 +163,7 @@ TriangleMesh parse_mesh(const fs::path& file, std::string bytes) {
   check_coordinates(file, *importer.GetScene());
   check_scene(file, *importer.GetScene(), content);
   triangulate(file, importer);
-  TriangleMesh mesh = weld(gather(*importer.GetScene())).mesh;
+  TriangleMesh mesh = weld(gather(*importer.GetScene()));
   require_area(file, mesh);
   return mesh;
 }

@@ -51,20 +51,6 @@ void index_faces(const BallSocketPair& joint, double margin, ScanPlan& scan) {
   scan.faces = std::make_unique<NearFaces>(mesh_of(joint, other(scan.scanned)), margin);
 }
 
-// Measured with generated joints of 600 to 200,000 faces in both surfaces and 361 poses: the caps take 2.4 to
-// 7 us a face, their trees included, and 1 to 4 us a pose; a vertex takes 23 to 50 ns along a path without
-// contact, and 18 to 27 along one that touches in most poses, which are decided as soon as a vertex is proven
-// to touch. So the caps begin to pay at 210 to 390 poses, and the estimate costs at most a third of the time
-// around there.
-std::optional<std::size_t> caps_pay_from(std::size_t vertices, std::size_t faces) {
-  constexpr double kCapsPerFace = 4000.0;  // ns, of both limits
-  constexpr double kLookPerVertex = 28.0;  // ns
-  constexpr double kCulledPerPose = 2e3;   // ns
-  const double gain = kLookPerVertex * static_cast<double>(vertices) - kCulledPerPose;
-  if (gain <= 0.0) return std::nullopt;
-  return static_cast<std::size_t>(std::floor(kCapsPerFace * static_cast<double>(faces) / gain)) + 1;
-}
-
 // exp(t) - 1 <= t + t^2 for t in [0, 1].
 bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near) {
   const double t = near.slope * table.scheme.stencil_radius();

@@ -72,12 +72,6 @@ struct ScenePlan {
 ScenePlan plan_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                      Omissions omissions);
 
-/// From so many poses on it pays to decide whole caps of vertices at once (contact/culled_joint.hpp), and not
-/// to look at each; none if it never does. The caps are made once, in a time that grows with the faces;
-/// looking at each vertex takes a time that grows with vertices and poses: for some 300 poses, whatever the
-/// size of a closed mesh, which has half as many vertices as faces.
-std::optional<std::size_t> caps_pay_from(std::size_t vertices, std::size_t faces);
-
 /// Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
 bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near);
 

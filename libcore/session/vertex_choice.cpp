@@ -21,24 +21,6 @@ struct MetVertex {
 };
 using Met = std::vector<std::vector<MetVertex>>;  // of each pose
 
-// How the vertices that matter are found, in words.
-std::string way_of(const PlanDraft& draft) {
-  if (draft.needs.question == Question::all_gaps)
-    return "each vertex is looked at: the gaps of all are asked for";
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  for (const ScanPlan& scan : draft.plan.scans) {
-    if (!scan.wanted) continue;
-    vertices += mesh_of(draft.joint, scan.scanned).vertices.size();
-    faces += mesh_of(draft.joint, other(scan.scanned)).faces.size();
-  }
-  const std::size_t poses = draft.needs.poses.size();
-  const auto from = caps_pay_from(vertices, faces);
-  if (!from) return formatted("each vertex is looked at: %zu are too few for caps of them to pay", vertices);
-  return formatted("each vertex is looked at: caps of them would pay from %zu poses on, and there %s %zu",
-                   *from, poses == 1 ? "is" : "are", poses);
-}
-
 // The vertices of the scan that may have a gap of the limit or less. Where one is proven to touch, away from
 // any rim, it is the only one that is listed of the pose; a proven gap of first contact becomes the limit.
 Met met_vertices(PlanDraft& draft, const ScanPlan& scan) {
@@ -121,7 +103,8 @@ void choose_vertices(PlanDraft& draft) {
   const Question question = draft.needs.question;
   ScenePlan& plan = draft.plan;
   plan.limit_mm = question == Question::touch ? 0.0 : kInfinity;
-  plan.way = way_of(draft);
+  plan.way = question == Question::all_gaps ? "each vertex is looked at: the gaps of all are asked for"
+                                            : "each vertex is looked at";
   plan.touches.assign(draft.needs.poses.size(), false);
   if (!draft.omissions.has(Omission::vertices) &&
       (!draft.omissions.has(Omission::second_scan) || question == Question::all_gaps))

@@ -71,7 +71,19 @@ class Spiral {
   /// along the turn below (P_b), then linear in the turn between P_a and P_b. Above the first turn and below
   /// the last one the pole stands for the missing turn, three taps.
   Stencil stencil(const Vec3& x) const {
-    return stencil_with(x, [this](double phi) { return place(phi); });
+    const auto on_turn = [&](double turn) { return between_entries(place(polar_of_turn(turn))); };
+    const auto [phi, theta] = to_angles(x);
+    const double azimuth = theta / (2.0 * kPi);
+    const double turn = placement_.turn(phi);
+    const double above = std::max(std::floor(turn - azimuth), -1.0);
+    const double turn_a = above + azimuth;
+    const double turn_b = turn_a + 1.0;
+    if (above < 0.0) return first_turn(std::min(turn / turn_b, 1.0), on_turn(turn_b));
+    if (turn_b > placement_.turns()) {
+      const double left = placement_.turns() - turn_a;
+      return last_turn(left > 0.0 ? std::clamp((turn - turn_a) / left, 0.0, 1.0) : 0.0, on_turn(turn_a));
+    }
+    return four_taps(on_turn(turn_a), on_turn(turn_b), std::clamp(turn - turn_a, 0.0, 1.0));
   }
 
   /// Entries of one turn do not stand below those of the next, so that a cell reads entries beyond its
@@ -133,25 +145,6 @@ class Spiral {
   }
 
   friend bool operator==(const Spiral& a, const Spiral& b) { return a.placement_ == b.placement_; }
-
- protected:
-  /// Stencil whose places on the turns place_of(phi) tells.
-  template <class PlaceOf>
-  Stencil stencil_with(const Vec3& x, PlaceOf&& place_of) const {
-    const auto on_turn = [&](double turn) { return between_entries(place_of(polar_of_turn(turn))); };
-    const auto [phi, theta] = to_angles(x);
-    const double azimuth = theta / (2.0 * kPi);
-    const double turn = placement_.turn(phi);
-    const double above = std::max(std::floor(turn - azimuth), -1.0);
-    const double turn_a = above + azimuth;
-    const double turn_b = turn_a + 1.0;
-    if (above < 0.0) return first_turn(std::min(turn / turn_b, 1.0), on_turn(turn_b));
-    if (turn_b > placement_.turns()) {
-      const double left = placement_.turns() - turn_a;
-      return last_turn(left > 0.0 ? std::clamp((turn - turn_a) / left, 0.0, 1.0) : 0.0, on_turn(turn_a));
-    }
-    return four_taps(on_turn(turn_a), on_turn(turn_b), std::clamp(turn - turn_a, 0.0, 1.0));
-  }
 
  private:
   /// A point of the curve between entries `entry` and entry + 1.

@@ -166,9 +166,7 @@ TEST(SceneNeeds, TheWayIsSaidWithItsReason) {
   EXPECT_EQ(measure(session, options).way, "each vertex is looked at: the gaps of all are asked for");
   options.question = Question::touch;
   const std::string touch = describe_way(answer_question(*session.joint, options).answer.way, {});
-  EXPECT_EQ(touch.rfind("way                 each vertex is looked at: caps of them would pay from ", 0), 0U)
-      << touch;
-  EXPECT_NE(touch.find(" poses on, and there is 1\n"), std::string::npos) << touch;
+  EXPECT_EQ(touch, "way                 each vertex is looked at\n");
 }
 
 }  // namespace

@@ -111,24 +111,5 @@ TEST(Promises, ThatARimTakesAwayAreLookedAtAgain) {
   }
 }
 
-// Caps of vertices pay where making them takes less than looking at each, and never for a few vertices.
-TEST(CapsOfVertices, PayFromSomeHundredPosesOn) {
-  const auto from = caps_pay_from(12'000, 24'000);
-  ASSERT_TRUE(from);
-  EXPECT_GT(*from, 200U);
-  EXPECT_LT(*from, 400U);
-  EXPECT_FALSE(caps_pay_from(70, 10));
-  SceneNeeds needs;
-  needs.question = Question::touch;
-  const AnyScheme scheme("rsid", 5.0);
-  const BallSocketPair few = make_ball_socket_pair(20);
-  EXPECT_NE(plan_scene(few, needs, scheme, Omissions::all()).way.find("too few"), std::string::npos);
-  const BallSocketPair many = make_ball_socket_pair(500);
-  EXPECT_NE(plan_scene(many, needs, scheme, Omissions::all()).way.find("and there is 1"), std::string::npos);
-  needs.poses.resize(19);
-  EXPECT_NE(plan_scene(many, needs, scheme, Omissions::all()).way.find("and there are 19"),
-            std::string::npos);
-}
-
 }  // namespace
 }  // namespace impinge

@@ -72,32 +72,5 @@ TEST(UsidArc, EntriesStandOnTheHelix) {
   }
 }
 
-// T with the true spacing is off by as much as (w - 1) / (4 k) entries, near to k / 4: 56 at k = 229 and 1145
-// at k = 4584, so that the taps are entries elsewhere on the turn.
-TEST(UsidArc, TheThesisLookupReadsOtherEntries) {
-  for (const auto& [turns, expected] : {std::pair{229U, 56.0}, {4584U, 1145.0}}) {
-    const UsidArc helix = UsidArc::with_turns(turns);
-    double worst = 0.0;
-    for (double phi = 0.0; phi <= kPi; phi += 1e-4)
-      worst = std::max(worst, std::abs(helix.place_by_travelled_distance(phi) - helix.place(phi)));
-    EXPECT_NEAR(worst, expected, 0.02 * expected);
-  }
-  const UsidArc helix = UsidArc::with_turns(229);
-  double farthest = 0.0;
-  for (const Vec3& u : test::random_directions(5000, 90)) {
-    const Stencil stencil = helix.stencil_by_travelled_distance(u);
-    const Stencil right = helix.stencil(u);
-    ASSERT_EQ(stencil.taps, right.taps);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < stencil.taps; ++k) {
-      ASSERT_LT(stencil.entry[k], helix.size());
-      sum += stencil.weight[k];
-      farthest = std::max(farthest, angle_between(u, helix.direction(stencil.entry[k])));
-    }
-    ASSERT_NEAR(sum, 1.0, 4e-16);
-  }
-  EXPECT_GT(farthest, 10.0 * helix.stencil_radius());
-}
-
 }  // namespace
 }  // namespace impinge

@@ -54,7 +54,7 @@ void expect_numbers(const CubeFill& fill, const TriangleMesh& mesh, std::span<co
 }
 
 void expect_as_exact(const TriangleMesh& mesh, std::size_t n, Layer layer) {
-  const CubeFill fill{cells(n), layer, 1, {}};
+  const CubeFill fill{cells(n), layer, 1};
   const auto radii = fill_exact(mesh, fill.scheme, layer);
   const InverseDepthTable<CubeGnomonic> exact(radii);
   expect_numbers(fill, mesh, exact.values());
@@ -107,14 +107,14 @@ TEST(CubeFill, RimAlongGridLines) {
   plate.vertices.insert(plate.vertices.end(), {{-10, -10, 20}, {10, -10, 20}, {10, 10, 20}, {-10, 10, 20}});
   plate.faces.insert(plate.faces.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
   expect_as_exact(plate, 16, Layer::nearest);
-  const auto table = filled<float>(plate, {cells(16), Layer::nearest, 1, {}});
+  const auto table = filled<float>(plate, {cells(16), Layer::nearest, 1});
   EXPECT_GE(marked(table), 2U * 4U * 8U - 4U);  // both sides of 8 cells an edge, those in corners once
 }
 
 TEST(CubeFill, SoupOfSteepAndThinFaces) {
   for (const unsigned seed : {1U, 2U}) {
     const TriangleMesh mesh = test::soup(30, seed);
-    const CubeFill fill{cells(24), Layer::nearest, 1, {}};
+    const CubeFill fill{cells(24), Layer::nearest, 1};
     const auto radii = fill_exact(mesh, fill.scheme, Layer::nearest);
     const InverseDepthTable<CubeGnomonic> exact(radii);
     expect_numbers(fill, mesh, exact.values());
@@ -137,7 +137,7 @@ TEST(CubeFill, Slivers) {
       mesh.faces.push_back({first, first + 1, first + 2});
     }
   }
-  const CubeFill fill{cells(200), Layer::farthest, 1, {}};
+  const CubeFill fill{cells(200), Layer::farthest, 1};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, fill.layer));
   expect_numbers(fill, mesh, exact.values());
 }
@@ -153,7 +153,7 @@ TEST(CubeFill, SteepFaces) {
     mesh.vertices.push_back(far * Vec3(25.0, 0.0, z - 3.0));
     mesh.faces.push_back({first, first + 1, first + 2});
   }
-  const CubeFill fill{cells(200), Layer::farthest, 1, {}};
+  const CubeFill fill{cells(200), Layer::farthest, 1};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, fill.layer));
   expect_numbers(fill, mesh, exact.values());
 }
@@ -168,7 +168,7 @@ TEST(CubeFill, NothingAtAll) {
 // Powers of two change no digit.
 TEST(CubeFill, UnitsDoNotMatter) {
   const TriangleMesh mesh = make_ball_socket_pair(300).socket;
-  const CubeFill fill{cells(30), Layer::nearest, 1, {}};
+  const CubeFill fill{cells(30), Layer::nearest, 1};
   const auto expected = filled<std::uint16_t>(mesh, fill);
   for (const double unit : {0x1p-60, 0x1p60}) {
     TriangleMesh scaled = mesh;
@@ -182,7 +182,7 @@ TEST(CubeFill, UnitsDoNotMatter) {
 
 TEST(CubeFill, MemoryIsUsedAgain) {
   const BallSocketPair pair = make_ball_socket_pair(300);
-  const CubeFill fill{cells(40), Layer::nearest, 1, {}};
+  const CubeFill fill{cells(40), Layer::nearest, 1};
   auto table = filled<float>(pair.socket, fill);
   EXPECT_GT(marked(table), 0U);
   const float* const place = table.values.data();
@@ -195,10 +195,10 @@ TEST(CubeFill, MemoryIsUsedAgain) {
 TEST(CubeFill, BadInputIsRefused) {
   const TriangleMesh mesh = octahedron(20.0);
   PackedTable<CubeGnomonic, float> table;
-  EXPECT_THROW(fill_cube(mesh, {cells(4), Layer::farthest, 0, {}}, table), std::invalid_argument);
-  EXPECT_THROW(fill_cube(mesh, {cells(7000), Layer::farthest, 1, {}}, table), std::invalid_argument);
-  EXPECT_THROW(fill_cube(octahedron(1e40), {cells(4), Layer::farthest, 1, {}}, table), std::invalid_argument);
-  EXPECT_THROW(fill_cube(octahedron(1e39), {cells(4), Layer::farthest, 1, {}}, table), std::invalid_argument);
+  EXPECT_THROW(fill_cube(mesh, {cells(4), Layer::farthest, 0}, table), std::invalid_argument);
+  EXPECT_THROW(fill_cube(mesh, {cells(7000), Layer::farthest, 1}, table), std::invalid_argument);
+  EXPECT_THROW(fill_cube(octahedron(1e40), {cells(4), Layer::farthest, 1}, table), std::invalid_argument);
+  EXPECT_THROW(fill_cube(octahedron(1e39), {cells(4), Layer::farthest, 1}, table), std::invalid_argument);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ bool marked_in_double(const TriangleMesh& mesh, const CubeGnomonic& scheme, Laye
 template <class Value>
 bool marked_by_kernel(const TriangleMesh& mesh, const CubeGnomonic& scheme, Layer layer) {
   PackedTable<CubeGnomonic, Value> table;
-  fill_cube(mesh, {scheme, layer, 1, {}}, table);
+  fill_cube(mesh, {scheme, layer, 1}, table);
   const std::size_t cell = scheme.stencil(kPlate).entry[0];
   return !table.none.empty() && (table.none[cell / 32] >> (cell % 32) & 1U) != 0U;
 }

@@ -15,10 +15,7 @@
 /// O(faces + entries).
 #pragma once
 
-#include <cstddef>
-
 #include "mesh/triangle_mesh.hpp"
-#include "table/fill/tile_triangle.hpp"
 #include "table/layer.hpp"
 #include "table/packed_table.hpp"
 
@@ -28,9 +25,6 @@ struct CubeFill {
   CubeGnomonic scheme;            // whose entries are filled
   Layer layer = Layer::farthest;  // that counts where there are several
   int threads = 1;                // one or more
-  /// Inverse depths that 16 bits are spread over, 1 / mm; what the faces take where it is left empty. Tables
-  /// that are to be refilled after their surface moved beyond what it took before need more room.
-  DepthRange room;
 };
 
 /// mesh in the centre frame. std::invalid_argument for lengths beyond those of mesh/lengths.hpp, more entries
@@ -38,12 +32,5 @@ struct CubeFill {
 /// again. Value is float or std::uint16_t.
 template <PackedValue Value>
 void fill_cube(const TriangleMesh& mesh, const CubeFill& fill, PackedTable<CubeGnomonic, Value>& table);
-
-/// `table` was filled from `before` and becomes that of `after`, bit for bit as if filled anew: tiles that a
-/// changed face meets, before or after, are drawn again, and all where the range of the numbers changes. The
-/// meshes differ in the places of their vertices alone. Returns how many entries were worked out.
-template <PackedValue Value>
-std::size_t refill_cube(const TriangleMesh& before, const TriangleMesh& after, const CubeFill& fill,
-                        PackedTable<CubeGnomonic, Value>& table);
 
 }  // namespace impinge

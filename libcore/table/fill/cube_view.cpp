@@ -54,8 +54,8 @@ void CubeView::see(std::size_t first_vertex, std::size_t end_vertex) {
   }
 }
 
-unsigned CubeView::may_be_seen(const Face& face, double reach) const {
-  const double share = 4.0 * reach / static_cast<double>(divisions_);
+unsigned CubeView::may_be_seen(const Face& face) const {
+  const double share = 4.0 * kLeastReach / static_cast<double>(divisions_);
   std::uint64_t all_beyond = ~std::uint64_t{0};
   for (const VertexIndex v : face) all_beyond &= beyond(mesh_->vertices[v], share);
   unsigned faces = 0;
@@ -64,7 +64,7 @@ unsigned CubeView::may_be_seen(const Face& face, double reach) const {
   return faces;
 }
 
-SeenFace CubeView::seen_across(const Face& face, std::size_t through, double reach) const {
+SeenFace CubeView::seen_across(const Face& face, std::size_t through) const {
   SeenFace seen;
   seen.projected = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -75,7 +75,7 @@ SeenFace CubeView::seen_across(const Face& face, std::size_t through, double rea
         seen.projected && depth > kLeastShare * v.cwiseAbs().maxCoeff() && seen.corners[k].q < kMostInverse;
   }
   const auto last = static_cast<long>(divisions_);
-  seen.window = seen.projected ? window_of(seen.corners, reach) : GridWindow{0, last, 0, last};
+  seen.window = seen.projected ? window_of(seen.corners) : GridWindow{0, last, 0, last};
   return seen;
 }
 

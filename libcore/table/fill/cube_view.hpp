@@ -63,12 +63,11 @@ class CubeView {
   /// Of a face that is inside_one(), through that one.
   GridWindow window_inside(const Face& face) const;
 
-  /// Bit f: the face may be seen through face f of the cube, or up to `reach` cells beyond it.
-  unsigned may_be_seen(const Face& face, double reach = kLeastReach) const;
+  /// Bit f: the face may be seen through face f of the cube.
+  unsigned may_be_seen(const Face& face) const;
 
-  /// Through a face of the cube for which that is so; with the entries of the window up to `reach` cells
-  /// beyond the face.
-  SeenFace seen(const Face& face, std::size_t through, double reach = kLeastReach) const;
+  /// Through a face of the cube for which that is so.
+  SeenFace seen(const Face& face, std::size_t through) const;
 
  private:
   static constexpr std::uint8_t kNone = 255;
@@ -77,8 +76,8 @@ class CubeView {
   static bool in_front(const SeenCorner& corner, std::size_t through) {
     return corner.face == through && corner.q < kMostInverse;
   }
-  SeenFace seen_across(const Face& face, std::size_t through, double reach) const;
-  GridWindow window_of(const std::array<SeenCorner, 3>& corners, double reach) const;
+  SeenFace seen_across(const Face& face, std::size_t through) const;
+  GridWindow window_of(const std::array<SeenCorner, 3>& corners) const;
 
   const TriangleMesh* mesh_;
   std::size_t divisions_;
@@ -86,16 +85,16 @@ class CubeView {
   std::vector<std::uint8_t> margin_face_;  // the same as corners_[v].face, kNone near the edges of the cube
 };
 
-inline GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners, double reach) const {
+inline GridWindow CubeView::window_of(const std::array<SeenCorner, 3>& corners) const {
   const auto [a, b, c] = corners;
   const double most = static_cast<double>(divisions_);
   const auto first = [=](double x, double y, double z) {  // rounded up
-    const double from = std::clamp(std::min({x, y, z}) - reach, 0.0, most + 1.0);
+    const double from = std::clamp(std::min({x, y, z}) - kLeastReach, 0.0, most + 1.0);
     const auto line = static_cast<long>(from);
     return static_cast<double>(line) < from ? line + 1 : line;
   };
   const auto last = [=](double x, double y, double z) {  // rounded down, from -1 on
-    return static_cast<long>(std::clamp(std::max({x, y, z}) + reach, -1.0, most) + 1.0) - 1;
+    return static_cast<long>(std::clamp(std::max({x, y, z}) + kLeastReach, -1.0, most) + 1.0) - 1;
   };
   return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
 }
@@ -115,10 +114,10 @@ inline GridWindow CubeView::window_inside(const Face& face) const {
   return {first(a.x, b.x, c.x), last(a.x, b.x, c.x), first(a.y, b.y, c.y), last(a.y, b.y, c.y)};
 }
 
-inline SeenFace CubeView::seen(const Face& face, std::size_t through, double reach) const {
-  if (!in_front(face, through)) return seen_across(face, through, reach);
+inline SeenFace CubeView::seen(const Face& face, std::size_t through) const {
+  if (!in_front(face, through)) return seen_across(face, through);
   const std::array<SeenCorner, 3> own{corners_[face[0]], corners_[face[1]], corners_[face[2]]};
-  return {own, window_of(own, reach), true};
+  return {own, window_of(own), true};
 }
 
 }  // namespace impinge

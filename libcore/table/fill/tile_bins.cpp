@@ -13,7 +13,6 @@ namespace impinge {
 namespace {
 
 constexpr double kLeastPlane = 1e-12;  // of a corner's distance: nearer planes pass through the centre
-constexpr double kTileRimReach = 8.0;  // cells: a rim looks at faces within sqrt(2) cells of the middle one
 
 struct Meeting {
   std::uint32_t tile;
@@ -107,18 +106,6 @@ TileBins tile_bins(const CubeView& view, const CubeTiling& tiling, std::size_t t
   for (const Found& part : found)
     for (const Meeting& meeting : part.meetings) bins.faces[next[meeting.tile]++] = meeting.face;
   return bins;
-}
-
-void mark_tiles(const CubeView& view, const CubeTiling& tiling, std::span<const std::size_t> faces,
-                std::vector<bool>& marked) {
-  for (const std::size_t f : faces) {
-    const Face& face = view.mesh().faces[f];
-    for (unsigned left = view.may_be_seen(face, kTileRimReach); left != 0; left &= left - 1) {
-      const auto through = static_cast<std::size_t>(std::countr_zero(left));
-      const GridWindow window = view.seen(face, through, kTileRimReach).window;
-      tiling.for_each_seeing(through, window, [&](std::size_t tile) { marked[tile] = true; });
-    }
-  }
 }
 
 }  // namespace impinge

@@ -27,8 +27,4 @@ struct TileBins {
 /// What the view sees of its faces; its corners have been seen.
 TileBins tile_bins(const CubeView& view, const CubeTiling& tiling, std::size_t threads);
 
-/// Marks the tiles that may see one of these faces, or the place of a rim that depends on it.
-void mark_tiles(const CubeView& view, const CubeTiling& tiling, std::span<const std::size_t> faces,
-                std::vector<bool>& marked);
-
 }  // namespace impinge
