@@ -20,10 +20,11 @@ def ply(body: str | bytes, vertices=3, faces=1, form="ascii", xyz=XYZ, corners=L
     return f"{header}end_header\n".encode() + (body if isinstance(body, bytes) else body.encode())
 
 
-def binary_ply(points: list[float], corners: list[int], **header) -> bytes:
-    """One triangle, little-endian."""
-    body = struct.pack("<9f", *points) + struct.pack("<B3i", 3, *corners)
-    return ply(body, form="binary_little_endian", **header)
+def binary_ply(points: list[float], corners: list[int], order="little", **header) -> bytes:
+    """One triangle."""
+    mark = "<" if order == "little" else ">"
+    body = struct.pack(f"{mark}9f", *points) + struct.pack(f"{mark}B3i", 3, *corners)
+    return ply(body, form=f"binary_{order}_endian", **header)
 
 
 def binary_stl(triangles: int, *floats: float) -> bytes:
@@ -140,6 +141,16 @@ MESHES = [
         "its PLY faces have no list vertex_indices, or come before the vertices; export it again",
     ),
     (
+        "faces_first.ply",
+        f"ply\nformat ascii 1.0\nelement face 1\n{LIST}element vertex 3\n{XYZ}end_header\n{FACE}{POINTS}".encode(),
+        "its PLY faces have no list vertex_indices, or come before the vertices; export it again",
+    ),
+    (
+        "no_element.ply",
+        ply(POINTS + FACE).replace(b"element vertex 3\n", b""),
+        f"its PLY header has the line 'property float x'; {CORRECT}",
+    ),
+    (
         "no_properties.ply",
         ply(POINTS + FACE, xyz=""),
         "its PLY element 'vertex' has no properties; export it again",
@@ -221,6 +232,21 @@ MESHES = [
         f"{ENDS} vertex 4 of the 9000000000000000000 declared, {DAMAGED}",
     ),
     (
+        "huge_big_endian.ply",
+        binary_ply(CORNERS, [0, 1, 2], order="big", vertices=9 * 10**18),
+        f"{ENDS} vertex 4 of the 9000000000000000000 declared, {DAMAGED}",
+    ),
+    (
+        "huge_faces.ply",
+        ply(POINTS + FACE, faces=4_000_000_000),
+        f"{ENDS} face 1 of the 4000000000 declared, {DAMAGED}",
+    ),
+    (
+        "beyond_63_bits.ply",
+        ply(POINTS + FACE, vertices=2**64 - 1),
+        f"its PLY header has the line 'element vertex 18446744073709551615'; {CORRECT}",
+    ),
+    (
         "beyond_64_bits.ply",
         ply(POINTS + FACE, vertices=2**64),
         f"its PLY header has the line 'element vertex 18446744073709551616'; {CORRECT}",
@@ -240,8 +266,18 @@ MESHES = [
         off("4000000000 1 0", POINTS + FACE),
         f"{ENDS} vertex 4 of the 4000000000 declared, {DAMAGED}",
     ),
+    (
+        "huge_faces.off",
+        off("3 4000000000 0", POINTS + FACE),
+        f"{ENDS} face 1 of the 4000000000 declared, {DAMAGED}",
+    ),
     ("no_faces.ply", ply(POINTS, faces=0), "has no faces, only points; triangulate the surface first"),
     ("only_lines.ply", ply(POINTS + "2 0 1\n"), "has no faces, only points; triangulate the surface first"),
+    (
+        "only_lines.off",
+        off("3 1 0", POINTS + "2 0 1\n"),
+        "has no faces, only points; triangulate the surface first",
+    ),
     ("no_faces.stl", binary_stl(0), "has no faces; export the surface again"),
     ("no_facets.stl", b"solid nothing\nendsolid nothing\n", "has no faces; export the surface again"),
     ("no_faces.off", off("3 0 0", POINTS), "has no faces, only points; triangulate the surface first"),
@@ -309,6 +345,16 @@ MESHES = [
         f"face 0 {NO_VERTEX}",
     ),
     (
+        "four_corners.ply",
+        ply(POINTS + "4 0 1 2 3\n"),
+        f"face 0 {NO_VERTEX}",
+    ),
+    (
+        "corners_negative.ply",
+        ply(POINTS + "-3 0 1 2\n"),
+        f"{ENDS} face 0 of the 1 declared, {DAMAGED}",
+    ),
+    (
         "index.off",
         off("3 1 0", POINTS + "3 0 1 3\n"),
         f"face 0 {NO_VERTEX}",
@@ -317,6 +363,16 @@ MESHES = [
         "index_negative.off",
         off("3 1 0", POINTS + "3 0 1 -1\n"),
         f"face 0 {NO_VERTEX}",
+    ),
+    (
+        "four_corners.off",
+        off("3 1 0", POINTS + "4 0 1 2 3\n"),
+        f"face 0 {NO_VERTEX}",
+    ),
+    (
+        "corners_negative.off",
+        off("3 1 0", POINTS + "-3 0 1 2\n"),
+        f"{ENDS} face 0 of the 1 declared, {DAMAGED}",
     ),
     (
         "index_0.obj",
@@ -395,8 +451,18 @@ MESHES = [
         NOT_FINITE,
     ),
     (
+        "infinite.off",
+        off("3 1 0", "0 0 inf\n1 0 0\n0 1 0\n" + FACE),
+        NOT_FINITE,
+    ),
+    (
         "beyond_double.off",
         off("3 1 0", "0 0 1e999\n1 0 0\n0 1 0\n" + FACE),
+        NOT_FINITE,
+    ),
+    (
+        "nan.obj",
+        obj("f 1 2 3\n", points=("0 0 NaN", "1 0 0", "0 1 0")),
         NOT_FINITE,
     ),
     (

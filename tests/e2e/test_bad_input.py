@@ -144,7 +144,7 @@ class BadInput(GeneratedPair):
         (root / "device.stl").symlink_to("/dev/zero")
         os.mkfifo(root / "pipe.off")
         with (root / "sparse.stl").open("wb") as file:
-            file.truncate(10**12)
+            file.truncate(2**32 + 1)
         for name, message in [
             ("none.ply", "there is no such file; check the path"),
             ("none/none.ply", "there is no such file; check the path"),
@@ -156,7 +156,7 @@ class BadInput(GeneratedPair):
             ("n" * 300 + ".ply", "cannot be looked up, File name too long; check the path"),
             (
                 "sparse.stl",
-                "has 1000000000000 bytes, more than the 4294967296 that are read; "
+                "has 4294967297 bytes, more than the 4294967296 that are read; "
                 "check that it is a mesh, or reduce its triangles",
             ),
         ]:
