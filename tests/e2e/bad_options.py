@@ -130,6 +130,7 @@ OPTIONS = [
         "option --pose: abduction and rotation need to know the side; give left or right with --side",
     ),
     (["--side", "up"], "option --side: side 'up' is neither left nor right"),
+    (["--side", "up\nand\x1b[2J away"], "option --side: side 'up and [2J away' is neither left nor right"),
     (
         ["--axes", "LAS"],
         f"option --axes: axis code 'LAS' is left-handed and would mirror the patient; {AXES}",
@@ -181,6 +182,15 @@ OPTIONS = [
         ["--question", "volume", "--width", "1"],
         "option --width: '1' is no share; give a number above 0 and below 1, as 0.01",
     ),
+    (
+        ["--question", "volume", "--width", "0"],
+        "option --width: '0' is no share; give a number above 0 and below 1, as 0.01",
+    ),
+    (
+        ["--question", "volume", "--path", "flexion=0..90/1"],
+        "option --question: 'volume' is about all poses; leave out --poses and --path",
+    ),
+    (["--gap", "4"], "option --gap: '4' comes with the question volume alone; add --question volume"),
     (
         ["--question", "volume", "--pose", "flexion=20"],
         "option --pose: 'flexion=20' is one pose, and the question is about all of them; leave it out",

@@ -120,14 +120,18 @@ class BadInput(GeneratedPair):
                 self.refused(run(self.program, *files, *words), 2, message.replace("{schemes}", SCHEMES))
 
     def test_options_that_are_missing(self):
-        """Named one after the other."""
+        """Named one after the other; and empty ones, as a script types them whose variable is not set."""
+        files = {"--ball": self.ball, "--socket": self.socket, "--out": self.root / "out"}
         for words, message in [
             ([], "--ball is required; see scene --help"),
             (["--ball", self.ball], "--socket is required; see scene --help"),
             (["--ball", self.ball, "--socket", self.socket], "--out is required; see scene --help"),
-            (
-                ["--ball", self.ball, "--socket", self.socket, "--out", ""],
-                "option --out: '' is empty; give it a value or leave it out",
+            *(
+                (
+                    [word for other in files for word in (other, "" if other == name else files[other])],
+                    f"option {name}: '' is empty; give it a value or leave it out",
+                )
+                for name in files
             ),
         ]:
             with self.subTest(words):

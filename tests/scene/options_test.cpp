@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What is read; what is refused: tests/e2e/bad_options.py.
 #include "scene/options.hpp"
 
 #include <string>
@@ -90,77 +91,6 @@ TEST(SceneOptions, ReadsTheLimitOfAMotion) {
   EXPECT_EQ(options->motion.flexion, 20.0);
   EXPECT_FALSE(options->outputs.gaps || options->outputs.verdicts);
   EXPECT_EQ(parse({"--everything", "--question", "limit", "--motion", "flexion"})->limit, nullptr);
-  EXPECT_THROW(parse({"--question", "limit"}), OptionError);
-  EXPECT_THROW(parse({"--motion", "flexion"}), OptionError);
-  EXPECT_THROW(parse({"--question", "limit", "--motion", "abduction"}), OptionError);
-  EXPECT_THROW(parse({"--question", "limit", "--motion", "flexion", "--pose", "flexion=180"}), OptionError);
-}
-
-struct Wrong {
-  std::vector<const char*> options;
-  std::string named;   // what the message must name
-  std::string advice;  // and say to do
-};
-
-TEST(SceneOptions, RefusalsNameTheOptionAndTheCureInOneLine) {
-  const std::vector<Wrong> cases{{{"--precision", "0"}, "--precision", "above 0"},
-                                 {{"--precision", "-1"}, "--precision", "above 0"},
-                                 {{"--precision", "0.7"}, "--precision", "divides 180"},
-                                 {{"--precision", "1e-12"}, "--precision", "at least"},
-                                 {{"--precision", "fine"}, "--precision", "number of degrees"},
-                                 {{"--precision", "nan"}, "--precision", "number of degrees"},
-                                 {{"--precision", "1", "--max-error", "1"}, "--max-error", "--precision"},
-                                 {{"--max-error", "0"}, "--max-error", "above 0"},
-                                 {{"--max-error", "inf"}, "--max-error", "above 0"},
-                                 {{"--scheme", "rside"}, "--scheme", "rsid"},
-                                 {{"--centre", "1,2"}, "--centre", "X,Y,Z"},
-                                 {{"--centre", "1,2,3,4"}, "--centre", "X,Y,Z"},
-                                 {{"--centre", "1,2,nan"}, "--centre", "X,Y,Z"},
-                                 {{"--pose", "bend=3"}, "--pose", "flexion"},
-                                 {{"--pose", "abduction=3"}, "--pose", "--side"},
-                                 {{"--side", "up"}, "--side", "left"},
-                                 {{"--axes", "LAS"}, "--axes", "RAS"},
-                                 {{"--cartilage", "-1"}, "--cartilage", "0 or more"},
-                                 {{"--side", "up\nand\x1b[2J away"}, "--side", "left"},
-                                 {{"--colour", "red"}, "--colour", "--help"}};
-  for (const Wrong& wrong : cases) {
-    try {
-      parse(wrong.options);
-      FAIL() << wrong.options.front() << ' ' << wrong.options.back() << " was accepted";
-    } catch (const OptionError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find(wrong.named), std::string::npos) << message;
-      EXPECT_NE(message.find(wrong.advice), std::string::npos) << message;
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    }
-  }
-}
-
-// What a script types whose variable is not set.
-TEST(SceneOptions, EmptyValuesAreRefused) {
-  for (const std::size_t k : {2U, 4U, 6U}) {
-    std::vector<const char*> argv{"scene", "--ball", "b.ply", "--socket", "s.ply", "--out", "o"};
-    argv[k] = "";
-    std::string help;
-    try {
-      parse_scene_options(static_cast<int>(argv.size()), argv.data(), help);
-      FAIL() << argv[k - 1];
-    } catch (const OptionError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                std::string("option ") + argv[k - 1] + ": '' is empty; give it a value or leave it out");
-    }
-  }
-}
-
-TEST(SceneOptions, MissingOnesAreNamed) {
-  std::string help;
-  const std::vector<const char*> argv{"scene", "--ball", "b.ply"};
-  try {
-    parse_scene_options(3, argv.data(), help);
-    FAIL();
-  } catch (const OptionError& error) {
-    EXPECT_NE(std::string(error.what()).find("--socket"), std::string::npos) << error.what();
-  }
 }
 
 TEST(SceneOptions, HelpNamesEveryOption) {
@@ -183,10 +113,6 @@ TEST(SceneOptions, AllRotationsHaveOptionsOfTheirOwn) {
   EXPECT_EQ(volume->gap_mm, 4.0);
   EXPECT_EQ(volume->centre_within_mm, 1.0);
   EXPECT_TRUE(parse({"--question", "limits", "--side", "left"})->all_motions);
-  EXPECT_THROW(parse({"--question", "limits"}), OptionError);
-  EXPECT_THROW(parse({"--question", "volume", "--width", "0"}), OptionError);
-  EXPECT_THROW(parse({"--gap", "4"}), OptionError);
-  EXPECT_THROW(parse({"--question", "volume", "--path", "flexion=0..90/1"}), OptionError);
 }
 
 }  // namespace
