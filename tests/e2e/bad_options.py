@@ -291,4 +291,24 @@ OPTIONS = [
         ["--certificate", "proof.txt", "--path", "flexion=0..90/1"],
         "--path excludes --certificate; see scene --help",
     ),
+    (
+        ["--path", "flexion=0..90"],
+        "option --path: 'flexion=0..90' has no step; write NAME=FIRST..LAST/STEP or NAME=ANGLE, as flexion=0..120/1",
+    ),
+    (
+        ["--path", "abduction=0..9/1"],
+        "option --path: abduction and rotation need to know the side; give left or right with --side",
+    ),
+    (["--path", "flexion=0..9/1", "--poses", "poses.csv"], "--poses excludes --path; see scene --help"),
+    (["--path", "flexion=0..9/1", "--pose", "flexion=1"], "--pose excludes --path; see scene --help"),
+    (["--path", "flexion=0..9/1", "--precision", "1"], "--precision excludes --path; see scene --help"),
+    (
+        ["--path", "flexion=0..9/1", "--surfaces", "ball"],
+        "option --surfaces: 'ball' leaves out what bounds, distances and verdicts need; add --outputs gaps",
+    ),
+    (
+        ["--path", "flexion=0..9/1", "--cartilage", "3"],
+        "option --path: many poses give touch and the smallest gap of both surfaces only; leave out --question limit or measures, "
+        "--surfaces and --everything; --cartilage needs --question all-gaps and a number of mm",
+    ),
 ]

@@ -247,6 +247,7 @@ class BadInput(GeneratedPair):
             with self.subTest(out):
                 self.refused(self.scene(out=out), code, message)
         self.assertEqual([path.name for path in taken.iterdir()], ["summary.json"])
+        self.assertEqual(sorted(path.name for path in self.ball.parent.iterdir()), ["ball.ply", "socket.ply"])
 
     def test_joints_that_are_none(self):
         """Two good meshes that do not belong together, or are in another unit of length."""
@@ -351,13 +352,14 @@ class BadInput(GeneratedPair):
                 resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
                 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 
-            done = self.scene(out=out, preexec_fn=limited)
             name = next(name for name in FIVE if sizes[name] >= size)
             met.add(name)
-            with self.subTest(name, size=size):
-                advice = "check that its folder exists, may be written to and has room"
-                self.refused(done, 1, f"{out}/{name}: cannot be written, File too large; {advice}")
-                self.assertEqual(bytes_of(out), older)
+            for place in (out, self.root / "out"):  # refused() looks at the second, which is empty
+                with self.subTest(name, size=size, place=place.name):
+                    done = self.scene(out=place, preexec_fn=limited)
+                    advice = "check that its folder exists, may be written to and has room"
+                    self.refused(done, 1, f"{place}/{name}: cannot be written, File too large; {advice}")
+                    self.assertEqual(bytes_of(out), older)
         self.assertGreaterEqual(len(met), 2)
         self.assertEqual(self.scene(out=out).returncode, 0)
         self.assertNotEqual(bytes_of(out), older)

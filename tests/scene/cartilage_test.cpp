@@ -138,7 +138,8 @@ TEST_F(Cartilage, TheWrongSideIsWarnedOf) {
   const Session session = load_joint(options);
   const Joint& joint = session.joint->joint;
   ASSERT_FALSE(joint.warnings.empty());
-  EXPECT_NE(joint.warnings[0].find("--side"), std::string::npos) << joint.warnings[0];
+  const char* advice = "check --axes first (3D Slicer and DICOM have LPS), then --side";
+  EXPECT_NE(joint.warnings[0].find(advice), std::string::npos) << joint.warnings[0];
 }
 
 TEST_F(Cartilage, SwappedFilesAreRefused) {
