@@ -7,6 +7,7 @@
 
 #include "mesh/generated_pair.hpp"
 #include "scene/question.hpp"
+#include "scene/report.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
@@ -56,10 +57,13 @@ TEST(SceneNeeds, AQuestionIsAnsweredAsAllGapsAnswerIt) {
     double smallest = HUGE_VAL;
     for (const double g : gaps.ball.gap) smallest = std::fmin(smallest, g);
     for (const double g : gaps.socket.gap) smallest = std::fmin(smallest, g);
+    const auto of_all = summary(options, *session.joint, gaps)["smallest_gap"];
+    EXPECT_EQ(of_all["gap_mm"], smallest);
     options.question = Question::first_contact;
     const QuestionAnswer contact = answer_question(*session.joint, options);
     EXPECT_EQ(contact.answer.smallest->gap_mm, smallest);
-    EXPECT_EQ(question_summary(options, *session.joint, contact)["smallest_gap"]["gap_mm"], smallest);
+    const auto found = question_summary(options, *session.joint, contact)["smallest_gap"];
+    for (const char* key : {"gap_mm", "surface", "vertex", "position"}) EXPECT_EQ(found[key], of_all[key]);
     options.question = Question::touch;
     EXPECT_EQ(answer_question(*session.joint, options).answer.touches, std::vector<bool>{smallest <= 0.0});
   }

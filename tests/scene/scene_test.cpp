@@ -194,6 +194,7 @@ TEST_F(Scene, AnAccuracyIsKeptAndProvenAtEveryVertex) {
     EXPECT_LE(found.proven->smallest.high - found.proven->smallest.low, 1e-9);
     const auto report = summary(options, *session.joint, found);
     EXPECT_LE(report["error_bound_mm"]["largest"].get<double>(), accuracy);
+    EXPECT_EQ(report["error_bound_mm"]["vertices_without_bound"], 0);
     EXPECT_EQ(report["certificate"]["ball"]["bounds_refuted"], 0);
     EXPECT_TRUE(report["precision_deg"].is_null());
   }
