@@ -87,27 +87,6 @@ TEST_F(Scene, APoseBringsTheCamUnderTheSocket) {
   EXPECT_GT(test::run_scene(options)["smallest_gap"]["gap_mm"], 3.5);
 }
 
-// Every gap is within its bound of the gap to the mesh itself, found by rays.
-TEST_F(Scene, GapsKeepTheirBounds) {
-  const BallSocketPair pair = make_ball_socket_pair(3000);
-  SceneOptions options = joint_of(pair.ball, pair.socket);
-  options.centre = kScanned;
-  Session session = load_joint(options);
-  const Joint& joint = session.joint->joint;
-  for (const double precision : {5.0, 1.0}) {
-    options.precision_deg = precision;
-    const Measurement found = measure(session, options);
-    const RayCaster socket(joint.socket.mesh);
-    for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
-      if (std::isnan(found.ball.gap[i])) continue;
-      const Vec3& x = joint.ball.mesh.vertices[i];
-      const double gap = socket.cast(x.normalized(), Layer::nearest) - x.norm();
-      EXPECT_LE(std::abs(gap - found.ball.gap[i]), found.ball.bound[i] + 1e-11);
-    }
-    EXPECT_EQ(found.bytes, 2 * 8 * found.entries);
-  }
-}
-
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
