@@ -200,28 +200,6 @@ TEST(Scheme, EveryDirectionIsWithinTheCoveringRadius) {
   });
 }
 
-// A million directions. The nearest tap is mostly near enough; where it is not, some other entry must be.
-TEST(Scheme, NoDirectionIsBeyondTheCoveringRadius) {
-  const std::vector<Vec3> directions = test::random_directions(1000000, 12);
-  test::every_scheme([&directions]<class S>() {
-    const S scheme = S::with_precision(4.0);
-    std::vector<Vec3> entries;
-    for (std::size_t i = 0; i < scheme.size(); ++i) entries.push_back(scheme.direction(i));
-    const double rho = scheme.covering_radius();
-    const double near_enough = std::cos(rho);
-    const auto& walker = walker_of(scheme);
-    for (const Vec3& u : directions) {
-      const Stencil stencil = scheme.stencil(u);
-      double cosine = -1.0;
-      for (std::size_t k = 0; k < stencil.taps; ++k)
-        cosine = std::max(cosine, u.dot(entries[stencil.entry[k]]));
-      if (cosine > near_enough) continue;
-      ASSERT_LE(test::nearest_entry(walker, u, 1.01 * rho), rho * (1.0 + 1e-12))
-          << S::name << " at " << u.transpose();
-    }
-  });
-}
-
 TEST(Scheme, AreasArePositiveAndSumToTheSphere) {
   static_assert(AreaScheme<Rsid>);
   test::every_scheme([]<class S>() {
