@@ -9,7 +9,6 @@
 #include <set>
 #include <string_view>
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "04_sampling_error/nearest_entry.hpp"
@@ -149,35 +148,6 @@ TEST(SamplingError, AcrossAnEdgeIsBounded) {
       }
     });
   }
-}
-
-// 1/r is linear in u on a plane. With the weights that make up u itself, u = sum w_i u_i, interpolation of
-// 1/r is exact; scaled to the sum 1 its relative error is at most rho^2 / 2, whatever psi.
-TEST(SamplingError, OfInverseRadiusVanishesOnAPlane) {
-  const auto u = uniform_directions(4000, 53);
-  std::size_t tried = 0;
-  for (const double rho : {0.2, 0.02}) {
-    for (std::size_t k = 0; k + 4 < u.size(); k += 4) {
-      const Vec3 centre = u[k];
-      Eigen::Matrix3d corners;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Vec3 aside = (u[k + 1 + c] - centre.dot(u[k + 1 + c]) * centre).normalized();
-        corners.col(static_cast<Eigen::Index>(c)) = std::cos(rho) * centre + std::sin(rho) * aside;
-      }
-      const Vec3 plane = u[(k + 7) % u.size()] / 22.0;  // 1 / r = plane . u
-      if (plane.dot(centre) < 2.0 * rho / 22.0 || std::abs(corners.determinant()) < 1e-2 * rho * rho)
-        continue;
-      const Vec3 inside = corners * Vec3(0.2, 0.3, 0.5);
-      const Vec3 x = inside.normalized();
-      const Vec3 weight = corners.inverse() * x;
-      const double interpolated = weight.dot(corners.transpose() * plane);
-      ASSERT_NEAR(interpolated, plane.dot(x), 1e-12);
-      ASSERT_LE(std::abs(interpolated / weight.sum() / plane.dot(x) - 1.0),
-                0.5 * rho * rho * (1.0 + rho * rho));
-      ++tried;
-    }
-  }
-  EXPECT_GT(tried, 300U);
 }
 
 TEST(Probes, AreThoseThatTheSurfaceCovers) {
