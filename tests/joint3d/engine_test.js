@@ -160,19 +160,6 @@ test('bounds, limits and files are those of this machine', () => {
   assert.ok(decided > 0 && undecided > 0, `${decided} vertices are proven to be impinged, ${undecided} are undecided`);
 });
 
-test('a sweep ends where the smallest gap does', () => {
-  useHip(hips.find((hip) => hip.name === 'mixed'));
-  ask('tables', { scheme: 'cube_gnomonic', precision_deg: 0.5, storage: 'float' });
-  const sweep = ask('sweep', { motion: 'fadir', largest_deg: 60 });
-  const [limit] = sweep.limits;
-  assert.equal(limit.state, 'limited');
-  assert.equal(sweep.angles.length, 61);
-  sweep.angles.forEach((angle, i) => {
-    if (sweep.smallest[i] < 0) assert.ok(angle >= limit.low_deg - 0.5, `${angle} ${sweep.smallest[i]}`);
-  });
-  assert.ok(sweep.smallest.some((gap) => gap < 0));
-});
-
 // Gaps, curve and limit are along rays from the ball's own centre: a shift that brings bones together at the start is a limit
 // at the start, and before a limit no gap is below 0 by more than the error of the tables.
 test('a limit is that of the shifted ball', () => {
@@ -201,13 +188,5 @@ test('a limit is that of the shifted ball', () => {
     assert.equal(ask('sweep', { motion: 'flexion', largest_deg: 130, step_deg: 2 }).limits[0].low_deg, without.limits[0].low_deg);
   }
   assert.ok(states.has('blocked') && states.has('limited'), [...states].join());
-});
-
-test('a PLY holds the posed surface', () => {
-  useHip(hips[0]);
-  for (const part of ['ball', 'socket']) {
-    const file = ask('export', { format: 'ply', surface: part, pose: { flexion: 30 } });
-    assert.equal(file.name, `${part}.ply`);
-    assert.match(Buffer.from(file.bytes.slice(0, 40)).toString(), /^ply\nformat binary_little_endian 1.0\n/);
-  }
+  assert.equal(ask('sweep', { motion: 'fadir', largest_deg: 60 }).angles.length, 61, 'a degree a step, where none is asked for');
 });
