@@ -11,6 +11,7 @@
 #include "methods/table_check.hpp"
 #include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "support/thrown.hpp"
 #include "table/exact_raster.hpp"
 
 namespace impinge::lab {
@@ -46,14 +47,9 @@ TEST(PoseSet, AWrongMethodIsNamedWithThePose) {
   for (const TouchCase& method : cases_of(touch_methods(), &Method::touch, pair, 0.5))
     EXPECT_NO_THROW(require_agreement(method, oracle, poses));
   const TouchCase blind{{"blind"}, [](const Pose&) { return false; }};  // wrong whenever the surfaces touch
-  try {
-    require_agreement(blind, oracle, poses);
-    FAIL() << "a blind method passed";
-  } catch (const std::runtime_error& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("blind disagrees with cgal_tree"), std::string::npos) << text;
-    EXPECT_NE(text.find("\"touching\""), std::string::npos) << text;
-  }
+  const std::string text = test::thrown<std::runtime_error>([&] { require_agreement(blind, oracle, poses); });
+  EXPECT_NE(text.find("blind disagrees with cgal_tree"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"touching\""), std::string::npos) << text;
 }
 
 TEST(TableCheck, PassesARightTableAndNamesAWrongEntry) {
@@ -64,12 +60,9 @@ TEST(TableCheck, PassesARightTableAndNamesAWrongEntry) {
   const double right = table.radii()[1234];
   for (const double wrong : {right + 1e-6, kNoSurface}) {
     table.radii()[1234] = wrong;
-    try {
-      require_radii(table, ball, Layer::farthest, check);
-      FAIL() << wrong;
-    } catch (const std::runtime_error& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("entry 1234 ", 0), 0U) << error.what();
-    }
+    const std::string text =
+        test::thrown<std::runtime_error>([&] { require_radii(table, ball, Layer::farthest, check); });
+    EXPECT_EQ(text.rfind("entry 1234 ", 0), 0U) << text;
   }
   EXPECT_NO_THROW(require_radii(table, ball, Layer::farthest, {table.scheme().size(), 1e-9, false}));
 }

@@ -16,6 +16,7 @@
 #include "scene/report.hpp"
 #include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -69,15 +70,11 @@ TEST_F(Cartilage, WhatIsNoMapIsRefusedWithItsLine) {
                {"x,y,z,thickness_mm\n1,2,3,-1\n", "line 2 has a negative thickness"},
                {"x,y,z,thickness_mm\n0,0,0,1\n", "line 2 is a point at the centre"}};
   for (const auto& wrong : cases) {
-    try {
-      read_cartilage(file(wrong.bytes), Vec3::Zero());
-      FAIL() << wrong.bytes;
-    } catch (const FileError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find("thickness.csv"), std::string::npos) << message;
-      EXPECT_NE(message.find(wrong.reason), std::string::npos) << message;
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    }
+    const std::string message =
+        test::thrown<FileError>([&] { read_cartilage(file(wrong.bytes), Vec3::Zero()); });
+    EXPECT_NE(message.find("thickness.csv"), std::string::npos) << message;
+    EXPECT_NE(message.find(wrong.reason), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_THROW(read_cartilage(folder_.path() / "none.csv", Vec3::Zero()), FileError);
 }
@@ -145,12 +142,8 @@ TEST_F(Cartilage, TheWrongSideIsWarnedOf) {
 TEST_F(Cartilage, SwappedFilesAreRefused) {
   SceneOptions options = hip(hip_preset("pincer"));
   std::swap(options.ball, options.socket);
-  try {
-    load_joint(options);
-    FAIL() << "accepted";
-  } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find("swapped"), std::string::npos) << error.what();
-  }
+  const std::string message = test::thrown<FileError>([&] { load_joint(options); });
+  EXPECT_NE(message.find("swapped"), std::string::npos) << message;
 }
 
 // A ball that is too large for its socket is not taken for it.

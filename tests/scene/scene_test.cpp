@@ -230,14 +230,11 @@ TEST_F(Scene, WritesTheFilesOfTheContract) {
 TEST_F(Scene, WhatCannotWorkIsSaidInOneLine) {
   const TriangleMesh ball = sphere(22.0, 500);
   const TriangleMesh socket = cup(25.0, 80.0, 300);
-  const auto message_of = [](const SceneOptions& options) -> std::string {
-    try {
+  const auto message_of = [](const SceneOptions& options) {
+    return test::thrown<std::exception>([&] {
       Session session = load_joint(options);
       measure(session, options);
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "";
+    });
   };
   SceneOptions options = joint_of(ball, socket);
   options.centre = Vec3::Zero();
