@@ -47,10 +47,10 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--shard", options.shard, "i/K: part i of K, i from 1 to K")
       ->capture_default_str()
       ->needs(study);
-  CLI::Option* out = app.add_option("--out", options.out, "folder of the shards and of what is merged");
+  CLI::Option* out = app.add_option("--out", options.out, "folder for the shards and the merged results");
   study->needs(out);
   out->needs(study);
-  app.add_option("--merge", options.merge, "folder of shards that are done")->excludes(study)->excludes(out);
+  app.add_option("--merge", options.merge, "folder of finished shards")->excludes(study)->excludes(out);
 }
 
 void run(const Options& options, const ShardName& shard) {
@@ -72,7 +72,7 @@ void run(const Options& options, const ShardName& shard) {
 int start(int argc, char** argv) {
   Options options;
   ShardName shard;
-  CLI::App app{"Limits, shape and close zones of a population of hips, in shards.", "cohort"};
+  CLI::App app{"Limits, shape and zones of small gaps of many hips, in shards (parts).", "cohort"};
   declare(app, options);
   try {
     app.parse(argc, argv);

@@ -71,17 +71,17 @@ Joint make_joint(const std::string& hip, const std::vector<std::string>& changes
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Writes ball.ply and socket.ply of the generated joint.", "make_pair"};
+  CLI::App app{"Writes ball.ply and socket.ply of a ball in a socket, or with --hip of a hip.", "make_pair"};
   std::size_t faces = 12000;
   std::filesystem::path out;
   std::string hip;
   std::vector<std::string> changes;
-  CLI::Option* name = app.add_option("--hip", hip, "a hip instead: " + listed(hip_preset_names()));
+  CLI::Option* name = app.add_option("--hip", hip, "kind of hip: " + listed(hip_preset_names()));
   app.add_option("--set", changes,
                  "parameter=value of the hip, once or more; libcore/hip/hip_parameters.hpp has all")
       ->needs(name);
   app.add_option("--faces", faces,
-                 "triangles of each surface: an even number for the pair, approximate for a hip")
+                 "triangles of each surface: even for the ball in a socket, approximate for a hip")
       ->capture_default_str();
   app.add_option("--out", out, "folder for the two meshes")->required();
   try {

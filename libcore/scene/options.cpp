@@ -94,7 +94,7 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "with the question limit: the motion that grows from --pose until the surfaces touch, as "
       "flexion; fadir, faber, "
       "internal_rotation_at_45, _70 or _90 and external_rotation_at_90 begin at a pose of their own; "
-      "all: all of these, to limits.csv");
+      "all: every motion, as --question limits");
   app.add_option(
          "--require", typed.required,
          "with the questions resection and orientation: a motion that is to be reached, as "
@@ -135,7 +135,7 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
                               "flexion=0..120/1,internal_rotation=0..40/5");
   auto* certificate = app.add_option(
       "--certificate", options.certificate,
-      "a file for the proof that the pose, or with the question limit the way to the limit, is without "
+      "a file for a proof: that the pose, or with the question limit the way to the limit, is free of "
       "contact, or a ray that shows contact; experiments/check_certificate.py checks it");
   path->excludes(poses);
   for (CLI::Option* many : {poses, path}) {

@@ -24,7 +24,7 @@ namespace {
 class Cartilage : public testing::Test {
  protected:
   std::filesystem::path file(const std::string& bytes) {
-    const auto path = folder_.path() / "thickness.csv";
+    auto path = folder_.path() / "thickness.csv";
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
   }

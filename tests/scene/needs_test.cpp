@@ -76,7 +76,7 @@ TEST(SceneNeeds, TheFacesAnswerASinglePose) {
   for (const char* angle : {"0", "30", "60"}) {
     SceneOptions options = flexed(angle);
     const Measurement table = measure(session, options);
-    EXPECT_EQ(table.bytes, 2 * 8 * table.entries);
+    EXPECT_EQ(table.bytes, 2 * sizeof(double) * table.entries);
     options.precision_deg.reset();
     const Measurement faces = measure(session, options);
     EXPECT_EQ(faces.entries, 0U);
@@ -153,7 +153,7 @@ TEST(SceneNeeds, TheWayIsSaidWithItsReason) {
   EXPECT_EQ(measure(session, options).way, "each vertex is looked at: the gaps of all are asked for");
   options.question = Question::touch;
   const std::string touch = describe_way(answer_question(*session.joint, options).answer.way, {});
-  EXPECT_EQ(touch, "way                 each vertex is looked at\n");
+  EXPECT_EQ(touch, "way                 each vertex is looked at\nleft out            nothing\n");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ inline Answers table_answers(const Questions& asked) {
 // Of a cube that two threads have filled.
 inline Answers filled_answers(const Questions& asked) {
   PackedTable<CubeGnomonic, std::uint16_t> table;
-  fill_cube(asked.mesh, {CubeGnomonic::with_precision(9.0), asked.layer, 2, {}}, table);
+  fill_cube(asked.mesh, {CubeGnomonic::with_precision(9.0), asked.layer, 2}, table);
   std::vector<float> gap(asked.points.size());
   scan_gaps(table, packed_vertices<float>(asked.points), asked.pose, Surface::ball, gap);
   return {gap.begin(), gap.end()};
