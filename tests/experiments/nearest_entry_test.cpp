@@ -34,7 +34,7 @@ struct Liar : Rsid {
   double covering_radius() const { return 0.5 * Rsid::covering_radius(); }
   static Liar with_precision(double degrees) { return Liar(Rsid::with_precision(degrees)); }
   Liar() = default;
-  friend bool operator==(const Liar&, const Liar&) = default;
+  [[maybe_unused]] friend bool operator==(const Liar&, const Liar&) = default;
 };
 
 TEST(NearestEntry, SaysSoWhenTheCoveringRadiusIsWrong) {
