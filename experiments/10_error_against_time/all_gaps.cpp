@@ -80,7 +80,7 @@ PointQuery radii_by(const GapQuery& query, Surface scanned) {
   }};
 }
 
-// Of another library it may be false: the first face along a ray is not the outer one of a shell.
+// The first face along a ray is not the outer one of a shell: such a method is left out there.
 bool is_good(const Examined& found, const Direction& direction, Progress& progress) {
   const BenchmarkErrors& errors = found.errors;
   const double false_share = static_cast<double>(errors.false_hits) / static_cast<double>(errors.directions);
@@ -89,9 +89,9 @@ bool is_good(const Examined& found, const Direction& direction, Progress& progre
                            found.method.setting + " " + found.method.storage + " is off by " +
                            std::to_string(errors.p99) + " mm, with " + std::to_string(errors.false_hits) +
                            " false hits: ";
-  if (!found.method.library)
+  if (!found.method.first_hit || direction.surface.layer == Layer::nearest)
     throw std::runtime_error(text + "its time means nothing until its answers are right");
-  progress.say(text + "it is left out here");
+  progress.say(text + "it is left out here, since it answers the first face along a ray");
   return false;
 }
 

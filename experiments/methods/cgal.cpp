@@ -109,6 +109,7 @@ Method cgal_method() {
                       point_gaps(surface, closest_case(surface.mesh))};
     for (GapCase& one : cases) one.setting = "tree";
     cases[0].place = 60;
+    cases[0].first_hit = true;
     cases[1].place = 62;
     return cases;
   };

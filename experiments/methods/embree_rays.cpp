@@ -116,6 +116,7 @@ Method embree_rays_method() {
       cases.push_back(point_gaps(surface, rays_case(surface.mesh, width, /*robust=*/false)));
       cases.back().label = "Embree, " + std::to_string(width) + (width == 1 ? " ray" : " rays");
       cases.back().few = false;
+      cases.back().first_hit = true;
       cases.back().counted = true;
     }
     return cases;

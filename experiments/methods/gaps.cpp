@@ -38,7 +38,6 @@ GapCase point_gaps(const AskedSurface& surface, const PointCase& of) {
   one.setting = of.setting;
   one.place = of.place;
   one.few = true;
-  one.library = true;
   one.make = [make = of.make, measure = of.measure, scanned = surface.scanned] {
     return gaps_by_points(make(), measure, scanned);
   };

@@ -62,7 +62,7 @@ struct GapCase : Case {
   bool few = false;                // so slow that few points are asked
   bool widely = false;             // timed with two threads, too, and with every instruction set
   bool counted = false;            // are its instructions counted?
-  bool library = false;            // of others, asked point by point
+  bool first_hit = false;          // answers the first face along a ray, whatever layer is asked
   std::function<GapQuery()> make;  // builds the table or tree
 };
 

@@ -120,10 +120,12 @@ Touch collide(const BallSocketPair& pair) {
 Method vtk_method() {
   Method method;
   method.gaps = [](const AskedSurface& surface, const GapSizes&) {
-    return std::vector{locator_case(surface, "vtk_first_hit", "VTK, first hit", Measure::radial, 61,
-                                    &LocatedSurface::first_hit),
-                       locator_case(surface, "vtk_closest", "VTK, closest point", Measure::euclidean, 63,
-                                    &LocatedSurface::closest)};
+    std::vector cases{locator_case(surface, "vtk_first_hit", "VTK, first hit", Measure::radial, 61,
+                                   &LocatedSurface::first_hit),
+                      locator_case(surface, "vtk_closest", "VTK, closest point", Measure::euclidean, 63,
+                                   &LocatedSurface::closest)};
+    cases[0].first_hit = true;
+    return cases;
   };
   method.contact = [](const BallSocketPair& pair) {
     ContactCase one = touch_only("vtk_collide", "VTK, touch", 2, pair, collide);

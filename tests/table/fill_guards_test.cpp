@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a fill right at its limits, one mesh for each guard (kMostThin and kMostTerms of
-// tile_triangle.cpp, kRimReach of tile_bins.cpp): as fill_exact() within 41 u q, u = 2^-24.
+// tile_triangle.cpp) and for rims that no entry sees: as fill_exact() within 41 u q, u = 2^-24.
 #include <array>
 #include <cmath>
 
