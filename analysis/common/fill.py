@@ -41,14 +41,8 @@ def growth(table: pd.DataFrame) -> pd.DataFrame:
     )
 
 
-def target(table: pd.DataFrame) -> float:
-    """The least ratio to Embree of one thread that stores 16 bits, in either memory, of 256 cells or more and 3k to
-    100k triangles.
-    """
-    return aimed(table).times_embree.min()
-
-
 def aimed(table: pd.DataFrame) -> pd.DataFrame:
-    """The rows that target() judges."""
+    """What is judged against Embree: one thread that stores 16 bits, in either memory, 256 cells or more, 3k to 100k
+    triangles."""
     own = table[(table.method == "cube_at_once") & (table.storage == "uint16") & (table.threads == 1)]
     return own[(own.cells >= 256) & own.triangles.between(3000, 100000)]
