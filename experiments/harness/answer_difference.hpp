@@ -9,11 +9,10 @@ namespace impinge::lab {
 // Are the answers the same, bit for bit?
 bool same_answer(const SceneAnswer& a, const SceneAnswer& b);
 
-// Largest difference of the gaps of one pose, mm; infinite where one has a gap that the other has not.
+// Largest difference of the gaps of one pose, mm; infinite if only one has some gap.
 double gap_difference(const PoseGaps& a, const PoseGaps& b);
 
-// Largest difference of two answers' gaps, mm; infinite where one has a gap or a touch that the other has
-// not.
+// Largest difference of two answers' gaps, mm; infinite if only one has some gap, or if a touch differs.
 double answer_difference(const SceneAnswer& a, const SceneAnswer& b);
 
 }  // namespace impinge::lab

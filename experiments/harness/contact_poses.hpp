@@ -12,8 +12,8 @@
 
 namespace impinge::lab {
 
-// A way from one pose to another: the ball is turned by share * turn about the axis and moved by share *
-// shift, share in [0, 1].
+// A path from one pose to another: at share s in [0, 1] the ball is turned about the axis by from_turn +
+// s (to_turn - from_turn) and moved by s * shift.
 struct PosePath {
   Vec3 axis = Vec3::UnitZ();  // unit vector through the centre
   double from_turn = 0.0;     // radians, at share 0
@@ -23,35 +23,35 @@ struct PosePath {
   Pose at(double share) const;  // the pose at that share
 };
 
-// The way of a point so far from the centre, mm.
+// Distance from the centre, mm, at which turns count as lengths.
 inline constexpr double kArm = 25.0;
-double path_length(const PosePath& path);  // of the way, mm: the shift, and the arc of a point kArm away
+double path_length(const PosePath& path);  // mm: the shift, and the arc of a point kArm away
 
-// The first share of the way at which a pose is impinged, to within 2^-24 of it, found by bisection: none if
-// the end is free, or if the beginning is impinged. `impinged` must be false before a share and true after
-// it; otherwise some change between the two is found.
+// The first share of the path at which the pose is impinged, to within 2^-24, by bisection; none if the end
+// is free or the beginning impinged. If `impinged` changes more than once on the path, one of the changes is
+// found.
 std::optional<double> first_contact(const PosePath& path, const std::function<bool(const Pose&)>& impinged);
 
 // How many poses, and how far from the pose as given.
 struct ContactOptions {
   std::size_t count = 1000;  // of poses
   double turn = 1.0;         // radians: the largest turn, about any axis
-  double shift = 12.0;       // mm, the longest way
-  std::size_t ways = 300;    // at most, followed beyond the contact of the surfaces to that of a vertex
-  std::uint64_t seed = 0;    // of ways and places on them
+  double shift = 12.0;       // mm, the longest shift
+  std::size_t ways = 300;    // most paths followed beyond contact of the surfaces to that of a vertex
+  std::uint64_t seed = 0;    // of paths and places on them
 };
 
-// One random way for every kPosesPerPath poses: turned by up to `turn` and then moved in any direction; where
-// the turned ball impinges already, the way is the turn. Of four poses one lies anywhere on its way and three
-// are close to its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
+// One random path for every kPosesPerPath poses: turned by up to `turn` and then moved in any direction; if
+// the turned ball impinges already, the path is the turn. Of four poses one lies anywhere on its path and
+// three are close to its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
 inline constexpr std::size_t kPosesPerPath = 8;
-// A pose, and the way that it is on.
+// A pose, and the path that it is on.
 struct ContactPose {
   PosePath path;                  // that it was chosen on
-  std::optional<double> contact;  // share of the way
+  std::optional<double> contact;  // share of the path at first contact
   Pose pose;                      // of the ball in the socket
 };
-// Those poses, in the order of their ways.
+// Those poses, in the order of their paths.
 std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options);
 
 // Is some vertex of either surface impinged in the pose? Exact.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of every numbered driver: options, checks before the work, one clear line on failure.
+// What all numbered drivers share: options, checks before the work, one clear line on failure.
 //
 //   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR] [--cache DIR]
 //
@@ -25,12 +25,12 @@ struct DriverInfo {
   bool takes_cache = false;  // has it the option --cache?
 };
 
-// What the body of a driver gets.
+// What run_driver() passes to the body of a driver.
 struct DriverRun {
   RunRecord record;                            // for the sidecars of the results
   std::optional<std::filesystem::path> bones;  // folder with one folder a subject
   std::filesystem::path cache;                 // of exact distances; empty for none
-  Progress progress;                           // to say how far the work is
+  Progress progress;                           // reports how far the work is
 
   bool quick() const { return record.profile == "quick"; }  // is it the quick profile?
   // Writes the result and says where.

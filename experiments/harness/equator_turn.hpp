@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many entries a helix really has on its turn round the equator, counted along its directions.
+// How many entries a helix has on its turn round the equator, counted along its directions.
 //
-// A turn is a stretch of 360 degrees of azimuth. Which one is "the" turn at the equator is a choice, and as
-// the number of entries is hardly ever whole, turns that begin elsewhere hold one more or less.
+// A turn is a stretch of 360 degrees of azimuth; several cross the equator. As the entries do not divide a
+// turn exactly, turns that begin elsewhere hold one entry more or less.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ inline std::size_t entries_of_turn(const std::vector<double>& azimuths, double b
   return static_cast<std::size_t>(last - first);
 }
 
-// Of a scheme whose entries follow each other from the north pole to the south pole with growing azimuth,
+// For a scheme whose entries follow each other from the north pole to the south pole with growing azimuth,
 // less than a turn apart.
 template <class Helix>
 EquatorTurn equator_turn(const Helix& scheme) {

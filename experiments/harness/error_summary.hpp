@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of many errors.
+// Summary statistics of many errors.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace impinge::lab {
 struct ErrorSummary {
   double max = 0.0;    // the largest
   double rms = 0.0;    // root mean square
-  double p9999 = 0.0;  // all but one in ten thousand are below
+  double p9999 = 0.0;  // quantile 0.9999
 };
 
-// The largest of all errors; the root mean square and the quantile of the first `uniform` of them, which
-// belong to directions spread evenly. Others may follow from places that were chosen, such as edges.
-// std::invalid_argument for no error, an error that is no number, or more uniform ones than there are.
+// The maximum is over all errors; root mean square and quantile are over the first `uniform` of them, which
+// belong to directions spread evenly (the rest may be from chosen places, such as edges).
+// std::invalid_argument for no errors, an error that is NaN, or `uniform` above their number.
 ErrorSummary summarise_errors(std::span<const double> errors, std::size_t uniform);
 inline ErrorSummary summarise_errors(std::span<const double> errors) {
   return summarise_errors(errors, errors.size());

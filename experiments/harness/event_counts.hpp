@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Instructions and misses of a simulated cache, counted by valgrind's callgrind. Instructions are the same in
-// every run, where times are not; misses depend a little on where memory lies. Callgrind knows no AVX-512,
-// and a program that asks for instruction sets is told so.
+// Instructions and misses of a simulated cache, counted by valgrind's callgrind. Unlike times, instructions
+// are the same in every run; misses depend a little on where memory lies. Callgrind has no AVX-512, and
+// reports so to a program that asks for instruction sets.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,13 @@ namespace impinge::lab {
 // What a stretch of a program did.
 struct EventCounts {
   std::string label;           // as given to count_run()
-  double instructions = 0.0;   // that were run
-  double first_misses = 0.0;   // data that were not in a first cache of 32 KiB, 8 ways, lines of 64 bytes
-  double second_misses = 0.0;  // of these, not in one of 1 MiB either, 16 ways: more than a table of a kernel
+  double instructions = 0.0;   // executed
+  double first_misses = 0.0;   // data accesses that miss a cache of 32 KiB, 8 ways, lines of 64 bytes
+  double second_misses = 0.0;  // of these, that miss one of 1 MiB, 16 ways, too
 };
 
-// In the program that is counted: counts the third of three runs, which finds warm caches. Without valgrind
-// it runs as often and counts nothing.
+// Called in the program that is counted: runs three times and counts the third run, which finds warm caches.
+// Without valgrind it runs as often and counts nothing.
 template <class Run>
 void count_run(const std::string& label, Run&& run) {
   run();
@@ -34,13 +34,13 @@ void count_run(const std::string& label, Run&& run) {
   CALLGRIND_STOP_INSTRUMENTATION;
 }
 
-// What the program `words` does in the first thread of its calls of count_run(), in their order. Callgrind's
-// files are in a folder of their own in `folder`, gone at the end. std::runtime_error where valgrind is not
-// installed, or the program fails under it.
+// Runs the command line `words` under callgrind and returns the counts of its calls of count_run() in its
+// first thread, in their order. Callgrind's files are kept in a temporary folder in `folder`.
+// std::runtime_error if valgrind is not installed or the program fails under it.
 std::vector<EventCounts> count_events(const std::vector<std::string>& words,
                                       const std::filesystem::path& folder);
 
-// One file of callgrind's; std::runtime_error for a text that is none.
+// Reads the text of one callgrind file; std::runtime_error if it is none.
 EventCounts parse_event_counts(std::string_view dump);
 
 }  // namespace impinge::lab

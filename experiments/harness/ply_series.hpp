@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh with a number a vertex for each of many states of a joint, as along a motion: one file, not one a
-// state.
+// One file for a mesh and many states of a joint, as along a motion, each with one number a vertex.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +18,8 @@ struct VertexSeries {
 };
 
 // Binary little-endian PLY, atomically: x y z as float in mm, then the states in their order as float, faces
-// as list uchar int vertex_indices. std::invalid_argument where a state has another number of values than the
-// mesh has vertices or a name that is empty, has blanks or comes twice; FileError where the file cannot be
-// written.
+// as list uchar int vertex_indices. std::invalid_argument unless each state has one value for each vertex and
+// a name of its own that is not empty and has no blanks; FileError if the file cannot be written.
 void write_ply_series(const std::filesystem::path& file, const TriangleMesh& mesh,
                       std::span<const VertexSeries> states);
 

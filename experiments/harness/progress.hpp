@@ -17,7 +17,7 @@ class Progress {
   // Prints to the stream, or nothing at all for a null stream. The stream must outlive this object.
   Progress(std::string name, std::ostream* out) : name_(std::move(name)), out_(out) {}
 
-  // A line of its own.
+  // Prints a line at once.
   void say(std::string_view text);
 
   // Begins a stretch of work that is expected to take so many seconds.

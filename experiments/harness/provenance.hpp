@@ -23,17 +23,17 @@ namespace impinge::lab {
 // What is written: one file and what a reader must know about it.
 struct Result {
   std::string name;                                      // of the file, without .csv
-  std::string question;                                  // that the rows answer
+  std::string question;                                  // which the rows answer
   Table table;                                           // the rows
   nlohmann::json parameters = nlohmann::json::object();  // everything that was chosen
   nlohmann::json timing;                                 // protocol and control of a timed result, else null
-  std::map<std::string, std::string> labels = {};        // what a reader calls the methods, by their names
+  std::map<std::string, std::string> labels = {};        // from names of methods to their readable labels
 };
 
 // What all results of one run of a driver share.
 struct RunRecord {
   std::string driver;            // name of the program
-  std::string command;           // as it was called, an absolute folder of joints as BONES
+  std::string command;           // command line, an absolute folder of joints replaced by BONES
   std::string profile = "full";  // quick or full
   std::uint64_t seed = 0;        // of all random numbers
   std::filesystem::path folder;  // of the results
@@ -43,8 +43,8 @@ struct RunRecord {
 // The sidecar of a result whose file has these bytes.
 nlohmann::json sidecar(const RunRecord& run, const Result& result, const std::string& csv);
 
-// Writes the CSV, then the sidecar, each atomically. Nothing is touched when the CSV has the same bytes and
-// the sidecar that is there names both these bytes and this driver. Throws std::runtime_error with path and
+// Writes the CSV, then the sidecar, each atomically. Changes nothing if the CSV has these bytes already and
+// its sidecar names the hashes of these bytes and of this driver. Throws std::runtime_error with path and
 // reason.
 void write_result(const RunRecord& run, const Result& result);
 

@@ -24,8 +24,8 @@ struct RealJoint {
   std::string axes = "RAS";      // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
 };
 
-// In the order of their names. A folder that lacks a mesh is left out, and the progress says so. Throws
-// std::runtime_error for a file that cannot be used, or when no joint is left.
+// The joints of a folder, in the order of their names. A folder that lacks a mesh is left out, and `progress`
+// says so. Throws std::runtime_error for a file that cannot be used, or if no joint is left.
 std::vector<RealJoint> read_real_joints(const std::filesystem::path& folder, Progress& progress);
 
 // Both meshes in the joint frame (x right, y anterior, z superior) about the centre.

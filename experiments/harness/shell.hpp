@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words for the shell.
+// Quoting for the shell.
 #pragma once
 
 #include <string>
 
 namespace impinge::lab {
 
-// One word to the shell, whatever is in it.
+// The text quoted so that a POSIX shell reads it as one word.
 inline std::string shell_quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);

@@ -14,9 +14,9 @@ struct SourceState {
 };
 
 // From the environment (IMPINGE_COMMIT, IMPINGE_DIRTY: 1, yes or true mean dirty) when IMPINGE_COMMIT is set,
-// else from git in the given folder, the root of the repository, else unknown. New files count where results
-// come from: below libcore, experiments, analysis and paper, unless git ignores them. Never throws because of
-// a missing git or repository.
+// else from git in the given folder, the root of the repository, else unknown. New files count only below
+// libcore, experiments, analysis and paper, unless git ignores them. Never throws because of a missing git or
+// repository.
 SourceState source_state(const std::filesystem::path& folder);
 
 }  // namespace impinge::lab

@@ -11,7 +11,7 @@ namespace impinge::lab {
 // type 7 of Hyndman and Fan (1996), the default of R and NumPy. NaN for no sample.
 double quantile(std::span<const double> samples, double p);
 
-// Of samples.
+// Median and spread of samples.
 struct Summary {
   double median = 0.0;    // unit of the samples
   double iqr = 0.0;       // third minus first quartile; 0 for one sample

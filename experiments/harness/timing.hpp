@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The timing protocol, on Google Benchmark: every case is verified before anything is timed; the rounds of
 // all cases run in one random order, so that a slow spell of the machine hits all of them; each round of a
-// fast case starts warm, but for those that want each run cold; every sample is kept; the fastest case runs
-// twice under two names, and the ratio of the two medians (A/A control) shows the noise of the run. What is
-// inconclusive then is timed again, alone (harness/timing_repeats.hpp). Wall clock, one thread.
+// fast case starts warm, unless the case asks for cold runs; every sample is kept; the fastest case runs
+// twice under two names, and the ratio of the two medians (A/A control) shows the noise of the run.
+// Inconclusive cases are then timed again, alone (harness/timing_repeats.hpp). Wall clock, one thread.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Timing {
   std::vector<double> samples_ms;  // one a round
   Summary summary;                 // of the samples
   std::int64_t batch = 1;          // runs within a round
-  int repeats = 0;                 // times that it was timed again, alone; the samples are those of the last
-  bool inconclusive = false;       // it says nothing: see is_inconclusive()
+  int repeats = 0;                 // how often it was timed again, alone; the samples are of the last time
+  bool inconclusive = false;       // see is_inconclusive()
 };
 
 // All samples of a run, and its control.
@@ -33,11 +33,11 @@ struct TimingRun {
   TimingOptions options;        // that it was run with
 };
 
-// Does a timing say nothing? Its run's control is off, its spread is too large, or it has one round, whose
-// spread nobody knows.
+// Is a timing too noisy to use? So if the control of its run is off, its spread is too large, or it has only
+// one round, which gives no spread.
 bool is_inconclusive(const Timing& timing, double control_ratio, const TimingOptions& options);
 
-// Adds the timings of another run with the same options; the control is kept that is farther off.
+// Adds the timings of another run with the same options; keeps the control that is farther off.
 void append(TimingRun& all, TimingRun more);
 
 // The timing of work that is `factor` times as much: samples, median and spread times the factor.

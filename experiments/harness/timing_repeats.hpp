@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Timing again what a run left inconclusive: alone on the machine, where nothing else disturbs its caches.
+// Times inconclusive cases of a run again, each alone, so that no other case disturbs its caches.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace impinge::lab {
 
-// What repeats may cost, and what makes them: real in a run, made up in a test.
+// What repeats may cost, and the functions that make them (replaced in tests).
 struct RepeatMeans {
   double budget_s = 0.0;                             // for all repeats together
   std::function<TimingRun(const TimedCase&)> alone;  // a run of this case and its control, nothing else
@@ -20,8 +20,8 @@ struct RepeatMeans {
 inline constexpr int kLeastRepeatRounds = 3;
 
 // Times each inconclusive timing of the run again, the cheapest first, up to options.most_repeats times,
-// until it is conclusive by its own control and spread. The last time is kept: what stays inconclusive says
-// so. A repeat that is not expected to end within the budget is not begun.
+// until it is conclusive by its own control and spread. The last timing is kept, conclusive or not. A repeat
+// that is not expected to end within the budget is not begun.
 void repeat_inconclusive(TimingRun& run, const std::vector<TimedCase>& cases, const RepeatMeans& means,
                          Progress& progress);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a measurement leaves in the results: a table of medians, its raw samples and the record of its
-// protocol.
+// How timings enter the results: a table of medians, the raw samples and a record of the protocol.
 #pragma once
 
 #include <string>
@@ -18,13 +17,13 @@ namespace impinge::lab {
 // repeats.
 std::vector<Column> timing_columns(std::vector<Column> key_columns);
 
-// Cells of such a row, which is not extrapolated.
+// Cells of such a row for a timing that is not extrapolated.
 std::vector<Cell> timing_cells(const Timing& timing);
 
-// A table of these, one row a case, and the median of a unit of work once more in nanoseconds, as median_ns.
+// A table of these columns, one row a case, with one more column median_ns: the median in nanoseconds.
 Table medians_in_ns(std::vector<Column> key_columns, const TimingRun& run, const std::string& unit);
 
-// Cells of a row that is: its key, and the timing of a smaller measurement, scaled.
+// Cells of an extrapolated row: its key, and the timing of a smaller measurement, already scaled.
 std::vector<Cell> extrapolated_cells(std::vector<Cell> key, const Timing& scaled);
 
 // One row a round: the key of the case under the given columns, then round (from 1) and ms (a unit of work).

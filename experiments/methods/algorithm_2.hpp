@@ -16,8 +16,8 @@ struct ScanVerdicts {
   std::size_t as_written = 0;  // of these, with d <= d_i: d from the table, d_i of the vertex
 };
 
-// gap in mm, NaN where no surface is met, as scan_gaps() gives it: d - d_i for vertices of
-// the ball and d_i - d for those of the socket, to which the thesis applies the same comparison.
+// gap in mm, NaN where no surface is met, as scan_gaps() gives it: d - d_i for vertices of the ball, d_i - d
+// for those of the socket. The thesis applies the same comparison d <= d_i to both.
 ScanVerdicts compare_as_written(std::span<const double> gap, Surface scanned);
 
 }  // namespace impinge::lab

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What methods are compared on: generated pairs, hips, and real joints where they are given. Methods for
-// points ask the posed ball's vertices against the surface of the socket, as the first scan of the detection
-// does.
+// Scenes on which methods are compared: generated pairs, hips, and real joints if given. Methods for points
+// are asked for the surface of the socket at the posed ball's vertices, like the first scan of the detection.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@ struct BenchmarkScene {
   std::string name;           // in the results
   BallSocketPair pair;        // centre frames, mm
   Pose pose;                  // of the ball, fixed
-  Vec3 axis = Vec3::UnitX();  // of a motion of the ball, as flexion is
+  Vec3 axis = Vec3::UnitX();  // of a motion of the ball, such as flexion
 
   // The surface that is asked, and the layer of it that faces the ball.
   const TriangleMesh& surface() const { return pair.socket; }
@@ -36,11 +35,13 @@ struct BenchmarkScene {
 // The pair of `faces` triangles a model, its ball turned until the cam is under the socket; free by 1 mm.
 BenchmarkScene generated_scene(std::size_t faces);
 
-// A hip of a preset with about so many triangles a model, as a real joint; "hip_PRESET_TRIANGLES".
+// A hip of a preset with about `faces` triangles a model, posed as real_scene(); its name is
+// "hip_PRESET_TRIANGLES".
 BenchmarkScene hip_scene(const std::string& preset, std::size_t faces);
 
-// Pose number `turn` of a motion about the axis, the ball a little off the centre: 5 degrees a turn to 115
-// degrees, after which it begins again.
+// Pose number `turn` of a motion about the axis, the ball a little off the centre: in steps of 5 degrees up
+// to
+// 115 degrees, then again from the start.
 Pose motion_pose(const Vec3& axis, int turn);
 
 // A real joint, its ball turned by 10 degrees about +x.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Method cartesian_field: a signed distance field of the socket on a Cartesian grid, and every vertex of the
-// ball in it (thesis, Section 3.6.2). Negative beyond the socket as the centre sees it: where the socket is
-// met along the direction of a node and the node is farther. An open surface has no inside, so that the sign
-// jumps at the rim by twice the distance, and within a cell of it the answer means nothing.
+// Method cartesian_field: a signed distance field of the socket on a Cartesian grid, read at every vertex of
+// the ball (thesis, Section 3.6.2). The distance is negative at a node beyond the socket, as seen from the
+// centre. As an open surface has no inside, the values jump at the rim by twice the distance, and within a
+// cell of that jump the answer means nothing.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace impinge::lab {
 
-// Signed distances (mm, in float) at every node: CGAL's closest points, and the sign by its first hit.
+// Signed distances (mm, in float) at every node: by CGAL's closest points, signs by its first hit of a ray.
 GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape& shape);
 
 class CartesianField {

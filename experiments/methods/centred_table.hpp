@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables whose errors are centred: half as large at the edges of a surface that bends one way, in the same
-// memory and by the same look-up.
+// Tables whose errors are centred about 0: half as large at the edges of a surface that is convex or concave,
+// with the same memory and look-up.
 //
 // `mesh_exact` reproduces flat faces, so that its errors are at edges alone, and of one sign: where a surface
 // is convex, its inverse depth y lies on one side of the interpolation Y between its entries. Let
 //   l <= y - Y <= h,  l <= 0 <= h
-// in a cell, and let L and H be the least l and the largest h of it and the cells around it. To each entry is
-// added half the sum of the least l and the largest h of the cells that read it, which is within
-// [(L + h) / 2, (l + H) / 2] for each of them. So is the mean of those of a cell, and
+// in a cell, and let L and H be the least l and the largest h of it and the cells around it. Each entry is
+// raised by half the sum of the least l and the largest h of the cells that read it, which is within
+// [(L + h) / 2, (l + H) / 2] for each of these cells. So is the mean of such changes in a cell, and
 //   (l - H) / 2 <= y - Y' <= (h - L) / 2
-// with the new entries: the largest error, H or -L, does not grow, and is halved where L or H is 0. No other
-// entries do better there: what moves Y by more than half of its error moves one of them by as much.
-// In mm, r^2 depth (y - Y) in first order, that holds up to the change of r^2 depth between two cells.
+// with the new interpolation Y': the largest error, H or -L, does not grow, and is halved where L or H is 0.
+// No other entries do better there: to move Y by more than half of its error, one entry has to move as much.
+// In mm the error is r^2 depth (y - Y) to first order: the above holds but for the change of r^2 depth
+// between neighbouring cells.
 //
 // l and h are exact. On the part of a flat face in a cell y is affine and Y bilinear, so that y - Y is
 // largest and least on the border of that part: on a side of the cell, where it is linear, at an end; along
@@ -27,10 +28,10 @@
 
 namespace impinge::lab {
 
-// `filled` is fill_exact(mesh, scheme, layer). Cells that answer none do not count, and entries that no other
-// cell reads keep their number; no entry loses more than half of its own, and entries in one direction stay
-// alike. Bounds that ask for exact entries (error_bound.hpp) do not hold any more; those of table_bound.hpp
-// do. O(faces + cells that edges run through).
+// Centres the table `filled`, which is fill_exact(mesh, scheme, layer). Cells without an answer do not count;
+// entries that only such cells read keep their value. No entry loses more than half of its value, and entries
+// in the same direction stay equal. Bounds that need exact entries (error_bound.hpp) no longer hold; those of
+// table_bound.hpp do. O(faces + cells that edges run through).
 template <PlaneExactScheme S>
 RadialTable<S> centred_table(const TriangleMesh& mesh, RadialTable<S> filled, Layer layer);
 

@@ -19,10 +19,10 @@ struct ChartPoint {
 
 using ChartTriangle = std::array<ChartPoint, 3>;  // its corners
 
-// The flat triangles that stand for a face. One where the face is clear of the poles. Otherwise it is cut at
-// the pole into triangles with a corner there: none to cut if the pole is a corner (case 1), two if it is on
-// an edge (case 2), three if it is inside (case 3, Figure 34). Each becomes the quadrilateral between its two
-// other corners and their projections onto the line phi = 0 (or pi), which is drawn as two triangles.
+// The flat triangles that stand for a face: one if the face is clear of the poles. Otherwise it is cut into
+// triangles with a corner at the pole: one if the pole is a corner (case 1), two if it is on an edge (case
+// 2), three if it is inside (case 3, Figure 34). Each becomes the quadrilateral between its two other corners
+// and their projections onto the line phi = 0 (or pi), which is drawn as two triangles.
 std::vector<ChartTriangle> chart_triangles(const TriangleCone& cone);
 
 }  // namespace impinge::lab

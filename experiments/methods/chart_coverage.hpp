@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which entries of an RSID table a few faces fill: truly, drawn with the thesis' care for the poles, and
-// drawn without it (thesis, Section 3.2, Figures 32 to 34).
+// Which entries of an RSID table a few faces fill: exactly, drawn with the thesis' treatment of the poles,
+// and drawn without it (thesis, Section 3.2, Figures 32 to 34).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct EntryCoverage {
   double drawn_radius = 0.0;  // that fill_thesis() gives
 };
 
-// By rising entry. mesh in the centre frame, a few faces that do not overlap as seen from the centre: each
-// entry is tried against each face.
+// Coverage in the order of entries. mesh in the centre frame, a few faces (each entry is tested against each
+// face) that do not overlap as seen from the centre.
 std::vector<EntryCoverage> chart_coverage(const TriangleMesh& mesh, const Rsid& scheme);
 
 // The faces that meet the ray along a unit vector, boundary included, with all vertices of the mesh.

@@ -14,11 +14,11 @@ struct JointGaps {
   std::vector<float> socket;  // of the vertices of the socket
 };
 
-/// What an answer must be.
+/// What an answer is checked against.
 enum class Contact {
-  vertices,  // that of the exact test of every vertex
-  faces,     // that of the exact overlay of the faces, but for the rounding of methods in float
-  gaps       // that of gaps whose error is looked at
+  vertices,  // the exact test of every vertex
+  faces,     // the exact overlay of the faces, but for the rounding of methods in float
+  gaps       // the exact gaps: the largest error is reported
 };
 
 /// A joint as a method keeps it. It may keep scratch memory between poses: one thread at a time.
@@ -36,11 +36,11 @@ struct ContactCase : Case {
   std::function<ContactQuery()> make = {};  // everything that is done once for a joint, which outlives it
   Contact contact = Contact::faces;
   Measure measure = Measure::radial;  // of its smallest gap
-  bool few = false;                   // so slow that it is asked in one pose of several
+  bool few = false;                   // so slow that only some of the poses are asked
   bool counted = false;               // are its instructions counted?
 };
 
-/// Touch alone: make(pair) gives it.
+/// A case that answers touch only, by the Touch that make(pair) returns.
 template <class Make>
 ContactCase touch_only(std::string name, std::string label, int place, const BallSocketPair& pair,
                        const Make& make) {

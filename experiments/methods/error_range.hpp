@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least and the largest error of a look-up somewhere.
+// The least and the largest error of look-ups in a region.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace impinge::lab {
 
-// Holds 0, the error at an entry.
+// Always contains 0, the error at an entry.
 struct ErrorRange {
   double low = 0.0;   // the least
   double high = 0.0;  // the largest
@@ -22,10 +22,10 @@ struct ErrorRange {
     low = std::min(low, other.low);
     high = std::max(high, other.high);
   }
-  double middle() const { return 0.5 * (low + high); }  // what is to be added for both to be as large
+  double middle() const { return 0.5 * (low + high); }  // subtracting this makes both ends equally large
 };
 
-// Of the quadratic with these values at 0, 1/2 and 1, between 0 and 1.
+// Range on [0, 1] of the quadratic with these values at 0, 1/2 and 1.
 inline ErrorRange range_of_quadratic(const std::array<double, 3>& value) {
   ErrorRange range;
   for (const double v : value) range.include(v);

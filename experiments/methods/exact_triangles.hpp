@@ -11,7 +11,7 @@
 
 namespace impinge::lab {
 
-// What CGAL calls such numbers and their predicates.
+// CGAL's kernel of that kind.
 using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 // Faces of the posed mesh in socket coordinates. Faces that are exactly degenerate have no interior to cross

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which faces of one mesh cross each other, exactly: the oracle of self-collision.
+// Which faces of one mesh cross each other, exactly: the reference for self-collision.
 #pragma once
 
 #include <cstddef>

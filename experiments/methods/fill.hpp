@@ -10,7 +10,7 @@
 
 namespace impinge::lab {
 
-/// Directions in float, in an order in which neighbours are near to each other.
+/// The directions of a scheme's entries in float, in the order of the entries.
 struct FloatDirections {
   explicit FloatDirections(const CubeGnomonic& scheme) {  // of its entries
     for (auto* axis : {&x, &y, &z}) axis->reserve(scheme.size());
@@ -25,10 +25,10 @@ struct FloatDirections {
   std::vector<float> x, y, z;  // of each direction
 };
 
-/// A surface and the directions in which it is asked for.
+/// A surface and the entries to fill from it.
 struct FilledSurface {
   const TriangleMesh& mesh;                           // centre frame; outlives the methods
-  Layer layer;                                        // that counts where there are several
+  Layer layer;                                        // which one is kept where a ray meets several
   CubeGnomonic scheme;                                // whose entries are filled
   std::shared_ptr<const FloatDirections> directions;  // of the entries
 };
@@ -45,7 +45,7 @@ struct TableFilling {
 struct FillCase : Case {
   std::string storage;    // double, float or uint16
   int threads = 1;        // that fill one table
-  double most_off = 0.0;  // share of the entries that may be off: rays in float slip past edges
+  double most_off = 0.0;  // share of the entries that may be wrong: rays in float slip past edges
   std::function<TableFilling(const FilledSurface&, int threads)> make;
 };
 

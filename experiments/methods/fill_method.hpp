@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways of filling the tables of a joint that Tables 3 and 8 of the thesis time, and ours beside them.
+// The ways of filling a joint's tables that Tables 3 and 8 of the thesis time, and our own.
 #pragma once
 
 #include <algorithm>
@@ -21,28 +21,28 @@ struct FillMethod {
   RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);  // mesh in the centre frame
   // Proven bound on the error of an entry, mm, at a precision in degrees.
   double (*tolerance)(const TriangleMesh&, double);
-  bool same_cover = false;  // does it fill the entries of the surface exactly, along its rim too?
+  bool same_cover = false;  // does it fill exactly the entries whose ray meets the surface, also at its rim?
 };
 
-// Of what is exact but for rounding: far above its rounding, mm.
+// Tolerance of methods that are exact but for rounding, mm: far above their rounding.
 inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   double radius = 0.0;
   for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
   return 1e-9 * radius;
 }
 
-// Of the thesis' raster, whatever the precision, mm.
+// Tolerance of the thesis' raster, at any precision, mm.
 inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   return thesis_raster_bound(mesh);
 }
 
-// The rival of Tables 3 and 8, as described.
+// The method that Tables 3 and 8 compare with, as the thesis describes it.
 inline constexpr FillMethod<Rsid> kPairwiseThesis{"pairwise_thesis", fill_thesis_pairwise<Rsid>,
                                                   exact_tolerance, true};
-// Tables 3 and 8, as described.
+// The thesis' own method of Tables 3 and 8, as described there.
 inline constexpr FillMethod<Rsid> kRsidThesis{"rsid_thesis", fill_thesis, raster_tolerance};
 inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_tolerance, true};  // our exact raster
-// Section 4.2.2.
+// The thesis' way of filling its helix (Section 4.2.2).
 inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
 inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};  // our exact raster
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least that any look-up in a table has to do: read a vertex, move it by the pose, read one entry of a
-// table, write a number. What a kernel takes beside it says how far from the machine's limit it is. Its
-// answers mean nothing.
+// table, write a number. Its time is a lower limit to compare kernels with; its answers mean nothing.
 #pragma once
 
 #include <cmath>
@@ -13,7 +12,7 @@
 
 namespace impinge::lab {
 
-// A square table of ones, as large as asked.
+// A square table filled with ones.
 struct FloorTable {
   // Of at least so many bytes, for vertices up to `reach` mm from the centre.
   FloorTable(std::size_t bytes, double most_distant)
@@ -26,7 +25,7 @@ struct FloorTable {
   std::vector<float> values;  // all 1
 };
 
-// The vertices behind the last whole vector are left out.
+// Writes one number a vertex to `out`. Vertices beyond the last full SIMD vector are left out.
 void floor_scan(const FloorTable& table, const PackedVertices<float>& vertices, const Pose& pose,
                 Surface scanned, std::span<float> out);
 

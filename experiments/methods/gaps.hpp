@@ -14,7 +14,7 @@
 
 namespace impinge::lab {
 
-/// Points to ask, as every method wants them.
+/// Points to ask, in the forms that the methods need.
 struct AskedPoints {
   explicit AskedPoints(std::vector<Vec3> asked);  // rounds them to float as well
 
@@ -23,10 +23,10 @@ struct AskedPoints {
   PackedVertices<double> doubles;  // the same points
 };
 
-/// The surface that is asked, and by whom. The mesh outlives the methods.
+/// The surface that is asked, and whose vertices ask. The mesh outlives the methods.
 struct AskedSurface {
   const TriangleMesh& mesh;  // centre frame
-  Layer layer;               // of it that counts
+  Layer layer;               // of the mesh that counts
   Surface scanned;           // whose vertices ask
 };
 
@@ -40,13 +40,13 @@ struct GapScratch {
   double gap(std::size_t i) const;  // answer i, mm; NaN where there is none
 };
 
-/// What was built, to be asked. Threads may ask at the same time, each with its own scratch.
+/// A method that is built and ready to ask. Threads may ask at the same time, each with its own scratch.
 struct GapQuery {
   /// The gap of every point with the ball in that pose; what is timed.
   std::function<void(const AskedPoints&, const Pose&, GapScratch&)> scan;
   double bytes = 0.0;                 // of everything that was built
   Measure measure = Measure::radial;  // what the answers are
-  bool answers = true;                // do they mean something?
+  bool answers = true;                // do the answers mean anything?
   double bound_mm =
       std::numeric_limits<double>::quiet_NaN();  // no gap is off by more; NaN: nothing is proven
 };
@@ -59,8 +59,8 @@ GapQuery gaps_by_points(PointQuery query, Measure measure, Surface scanned);
 struct GapCase : Case {
   std::string storage = "none";    // double, float, uint16, corners or none
   bool kernel = false;             // does its time depend on the instruction set?
-  bool few = false;                // so slow that few points are asked
-  bool widely = false;             // timed with two threads, too, and with every instruction set
+  bool few = false;                // so slow that only some of the points are asked
+  bool widely = false;             // also timed with two threads and with every instruction set
   bool counted = false;            // are its instructions counted?
   bool first_hit = false;          // answers the first face along a ray, whatever layer is asked
   std::function<GapQuery()> make;  // builds the table or tree
@@ -69,11 +69,11 @@ struct GapCase : Case {
 /// A case of a library that is asked point by point.
 GapCase point_gaps(const AskedSurface& surface, const PointCase& of);
 
-/// Cells along an edge of a cube map of which 16 bits an entry take just less than 1 MiB, and than half of
-/// what RSID takes in double at half a degree.
+/// Cells along an edge of a cube map that takes just less than 1 MiB with 16 bits an entry, and less than
+/// half of what RSID takes in double at half a degree.
 inline constexpr std::size_t kMainCells = 291;
 
-/// Cells along an edge of a table of corners that takes just less than 1 MiB; one of kMainCells takes 2.
+/// Cells along an edge of a table of corners that takes just less than 1 MiB (2 MiB with kMainCells).
 inline constexpr std::size_t kCornersOfAMebibyte = 208;
 
 /// At which sizes methods are tried. A certified table takes seconds to prove for 100,000 triangles.
@@ -86,7 +86,7 @@ struct GapSizes {
   std::vector<std::size_t> corner_cells = {kMainCells, kCornersOfAMebibyte};  // of tables of corners
 };
 
-/// A number as short as it can be written.
+/// A number as text without trailing zeros.
 std::string trimmed(double value);
 
 }  // namespace impinge::lab

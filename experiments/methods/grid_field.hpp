@@ -35,11 +35,11 @@ inline DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nod
   return {half_width, nodes};
 }
 
-/// Proven bound on the error of a distance between the nodes, mm. A distance changes by no more than the way,
-/// so that an answer, a mean of the eight nodes with weights w, errs by at most
+/// Proven bound on the error of a distance interpolated between nodes, mm. A distance changes by at most the
+/// distance moved, so an answer, the mean of eight nodes x_i with weights w_i, errs by at most
 ///   sum w_i |x - x_i| <= sqrt(sum w_i |x - x_i|^2) = h sqrt(sum_k t_k (1 - t_k)) <= h sqrt(3) / 2,
-/// h the spacing and t the place in the cell. Floats add 2^-24 of the largest distance: no point of the cube
-/// is farther from the surface, which is in it, than its diagonal.
+/// h the spacing and t the place in the cell. Floats add 2^-23 of the largest distance, which is at most the
+/// diagonal of the cube, as the surface is inside it.
 inline double distance_grid_bound(const DistanceGridShape& shape) {
   const double largest = 2.0 * std::numbers::sqrt3 * shape.half_width;
   return 0.5 * std::numbers::sqrt3 * spacing_of(shape) + 0x1p-23 * largest;
@@ -68,7 +68,7 @@ class GridField {
     }
   }
 
-  // NaN outside of the cube.
+  // The interpolated value at x, frame of the grid, mm; NaN outside of the cube.
   double at(const Vec3& x) const {
     std::array<std::size_t, 3> low{};
     std::array<double, 3> t{};

@@ -4,8 +4,8 @@
 
 namespace impinge::lab {
 
-// Bytes that the C library has handed out and not taken back, its own headers included. NaN where it does not
-// count them (another allocator, such as that of a sanitizer). Take the difference before and after building.
+// Bytes now allocated by the C library, its own headers included; take the difference before and after
+// building. NaN if they are not counted (another allocator, such as a sanitizer's).
 double heap_bytes();
 
 }  // namespace impinge::lab

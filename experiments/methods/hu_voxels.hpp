@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Method hu_voxels: the impingement detection of Hu et al. (2001), which Kubiak-Langer et al. (2007) took for
-// their ranges of motion, as the thesis tells it (Section 2.4, Eq. 1-4). The socket's voxels are marked in a
-// table with a byte for each voxel of its box, n^3 of them; each voxel of the ball is moved and looked up; a
-// mark is a collided point. No distance is known.
+// Method hu_voxels: the impingement detection of Hu et al. (2001), which Kubiak-Langer et al. (2007) used for
+// their ranges of motion, as the thesis describes it (Section 2.4, Eq. 1-4). The socket's voxels are marked
+// in a table with a byte for each of the n^3 voxels of its box; the middle of each voxel of the ball is moved
+// and looked up; where it finds a mark, it is a collided point. No distance is known.
 //
-// Voxels are those that a face meets: the socket of a joint is an open surface and has no inside. What is
-// proven: a hit is no lie by more than 3/2 sqrt(3) h. The middle of a ball's voxel is within sqrt(3)/2 h of
-// the ball's surface, and a point of a marked voxel within sqrt(3) h of the socket's. A contact may be
-// missed, where no middle falls into a marked voxel.
+// Voxels are those that a face meets: the socket of a joint is an open surface and has no inside. Proven: at
+// a hit the surfaces are at most 3/2 sqrt(3) h apart, h the side of a voxel. The middle of a ball's voxel is
+// within sqrt(3)/2 h of the ball's surface, and a point of a marked voxel within sqrt(3) h of the socket's. A
+// contact is missed if no middle falls into a marked voxel.
 #pragma once
 
 #include <numbers>
@@ -18,7 +18,7 @@
 
 namespace impinge::lab {
 
-// Farthest that the surfaces are apart where a voxel is hit, in voxels' sides.
+// Largest distance of the surfaces where a voxel is hit, in sides of a voxel.
 inline constexpr double kVoxelReach = 1.5 * std::numbers::sqrt3;
 
 class HuVoxels {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of a joint, made once and filled again and again, as a program that keeps them does: what the
-// thesis' sampling takes without the making, emptying, masking and freeing of tables.
+// The tables of a joint, made once and filled again and again, as in a program that keeps them. This times
+// the thesis' sampling without making, emptying, masking and freeing the tables.
 #pragma once
 
 #include "mesh/ball_socket_pair.hpp"
@@ -26,7 +26,7 @@ class KeptTables {
     draw_thesis(pair_->ball, Layer::farthest, ball_grid_);
     draw_thesis(pair_->socket, Layer::nearest, socket_grid_);
   }
-  // The same, then reads the grids into the helices (Section 4.2.2).
+  // fill_grids(), then reads the grids into the helices (Section 4.2.2).
   void fill_helices() {
     fill_grids();
     read_raster(ball_grid_, ball_helix_);
@@ -46,8 +46,8 @@ class KeptTables {
   RadialTable<Usid> socket_helix_;
 };
 
-// Throws std::runtime_error, as require_filling() does, for a grid that is not filled again within the bound
-// of the thesis' raster, or a helix within that of its reading.
+// Fills the tables and throws std::runtime_error, as require_filling(), if a grid is off by more than
+// thesis_raster_bound(), or a helix by more than resampling_bound().
 inline void require_kept(KeptTables& kept, const BallSocketPair& pair, std::size_t entries) {
   kept.fill_helices();
   const double precision = kept.ball_helix().scheme().precision_deg();

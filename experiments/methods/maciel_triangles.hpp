@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Method maciel_triangles: the spherical method of Maciel et al. (2007) as the thesis tells it (Section 2.4):
-// the ball's table of triangles by direction, and every vertex of the socket against the triangle of its
-// direction, exactly. A vertex that does not meet that triangle is not tested: it may lie under a triangle
-// that the table lost. One scan alone, socket vertices against the ball.
+// Method maciel_triangles: the spherical method of Maciel et al. (2007) as the thesis describes it (Section
+// 2.4): the ball's table of triangles by direction; every vertex of the socket is compared exactly with the
+// triangle of its direction. A vertex whose ray misses that triangle is not tested: it may lie under a
+// triangle that the table lost. Only one scan, socket vertices against the ball.
 #pragma once
 
 #include <utility>
@@ -20,10 +20,10 @@ class MacielTriangles {
       : ball_(std::move(ball)), socket_(socket.vertices), table_(std::move(table)), gap_(socket_.size()) {}
 
   bool touches(const Pose& pose);
-  // Of the ball along a point of its frame, mm; NaN where the triangle of its direction is not met.
+  // Radius of the ball along y (ball frame), mm; NaN where the triangle of that direction is not met.
   double radius(const Vec3& y) const { return radius_at(table_, ball_, y); }
 
-  // |y| - B(y) of the socket's vertices in the last pose that was tested, mm; NaN where none was tested.
+  // |y| - radius(y) of the socket's vertices y in the last pose, mm; NaN for those not tested.
   const std::vector<double>& gaps() const { return gap_; }
   // Of the table and of the triangles it refers to.
   std::size_t bytes() const {

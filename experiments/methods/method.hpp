@@ -21,13 +21,12 @@
 
 namespace impinge::lab {
 
-/// A method in one setting: what results call it. Names begin with the name of the library where there is
-/// one.
+/// How results name a method in one setting. Names begin with that of the library if there is one.
 struct Case {
   std::string name = {};     // in the results; empty: that of the method
   std::string label = {};    // what a reader calls it; empty: that of the method
   std::string setting = {};  // such as "1deg float"
-  int place = 100;  // among the cases of all methods; of one place: by file, then as the method gives them
+  int place = 100;  // order among the cases of all methods; ties by file, then as the method gives them
 };
 
 /// What an answer is, mm.
@@ -40,7 +39,7 @@ constexpr std::string_view name_of(Measure measure) {
   return measure == Measure::radial ? "radial" : "euclidean";
 }
 
-/// Do the surfaces meet in this pose? It may keep scratch memory between poses: one thread at a time.
+/// Do the surfaces touch in this pose? May keep scratch memory between poses: one thread at a time.
 using Touch = std::function<bool(const Pose&)>;
 
 /// Whether a pose touches: Tables 4 and 9 of the thesis.
@@ -65,22 +64,22 @@ struct BaselineCase;
 struct Method {
   std::string name = {};   // of its cases, where they have none of their own
   std::string label = {};  // of its cases, as a reader calls them
-  std::string lacks = {};  // where it does not apply, and why
+  std::string lacks = {};  // what it cannot do, and why
   /// points.hpp: how far the surface is, point by point.
   std::function<std::vector<PointCase>(const BenchmarkScene&, const PointSizes&)> points = {};
   /// gaps.hpp: the gap at every vertex of one surface in a pose.
   std::function<std::vector<GapCase>(const AskedSurface&, const GapSizes&)> gaps = {};
-  /// With tables of a precision in degrees.
+  /// Whether a pose touches; tables have the given precision, degrees.
   std::function<std::vector<TouchCase>(const BallSocketPair&, double)> touch = {};
   /// contact.hpp: whether the joint touches, or its smallest gap, in many poses of a motion.
   std::function<std::vector<ContactCase>(const BallSocketPair&)> contact = {};
   /// fill.hpp: the table of a surface.
   std::function<std::vector<FillCase>()> fill = {};
-  /// baseline.hpp: at several resolutions, beside what the thesis compares itself with.
+  /// baseline.hpp: the comparison of Section 3.6, at several resolutions.
   std::function<std::vector<BaselineCase>(const BallSocketPair&, const BaselineSizes&)> baseline = {};
 };
 
-// Those of each ability, in alphabetical order of their files. Each list is a library,
+// The methods with each ability, in alphabetical order of their files. Each list is a CMake target
 // impinge::ABILITY_methods.
 std::vector<Method> points_methods();
 std::vector<Method> gaps_methods();
@@ -107,7 +106,7 @@ std::vector<OneCase> cases_of(const std::vector<Method>& methods,
   return all;
 }
 
-/// What a reader calls each name, for the sidecar of a result; without those that have no label.
+/// Adds the label of each case that has one, by its name, for the sidecar of a result.
 template <class Cases>
 void add_labels(std::map<std::string, std::string>& labels, const Cases& cases) {
   for (const Case& one : cases) {

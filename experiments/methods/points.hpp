@@ -21,13 +21,13 @@ struct StoredRadii {
   double reach = 0.0;            // largest angle from a direction to an entry that its look-up reads, radians
 };
 
-/// What was built for a surface, to be asked.
+/// A method that is built for a surface and ready to ask.
 struct PointQuery {
   /// One answer for each point; NaN where there is no surface. Points in the socket's frame, mm, not at the
   /// centre.
   std::function<void(std::span<const Vec3>, std::span<double>)> answer;
   double bytes = 0.0;                        // of everything that was built; NaN where it cannot be known
-  double storage_bound = 0.0;                // what fewer bytes a number add to the error at most, mm
+  double storage_bound = 0.0;                // bound on the error added by storing fewer bytes a number, mm
   std::function<StoredRadii()> stored = {};  // every entry, of a table
 };
 
@@ -54,22 +54,22 @@ struct PointCase : Case {
   std::string interpolant = "none";                                 // smooth, mesh_exact or none
   std::string storage = "none";                                     // double, float, uint16 or none
   Measure measure = Measure::radial;                                // what the answers are
-  std::string stability = {};  // its name in the families of stiff cases; empty: it is in none
+  std::string stability = {};  // its name in the stability experiment; empty: it is not in that
   bool in_float = false;       // is its rounding that of float?
   /// Everything that is done once for a surface. The scene outlives both.
   std::function<PointQuery()> make = {};
-  /// Empty where nothing is proven but the rounding.
+  /// The proven bound; empty if nothing is proven, apart from rounding.
   std::function<MethodBound(const PointQuery&)> bound = {};
 };
 
 /// Which tables are made, and how tightly they are bounded.
 struct TableBenchmark {
   std::vector<double> precisions;  // degrees
-  // Tables of no more entries, of surfaces of no more faces, are bounded by branch and bound, see
-  // table/table_bound.hpp; other tables of radii by the bound of first order, which costs little and is
-  // loose, other tables of inverse depths not at all.
+  // Tables of at most this many entries, of surfaces of at most most_faces, are bounded by branch and bound
+  // (table/table_bound.hpp). Other tables of radii get the first-order bound, which costs little and is
+  // loose; other tables of inverse depths get none.
   std::size_t most_entries = 0;
-  std::size_t most_faces = 0;  // see above
+  std::size_t most_faces = 0;  // see most_entries
   BoundOptions search = {};    // of branch and bound
 };
 

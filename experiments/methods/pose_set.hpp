@@ -23,13 +23,13 @@ struct NamedPose {
 // not bring the surfaces together.
 std::vector<NamedPose> pose_set(const BallSocketPair& pair);
 
-// From the centre towards the middle of the socket, by area; of length 1.
+// Unit vector from the centre towards the middle of the socket, by area.
 Vec3 socket_axis(const TriangleMesh& socket);
 
-// Throws std::runtime_error that names method and pose when the two methods differ in one.
+// Throws std::runtime_error with method and pose if the two methods differ in a pose.
 void require_agreement(const TouchCase& method, const TouchCase& oracle, const std::vector<NamedPose>& poses);
 
-// Number of poses that touch: one answer a pose, which makes it the work that is timed.
+// Number of poses that touch. This is the work that is timed: one answer a pose.
 int count_touching(const TouchCase& method, const std::vector<NamedPose>& poses);
 
 }  // namespace impinge::lab

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filling a table as the thesis fills its helix in short time (Section 4.2.2): the raster of the thesis draws
-// an RSID table of the same precision, each entry reads that table by its bilinear interpolation, and the
-// RSID table is released. O(faces + entries). Made for Usid; it asks nothing of a scheme but its directions.
+// Filling a table as the thesis fills its helix quickly (Section 4.2.2): the raster of the thesis draws an
+// RSID table of the same precision, each entry reads that table by bilinear interpolation, and the RSID table
+// is released. O(faces + entries). Meant for Usid; works for any scheme with directions.
 //
 // The thesis is silent about the rim. Here an entry whose RSID cell the rim crosses has no surface, since
-// what it would read is mixed from both sides. The table thus ends up to one RSID cell inside of the rim, and
-// its own cells are masked by mask_rim() as those of every other table.
+// it would read a mixture from both sides. The table thus ends up to one RSID cell inside of the rim, and
+// its own cells are masked by mask_rim() like those of every other table.
 //
 // Error. With r_i the exact radii of the taps and R_i those drawn, |R_i - r_i| <= E (thesis_raster_bound), so
 // that the value sum w_i R_i of an entry along u errs by at most
@@ -34,14 +34,14 @@ inline Rsid raster_for(double precision_deg) {
   return Rsid::with_precision(180.0 / std::max(std::round(180.0 / precision_deg), 2.0));
 }
 
-// Sets every entry of a table that is there as the raster has it; kNoSurface where the raster has no surface.
+// Sets every entry of an existing table from the raster; kNoSurface where the raster has no surface.
 template <SamplingScheme S>
 void read_raster(const RadialTable<Rsid>& raster, RadialTable<S>& table) {
   const auto radii = table.radii();
   for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = raster.radius_at(table.scheme().direction(i));
 }
 
-// A table of its own, set so.
+// A new table, set by read_raster().
 template <SamplingScheme S>
 RadialTable<S> resample(const RadialTable<Rsid>& raster, const S& scheme) {
   RadialTable<S> table(scheme);
@@ -49,7 +49,7 @@ RadialTable<S> resample(const RadialTable<Rsid>& raster, const S& scheme) {
   return table;
 }
 
-// mesh in the centre frame.
+// Raster, resampling and rim mask together; mesh in the centre frame.
 template <SamplingScheme S>
 RadialTable<S> fill_resampled(const TriangleMesh& mesh, const S& scheme, Layer layer) {
   RadialTable<S> table = resample(fill_thesis(mesh, raster_for(scheme.precision_deg()), layer), scheme);

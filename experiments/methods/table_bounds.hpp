@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is proven of tables that are filled exactly from the surface of a scene.
+// Proven bounds of tables that are filled exactly from the surface of a scene.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace impinge::lab {
 
-/// How results call a precision.
+/// The name of a precision (degrees) in results, such as "0.5deg".
 inline std::string degrees_text(double precision) { return Cell(precision).text() + "deg"; }
 
-/// Filled from the surface of the scene.
+/// The table of a precision (degrees) for the layer that scenes ask; mesh in the centre frame.
 template <SamplingScheme S>
 RadialTable<S> exact_radii_of(const TriangleMesh& mesh, double precision) {
   return fill_exact(mesh, S::with_precision(precision), BenchmarkScene::kLayer);

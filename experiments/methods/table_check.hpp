@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a table filled right? Compared with brute force over the mesh, before its filling is timed.
+// Checks a table against brute force over the mesh, before its filling is timed.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace impinge::lab {
 struct TableCheck {
   std::size_t entries = 2000;  // compared, evenly through the table
   double tolerance = 0.0;      // mm
-  // Must the table fill the same entries as the mesh? If not, only entries that both fill are compared: a
-  // rasteriser that bends edges covers other entries along a rim.
+  // Must the table have a radius exactly where rays meet the mesh? If not, only entries with a radius in both
+  // are compared: a rasteriser that bends edges covers other entries along a rim.
   bool same_cover = true;
 };
 

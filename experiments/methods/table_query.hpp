@@ -10,7 +10,7 @@
 
 namespace impinge::lab {
 
-/// Of a table that has been filled.
+/// The query of a filled table.
 template <class Table>
 PointQuery table_query(Table filled) {
   const auto table = std::make_shared<const Table>(std::move(filled));

@@ -2,9 +2,8 @@
 // The method of the thesis (Algorithm 2): all vertices of the ball against the table of the socket and all
 // vertices of the socket against the table of the ball. Named after the scheme of its tables.
 //
-// What is counted: the signed gap of every vertex of both surfaces, none left out, and the smallest of them.
-// Vertices alone are looked at: an edge that cuts an edge between vertices is missed by less than the tables
-// resolve.
+// The work: the signed gap of every vertex of both surfaces, and the smallest of them. Only vertices are
+// tested: contact of two edges between vertices is not seen.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // ray against points inside area of all triangles to find out the exact interfered triangle with the ray and
 // then sample the distance", O(m n).
 //
-// Word by word: each pair of a ray and a triangle by itself, nothing prepared, nothing passed over. The ray
+// Done literally: each pair of a ray and a triangle by itself, nothing prepared, nothing passed over. The ray
 // meets the plane of the triangle in a point x = r u, r = n.a / (n.u), and x is inside when the areas of the
 // three triangles that it makes with the edges add up to that of the triangle. The thesis does not print its
 // test; RayCaster (table/pairwise.hpp) does the same work by edge planes that are prepared once a face,
@@ -19,15 +19,15 @@
 
 namespace impinge::lab {
 
-// By how much the three areas may be larger than that of the triangle and x still be inside, as a share of
-// it: what rounding does to points on an edge, and far less than a face.
+// How much larger than the triangle's area the three areas together may be for x to count as inside, as a
+// share of it: allows for rounding at points on an edge, and is far less than a face.
 inline constexpr double kAreaSlack = 1e-9;
 
-// Radius along unit u (mm), kNoSurface if no triangle is met. Mesh in the centre frame. Within rounding that
-// of RayCaster but for rays within about kAreaSlack of a face of a rim, and for faces seen edge-on.
+// Radius along unit u (mm), kNoSurface if no triangle is met. Mesh in the centre frame. Equal to RayCaster's
+// within rounding, except for rays within about kAreaSlack of a face at a rim and for faces seen edge-on.
 double thesis_ray_radius(const TriangleMesh& mesh, const Vec3& u, Layer layer);
 
-// A table filled so, whose rim is marked.
+// A table filled by thesis_ray_radius(), with its rim masked.
 template <SamplingScheme S>
 RadialTable<S> fill_thesis_pairwise(const TriangleMesh& mesh, const S& scheme, Layer layer) {
   RadialTable<S> table(scheme);

@@ -2,7 +2,7 @@
 // Filling an RSID table as the thesis does (Section 3.2, Algorithm 1, Figures 30-34): faces are drawn as flat
 // triangles on the (theta, phi) grid and the distances of their corners interpolated linearly.
 //
-// Faithful to the text, so not the radius of the mesh: edges are straight in (theta, phi) instead of great
+// As this follows the text, it is not the radius of the mesh: edges are straight in (theta, phi), not great
 // circles, and the distance is linear instead of p / (n.u). Where the thesis is silent: a face across theta =
 // 0 is unrolled, and grid lines through an edge belong to both faces.
 //
@@ -44,11 +44,11 @@
 
 namespace impinge::lab {
 
-// Draws all faces into a table that is there, over what it holds, as Algorithm 1 does; the rim is not marked.
+// Draws all faces into an existing table, over what it holds, as Algorithm 1 does; the rim is not masked.
 // mesh in the centre frame.
 void draw_thesis(const TriangleMesh& mesh, Layer layer, RadialTable<Rsid>& table);
 
-// A table of its own, filled so, whose rim is marked.
+// A new table, filled by draw_thesis(), with its rim masked.
 RadialTable<Rsid> fill_thesis(const TriangleMesh& mesh, const Rsid& scheme, Layer layer);
 
 // Bound on |fill_thesis() - exact radius| at every entry of any precision, mm; infinite if a face is edge-on.

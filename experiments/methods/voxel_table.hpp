@@ -2,8 +2,7 @@
 // The voxels of a surface and their numbers, as Hu et al. (2001) keep them (thesis, Eq. 1-4): a byte for
 // every voxel of the box about the object, 1 where the object is.
 //
-// A voxel (x, y, z) of integers is the cube [x h, (x + 1) h) x ... of the frame of the mesh, h its side in
-// mm.
+// Voxel (x, y, z), integers, is the cube [x h, (x + 1) h) x ... in the frame of the mesh, h its side in mm.
 #pragma once
 
 #include <array>
@@ -25,18 +24,18 @@ struct VoxelBox {
 
   std::size_t count() const;                // voxels of the box
   bool contains(const Voxel& voxel) const;  // Is the voxel in the box?
-  // Eq. 1. The voxel is in the box.
+  // Number of a voxel that is in the box (Eq. 1).
   std::size_t id(const Voxel& voxel) const;
-  // Eq. 2-4, the inverse.
+  // The inverse of id() (Eq. 2-4).
   Voxel voxel(std::size_t id) const;
 };
 
 Voxel voxel_at(const Vec3& point, double size);   // the voxel that holds a point; size in mm
 Vec3 centre_of(const Voxel& voxel, double size);  // its middle, mm
 
-// Voxels that some face meets, each once, in the order of x, y, z: a closed cube and a triangle that share a
-// point (separating axes, Akenine-Moller 2001). std::invalid_argument for a size that is no positive length,
-// and for one so small that a coordinate has no voxel number.
+// Voxels that some face meets, each once, in the order of x, y, z: their closed cube and a triangle share a
+// point (separating axes, Akenine-Moller 2001). std::invalid_argument for a size (mm) that is no positive
+// length, and for one so small that a coordinate has no voxel number.
 std::vector<Voxel> surface_voxels(const TriangleMesh& mesh, double size);
 
 struct VoxelTable {
@@ -47,7 +46,7 @@ struct VoxelTable {
   bool holds(const Voxel& voxel) const { return box.contains(voxel) && occupied[box.id(voxel)] != 0; }
 };
 
-// The table of these voxels of one size; std::invalid_argument for none, and above 2^32 bytes.
+// The table of these voxels of side `size`, mm; std::invalid_argument for no voxels, and above 2^32 bytes.
 VoxelTable make_voxel_table(const std::vector<Voxel>& voxels, double size);
 
 }  // namespace impinge::lab

@@ -19,7 +19,7 @@ inline float smaller(float a, float b) { return a < b ? a : b; }
 inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }   // of the two
 inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }  // of the two
 
-/// Of a vector with the axis of a node.
+/// Inner product of a vector with the axis of node k.
 inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::size_t k) {
   return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
 }
@@ -79,10 +79,10 @@ inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
   return caps;
 }
 
-/// A whole number of each node of a block.
+/// An integer for each node of a block.
 using WholeLanes = std::array<std::int32_t, CapBlock::kLanes>;
 
-/// Levels of the levels for caps of these angles.
+/// The level (cap_limits.hpp) that answers for a cap of each of these angles.
 inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels, float alone) {
   WholeLanes level;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {

@@ -2,7 +2,7 @@
 // How near to the centre a surface comes, or how far from it, over a cap of directions of any size: one
 // look-up.
 //
-// A levels of gnomonic cube grids of n cells along an edge. Each entry holds the limit of all faces that have
+// A level is a gnomonic cube grid of n cells along an edge. Each entry holds the limit of all faces that have
 // a direction within c + reach of it, c = sqrt(2) / n being the farthest that a direction is from
 // the entry nearest to it on the grid (that way is along a straight line of the gnomonic plane, and central
 // projection makes no length longer); the reaches are 2, 1.75, 1.5, 1.25, 1, 0.875 ... radians. So
@@ -28,8 +28,8 @@ namespace impinge {
 
 /// The grids of all levels, as kernels read them.
 struct CapLevels {
-  const std::int32_t* steps;  // of each level: cells along an edge in kLineBits, above the place of its
-                              /// limits; all 32 bits count
+  const std::int32_t* steps;  // of each level: cells along an edge in the lowest kLineBits, and above them
+                              // the place of its first limit, unsigned
   const float* limits;        // of each level by face, row and column, mm
   std::int32_t finest;        // level of caps; the next one is that of single vertices
   float overall;              // limit of all directions
@@ -38,31 +38,31 @@ struct CapLevels {
 class CapLimits {
  public:
   static constexpr int kQuarterOctave = 21;  // bits of a float below a quarter of its octave
-  /// Of the widest reach.
+  /// Exponent and two bits of the widest reach, 2 radians.
   static constexpr std::int32_t kWidest = std::bit_cast<std::uint32_t>(2.0F) >> kQuarterOctave;
   static constexpr float kAloneReach = 1e-4F;  // radians, of single vertices
-  static constexpr int kLineBits = 9;          // of a step that hold the cells along an edge
+  static constexpr int kLineBits = 9;          // bits of a step that hold the cells along an edge
   static constexpr std::int32_t kMostLines = (1 << kLineBits) - 1;  // most cells along an edge
 
-  /// mesh in the centre frame. O(faces). Faces whose plane holds the centre cover no
+  /// mesh in the centre frame, mm. O(faces). Faces whose plane holds the centre cover no
   /// direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer);
 
   /// The limit of a cap.
   struct Limit {
     float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
-    float reach;   // radians: it holds for caps as wide as that
+    float reach;   // radians: the limit holds for caps up to this angle
   };
   /// The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
-  /// infinity, is any angle. x of any length; it may be 0 where any angle is, and only then.
+  /// infinity, means any angle. x of any length; it may be 0 only with such an angle.
   Limit within(const Vec3& x, float angle) const {
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
     return look_up(std::clamp(level, 0, finest_), x);
   }
-  float overall() const { return levels().overall; }  // of all directions
-  /// In the direction of x.
+  float overall() const { return levels().overall; }  // limit of all directions, mm
+  /// Limit within kAloneReach of the direction of x, mm; of all directions for x = 0.
   float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
-  /// Of all levels.
+  /// The grids as kernels read them; borrowed from this.
   CapLevels levels() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
 
   std::size_t bytes() const;  // of memory

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How near to the centre, or far from it, the faces come that a cap of directions meets.
+// The limit of a cap of directions: how near to the centre, or far from it, the faces that meet it come.
 #pragma once
 
 #include <cmath>
@@ -34,9 +34,9 @@ class CapSearch {
 
   /// The least radius of all faces that meet the cap (the largest for Layer::farthest), mm, rounded away from
   /// the radii; of none infinite (-infinite). Nodes of `resolution` radians are taken whole, so that faces a
-  /// little beyond the cap may count. `known` is that of a cap within this one: the rest is soon left out.
+  /// little beyond the cap may count. `known`, the limit of a cap within this one or none(), saves time.
   float limit(const DirectionCap& cap, double resolution, float known);
-  /// The limit of no face.
+  /// The limit where no face is met.
   float none() const { return nearest_ ? HUGE_VALF : -HUGE_VALF; }
 
  private:

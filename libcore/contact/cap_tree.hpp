@@ -13,7 +13,7 @@
 //     convex and so holds the whole cell), + the largest angle of a part
 //
 // Numbers are floats, rounded outwards by kNodeSlack. That also covers that an axis is a unit vector to 1e-7
-// only and that what is worked out of a node is worked out in floats.
+// only and that callers compute with nodes in floats.
 #pragma once
 
 #include <array>
@@ -35,13 +35,13 @@ struct CapItem {
   RadiusRange range;  // mm
 };
 
-/// A face as an item: any direction for one of a quarter turn and more, any radius below its largest for one
-/// that is almost edge-on. None for one whose plane holds the centre of the mesh, which covers no direction.
+/// A face as an item. Its cap is all directions if it is a quarter turn wide or more, its range all radii up
+/// to the largest if it is almost edge-on. None if its plane holds the centre: it covers no direction.
 std::optional<CapItem> cap_item(const TriangleMesh& mesh, const Face& face);
 
-inline constexpr double kNodeSlack = 1e-5;  // of a radius; radians
+inline constexpr double kNodeSlack = 1e-5;  // share of a radius; radians of an angle
 
-/// A number of each node of a block.
+/// A number for each node of a block.
 using CapLanes = std::array<float, 8>;
 
 /// Up to eight nodes that are siblings.
@@ -55,9 +55,9 @@ struct alignas(64) CapBlock {
   CapLanes mean;     // 2 / (1 / low + 1 / high), mm; 0 if low is
   CapLanes spread;   // (high - low) / (2 high): the inverse of a radius is within spread / low of 1 / mean
   std::array<std::uint32_t, kLanes>
-      first{};  // place of an item in order(); without items, the block of its children
-  std::array<std::uint32_t, kLanes> items{};  // of a leaf; 0 in other nodes
-  std::uint32_t nodes = 0;                    // of the eight, the first so many are there
+      first{};  // of a leaf, its first place in order(); else the block of its children
+  std::array<std::uint32_t, kLanes> items{};  // number of items of a leaf; 0 in other nodes
+  std::uint32_t nodes = 0;                    // how many of the eight are in use, the first ones
 
   bool leaf(std::size_t lane) const { return items[lane] > 0; }  // Has this node items, and no children?
 };
@@ -71,8 +71,8 @@ struct CapNode {
 class CapTree {
  public:
   static constexpr std::size_t kDeepest = 7;  // levels of cells
-  /// Nodes that a search has at most which opens one at a time, the last that it found: of the root, and of
-  /// a node of each level, cells, runs and parts.
+  /// Most nodes that wait in a depth-first search: those of the root's block, and of one block of each level
+  /// of cells, runs and parts.
   static constexpr std::size_t kMostPending = 6 + (CapBlock::kLanes - 1) * (kDeepest + 2);
 
   explicit CapTree(std::span<const CapItem> items);  // sorts the items, which are copied

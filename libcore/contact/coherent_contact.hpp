@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Does a vertex impinge, in one pose of a motion after another? What a pose has proven holds until the
-/// motion has used it up; only then is it looked at again. Answers are those of CulledJoint, in every pose,
-/// however far apart.
+/// Does a vertex impinge, in one pose of a motion after another? What is proven in a pose has some margin,
+/// and is looked at again only when the motion has used it up. Answers are those of CulledJoint, in every
+/// pose, however far apart.
 ///
 /// A cap of vertices that is clear by S mm, by a limit that holds for directions A radians beyond those of
 /// its vertices, stays clear while each direction has turned by no more than A and each length changed by
@@ -34,11 +34,11 @@ class CoherentContact {
   /// As CulledJoint::impinged(); which vertex is found may differ.
   std::optional<ScannedVertex> impinged(const Pose& pose);
 
-  /// The clock may go on by so many mm before anything has to be looked at again: a certified step. 0 where
-  /// the last pose was impinged.
+  /// By how many mm the clock above may go on before anything has to be looked at again. 0 where the last
+  /// pose was impinged.
   double certified_step() const;
 
-  static constexpr double kLever = 8.0;  // L, mm: a radian to spare is worth so much
+  static constexpr double kLever = 8.0;  // L, mm a radian: what the clock counts for a turn
 
  private:
   /// That the nodes of a block which are not `open` are clear, or else that the vertices of the leaf are.

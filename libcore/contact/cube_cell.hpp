@@ -10,13 +10,14 @@
 
 namespace impinge {
 
-/// Cell `prefix` of a level: face of the cube, then three bits a level, those of b and a in turn.
+/// A cell of a level. `prefix` is the face of the cube, then three bits a level, of coordinates b and a in
+/// turn.
 struct CubeCell {
   std::size_t level;   // 0 is the face
   std::size_t prefix;  // see above
 };
 
-/// Number of the cell of a level that holds the direction.
+/// Number (prefix) of the cell of a level that holds the direction.
 std::size_t cell_of(const Vec3& axis, std::size_t level);
 
 /// Corners of a cell, of any length.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without asking most
-/// vertices. Answers are those of asking all of them, in every pose.
+/// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without testing most
+/// vertices. The answers are those of testing all of them, in every pose.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-/// The first of the smallest gaps, in the order of scans and vertices.
+/// The smallest gap; of equal ones the first, in the order of scans and vertices.
 struct LeastGap {
   double gap_mm = 0.0;  // radial
   ScannedVertex at;     // where it is
@@ -25,18 +25,18 @@ class CulledJoint {
   explicit CulledJoint(const BallSocketPair& joint);
   explicit CulledJoint(const BallSocketPair&&) = delete;
 
-  /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); none
-  /// exactly if there is none.
+  /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); nothing
+  /// if and only if there is no such vertex.
   std::optional<ScannedVertex> impinged(const Pose& pose) const;
 
   /// Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
   std::optional<LeastGap> least_gap(const Pose& pose) const;
 
-  /// Is that vertex, which a pose has at x, impinged? Exact.
+  /// Is a vertex of that surface, which a pose has at x (mm, frame of the other one), impinged? Exact.
   bool exactly_impinged(Surface scanned, const Vec3& x) const;
-  /// Gap at x to the faces there, mm; NaN where there is none.
+  /// Gap of such a vertex to the faces in its direction, mm; NaN where there are none.
   double gap(Surface scanned, const Vec3& x) const;
-  /// The faces of a surface, as both ask them.
+  /// The faces of a surface by direction.
   const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket

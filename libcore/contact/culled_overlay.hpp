@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do the surfaces of ball and socket impinge, edges and all, without asking most faces? The answers are those
-// of SurfaceOverlay::impinged(), in every pose; which faces count is said there (gap/overlay.hpp).
+// Do the surfaces of ball and socket impinge, edges and all, without testing most faces? The answers are
+// those of SurfaceOverlay::impinged(), in every pose; which faces count is said there (gap/overlay.hpp).
 //
 // A face is an item like a vertex: its directions are within its cap and its radii in its range, so that the
 // bounds of contact/gap_bounds.hpp hold for every point of it, also where the pose makes it edge-on. A face
-// whose cap is clear shares no direction with a face that it reaches. The others are compared with those
-// faces that share a direction with them, exactly.
+// whose cap is clear reaches none of the faces that it shares a direction with. The others are compared
+// exactly with the faces that share a direction with them.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One scan, made ready for whole caps of its vertices to be decided at once: a tree of the vertices of one
-// surface, and the limits of the other one.
+// One scan, made ready to decide whole caps of its vertices at once: a tree of the vertices of one surface,
+// and the limits of the other one.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct ScannedVertex {
 
 class CulledScan {
  public:
-  /// Meshes in their centre frames. Vertices of no face belong to no surface. std::invalid_argument for
+  /// Meshes in their centre frames, mm. Vertices of no face are left out. std::invalid_argument for
   /// lengths of either beyond those of floats in mesh/lengths.hpp.
   CulledScan(Surface scanned, const TriangleMesh& vertices_of, const TriangleMesh& facing);
 
   Surface scanned() const { return scanned_; }         // whose vertices are scanned
   const CapTree& tree() const { return tree_; }        // of these vertices
   const CapLimits& limits() const { return limits_; }  // of the other surface
-  /// Item of the tree's order: a vertex of the mesh.
+  /// The vertex of the mesh that is item `item` in the order of the tree.
   std::uint32_t vertex(std::size_t item) const { return vertex_[item]; }
   /// Where that vertex is in its mesh, mm.
   const Vec3& position(std::size_t item) const { return position_[item]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a pose takes the vertices of a cap, and what gaps they can have at least.
+// Where a pose takes the vertices of a cap, and lower bounds on their gaps.
 //
 // A scan takes vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t, and
 // with o = R^T t to |x| = |v + o|. Let T = |t|.
@@ -59,29 +59,29 @@ struct CapMove {
   float shift;                                   // T = |t|, mm
 };
 
-/// Of the nodes of a block.
+/// The nodes of a block, moved by a pose.
 struct MovedCaps {
-  CapLanes x, y, z;  // mm; in the direction of the middle of the cap
+  CapLanes x, y, z;  // mm: a point in the direction of the middle of the cap
   CapLanes angle;    // radians; infinite or NaN where any direction is possible
   CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
 };
 
-/// No vertex of the node has a smaller gap.
+/// Bounds for the nodes of a block.
 struct GapBounds {
-  CapLanes gap;  // mm, infinite where no vertex meets the other surface
-  /// mm: gap of a vertex in the middle of the cap, of the radius that is farther from contact; where it is
-  /// least a touch is likely. It bounds nothing.
+  CapLanes gap;  // mm: no vertex has less; infinite where none meets the other surface
+  /// mm, no bound: gap of a vertex in the middle of the cap, of the radius that is farther from contact. A
+  /// touch is most likely where this is least.
   CapLanes likely;
-  /// If asked for: radians that the directions may turn by without changing that; infinite or NaN: by any
-  /// angle.
+  /// Where GapsWanted::lasting is set: radians by which directions may turn while `gap` holds; infinite or
+  /// NaN: by any angle.
   CapLanes spare;
-  std::uint32_t open;  // a bit a node: those whose bound is not above `enough`
+  std::uint32_t open;  // a bit a node: its bound is not above GapsWanted::enough
 };
 
 /// How good a bound has to be.
 struct GapsWanted {
-  float enough = 0.0F;   // mm: no closer than it takes to be above that
-  bool lasting = false;  // with something to spare, at the cost of a worse bound of single vertices
+  float enough = 0.0F;   // mm: a bound above this need not be improved
+  bool lasting = false;  // leave room for turns (spare), at the cost of worse bounds of single vertices
 };
 
 /// Where the pose takes the caps of a block.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Does an item of either scan, a vertex or a face, touch the other surface? Whole caps of items are decided
-// at once; what is left over is asked item by item, of whoever is given. The answer is that of asking all
-// items.
+// at once; the items left over are tested one by one by the caller's function. The answer is that of testing
+// all items.
 //
-// Whoever is asked must keep to the limits: its radii are those of the mesh, see contact/cap_limits.hpp.
+// The function must agree with the limits: its radii are those of the mesh, see contact/cap_limits.hpp.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct ScannedItem {
   std::uint32_t item;  // place in the order of its tree
 };
 
-/// Among all items of both scans: one that touches, if one does. touches(item) says whether it has a gap of 0
+/// An item of either scan that touches, if one does. touches(item) says whether it has a gap of 0
 /// or less.
 std::optional<ScannedItem> touching_item(const PosedTrees& posed,
                                          const std::function<bool(const ScannedItem&)>& touches);

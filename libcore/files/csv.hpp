@@ -14,7 +14,7 @@ namespace impinge {
 
 /// What a column holds. The unit is "1" for counts and ratios and "" for text.
 struct Column {
-  std::string name;     // of the header line
+  std::string name;     // as in the header line
   std::string unit;     // such as "mm"
   std::string meaning;  // one clause
 };
@@ -29,7 +29,7 @@ class Cell {
   Cell(const char* text) : value_(std::string(text)) {}          // text
   Cell(double number) : value_(number) {}                        // a number; empty for NaN
   Cell(bool flag) : value_(std::string(flag ? "yes" : "no")) {}  // yes or no
-  /// A whole number that fits into 64 bits with its sign.
+  /// A whole number; it must fit into a signed integer of 64 bits.
   template <std::integral I>
   Cell(I number) : value_(static_cast<std::int64_t>(number)) {}
 
@@ -45,7 +45,7 @@ struct Table {
   std::vector<Column> columns;          // in the order of the cells
   std::vector<std::vector<Cell>> rows;  // each with a cell for every column
 
-  /// Throws std::invalid_argument when the number of cells is not that of the columns.
+  /// Throws std::invalid_argument unless there is one cell for each column.
   void add_row(std::vector<Cell> row);
 };
 

@@ -11,18 +11,18 @@ namespace impinge {
 /// All bytes of a regular file that is not empty.
 std::string read_bytes(const std::filesystem::path& file);
 
-/// Writes beside `file` under a temporary name, syncs to the disk and renames: whoever looks finds the old
-/// file or the whole new one. The folder must exist. Nothing is left behind when it fails.
+/// Writes beside `file` under a temporary name, syncs to the disk and renames: a reader finds either the old
+/// file or the whole new one. The folder must exist. Nothing is left behind on failure.
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 
-/// Is it a regular file of these bytes? An empty one never is.
+/// Is `file` a regular file with exactly these bytes? Never true for an empty file.
 bool holds(const std::filesystem::path& file, std::string_view bytes);
 
-/// The same as write_bytes(), but a file that holds these bytes already keeps its time stamp, so that a build
-/// graph with restat stops there. True when the file changed.
+/// As write_bytes(), but a file that holds these bytes already keeps its time stamp, so that a build tool
+/// rebuilds nothing that depends on it. Returns whether the file changed.
 bool write_if_changed(const std::filesystem::path& file, std::string_view bytes);
 
-/// Creates the folder when it is missing and proves that a file can be written in it.
+/// Creates the folder if it is missing and checks that a file can be written in it.
 void require_writable_folder(const std::filesystem::path& folder);
 
 }  // namespace impinge

@@ -15,7 +15,7 @@ class FileError : public std::runtime_error {
   FileError(const std::filesystem::path& file, const std::string& reason, const std::string& advice);
 };
 
-/// What the system says of an errno.
+/// The system's message for a value of errno.
 std::string system_message(int error);
 
 }  // namespace impinge

@@ -9,11 +9,10 @@
 
 namespace impinge {
 
-/// add() writes each file under a temporary name, so a disk that is too small is noticed before any old file
-/// is touched; commit() puts them into their places. Where one of them cannot be put there, those before it
-/// are taken back: whoever looks later finds all the old files or all the new ones. Not so in one case: a
-/// process that is killed within commit(), between two renames, leaves the first files new and the others
-/// old.
+/// add() writes each file under a temporary name, so a full disk is noticed before any old file is touched;
+/// commit() renames them into place. If one rename fails, those before it are undone: a later reader finds
+/// all the old files or all the new ones. One exception: a process that is killed within commit(), between
+/// two renames, leaves the first files new and the others old.
 ///
 /// All members throw FileError. Nothing is left behind by a set that was not committed.
 class FileSet {
@@ -26,7 +25,7 @@ class FileSet {
   /// The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
   void add(const std::filesystem::path& file, std::string_view bytes);
 
-  /// In the order of add(). The set is then empty.
+  /// Puts the files in place, in the order of add(). The set is then empty.
   void commit();
 
  private:

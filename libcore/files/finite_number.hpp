@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-/// The whole text as a finite number; nothing where it is something else.
+/// The whole text as a finite number; std::nullopt for any other text.
 inline std::optional<double> finite_number(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machine that a result was measured on, as the operating system tells it. Nothing is ever changed.
+// The machine that a result was measured on, as the operating system reports it. Only reads.
 #pragma once
 
 #include <cstdint>

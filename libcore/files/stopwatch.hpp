@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a stretch of work takes on the wall clock. How often it is repeated, and in which order, is not
-// decided here (harness/timing.hpp).
+// Wall-clock time of a stretch of work. Repetition and order are up to the caller (harness/timing.hpp).
 #pragma once
 
 #include <chrono>
 
 namespace impinge {
 
-/// Runs from its making.
+/// Starts when it is made.
 class Stopwatch {
  public:
-  /// Since its making or the last lap, milliseconds; begins the next lap.
+  /// Milliseconds since the start or the last lap; begins the next lap.
   double lap_ms() {
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();

@@ -7,10 +7,10 @@
 
 namespace impinge {
 
-/// Removes itself unless it was renamed. All members throw FileError, which names the final place.
+/// Removed by the destructor unless it was renamed. All members throw FileError, which names the target.
 class TemporaryFile {
  public:
-  /// Creates it empty. The folder of the target must exist; a target that is a folder is refused.
+  /// Creates an empty file. The folder of the target must exist; a target that is a folder is refused.
   explicit TemporaryFile(std::filesystem::path target);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -18,7 +18,7 @@ class TemporaryFile {
 
   /// Writes all bytes and syncs them to the disk.
   void write(std::string_view bytes);
-  /// Puts it in the place of the target.
+  /// Replaces the target with this file.
   void rename();
 
   const std::filesystem::path& target() const { return target_; }  // its final place
@@ -30,7 +30,7 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-/// What is thrown where a file cannot be written; `error` is a value of errno.
+/// Throws the FileError for a file that cannot be written; `error` is a value of errno.
 [[noreturn]] void fail_writing(const std::filesystem::path& file, int error);
 
 }  // namespace impinge

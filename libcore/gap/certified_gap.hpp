@@ -18,7 +18,7 @@ struct CertifiedGap {
   double low = 0.0;                  // the least that the gap can be
   double high = 0.0;                 // the most that it can be
   Cover cover = Cover::none;         // whether there is a surface in the vertex' direction
-  Verdict verdict = Verdict::clear;  // follows from the three
+  Verdict verdict = Verdict::clear;  // verdict_of() these three
 };
 
 /// What the ends of a gap and the cover prove.
@@ -38,7 +38,7 @@ struct VerdictCount {
   std::size_t impinged = 0;   // proven to have one
   std::size_t undecided = 0;  // neither
 
-  /// One more.
+  /// Counts one more vertex.
   void add(Verdict verdict) {
     ++(verdict == Verdict::clear ? clear : verdict == Verdict::impinged ? impinged : undecided);
   }
@@ -51,7 +51,7 @@ struct VerdictCount {
     return *this;
   }
 
-  /// Of all of them together: one impinged vertex is enough, all must be clear.
+  /// Of the pose: impinged if one vertex is, clear if all are.
   Verdict pose() const {
     if (impinged > 0) return Verdict::impinged;
     return undecided > 0 ? Verdict::undecided : Verdict::clear;

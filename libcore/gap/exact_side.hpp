@@ -13,9 +13,10 @@
 
 namespace impinge {
 
-/// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged: a gap of zero
-/// or less? For one of the ball: is it on a face of the socket or beyond; never at the centre. For one of the
-/// socket: is it on a face of the ball or before it; always at the centre, if a face counts.
+/// Is a vertex of that surface, which a pose has at x in the frame of the other one, impinged, with a gap of
+/// zero or less? `faces` are those of the other surface. For one of the ball: is it on a face of the socket
+/// or beyond; never at the centre. For one of the socket: is it on a face of the ball or before it; always at
+/// the centre, if a face counts.
 bool exactly_impinged(Surface of, const NearFaces& faces, const Vec3& x);
 
 }  // namespace impinge

@@ -32,14 +32,14 @@ namespace impinge {
 
 /// Corners in a centre frame, mm, and their orientation.
 struct OverlayFace {
-  std::array<Vec3, 3> corner;  // as the face has them
+  std::array<Vec3, 3> corner;  // in the order of the face
   int side = 0;                // orientation of the corners; 0 only for one that a pose has moved
 };
 
 /// Does a face that is edge-on hold the centre, its boundary included? Exact.
 bool holds_centre(const OverlayFace& face);
 
-/// Which of the three directions above it is, or that the face of the socket holds the centre.
+/// Which of the three kinds of direction above it is; `centre`: the face of the socket holds the centre.
 enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
 
 /// A direction at which the gap over two faces may be smallest.
@@ -50,8 +50,8 @@ struct OverlayPoint {
   std::size_t socket = 0;  // the same of the socket's face
 };
 
-/// Calls visit(point) for each of them until it returns true; returns whether it did. The face that is at
-/// rest has a side other than 0.
+/// Calls visit(point) for each such direction until it returns true; returns whether it did. The side of the
+/// face at rest must not be 0.
 template <class Visit>
 bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& visit) {
   const auto beyond = [](const OverlayFace& face, const Vec3& x) {

@@ -18,7 +18,7 @@ struct GapHistogram {
 };
 
 /// Adds each vertex' area to the bin of its gap: [first + k width, first + (k + 1) width) for bin k. gap in
-/// mm, NaN where no surface is met; both of one size.
+/// mm, NaN where no surface is met; both must have the same size.
 GapHistogram gap_histogram(std::span<const double> gap, std::span<const double> vertex_area);
 
 }  // namespace impinge

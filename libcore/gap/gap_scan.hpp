@@ -17,8 +17,8 @@
 
 namespace impinge {
 
-/// gap has the size of the vertices (mm, in the frame of their own surface); the query is of the other
-/// surface.
+/// Gaps of `vertices` (mm, in the centre frame of their surface `of`) to the other surface, which `query`
+/// answers for. gap has the size of the vertices, mm.
 template <RadialQuery Query>
 void scan_gaps(const Query& query, std::span<const Vec3> vertices, const Pose& pose, Surface of,
                std::span<double> gap) {

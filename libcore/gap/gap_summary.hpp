@@ -18,8 +18,8 @@ struct GapSummary {
 };
 
 /// gap in mm, NaN where no surface is met; vertex_area in mm^2, see vertex_areas(). A vertex is impinged at a
-/// gap of `threshold` mm or less: 0 is bone on bone, the thickness of the cartilage is where its two layers
-/// touch (Section 3.4 takes 4 mm).
+/// gap of `threshold` mm or less: 0 is bone on bone, the thickness of the two layers of cartilage is where
+/// they touch (the thesis, Section 3.4, takes 4 mm).
 GapSummary summarise(std::span<const double> gap, std::span<const double> vertex_area, double threshold);
 
 }  // namespace impinge

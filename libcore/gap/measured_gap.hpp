@@ -19,14 +19,15 @@
 
 namespace impinge {
 
-/// Of a vertex of that surface, at x in the frame of the other one, mm, whose facing layer counts.
+/// Gap of a vertex of surface `of` at x (mm, frame of the other one) to `faces`, those of the other surface,
+/// whose facing layer counts. Without a surface and clear for x = 0.
 CertifiedGap measured_gap(Surface of, const NearFaces& faces, const Vec3& x);
 
 /// Gaps of one scan by a table and what is proven about them, by vertex, mm.
 struct BoundedScan {
   Surface scanned = Surface::ball;  // whose vertices
   const NearFaces& asked;           // the other surface
-  std::span<const Vec3> places;     // of the vertices, in the frame of that
+  std::span<const Vec3> places;     // of the vertices, in the frame of the other surface
   std::span<const double> gap;      // NaN where there is none
   std::span<const double> bound;    // infinite where nothing is proven
 };
@@ -38,7 +39,7 @@ struct SmallestBetween {
   std::size_t measured = 0;  // vertices whose bound left it open, so that they were measured on the faces
 };
 
-/// Of both scans. Bounds are believed.
+/// Over both scans. The bounds are relied on, not checked.
 SmallestBetween smallest_between(const BoundedScan& ball, const BoundedScan& socket);
 
 }  // namespace impinge

@@ -10,11 +10,11 @@
 
 namespace impinge {
 
-/// So far a matrix of few digits is a rotation.
+/// Largest difference of an entry by which a matrix of few digits still counts as a rotation.
 inline constexpr double kLargestSkew = 1e-4;
 
-/// The rotation nearest to a matrix in the least squares sense (Kabsch 1976); none where a number is off from
-/// it by more than kLargestSkew, or the matrix mirrors.
+/// The rotation nearest to a matrix in the least squares sense (Kabsch 1976); none where an entry is off from
+/// it by more than kLargestSkew or is not finite, or the matrix mirrors.
 inline std::optional<Eigen::Matrix3d> nearest_rotation(const Eigen::Matrix3d& given) {
   if (!given.allFinite()) return std::nullopt;
   const Eigen::JacobiSVD<Eigen::Matrix3d> parts(given, Eigen::ComputeFullU | Eigen::ComputeFullV);

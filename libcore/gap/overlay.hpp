@@ -19,7 +19,8 @@
 //     with the intersection of the surfaces is said and proven in reference/meeting_surfaces.hpp;
 //   * directions in which one surface is missing never count: an open rim ends the statement with the
 //     surface, its edges and corners included;
-//   * which faces count hangs on the meshes alone, and all else is a set of points that a pose moves: a face
+//   * which faces count depends on the meshes alone, and all else is a set of points that a pose moves: a
+//   face
 //     that a pose makes edge-on about the other centre, by rounding or in truth, is in it as it is in any
 //     other pose. A closed surface that is only turned loses nothing with its edge-on faces: their sides are
 //     sides of others, and along a ray of its plane a face is nearest and farthest on its sides. Shifted, it
@@ -57,7 +58,7 @@ class SurfaceOverlay {
   /// Is the pose impinged? Exact.
   bool impinged(const Pose& pose) const;
 
-  /// The deepest of all places of (1) and (2) that are impinged; none exactly if none is.
+  /// The deepest of all places where (1) or (2) holds; none if and only if the pose is not impinged.
   std::optional<OverlayContact> deepest(const Pose& pose) const;
 
   const TriangleMesh& ball() const { return sides_[0]->mesh; }    // in its centre frame

@@ -32,12 +32,12 @@ inline const TriangleMesh& mesh_of(const BallSocketPair& joint, Surface of) {
 /// The layer that faces the other surface.
 constexpr Layer facing_layer(Surface of) { return of == Surface::ball ? Layer::farthest : Layer::nearest; }
 
-/// A point of the surface, in the frame of the other one, mm.
+/// Takes a point of the surface to the frame of the other one, mm.
 inline Vec3 to_other(Surface of, const Pose& pose, const Vec3& point) {
   return of == Surface::ball ? to_socket(pose, point) : to_ball(pose, point);
 }
 
-/// Radius of the other surface minus length is the gap of a vertex of the ball; of the socket, its negative.
+/// +1 for the ball, -1 for the socket: the gap of a vertex is sign * (radius of the other surface - length).
 template <class Real>
 constexpr Real gap_sign(Surface of) {
   return of == Surface::ball ? Real{1} : Real{-1};

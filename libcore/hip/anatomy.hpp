@@ -9,16 +9,16 @@
 
 namespace impinge {
 
-/// Of the body, the patient's own.
+/// Side of the body: the patient's own left or right.
 enum class Side { left, right };
 
-/// "left" or "right", else std::invalid_argument.
+/// Reads "left" or "right"; std::invalid_argument for anything else.
 Side parse_side(std::string_view text);
 
 /// Rotation from the input frame to the joint frame (x right, y anterior, z superior) for an axis code: three
-/// letters that say where +x, +y and +z point, of R or L (right, left), A or P (anterior, posterior), S or I
-/// (superior, inferior) in any order. "RAS" is the identity, "LPS" that of DICOM and ITK.
-/// std::invalid_argument for anything else, and for a left-handed code, which would mirror the patient.
+/// letters that say where +x, +y and +z point, one each of R or L (right, left), A or P (anterior, posterior)
+/// and S or I (superior, inferior), in any order. "RAS" gives the identity; DICOM and ITK use "LPS".
+/// std::invalid_argument for any other text, and for a left-handed code, which would mirror the patient.
 Eigen::Matrix3d input_to_joint(std::string_view axis_code);
 
 }  // namespace impinge

@@ -10,20 +10,21 @@
 
 namespace impinge {
 
-/// Thickness of both layers together (mm, 0 or more) in some directions from the centre (unit vectors). It
-/// stays with the socket when the ball moves.
+/// Thickness of both layers together (mm, 0 or more) at sampled directions from the centre. The map stays
+/// with the socket when the ball moves.
 struct CartilageMap {
   std::vector<Vec3> directions;   // unit vectors from the centre of the socket
   std::vector<double> thickness;  // of each direction, mm
 };
 
-/// Thickness along a direction: the mean of the four nearest of the map, weighted by the inverse square of
-/// their distance (Shepard 1968), so that the map's own values come back at its directions and no value lies
-/// outside of theirs. The map must not be empty.
+/// Thickness (mm) along a direction of any length above 0: the mean over the map's four nearest directions,
+/// weighted by the inverse square of their distance (Shepard 1968). It reproduces the map's values at its own
+/// directions and never leaves their range. The map must not be empty.
 double thickness_at(const CartilageMap& map, const Vec3& direction);
 
-/// Gaps as shares of the thickness at their places (centre frame, posed): 1 where the two layers of cartilage
-/// begin to touch. Negative gaps, bone in bone, stay as they are; a gap over no cartilage is infinite.
+/// Each gap (mm) divided by the thickness at its place (centre frame, posed): 1 where the two layers of
+/// cartilage begin to touch. Gaps of 0 or less, bone on bone, stay in mm; a gap over no cartilage is
+/// infinite; NaN stays NaN.
 std::vector<double> shares_of_cartilage(std::span<const double> gap, std::span<const Vec3> places,
                                         const CartilageMap& map);
 

@@ -25,7 +25,7 @@ struct ClockFace {
 std::optional<ClockFace> clock_about(const Vec3& axis);
 
 /// The dial of a socket (joint frame, centre as origin), about the area-weighted mean direction of the
-/// surface; none also if the mean vanishes.
+/// surface; none as in clock_about(), or if the mean vanishes.
 std::optional<ClockFace> clock_face(const TriangleMesh& socket);
 
 /// A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
@@ -35,9 +35,9 @@ struct ClockZone {
   double area = 0.0;  // mm^2
 };
 
-/// Stretches that hold some area, at a resolution of a quarter of an hour; gaps of one quarter are bridged.
-/// hours and area have the same size. The largest area first. A full turn is one zone from
-/// 0 to 0.
+/// Groups points at `hours`, each with its `area` (mm^2, same size), into stretches of the dial: resolved to
+/// a quarter of an hour, gaps of one quarter bridged, the largest area first. A full turn is one zone from 0
+/// to 0.
 std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<const double> area);
 
 /// "1:30" for 1.5; 0 is "12:00".

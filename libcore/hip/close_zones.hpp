@@ -9,15 +9,15 @@
 
 namespace impinge {
 
-/// One surface in a pose: of each vertex its place (joint frame, centre as origin, mm), its gap (mm, NaN
-/// where the other surface is not met) and its share of the surface (mm^2, vertex_areas()). All of one size.
+/// One surface in a pose: for each vertex its place (joint frame, centre as origin), its gap (NaN where the
+/// other surface is not met) and its share of the surface (vertex_areas()). All of one size.
 struct PosedGaps {
   std::span<const Vec3> vertices;  // mm
-  std::span<const double> gap;     // mm, of each
+  std::span<const double> gap;     // mm, or shares of the cartilage (cartilage_map.hpp)
   std::span<const double> area;    // mm^2, of each
 };
 
-/// Stretches of the dial with a gap of at most `threshold` mm, the largest area first.
+/// Stretches of the dial with a gap of at most `threshold` (in the gaps' unit), the largest area first.
 std::vector<ClockZone> close_zones(const ClockFace& dial, const PosedGaps& surface, double threshold);
 
 }  // namespace impinge

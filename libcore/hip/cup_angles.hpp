@@ -10,18 +10,18 @@ namespace impinge {
 
 /// Degrees. The axis points out of the opening.
 struct CupAngles {
-  double inclination_deg = 0.0;  // from straight down to the axis as the coronal plane sees it, laterally
-  double anteversion_deg = 0.0;  // of the axis from the coronal plane, forward
+  double inclination_deg = 0.0;  // from straight down to the axis projected on the coronal plane; lateral +
+  double anteversion_deg = 0.0;  // from the coronal plane to the axis; forward +
 };
 
-/// Those of an axis, unit vector.
+/// The angles of an opening axis (unit vector).
 CupAngles cup_angles(const Vec3& opening, Side side);
 
-/// Turns a socket that looks straight down to these angles: by the anteversion about the transverse axis
-/// first, then by the inclination about the axis that runs forward.
+/// Rotation that gives these angles to a socket that opens straight down: first by the anteversion about the
+/// transverse axis, then by the inclination about the anterior axis.
 Eigen::Matrix3d cup_rotation(const CupAngles& angles, Side side);
 
-/// Turns the pelvis by that about the transverse axis, degrees: back where it is positive, which opens the
+/// Rotation of the pelvis about the transverse axis, degrees: positive tilts it backwards, which opens the
 /// socket forward.
 Eigen::Matrix3d pelvic_tilt(double backwards_deg);
 

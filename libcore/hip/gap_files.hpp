@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-/// One surface as it is posed: the places of its vertices in the input frame and their gaps, mm, NaN where
-/// the other surface is not met. Of one size.
+/// One posed surface: the places of its vertices and their gaps, NaN where the other surface is not met. Both
+/// have the same size.
 struct GapsOfSurface {
   Surface surface = Surface::ball;  // whose vertices they are
   std::span<const Vec3> places;     // mm, input frame
@@ -19,8 +19,7 @@ struct GapsOfSurface {
 };
 
 /// surface,vertex,x,y,z,gap_mm with a header line; numbers as the shortest text that reads back as the same
-/// double, and no gap where there is none. All of the ball, then all of the socket; an empty one has no
-/// lines.
+/// double; gap_mm is empty for NaN. All of the ball, then all of the socket; an empty surface has no lines.
 std::string gaps_csv(const GapsOfSurface& ball, const GapsOfSurface& socket);
 
 }  // namespace impinge

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours that show a gap (thesis, Section 3.4 and Figure 41), and their thresholds: the one place that
-// has them.
+// The colours that show a gap (thesis, Section 3.4 and Figure 41), and their thresholds.
 //
 // The thesis names purple where the bones touch, red, orange and yellow within the thickness of the
 // cartilage, and beyond it green on the ball and blue on the socket. It does not say where one colour ends:
@@ -16,15 +15,15 @@
 
 namespace impinge {
 
-/// Gaps above the level before and up to this one, mm.
+/// A range of gaps: above the previous level, up to this one.
 struct GapLevel {
   double up_to_mm = 0.0;     // infinite for the last
   std::string_view meaning;  // as a legend says it
   Rgb colour{};              // of vertices with such a gap
 };
 
-/// Levels from contact outwards for a cartilage thickness in mm (both layers together). With thickness 0
-/// there are two.
+/// Levels from contact outwards for a cartilage thickness in mm (both layers together): five, or two (contact
+/// and no contact) with thickness 0.
 std::vector<GapLevel> gap_levels(Surface surface, double cartilage_mm);
 
 /// Colour of a gap; light grey for NaN, where the other surface is not met.

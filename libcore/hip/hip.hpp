@@ -15,25 +15,25 @@ namespace impinge {
 
 struct Hip {
   TriangleMesh ball;    // closed, outward normals; star-shaped about the centre up to the bend of the shaft,
-                        /// and all of it with shaft_length = 0
+                        // everywhere with shaft_length = 0
   TriangleMesh socket;  // normals towards the centre; open and star-shaped, or with a wall a closed shell
-  /// Closed bodies behind those of either mesh (mesh/mesh_parts.hpp): what is said above is of the rest.
+  /// Closed bodies at the end of either mesh (mesh/mesh_parts.hpp); the lines above describe the mesh without
+  /// them.
   std::vector<MeshPart> ball_parts;
-  std::vector<MeshPart> socket_parts;  // of the socket, see above
+  std::vector<MeshPart> socket_parts;  // the same of the socket
 };
 
 inline constexpr std::size_t kHipFaces = 12000;  // a surface, as in the thesis
 
-/// Joint frame, mm, the centre of the head as origin. Vertices lie on the smooth surfaces of hip_surface.hpp,
-/// closer together where head and neck meet; a ring of them lies on the rim. About `faces` faces a surface
-/// (within 3 %; at least kFewestHipFaces, else std::invalid_argument), and those of the parts with edges
-/// of about twice the length. Impossible parameters as in
-/// require_possible(). The left hip is the mirror image of the right one.
-inline constexpr std::size_t kFewestHipFaces = 500;
-/// The ball and the socket of these parameters, see above.
+inline constexpr std::size_t kFewestHipFaces = 500;  // that make_hip() accepts, a surface
+/// The ball and the socket of these parameters: joint frame, mm, the centre of the head as origin. Vertices
+/// lie on the smooth surfaces of hip_surface.hpp, closer together where head and neck meet; a ring of them
+/// lies on the rim. About `faces` faces a surface (within 3 %); edges of the parts are about twice as long.
+/// std::invalid_argument for fewer than kFewestHipFaces faces and for parameters that make no hip
+/// (hip_checks.hpp). The left hip is the mirror image of the right one.
 Hip make_hip(const HipParameters& parameters, std::size_t faces = kHipFaces);
 
-/// Both without their parts.
+/// Ball and socket without their parts.
 BallSocketPair main_surfaces(const Hip& hip);
 
 }  // namespace impinge

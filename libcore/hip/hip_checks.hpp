@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes no hip. Each function throws std::invalid_argument, one line that names the parameter, the
-// reason and the cure.
+// Refuses parameters that make no hip. Each function throws std::invalid_argument, one line that names the
+// parameter, the reason and the cure.
 #pragma once
 
 #include "hip/hip_surface.hpp"
 
 namespace impinge {
 
-/// A parameter outside of its range, or one half of a conchoid.
+/// Refuses a parameter outside of its range, one of conchoid_a and conchoid_b alone, and a <= b.
 void require_range(const HipParameters& parameters);
 
-/// A neck too thin, too thick or too short to be seen between head and shaft; a rim too near to a pole.
+/// Refuses a neck too thin, too thick or too short to be told from head and shaft, and a rim too near to a
+/// pole.
 void require_shape(const HipSurface& hip);
 
-/// A ball that penetrates the socket at rest, as a cam does that is higher than the joint space where it is
-/// covered, or parts of bone that touch what they face. Sampled at every second degree or so.
+/// Refuses a ball that penetrates the socket at rest (such as a cam under the socket that is higher than the
+/// joint space), and parts of bone that touch the other bone. Sampled about every 2 degrees.
 void require_free_at_rest(const HipSurface& hip);
 
 }  // namespace impinge

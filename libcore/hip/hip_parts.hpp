@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bone beside a generated joint that can stop it: trochanters and the anterior inferior iliac spine, as
-// ellipsoids. Joint frame, of a right hip, the centre of the head as origin, mm.
+// Bone beside a generated joint that can stop its motion: trochanters and the anterior inferior iliac spine,
+// as ellipsoids. Joint frame of a right hip, the centre of the head as origin, mm.
 #pragma once
 
 #include <string>
@@ -17,14 +17,14 @@ struct BonePart {
   Vec3 middle;           // mm
   Eigen::Matrix3d axes;  // its half axes as columns, mm; of determinant above 0
 
-  /// Where a ray from the origin enters and leaves it, mm; NaN where it does not meet it.
+  /// Distance at which a ray from the origin enters the ellipsoid, mm; NaN if it misses.
   double nearest(const Vec3& direction) const;
-  double farthest(const Vec3& direction) const;  // where it leaves it, see above
+  double farthest(const Vec3& direction) const;  // the same where it leaves
 };
 
-/// Greater and lesser trochanter, those that there are: they stand on the shaft.
+/// The greater and lesser trochanter, as far as the hip has them.
 std::vector<BonePart> femur_parts(const HipSurface& hip);
-/// The spine, if there is one.
+/// The anterior inferior iliac spine, if the hip has one.
 std::vector<BonePart> acetabulum_parts(const HipSurface& hip);
 
 /// Closed, normals outward, vertices on the ellipsoid; edges are about `spacing` mm long, and there are no

@@ -22,7 +22,7 @@ namespace impinge {
 
 std::span<const std::string_view> hip_preset_names();  // those above, in that order
 
-/// std::invalid_argument, one line with the names there are, for another name.
+/// The parameters of a preset. std::invalid_argument, one line with all names, for any other name.
 HipParameters hip_preset(std::string_view name);
 
 }  // namespace impinge

@@ -19,8 +19,8 @@ struct HipSurface {
   double neck_radius = 0.0;      // mm, head radius less head_neck_offset
   double socket_radius = 0.0;    // mm, head radius and joint space
   Vec3 socket_centre;            // relative to that of the head
-  double bend_radius = 0.0;      // of the neck axis where it turns to the shaft
-  double conchoid_origin = 0.0;  // distance of the conchoid's origin from the centre, along the neck axis
+  double bend_radius = 0.0;      // of the neck axis where it turns to the shaft, mm
+  double conchoid_origin = 0.0;  // distance of the conchoid's origin from the centre, along the neck axis, mm
   double lateral_clock = 0.0;    // where the rim crosses the coronal plane laterally, hours
   double lateral_raise = 0.0;    // of the rim there, radians
 };
@@ -31,31 +31,30 @@ HipSurface hip_surface(const HipParameters& parameters);
 /// Unit vector at `polar` radians from an axis (the neck, or the pole of the socket) at `hours` of its clock.
 Vec3 clock_direction(const Vec3& axis, const ClockFace& clock, double polar, double hours);
 
-/// Distance of the head with its cam from the centre, mm; and of head and neck, which is that of the ball up
-/// to where the neck bends to the shaft.
+/// Distance from the centre to the head with its cam along a direction, mm.
 double head_radius(const HipSurface& hip, const Vec3& direction);
-double head_neck_radius(const HipSurface& hip, const Vec3& direction);  // of head and neck, see above
+/// The same to head and neck: the radius of the ball up to where the neck bends to the shaft.
+double head_neck_radius(const HipSurface& hip, const Vec3& direction);
 
-/// The same without a cam, at `polar` radians from the neck axis.
+/// head_neck_radius() without a cam, at `polar` radians from the neck axis, mm.
 double plain_head_neck_radius(const HipSurface& hip, double polar);
 
 /// Distance from the centre to where the neck begins to bend, along its axis, mm.
 double neck_end(const HipSurface& hip);
 
-/// Distance of the socket from the centre, mm, within its rim or beyond.
+/// Distance from the centre of the head to the socket along a direction, mm, within its rim or beyond.
 double socket_radius(const HipSurface& hip, const Vec3& direction);
 
-/// The same from the centre of the socket.
+/// The same from the centre of the socket, along a direction from there.
 double inner_radius(const HipSurface& hip, const Vec3& from_socket_centre);
 
 /// Angle of the rim from the pole of the socket, seen from the centre of the socket, radians.
 double rim_polar(const HipSurface& hip, double hours);
 
+inline constexpr double kAlphaShare = 0.02;  // see alpha_angle_deg(); about half a millimetre on a head
 /// Alpha angle at a clock position about the neck: the largest angle from the neck axis, in degrees, at which
 /// the surface is farther from the centre than the head by more than kAlphaShare of its radius. (Noetzli 2002
-/// takes the point where the surface leaves the circle; the share makes that a number which a mesh can give
-/// back: half a millimetre.)
-inline constexpr double kAlphaShare = 0.02;
-double alpha_angle_deg(const HipSurface& hip, double hours);  // the alpha angle, degrees
+/// takes the point where the surface leaves the circle; on a mesh that needs a tolerance.)
+double alpha_angle_deg(const HipSurface& hip, double hours);
 
 }  // namespace impinge

@@ -31,11 +31,11 @@ struct Joint {
   JointPart socket;                        // about the centre
   Vec3 centre = Vec3::Zero();              // mm, input frame
   std::optional<SphereFit> fit;            // if the centre was fitted
-  std::optional<CartilageMap> cartilage;   // centre frame; none where it is as thick everywhere
+  std::optional<CartilageMap> cartilage;   // centre frame; none: one thickness everywhere
   std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
-  std::optional<AnatomicalFrames> frames;  // of landmarks; see use_frames()
+  std::optional<AnatomicalFrames> frames;  // from landmarks; see use_frames()
   std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
-  std::size_t doubts = 0;                  // so many: another unit, side, place
+  std::size_t doubts = 0;                  // number of these: a doubtful unit, side or place
 };
 
 /// A mesh in the input frame, mm, and what messages call it.
@@ -45,12 +45,12 @@ struct NamedMesh {
   std::vector<MeshPart> parts{};  // of the mesh, behind its main surface
 };
 
-/// How the program that asks says things, so that a message tells what to do there.
+/// What the calling program names its inputs, so that messages tell its user what to do.
 struct JointWording {
   std::string centre = "with --centre X,Y,Z";               // how a centre is given
   std::string meshes = "the files of --ball and --socket";  // how the two meshes are given
-  /// How side and axes are given. The side would be the wrong one to change where the axes are wrong: front
-  /// and back would change places.
+  /// How side and axes are given. Axes come first: to change the side where the axes are wrong would swap
+  /// front and back.
   std::string side = "--axes first (3D Slicer and DICOM have LPS), then --side";
 };
 
@@ -64,20 +64,20 @@ struct JointInput {
   JointWording wording;        // of messages
 };
 
-/// Examines both meshes about the centre. std::runtime_error, one line with the name of the mesh and what to
-/// do, where one mesh is given for both, no sphere fits the ball, the centre is outside of the ball, the
-/// socket is not round it, the two have changed places (arrangement.hpp), or one of them is in another unit
-/// of length (length_unit.hpp). One of a size that no human joint has in mm, a socket on the lateral side of
-/// the ball, as if left and right were mixed up, or far from it, and a ball that is a cap get a warning. All
-/// that is of the main surfaces: parts are only looked through for faces that are odd.
+/// Puts both meshes into the centre frame and examines them. std::runtime_error, one line with the name of
+/// the mesh and what to do, if one mesh is given for both, no sphere fits the ball, the centre is outside of
+/// the ball, no ray from the centre meets the socket, the two are swapped (arrangement.hpp), or one of them
+/// is in another unit of length (length_unit.hpp). Warnings are given for a size that no human joint has in
+/// mm, a socket lateral to the ball (left and right mixed up) or far from it, a ball that is only a cap, and
+/// faulty faces. All but the last are checked on the main surfaces alone.
 Joint assemble_joint(JointInput input);
 
-/// std::runtime_error, one line, where there is bone beside the joint: `what` is worked out of the main
-/// surfaces alone.
+/// std::runtime_error, one line, if the joint has parts of bone beside it; `what` names the question that
+/// takes only the main surfaces into account.
 void require_no_parts(const Joint& joint, const std::string& what);
 
-/// From here on the joint frame is that of the pelvis, and angles are 0 where femur and pelvis are aligned:
-/// where the frames have a femur, the ball is turned so.
+/// Makes the pelvic frame the joint frame. If `frames` has a femur, the ball's mesh is turned to be aligned
+/// with the pelvis, so that all angles are 0 there.
 void use_frames(Joint& joint, const AnatomicalFrames& frames);
 
 }  // namespace impinge

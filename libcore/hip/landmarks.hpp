@@ -4,11 +4,11 @@
 /// doi:10.1016/S0021-9290(01)00222-6), written in our order of axes (x right, y anterior, z superior; theirs
 /// are z, x and y).
 ///
-/// Pelvis: right along the line from the left to the right ASIS. Theirs is level with the midpoint of the
-/// PSIS, which a scan of a hip rarely shows; ours stands with the anterior pelvic plane, of both ASIS and the
-/// middle of the pubic tubercles (Lewinnek et al. 1978), upright. The pelvic tilt between that plane and the
-/// frame of the scan is reported, since no landmark says how the patient stands. Femur: superior from the
-/// middle of the epicondyles to the centre of rotation; right in the plane of these three.
+/// Pelvis: x runs along the line from the left to the right ASIS. Wu et al. level the frame by the midpoint
+/// of the PSIS, which a scan of a hip rarely shows. Here the anterior pelvic plane, through both ASIS and the
+/// middle of the pubic tubercles (Lewinnek et al. 1978), is upright. The pelvic tilt between that plane and
+/// the frame of the scan is reported, since no landmark says how the patient stands. Femur: z runs from the
+/// middle of the epicondyles to the centre of rotation; x lies in the plane of these three points.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct Landmarks {
   std::optional<Vec3> epicondyle_lateral;
 };
 
-/// Rotations from the frame of the meshes to anatomical ones: rows are right, anterior and superior.
+/// Rotations from the frame of the meshes to anatomical frames: rows are right, anterior and superior.
 struct AnatomicalFrames {
   Eigen::Matrix3d pelvis = Eigen::Matrix3d::Identity();
   std::optional<Eigen::Matrix3d> femur;  // none without epicondyles
@@ -37,15 +37,15 @@ struct AnatomicalFrames {
   std::optional<Motion> scanned;  // angles of the femur in the scan, degrees; none without epicondyles
 };
 
-/// `axes` is where the meshes' axes point (hip/anatomy.hpp), the centre that of rotation, frame of the
-/// meshes. std::invalid_argument, one line, where a point of the pelvis is missing, one epicondyle is given
-/// alone, points are too close together, or left and right, above and below, or medial and lateral contradict
-/// the axes and the side.
+/// `centre` is the centre of rotation in the frame of the meshes (mm), `axes` the rotation of
+/// input_to_joint() (hip/anatomy.hpp). std::invalid_argument, one line, if a point of the pelvis is missing,
+/// one epicondyle is given alone, epicondyles are given without a side, points are closer than 20 mm, or
+/// left and right, above and below, or medial and lateral contradict the axes and the side.
 AnatomicalFrames anatomical_frames(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,
                                    const Eigen::Matrix3d& axes);
 
-/// The motion whose joint_rotation() is this one; flexion and rotation of a femur that is abducted by 90
-/// degrees are not told apart.
+/// The motion whose joint_rotation() is `rotation`. At 90 degrees of abduction, flexion and rotation cannot
+/// be told apart.
 Motion motion_of_rotation(const Eigen::Matrix3d& rotation, Side side);
 
 }  // namespace impinge

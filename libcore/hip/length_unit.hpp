@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files do not say their unit of length. A mesh in metres or centimetres beside one in millimetres, or
-// two of them, are known by their size.
+// Mesh files do not say their unit of length. Metres or centimetres, in one mesh or in both, are recognised
+// by the size of the meshes.
 #pragma once
 
 #include <string>
@@ -15,16 +15,16 @@ struct Reach {
   double farthest = 0.0;  // the largest of them
 };
 
-/// Of a mesh in the centre frame that has faces.
+/// Reach of the face corners of a mesh, which is in the centre frame and has faces.
 Reach reach_of(const TriangleMesh& mesh);
 
-/// Empty where the two can face each other in a joint; otherwise what is wrong, and what to do: all of one
-/// surface is more than five times as far from the centre as all of the other, or one is so in most of the
-/// directions that both cover: the ratio of Facing (arrangement.hpp), NaN where that is not known.
+/// Empty if the two may be in one unit; otherwise what is wrong and what to do. Wrong is that one surface is
+/// everywhere more than five times as far from the centre as the other, or that the median `ratio` of radii
+/// (Facing::ratio in arrangement.hpp; NaN if unknown) is above 5 or below 1/5.
 std::string different_units(const Reach& ball, const Reach& socket, double ratio);
 
-/// Empty where a human ball has this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to look at: in
-/// centimetres it has 2 to 3, and so it has in mm in a rat.
+/// Empty if a human ball may have this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to check: 2
+/// to 3 may be a human ball in centimetres, or a rat's in mm.
 std::string doubtful_unit(double ball_radius);
 
 }  // namespace impinge

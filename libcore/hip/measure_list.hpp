@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-/// One measure. Nothing of a value that is refused. What is published of it: hip/published_measures.hpp.
+/// One measure; it has no value if it is refused. Published values: hip/published_measures.hpp.
 struct Measure {
   std::string name;                   // such as femoral_torsion
   std::optional<double> value;        // in `unit`
@@ -25,11 +25,11 @@ struct Measure {
 /// alpha_at_2 ... alpha_at_11 (o'clock about the neck), socket_radius, inclination, version, half_opening,
 /// lateral_centre_edge and coverage (hip/hip_measures.hpp), in this order, of meshes in the joint frame.
 ///
-/// Each is measured again with every choice of the measurement (MeasureChoices) varied to either side; the
-/// uncertainty is the farthest that it moves. A measure that moves by more than 10 degrees, 2 mm or a tenth,
-/// or is lost on the way, is refused: its mesh does not carry it. Where more than a tenth of the rim is the
-/// end of the mesh, what hangs on the rim says so: a socket that was cut within its rim looks like one that
-/// ends there. What is not in the meshes, as where the pelvis lay, is not in the uncertainty.
+/// Each is measured again with each of the MeasureChoices varied to either side; the uncertainty is the
+/// largest change. A measure that changes by more than 10 degrees, 2 mm or 0.1 (coverage), or is not found
+/// with one of the choices, is refused. If more than a tenth of the rim is a boundary of the mesh, the
+/// measures that depend on the rim say so in their state: a socket cut within its rim looks like one that
+/// ends there. What the meshes do not show, such as how the pelvis lay, is not in the uncertainty.
 std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side);
 
 }  // namespace impinge

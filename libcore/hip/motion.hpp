@@ -30,12 +30,11 @@ struct MotionName {
 /// flexion, extension, abduction, adduction, internal_rotation, external_rotation.
 std::span<const MotionName> motion_names();
 
-/// std::invalid_argument, one line with all names, for any other.
+/// The motion of that name. std::invalid_argument, one line with all names, for any other.
 const MotionName& motion_name(std::string_view name);
 
-/// Reads "flexion=90,internal_rotation=10". Names: flexion, extension, abduction, adduction,
-/// internal_rotation, external_rotation; an angle is given once for each of the three axes.
-/// std::invalid_argument, one line, otherwise.
+/// Reads "flexion=90,internal_rotation=10": names of motion_names(), degrees from -180 to 180, each of the
+/// three axes at most once. std::invalid_argument, one line, for anything else.
 Motion parse_motion(std::string_view text);
 
 /// Rotation of the ball in the joint frame. The axes follow the joint coordinate system for the hip (Grood
@@ -45,26 +44,27 @@ Motion parse_motion(std::string_view text);
 /// std::invalid_argument.
 Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
 
-/// The joint's turn while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in radians.
-/// R(0) is joint_rotation(start). std::invalid_argument as for joint_rotation().
+/// Rotation of the ball while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in
+/// radians, R(0) = joint_rotation(start).
 struct JointTurn {
-  /// Of the angles that are applied after the one that grows.
+  /// Rotation by the angles that are applied after the growing one.
   Eigen::Matrix3d outer = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();      // unit vector
-  Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();  // of those that are applied before it
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // unit vector
+  /// Rotation by the growing angle's start value and the angles that are applied before it.
+  Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
 };
-/// The turn that begins at `start`.
+/// The turn that begins at `start`. std::invalid_argument as for joint_rotation().
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
 
-/// No joint turns farther than this in any of its angles: degrees from the pose of the scan.
+/// Largest size of each angle of a motion, degrees from the pose of the scan.
 inline constexpr double kLargestAngle = 180.0;
 
-/// How far an angle may grow from a start until it is beyond any anatomy, degrees. std::invalid_argument
-/// where it is so at the start.
+/// How far an angle may grow from `start` until its size is kLargestAngle, degrees. std::invalid_argument if
+/// nothing is left.
 double largest_growth(const Motion& start, const MotionName& growing);
 
-/// From one motion to another, every angle in equal steps, both ends included: the fewest steps of which none
-/// changes an angle by more than step_deg, above 0.
+/// Motions from one to another in equal steps, both ends included: as few steps as possible, none of which
+/// changes an angle by more than step_deg (above 0).
 std::vector<Motion> motion_path(const Motion& from, const Motion& to, double step_deg);
 
 }  // namespace impinge

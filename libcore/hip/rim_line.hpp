@@ -16,9 +16,9 @@ struct RimPoint {
   Vec3 place = Vec3::Zero();  // frame of the socket, mm
 };
 
-/// The dial is cut into `sectors` of equal size; of each the vertex of a face that is farthest from the axis
-/// of the socket, as seen from the centre, clockwise from 12 o'clock. A sector without vertices has no point.
-/// socket and dial in the joint frame, the centre as origin.
+/// Cuts the dial into `sectors` of equal size and takes from each the vertex that, seen from the centre, is
+/// at the largest angle from the pole of the socket; vertices without faces do not count. Clockwise from 12
+/// o'clock; a sector without vertices has no point. socket and dial in the joint frame, the centre as origin.
 std::vector<RimPoint> rim_line(const TriangleMesh& socket, const ClockFace& dial, std::size_t sectors);
 
 }  // namespace impinge

@@ -21,30 +21,28 @@ struct SphereFit {
 
 /// Geometric least squares (Eberly 1999, "Least squares fitting of data", as in Section 3.4): the centre and
 /// radius that minimise sum w_i (|x_i - c| - r)^2, by Gauss-Newton from the algebraic fit. weight is empty
-/// (all 1) or has one weight a point, none negative. std::invalid_argument for fewer than four points or
-/// points in a plane, or points that
-/// no sphere fits best (the iteration does not settle).
+/// (all 1) or has one weight a point, none negative. std::invalid_argument for fewer than four points, points
+/// in a plane, or points for which the iteration does not converge.
 SphereFit fit_sphere(std::span<const Vec3> points, std::span<const double> weight = {});
 
-/// Options of fit_ball(); lengths as shares of the radius found.
+/// Options of fit_ball(); lengths as shares of the sphere's radius.
 struct BallFitOptions {
-  double start_tolerance = 0.05;  // points that close to a trial sphere vote for it
+  double start_tolerance = 0.05;  // points this close to a trial sphere vote for it
   double trim = 0.06;             // residuals above this are left out: 1.5 mm on a head of 25 mm
-  double scales = 2.5;            // and those above so many standard deviations
+  double scales = 2.5;            // residuals above this many standard deviations are left out, too
   int trials = 1500;              // trial spheres
   unsigned seed = 1;              // of the choice of trial spheres
 };
 
 /// Centre of a ball whose mesh may hold more than the ball, such as a whole femur; also of a socket with its
 /// rim and fossa. The thesis cut the region by hand (Figure 38); here
-///   1. trial spheres, through four vertices or through two with their normals, are voted for by the area of
-///      the vertices that lie on them with a normal along the radius: the best covered sphere wins, as a
-///      share of its own area, so that a large sphere which a few bumps touch does not;
+///   1. trial spheres go through four vertices, or through two with their normals. The one wins of whose own
+///      area the largest share is covered by vertices that lie on it with a normal along the radius; so a
+///      large sphere that only a few bumps touch does not win;
 ///   2. fit_sphere() with vertex areas as weights is repeated over the outward vertices whose residual is
-///   below
-///      `trim` and below `scales` standard deviations (1.4826 times the median residual, which the neck
-///      hardly moves) until these stay the same.
-/// Deterministic. std::invalid_argument as fit_sphere().
+///      below `trim` and below `scales` standard deviations (1.4826 times the median residual, which the neck
+///      hardly changes), until these vertices stay the same.
+/// Deterministic. std::invalid_argument as for fit_sphere().
 SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options = {});
 
 /// The deviation map of Figures 38 and 39: distance of each vertex from the sphere, positive outside of it,

@@ -10,13 +10,13 @@
 
 namespace impinge {
 
-/// The surface on which the image, linear between voxels, has this value (vtkFlyingEdges3D), normals towards
-/// smaller values. Closed where the image is below the level at its border. std::invalid_argument for an
-/// image whose values are not as many as its voxels.
+/// The surface on which the image, linear between voxels, has the value `level` (vtkFlyingEdges3D); normals
+/// point to smaller values; frame of the image, mm. Closed if the image is below the level at its border.
+/// std::invalid_argument unless the image has one value for each voxel.
 TriangleMesh isosurface(const VoxelImage& image, double level);
 
-/// Down to so many faces, where vtkQuadricDecimation gets there: it stops before it where no further step is
-/// left to it. The mesh itself where it has no more.
+/// Reduces a mesh to about `faces` faces by vtkQuadricDecimation, which may stop earlier. Returns the mesh
+/// itself if it has no more than that.
 TriangleMesh decimate(const TriangleMesh& mesh, std::size_t faces);
 
 /// The library and its version, for the record of a result.

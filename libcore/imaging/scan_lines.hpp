@@ -13,7 +13,7 @@ namespace impinge {
 
 inline constexpr double kLineSpacing = 0.25;  // mm, at most
 
-/// Lines along x through the voxels, on a grid of its own in y and z.
+/// Lines along x through the voxels, on a regular grid in y and z that is finer than the voxels.
 struct ScanLines {
   std::array<std::size_t, 2> per_voxel{};  // lines along its sides in y and in z
   std::array<std::size_t, 2> count{};      // of lines along y and along z
@@ -26,17 +26,17 @@ struct ScanLines {
   }
 };
 
-/// Where a line crosses the surface; +1 into the body, -1 out of it.
+/// Where a line crosses the surface.
 struct LineCrossing {
   double x;  // mm
-  int step;  // +1 or -1
+  int step;  // +1 into the body, -1 out of it
 };
 
 /// Two lines or more along each side of a voxel.
 ScanLines lines_of(const VoxelImage& image);
 
-/// Crossings of every line, y fastest, in no order along it. A line that meets an edge or a vertex crosses
-/// one of the faces there as one beside it would.
+/// Crossings of every line, lines with y fastest, the crossings of a line in no order. A line that meets an
+/// edge or a vertex is treated as if it passed just beside it.
 std::vector<std::vector<LineCrossing>> cross_all(const ScanLines& lines, const TriangleMesh& body);
 
 }  // namespace impinge

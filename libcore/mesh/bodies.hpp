@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Generated bodies with known answers. Lengths in millimetres, normals outward (cup: towards the centre).
-// "Mesh radius" is the distance from the origin to the faces, "radius" that to the smooth surface behind
-// them. All functions throw std::invalid_argument, one line, for sizes that give no such body.
+// "Mesh radius" is the distance from the origin to the faces, "radius" that to the smooth surface which they
+// approximate. All functions throw std::invalid_argument, one line, for sizes that give no such body.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-/// Sphere about `centre`. faces: even, 8 or more; met exactly. Vertices on the sphere, see rings.hpp.
+/// Sphere about `centre` with exactly `faces` faces: even, 8 or more. Vertices on the sphere, see rings.hpp.
 TriangleMesh sphere(double radius, std::size_t faces, const Vec3& centre = Vec3::Zero());
 
 /// Distance from the origin to that sphere along a direction, for |centre| < radius:
@@ -40,7 +40,7 @@ TriangleMesh cone(const ConeShape& shape = {});  // that pyramid, which is a con
 double cone_mesh_radius(const Vec3& direction, const ConeShape& shape = {});
 
 /// Open spherical cap about the origin with its pole on +z, and its rim at half_opening_deg (degrees, in (0,
-/// 180)) from the pole. Normals towards the centre, as those of a socket. faces: 3 or more; met exactly.
+/// 180)) from the pole. Normals towards the centre, as those of a socket. Exactly `faces` faces, 3 or more.
 TriangleMesh cup(double inner_radius, double half_opening_deg, std::size_t faces);
 
 }  // namespace impinge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where +x, +y and +z of mesh files point, as their headers say it.
+// Where +x, +y and +z of mesh files point, as their headers declare.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace impinge {
 
 /// "RAS" or "LPS" of a header that has SPACE=RAS or SPACE=LPS, which 3D Slicer writes
 /// (vtkMRMLModelStorageNode): in a comment of PLY, in the 80 bytes or the first line of STL, in the comments
-/// that OBJ begins with. None where the header does not say, and of a file that cannot be opened. FileError
-/// where it says both.
+/// that OBJ begins with. None if the header does not say, and for a file that cannot be opened. FileError if
+/// it says both, or the extension is that of no mesh format.
 std::optional<std::string> declared_axes(const std::filesystem::path& file);
-/// The same of bytes that a file begins with, kAxesHead of them or all that it has; its name says the format.
+/// The same from the first kAxesHead bytes of a file, or all it has; the extension of `name` is the format.
 std::optional<std::string> declared_axes(const std::filesystem::path& name, std::string_view head);
 inline constexpr std::size_t kAxesHead = 65536;
 
-/// An axis code (hip/anatomy.hpp), and who said so.
+/// An axis code (hip/anatomy.hpp), and where it is from.
 struct AxesChoice {
   std::string code = "RAS";
   std::string from = "assumed";  // or "given", or "header"
@@ -31,8 +31,8 @@ struct SaidAxes {
   std::optional<std::string> code;  // none where its header does not say
 };
 
-/// Of two files in one frame: what is given, else what a header says, else RAS. FileError where a header
-/// contradicts the other one, or what is given by the option of that name.
+/// The axes of two files in one frame: what is given, else what a header says, else RAS. FileError if the
+/// headers contradict each other or what is given; `option` is the name of the option that gives it.
 AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,
                        const std::string& option);
 AxesChoice agreed_axes(const std::filesystem::path& ball, const std::filesystem::path& socket,

@@ -11,7 +11,7 @@ namespace impinge {
 
 class DisjointSets {
  public:
-  /// N sets of one member.
+  /// n sets of one member each.
   explicit DisjointSets(std::size_t n) : parent_(n), opposite_(n, false) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
@@ -19,10 +19,10 @@ class DisjointSets {
   /// Where a member is.
   struct Place {
     std::size_t root = 0;   // names the set
-    bool opposite = false;  // on the other side than the root
+    bool opposite = false;  // on the other side of the set than the root
   };
 
-  /// Where a is. Shortens the way there for the next time.
+  /// The set of `a`, and its side. Shortens the path for the next call.
   Place find(std::size_t a) {
     Place place{a, false};
     while (parent_[place.root] != place.root) {  // halve the path on the way
@@ -35,8 +35,8 @@ class DisjointSets {
     return place;
   }
 
-  /// Puts a and b in one set, on opposite sides or not. False when they are in one set already and it says
-  /// otherwise.
+  /// Puts a and b in one set, on opposite sides or on the same. False if they are in one set already and its
+  /// sides contradict this.
   bool join(std::size_t a, std::size_t b, bool opposite) {
     Place pa = find(a);
     Place pb = find(b);

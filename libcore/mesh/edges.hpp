@@ -28,14 +28,14 @@ inline Edge ends(const TriangleMesh& mesh, HalfEdge h) {
 /// A face takes part in the topology of a mesh when its three corners exist and differ.
 bool has_three_corners(const TriangleMesh& mesh, const Face& face);
 
-/// std::invalid_argument for more faces than a third of 2^32.
+/// Throws std::invalid_argument for more faces than a third of 2^32.
 void require_countable_edges(const TriangleMesh& mesh);
 
 /// Calls visit(half_edges) for each edge of the faces with three corners; its half-edges come in the order of
 /// the faces. Takes linear time. std::invalid_argument for more faces than a third of 2^32.
 void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit);
 
-/// The same, of the edges whose lower end, that of the smaller place, is marked.
+/// The same for the edges whose lower end (the vertex with the smaller index) is marked.
 void for_each_edge(const TriangleMesh& mesh, const std::vector<bool>& lower_ends,
                    const std::function<void(std::span<const HalfEdge>)>& visit);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What assimp does not look at: whether a mesh file is whole. Each check walks through all the bytes of a
-// file, holds the counts that its header declares against what follows, and every index against the number of
-// vertices, before anything is allocated. All of them throw FileError.
+// Checks that a mesh file is whole, which assimp does not. Each check goes through all bytes of a file and
+// compares the counts in its header with what follows, and every index with the number of vertices, before
+// anything is allocated. All of them throw FileError.
 //
 // Left to itself, assimp 5.2
 // * allocates the counts that a header declares (4e9 vertices in a PLY file of 200 bytes: 48 GB);
@@ -23,7 +23,7 @@
 
 namespace impinge {
 
-/// Checksums of what a reader must find.
+/// Checksums to compare with what a reader has found.
 struct MeshFileSums {
   double coordinates = 0.0;  // of the magnitudes of all coordinates
   double corners = 0.0;      // of the indices of all corners of polygons, from 0

@@ -22,16 +22,16 @@ struct PairShape {
   double cam_azimuth_deg = 0.0;  // of the top of the bump, from +x towards +y
 };
 
-/// A cam of 5 mm, higher than the joint space. The pair is free in the given pose (no part of the bump faces
-/// the socket) and impinges, by up to 1 mm, once a rotation about +y by -34.1 degrees or beyond (pole-wards
-/// for the cam) brings the part of the bump above 4 mm, 8.9 degrees about its top, under the socket.
+/// A cam of 5 mm, higher than the joint space. Unrotated, the pair is free: no part of the bump faces the
+/// socket. A rotation about +y by -34.1 degrees or beyond moves the cam towards the pole, brings the part of
+/// the bump above 4 mm (8.9 degrees about its top) under the socket, and impinges by up to 1 mm.
 PairShape impinging_cam();
 
 /// Direction of the top of the bump.
 Vec3 cam_direction(const PairShape& shape);
 
-/// Radius of the smooth ball along a direction: head + height * cos^2(pi/2 * angle / half width) within the
-/// bump, which joins the head with a continuous slope.
+/// Radius (mm) of the smooth ball along a direction: head + height * cos^2(pi/2 * angle / half width) within
+/// the bump, which joins the head with a continuous slope.
 double ball_radius(const Vec3& direction, const PairShape& shape = {});
 
 /// Both meshes have faces_per_model faces exactly: an even number, 8 or more, else std::invalid_argument.

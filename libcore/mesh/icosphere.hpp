@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A sphere of nearly equal triangles: the icosahedron with its faces halved, and new corners moved out to
-/// the sphere.
+/// A sphere of nearly equal triangles: an icosahedron whose edges are halved repeatedly, the new corners
+/// moved out to the sphere.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ namespace impinge {
 /// are NaN, infinite or beyond the range of a float, or only faces without area.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
-/// The same of bytes in memory. `file` is the name that chooses the format and that messages give.
+/// The same from bytes in memory. `file` chooses the format and is the name in messages.
 TriangleMesh parse_mesh(const std::filesystem::path& file, std::string bytes);
 
 /// Larger files, of some 80 million triangles, are refused before they are read.

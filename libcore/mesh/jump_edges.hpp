@@ -17,17 +17,17 @@ struct JumpEdge {
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-/// The edge as a cone without a width.
+/// The edge, seen from the centre, as a cone that covers no area.
 inline TriangleCone cone_of(const TriangleMesh& mesh, const JumpEdge& edge) {
   return {mesh.vertices[edge.from], mesh.vertices[edge.to], mesh.vertices[edge.to]};
 }
 
-/// mesh in the centre frame. Sides are decided exactly and orientation of faces is ignored. Sorted by the
-/// smaller of the two ends, then by the larger one.
+/// The jump edges of a mesh in the centre frame. Sides are decided exactly; the orientation of faces is
+/// ignored. Sorted by the smaller of the two ends, then by the larger one.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
 
-/// The same with the sides of faces that are known, +1 or -1 as orientation() has them, one a face; 0 for
-/// those that are to be found out.
+/// The same with known sides of the faces, one value a face: +1 or -1 as orientation() gives them, 0 for
+/// those still to be found.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh, std::vector<std::int8_t> sides);
 
 }  // namespace impinge

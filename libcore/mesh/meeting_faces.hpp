@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Have triangles a common point? Exact signs of the corners as they stand (sphere/plane_side.hpp), without a
-// centre: two triangles meet where a side of one meets the other.
+// Do two triangles have a common point? Decided with exact signs (sphere/plane_side.hpp): two triangles meet
+// where a side of one meets the other.
 #pragma once
 
 #include "mesh/triangle_distance.hpp"
@@ -11,7 +11,7 @@ namespace impinge {
 /// nothing.
 bool meets_segment(const Triangle& face, const Vec3& p, const Vec3& q);
 
-/// Do they meet, sides and corners included? Both have an area.
+/// Do two triangles meet, sides and corners included? Both must have an area.
 bool faces_meet(const Triangle& a, const Triangle& b);
 
 }  // namespace impinge

@@ -9,7 +9,7 @@ namespace impinge {
 /// What a mesh file is written in: Stanford PLY, STL, Wavefront OBJ or Object File Format.
 enum class MeshFormat { ply, stl, obj, off };
 
-/// Of the extension, in any case. Throws FileError for another one.
+/// The format that the extension names, in any case. Throws FileError for any other extension.
 MeshFormat mesh_format(const std::filesystem::path& file);
 
 }  // namespace impinge

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh of several surfaces: the main one first, then parts of bone beside it, such as a trochanter.
-//
-// What a part stops, and where it does not, is said in motion/body_pairs.hpp.
+// A mesh of several surfaces: the main one first, then parts of bone beside it, such as a trochanter. Which
+// contacts of parts count is said in motion/body_pairs.hpp.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +19,17 @@ struct MeshPart {
   std::size_t first_face = 0;    // the same of its faces
 };
 
-/// Puts a part behind what a mesh has.
+/// Appends a part to a mesh and to its list of parts.
 void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::string& name,
                  const TriangleMesh& part);
 
-/// The mesh without its parts: what a sphere is fitted to, what has a rim, an axis and measures.
+/// The mesh without its parts. Spheres, rims, axes and measures are those of this surface.
 TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts);
 
-/// One of its parts.
+/// Part k of the mesh.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
 
-/// The name of a body of a mesh: none for body 0, the main surface; body k + 1 is part k.
+/// The name of a body of a mesh: empty for body 0, the main surface; body k + 1 is part k.
 std::string body_name(std::span<const MeshPart> parts, std::size_t body);
 
 /// Parts alone, each a surface of its own, mm.
@@ -38,7 +37,7 @@ struct BoneParts {
   std::vector<TriangleMesh> ball;    // beside the ball
   std::vector<TriangleMesh> socket;  // beside the socket
 };
-/// All of its parts.
+/// All parts of a mesh.
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);
 
 }  // namespace impinge

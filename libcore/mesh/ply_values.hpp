@@ -12,13 +12,13 @@ namespace impinge {
 class PlyValues {
  public:
   virtual ~PlyValues() = default;
-  /// To be called before each vertex, face, ...: in ascii files they have a line each.
+  /// Call it before each vertex, face, ...: in ascii files each has its own line.
   virtual void next_record() = 0;
-  /// The next number; none past the end (of the line), or where there is no number.
+  /// The next number; none past the end (of the line), or if the text there is no number.
   virtual std::optional<double> next(PlyType type) = 0;
 };
 
-/// The bytes behind the header must outlive the result.
+/// The bytes that `header` was parsed from must outlive the result.
 std::unique_ptr<PlyValues> ply_values(const PlyHeader& header);
 
 }  // namespace impinge

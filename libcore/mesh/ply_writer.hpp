@@ -20,14 +20,14 @@ using Rgb = std::array<std::uint8_t, 3>;  // red, green and blue, 0 to 255
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 /// The same with one value per vertex under the name `property`, as double, and optionally one colour per
-/// vertex. NaN values (say: no gap here) stay NaN. Throws std::invalid_argument when the numbers of values or
-/// colours are not that of the vertices, or the name is empty, has blanks or is one of those below.
+/// vertex. NaN values (say: no gap here) stay NaN. Throws std::invalid_argument unless there are as many
+/// values and colours as vertices, and if the name is empty, has blanks or is one of those below.
 ///
 /// Viewers disagree on where a scalar belongs, so the value is also written as
 /// * quality (float): what MeshLab reads as the vertex quality, to be mapped to colours there;
 /// * u, v (float, v = 0): VTK 9.1, and with it ParaView and 3D Slicer, ignores properties of other names and
 ///   offers these two as the point array TCoords, whose first component is the value;
-/// * red, green, blue (uchar), the colours: what all three show at once, in VTK as the point array RGB.
+/// * red, green, blue (uchar), the colours: all three viewers show them at once, VTK as point array RGB.
 void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh, std::string_view property,
                std::span<const double> values, std::span<const Rgb> colours = {});
 

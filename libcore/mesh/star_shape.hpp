@@ -18,7 +18,7 @@ struct StarShapeReport {
   std::size_t front_facing = 0;  // faces with n.v0 > 0, normals away from the centre
   std::size_t back_facing = 0;   // n.v0 < 0
   std::size_t edge_on = 0;       // n.v0 = 0: the plane of the face holds the centre
-  /// Pairs of faces with a common direction inside both; 0 if not counted.
+  /// Pairs of faces that share directions inside both, as seen from the centre; 0 if not counted.
   std::size_t overlapping_pairs = 0;
   /// Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for one beside
   /// it.
@@ -40,7 +40,7 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Do the cones over two triangles share directions inside both? Exact. Both must have a nonzero solid angle.
 bool cones_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
-/// One line that says what was found, without a line end.
+/// The report as one line of text, without a line end.
 std::string describe(const StarShapeReport& report);
 
 }  // namespace impinge

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which faces and vertices of a mesh are its surface. A face that is edge-on at rest, in the centre frame of
-// its own mesh, covers no direction and takes no part in anything, in any pose and either frame; what that
-// means for contact is said in gap/overlay.hpp. A vertex of no other face belongs to no surface, and
-// has no gap.
+// Which faces and vertices of a mesh count as its surface. A face that is edge-on in the centre frame of its
+// own mesh, at rest, covers no direction and is left out in every pose; what that means for contact is said
+// in gap/overlay.hpp. A vertex that only such faces use, or none, is not on the surface and has no gap.
 #pragma once
 
 #include <vector>
@@ -20,7 +19,7 @@ TriangleMesh without_edge_on(TriangleMesh mesh);
 /// One value a vertex: is it a corner of a face that is not edge-on? Corners of all faces exist.
 std::vector<bool> on_surface(const TriangleMesh& mesh);
 
-/// Those that are, in the order of the mesh.
+/// The vertices on the surface, in the order of the mesh.
 std::vector<VertexIndex> surface_vertices(const TriangleMesh& mesh);
 
 }  // namespace impinge

@@ -29,7 +29,7 @@ void split_words(std::string_view line, std::vector<std::string_view>& words);
 /// The whole word as a number, also "nan" and "inf"; magnitudes beyond a double count as infinite or zero.
 std::optional<double> to_number(std::string_view word);
 
-/// The whole word as an integer; none when it is something else or beyond 64 bits.
+/// The whole word as an integer; none if it is anything else or beyond 64 bits.
 std::optional<std::int64_t> to_integer(std::string_view word);
 
 }  // namespace impinge

@@ -26,8 +26,8 @@ inline double squared_distance_to_sides(const Vec3& p, const Vec3& a, const Vec3
                    squared_distance_to_segment(p, c, a)});
 }
 
-/// mm^2. A point above the triangle is as far as its plane, any other as far as the nearest edge. Degenerate
-/// triangles are their edges.
+/// From p to a triangle, mm^2: to its plane if p projects into the triangle, else to the nearest edge. A
+/// degenerate triangle counts as its edges.
 inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
   const auto inside = [&](const Vec3& from, const Vec3& to) {
@@ -43,8 +43,8 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
 
 using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
-/// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines where both
-/// feet are inside.
+/// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines if their
+/// nearest points are inside of the segments.
 inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const double at_ends =
       std::min({squared_distance_to_segment(a0, b0, b1), squared_distance_to_segment(a1, b0, b1),

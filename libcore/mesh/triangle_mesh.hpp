@@ -23,12 +23,12 @@ struct TriangleMesh {
   std::vector<Face> faces;     // their corners are places in `vertices`
 };
 
-/// Corner k of face f.
+/// Corner k (0, 1 or 2) of a face, mm.
 inline const Vec3& corner(const TriangleMesh& mesh, const Face& face, std::size_t k) {
   return mesh.vertices[face[k]];
 }
 
-/// All three.
+/// All three corners of a face, mm.
 inline std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, const Face& face) {
   return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
 }
@@ -38,7 +38,7 @@ inline TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
   return {corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)};
 }
 
-/// Vector along the outward normal, twice the area of the face long (mm^2).
+/// Vector along the outward normal whose length is twice the area of the face (mm^2).
 Vec3 area_vector(const TriangleMesh& mesh, const Face& face);
 
 /// Share of the surface that belongs to each vertex: a third of the area of its faces (mm^2).

@@ -17,7 +17,7 @@ struct MeshReport {
   std::size_t faces = 0;                  // of the mesh, valid or not
   std::size_t unreferenced_vertices = 0;  // corner of no face
   std::size_t non_finite_vertices = 0;    // with a NaN or infinite coordinate
-  std::size_t invalid_faces = 0;          // naming a vertex that does not exist
+  std::size_t invalid_faces = 0;          // with a vertex index that does not exist
   std::size_t degenerate_faces = 0;       // a corner twice, or no area (exactly, see collinear.hpp)
   std::size_t duplicate_faces = 0;        // the corners of an earlier face, in any order
   std::size_t flipped_faces = 0;          // see below
@@ -32,12 +32,11 @@ struct MeshReport {
 };
 
 /// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in
-/// opposite directions. In each part connected that way the faces of the smaller side count as flipped; a
-/// part that is inside out as a whole has none, it shows as a negative volume.
+/// opposite directions. In each part connected that way the faces of the smaller group count as flipped; a
+/// part that is inside out as a whole has none and shows as a negative volume.
 MeshReport validate(const TriangleMesh& mesh);
 
-/// One line with the sizes and, if there is anything wrong, a second one that lists it. No line end after the
-/// last.
+/// One line with the sizes and, if anything is wrong, a second one that lists it. No line end after the last.
 std::string describe(const MeshReport& report);
 
 }  // namespace impinge

@@ -8,18 +8,18 @@
 
 namespace impinge {
 
-/// `size` vertices from index `first` on, read cyclically; one vertex is a pole.
+/// `size` vertices from index `first` on, read cyclically; a ring of one vertex is a pole.
 struct VertexRing {
   std::size_t first;  // index of the first vertex
   std::size_t size;   // number of vertices, 1 or more
 
   std::size_t steps() const { return size == 1 ? 0 : size; }  // faces along the ring: a pole has none
-  /// Index of vertex k, for k beyond the end from the start again.
+  /// Index of vertex k; k beyond the end wraps round.
   VertexIndex operator[](std::size_t k) const { return static_cast<VertexIndex>(first + k % size); }
 };
 
-/// Appends the band between two rings, at each step the shorter of the two possible diagonals. Normals point
-/// outward where points go counter-clockwise as seen from outside beyond `upper`.
+/// Appends the band between two rings, at each step with the shorter of the two possible diagonals. Normals
+/// point outward if the points run counter-clockwise as seen from outside, from beyond `upper`.
 void stitch(TriangleMesh& mesh, VertexRing upper, VertexRing lower);
 
 }  // namespace impinge

@@ -7,8 +7,8 @@
 namespace impinge {
 
 /// Merges vertices with equal coordinates (-0 equals 0) into the first of them; faces of which two corners
-/// become one are left out. A vertex with a NaN stays alone. Vertices of no face are kept, and all in their
-/// order. Throws std::out_of_range when a face names a vertex that does not exist.
+/// become one are left out. A vertex with a NaN is never merged. Vertices of no face are kept; the order
+/// stays. Throws std::out_of_range if a face names a vertex that does not exist.
 TriangleMesh weld(const TriangleMesh& mesh);
 
 }  // namespace impinge

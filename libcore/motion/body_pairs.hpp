@@ -4,8 +4,8 @@
 //
 // The main surfaces of a joint face each other: the ball is bone from its centre to its outermost layer, the
 // socket from its innermost layer outwards, and a radius beyond the other is contact (gap/overlay.hpp). A
-// part fills no ray like that: it is bone between where a ray enters and leaves it, and a shaft that a spine
-// stands over at a distance is not in its way. So here bone is in contact
+// part does not fill a ray like that: it is bone only between where a ray enters and leaves it, and a spine
+// far out on a ray does not stop a shaft below it. So here bone is in contact
 //   where the surfaces have a common point, faces seen edge-on included: then, without a translation, both
 //     have one radius in one direction; or
 //   where a vertex of one is inside the other, although no surfaces meet.
@@ -36,11 +36,11 @@
 
 namespace impinge {
 
-/// The poses near a rotation of the ball.
+/// All poses near a rotation of the ball.
 struct NearPoses {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  double turn = 0.0;       // radians, that they are turned from it at most
-  double shift_mm = 0.0;   // that they are shifted at most
+  double turn = 0.0;       // radians, the largest turn away from it
+  double shift_mm = 0.0;   // the largest shift of the ball
   double centre_mm = 0.0;  // how far the centre of both bodies may be from the origin
 };
 
@@ -56,20 +56,21 @@ class BodyPairs {
   };
 
   bool empty() const { return pairs_.empty(); }
-  /// Are two of them in contact? Exact, of the ball's vertices as the pose rounds them.
+  /// Is any pair in contact? Exact, for the ball's vertices as the pose rounds them.
   bool impinged(const Pose& pose) const;
-  /// Is along its ray some vertex that near to the other body, mm, or inside?
+  /// Is some vertex, along its ray, within gap_mm of the other body, or inside it?
   bool vertex_within(const Pose& pose, double gap_mm) const;
   /// Is some vertex inside the other body, and farther than that from its surface?
   /// The walls of a ball's shadow count as surface, for every centre within centre_mm of the origin.
   bool vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const;
-  /// Two that may be in contact in one of the poses; std::nullopt proves that no two are, in any of them.
+  /// A pair that may be in contact in one of the poses; std::nullopt proves that none is, in any of them.
   std::optional<Pair> may_meet(const NearPoses& poses) const;
   /// Is some vertex inside the other body in all of the poses? Yes is proven.
   bool overlap(const NearPoses& poses) const;
-  /// First contacts of the turn, pair by pair.
+  /// The search for first contacts in the turn, one for each pair. largest_gap: mm, as in TurnScene.
   std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
-  /// As first_within() of swept_parts.hpp, of all pairs; rotations to the frame of the axis. Walls as above.
+  /// The least first_within() (swept_parts.hpp) of all pairs, radians. `ball` and `socket` are the rotations
+  /// to the frame whose +z is the axis. Walls as in vertex_inside_by().
   double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
                       double centre_mm, double largest) const;
 

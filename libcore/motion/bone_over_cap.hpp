@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the rays of a cap of directions are in the bone within a closed mesh.
+// Which radii along the rays of a cap of directions lie in bone, the inside of a closed mesh.
 //
 // Each face that may meet the cap has a range of radii there (table/surface_plane.hpp). Between those ranges
-// no ray of the cap crosses the surface, so that all of them are in bone, or none is: as often as one ray has
-// gone in less often out, counted along a direction of the cap that passes no edge within rounding. In front
-// of all faces is the centre, which is outside. Where there is no such direction nothing is certain.
+// no ray of the cap crosses the surface, so that all of them are in bone or none is. Which, is found by
+// counting how often one ray has gone in and out, along a direction of the cap that passes no edge within
+// rounding. All rays start at the centre, which is outside. Where there is no such direction nothing is
+// certain.
 #pragma once
 
 #include <vector>
@@ -21,7 +22,7 @@ class BoneOverCap {
   /// mesh in the centre frame, mm. std::runtime_error, one line, unless it is closed and of one orientation.
   explicit BoneOverCap(const TriangleMesh& mesh);
 
-  /// Radii in bone.
+  /// Radii in bone, mm.
   SpansOverCap over(const DirectionCap& cap) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// About how far a surface reaches over a whole cap of directions: sampled, to guess where to look for a
-// proof. Nothing rests on it.
+// Roughly how far a surface reaches over a whole cap of directions: sampled, to guess where to look for a
+// proof. No proof relies on it.
 //
 // Cube grids, one for each half octave of radii. The finest has the radius of the surface along each of its
 // directions, and the face there; each wider one the least of the one before over eight directions round it.
@@ -15,11 +15,11 @@ namespace impinge {
 
 class CapFloor {
  public:
-  /// Of a ball (Layer::farthest) the least radius, of a socket the largest, with its sign changed: what is
-  /// larger reaches farther into the other surface.
+  /// The values are least radii for a ball (Layer::farthest), and largest radii times -1 for a socket: the
+  /// larger a value, the farther the surface reaches into the other one.
   explicit CapFloor(const SeenSurface& surface);
 
-  /// Over about `angle` radians round x, mm; -infinity where a part of that meets no face.
+  /// The value over about `angle` radians round x, mm; -infinity where a part of that meets no face.
   float within(const Vec3& x, double angle) const;
   /// A face that holds the direction of unit u, found across sides from the nearest sample; kNone if none is
   /// found.

@@ -6,16 +6,16 @@
 /// B is the ball's outermost radius along a direction, S the socket's innermost; a rotation R of the ball is
 /// blocked if B(R^T u) + gap >= S(u) in some direction u of both (gap/overlay.hpp). A rotation within rho of
 /// R moves no direction by more than rho. So of all rotations within rho of R
-///   free     no face of the ball and face of the socket have directions within rho of each other, the ball's
-///            turned by R, along which B + gap >= S. Nodes of both trees first, then pairs of faces: with
+///   free     no pair of a ball face, turned by R, and a socket face has directions within rho of each other
+///            along which B + gap >= S. Nodes of both trees first, then pairs of faces: with
 ///            1 / B = q . w and 1 / S = p . u it would take w in the cone of the ball's face, within rho of
 ///            the socket's, with q . w <= the most of p over the cap about w, a convex function of w less a
 ///            linear one, whose largest value over a polygon is at a corner of it.
-///   blocked  some vertex of the ball, B and gap, reaches the socket in all directions within rho of its own,
-///            a patch of faces that covers them without a hole; or some vertex of the socket the ball.
+///   blocked  some vertex of the ball, moved out by the gap, reaches the socket in all directions within rho
+///            of its own, and socket faces cover these without a hole; or the same of a vertex of the socket
 ///   unknown  no pair touches, but some vertex of the socket is within a hole of the ball's mesh in all of
 ///            them
-///   open     none of that could be shown
+///   open     none of these could be shown
 /// A gap above 0 adds to B. Along a face of the ball whose corners are moved out by gap / c, c the cosine of
 /// its cap, 1 / (1 / r + gap / c) is concave in 1 / r, so that its radius is nowhere below B + gap.
 ///
@@ -32,7 +32,8 @@
 // that, no farther than |X|, is crossed by it: the way begins before it and ends beyond. Blocked, a vertex of
 // the socket, in the ball's frame y' = R^T (y - d): the ray from t through y' is within asin(r / |y'|) of the
 // direction of y' from there on; it begins within a patch that is nowhere nearer than |y'|, and ends beyond.
-// But for t in the planes of all faces at that vertex, about which it is of no surface (gap/overlay.hpp).
+// Excepted is a t in the planes of all faces at that vertex: about it the vertex counts for no surface
+// (gap/overlay.hpp).
 // A gap g moves the end of a way by g, along a ray that is turned by that angle: 2 g r / |x| more to D.
 #pragma once
 
@@ -62,22 +63,22 @@ struct CellQuestion {
   double centre_within_mm = 0.0;  // for every common centre within that of the meshes' origin; 0 or more
 };
 
-/// All rotations within `radius` radians of one, which takes directions of the ball to those of the socket.
+/// All rotations within `radius` of `rotation`, which takes directions of the ball to those of the socket.
 struct RotationBall {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   double radius = 0.0;  // radians
 };
-/// That about a cell.
+/// One that holds a cell, about the rotation in its middle.
 RotationBall ball_about(const RotationCell& cell);
 
-/// Where a cell may be blocked, for its parts to be asked there first. Places of faces and vertices in the
-/// surfaces of a CellTest.
+/// Where a cell may be blocked: the search of its eighths starts there. Indices of faces and vertices in the
+/// surfaces of a CellTest (surface()).
 struct CellHint {
   static constexpr std::uint32_t kNone = DirectionFace::kNone;
   std::uint32_t ball_face = kNone;    // these two may touch
   std::uint32_t socket_face = kNone;  // the same
   std::uint32_t vertex = kNone;       // that reached farthest into the other surface
-  bool of_ball = true;                // whose vertex it is
+  bool of_ball = true;                // is the vertex the ball's? Else the socket's
   bool operator==(const CellHint&) const = default;
 };
 
@@ -86,20 +87,21 @@ struct CellVerdict {
   CellHint hint;  // of open and blocked cells
 };
 
-/// A joint made ready for the test. Safe to be asked by several threads.
+/// A joint made ready for the test. Several threads may use it at the same time.
 class CellTest {
  public:
   /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and bone beside them
-  /// (motion/body_pairs.hpp), which no gap is asked of. std::invalid_argument for a gap or centre below 0, or
-  /// a surface without a face.
+  /// (motion/body_pairs.hpp), to which the gap does not apply. std::invalid_argument for a gap or centre
+  /// below 0, or a surface without a face.
   CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
   const CellQuestion& question() const { return question_; }
   /// Unit direction of the face of the ball that a hint names, as the ball lies at rest.
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
-  /// The bone beside the main surfaces, and all poses that rotations stand for.
+  /// The bone beside the main surfaces.
   const BodyPairs& beside() const { return beside_; }
+  /// All poses that these rotations stand for, with the doubt about the centre.
   NearPoses poses_near(const RotationBall& rotations) const;
 
  private:
@@ -134,6 +136,7 @@ class CellSearch {
   explicit CellSearch(const CellTest& test) : test_(test) {}
   explicit CellSearch(const CellTest&&) = delete;
 
+  /// The state of all these rotations. `hint`, as of the cell that this one is an eighth of, saves time.
   CellVerdict decide(const RotationBall& rotations, const CellHint& hint = {});
   CellVerdict decide(const RotationCell& cell, const CellHint& hint = {}) {
     return decide(ball_about(cell), hint);

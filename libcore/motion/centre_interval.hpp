@@ -46,8 +46,8 @@
 namespace impinge {
 
 /// What is not known of the centre: both surfaces turn about one common centre that is within a distance r of
-/// the origin, t with |t| <= r; or the ball plays in the socket, which shifts it by any d with |d| <= r, at
-/// every angle another.
+/// the origin, t with |t| <= r; or the ball has play in the socket, which shifts it by any d with |d| <= r,
+/// not the same at every angle.
 enum class CentreDoubt { common, play };
 
 /// Which centres a limit is to hold for.
@@ -55,17 +55,17 @@ struct CentreQuestion {
   CentreDoubt doubt = CentreDoubt::common;  // what is not known
   double within_mm = 0.0;                   // r
   double gap_mm = 0.0;                      // threshold; 0 for first contact of the surfaces
-  double largest_deg = 0.0;                 // of the motion, as for the limit itself
+  double largest_deg = 0.0;                 // largest angle of the motion, as for the limit itself
 };
 
-/// Holds the limit for every such centre.
+/// Contains the limit for every such centre.
 struct CentreInterval {
   double low_deg = 0.0;   // none of them has an impinged pose up to here
   double high_deg = 0.0;  // with each of them the pose is impinged here; the largest angle if none is known
-  bool limited = false;   // is such a pose known?
+  bool limited = false;   // is such an impinged pose known?
 };
 
-/// A joint that is asked for the limits of several turns.
+/// The intervals of several turns of one joint.
 class CentreIntervals {
  public:
   /// The meshes of the joint are without edge-on faces (mesh/surface_vertices.hpp); it must outlive this.
@@ -80,7 +80,8 @@ class CentreIntervals {
   /// is within reach of a contact. The start must not be impinged: then no faces pierce each other there
   /// (reference/meeting_surfaces.hpp), which first_within() would not see.
   double low_deg(const JointTurn& turn, double to_deg) const;
-  /// The least angle that was found, from `from` on, at which every centre has an impinged pose.
+  /// The least angle found, from from_deg on, at which the pose is impinged with every centre; none if none
+  /// was found.
   std::optional<double> high_deg(const JointTurn& turn, double from_deg) const;
 
  private:

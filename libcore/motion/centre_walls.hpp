@@ -16,16 +16,16 @@ std::vector<Edge> possible_jumps(const TriangleMesh& mesh, double r);
 
 /// What walls are wanted.
 struct WallQuestion {
-  bool beyond = true;     // of a socket; within, of a ball, if not
-  bool common = true;     // CentreDoubt::common
+  bool beyond = true;     // beyond the edges, of a socket; else within them, of a ball
+  bool common = true;     // CentreDoubt::common; else CentreDoubt::play
   double r = 0.0;         // mm
   double gap = 0.0;       // threshold, mm
   double nearest = 0.0;   // mm, least radius of the points that are to meet them
   double farthest = 0.0;  // mm, largest radius of these
 };
 
-/// The walls { k y } of the edges, as triangles between two values of k; `doubt` is what motion/
-/// centre_interval.hpp adds to the shift of the ball there.
+/// The walls { k y } of the edges, as triangles between two values of k; their `doubt` is what
+/// motion/centre_interval.hpp adds there to the shift of the ball.
 std::vector<TurnFace> shells(const TriangleMesh& mesh, const std::vector<Edge>& edges,
                              const WallQuestion& walls);
 

@@ -7,10 +7,10 @@
 //   every point of the ball in its cone is at most r from the centre, and
 //   every point x of the socket in its cone has a . x > |a| r,  a the middle of the leaf,
 // so that it is farther than r. Both are about convex polygons, whose corners decide. The second is stricter
-// than a distance by 1 - cos of the leaf's radius, and needs no distance of a point from a polygon.
+// than |x| > r by 1 - cos of the leaf's angular radius, but needs no distance of a point from a polygon.
 //
-// What is computed in doubles has to hold of numbers that are a little different: those of the files, before
-// reading rounded them. A surface whose points are off by at most d has all that is in a cone within d of
+// What is computed in doubles has to hold for slightly different numbers: those of the files, before reading
+// rounded them. A surface whose points are off by at most d has all that is in a cone within d of
 // what the surface at hand has in the cone widened by d, and its distances differ by d at most. A ball that
 // turns by a small angle moves no point at a distance H by more than chord H, and no distance changes. So
 // cones are widened, and radii kept apart, by d.
@@ -41,7 +41,7 @@ struct ClearLeaf {
 /// A surface about the centre, mm.
 struct UncertainMesh {
   TriangleMesh mesh;
-  double off_mm = 0.0;  // no point is farther from the true one
+  double off_mm = 0.0;  // no point is farther than this from the true one
 };
 
 /// What is asked of two surfaces.
@@ -56,7 +56,7 @@ struct LeafQuestion {
 /// How the directions were divided: all of them, or why not.
 struct LeafAnswer {
   std::vector<ClearLeaf> leaves;  // cover every direction, unless one of the others is there
-  /// Along this direction the ball is not nearer than the socket, beyond doubt. Of a ball at rest.
+  /// A direction along which the ball certainly reaches the socket. Only looked for where chord is 0.
   std::optional<std::array<std::int64_t, 3>> ray;
   std::optional<Vec3> open;  // a direction where the surfaces are too near to each other to be told apart
 

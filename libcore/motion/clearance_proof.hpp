@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proof that a pose or a motion is clear, or that a pose is not, for whoever has the two mesh files and
-// none of this library. (session/certificate.hpp has the exact verdict on a pose, which asks to be believed.)
+// A proof that a pose or a motion is clear, or that a pose is not, which can be checked with the two mesh
+// files and without this library. (session/certificate.hpp has the exact verdict on a pose, without a proof.)
 //
 // The page experiments/certificate_format.md says what the text means, and experiments/check_certificate.py
-// checks it in exact arithmetic. Here all is prepared in doubles with room for their rounding: a text that is
-// not true is refused there, and none is written where the room is missing.
+// checks it in exact arithmetic. Here all is prepared in doubles with a margin for their rounding: that
+// script refuses a false text, and none is written where the margin is missing.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ namespace impinge {
 /// A rotation by the quaternion w, x, y, z of whole numbers.
 using IntegerTurn = std::array<std::int64_t, 4>;
 
-/// The nearest of those whose length is about 2^20: within 2e-6 rad. rotation: orthogonal with determinant 1.
+/// The nearest of those of length about 2^20: within 2e-6 rad of `rotation`, which is orthogonal with
+/// determinant 1.
 IntegerTurn integer_turn(const Eigen::Matrix3d& rotation);
 /// Its matrix, rounded.
 Eigen::Matrix3d rotation_of(const IntegerTurn& turn);
@@ -65,11 +66,12 @@ struct ProofJoint {
   Vec3 centre;
 };
 
-/// Of a pose: cells about the socket and, where it is shifted, about the ball; else a ray; else `open`.
+/// Of a pose. Clear: cells about the socket's centre and, where the pose has a shift, about the ball's.
+/// Blocked: a ray. Neither proven: `open`.
 ClearanceProof prove_pose(const ProofJoint& joint, const Pose& pose);
 
-/// Of the turn from its start to last_deg (above 0, at most 360): cells one after the other. Where one is
-/// missing, `open` says where, and the cells reach as far as they do. The turn's axis is a coordinate axis.
+/// Of the turn from its start to last_deg (above 0, at most 360): cells one after the other. If they end
+/// earlier (end_deg()), `open` says why. The turn's axis is a coordinate axis.
 ClearanceProof prove_turn(const ProofJoint& joint, const JointTurn& turn, double last_deg);
 
 /// The text of a proof that is not open.

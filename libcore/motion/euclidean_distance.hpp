@@ -4,7 +4,7 @@
 // A tree of boxes (Eigen's KdBVH) finds the face with the least distance. motion/part_distance.hpp has a
 // distance from a face that is not above the true one but for 16 u D / kThin < 2e-13 D, D <= |x| + R, R the
 // farthest corner: where a face is thin it takes the error off. The other end is the distance from a point of
-// that face. Boxes are passed over by distances that a few u are off.
+// that face. The search skips boxes by distances that are off by a few u.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ struct DistanceBracket {
   double upper_mm = 0.0;  // d is no more
 };
 
-/// Allowance for rounding at both ends, of |x| + R.
+/// Allowance for rounding at both ends, as a share of |x| + R.
 inline constexpr double kDistanceAllowance = 1e-12;
 
 class EuclideanDistance {

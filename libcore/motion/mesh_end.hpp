@@ -18,7 +18,7 @@ struct MeshEnd {
   std::vector<Vec3> ball;    // its vertices
   std::vector<Edge> border;  // its jump edges (mesh/jump_edges.hpp): of a rim, or of a shell that turns back
   std::vector<Vec3> socket;  // points whose directions are asked for
-  /// Is there a surface of the ball along socket point i at that angle, radians?
+  /// Does the ray through that socket point meet the ball when it has turned by `angle` radians?
   std::function<bool(std::size_t point, double angle)> covered;
 };
 

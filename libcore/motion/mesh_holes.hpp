@@ -8,8 +8,9 @@
 namespace impinge {
 
 /// Caps of directions that together hold every direction that meets no face; none for a surface all round.
-/// Cells of the six faces of a cube, halved until faces cover one without a hole (SeenSurface::covers(), of
-/// any face along its middle), none is near, or a cell is 1.4 degrees wide, which is then taken for missing.
+/// Made of cells on the six faces of a cube, each halved until the mesh covers it without a hole
+/// (SeenSurface::covers(), from any face along its middle), no face is near, or it is 1.4 degrees wide: then
+/// it counts as missing.
 CapTree mesh_holes(const SeenSurface& surface);
 
 }  // namespace impinge

@@ -13,7 +13,7 @@
 ///   free     every part of every leg is
 ///   blocked  some part is blocked, in all of its orientations
 ///   unknown  some part is unknown, and no other one is open or blocked
-///   open     neither is shown, at the resolution
+///   open     none of these is shown at the finest resolution
 #pragma once
 
 #include <optional>
@@ -41,7 +41,7 @@ struct OrientationCell {
   CupAngles middle;       // degrees
   double half_deg = 0.0;  // from the middle to the sides
   CellState state = CellState::open;
-  std::optional<std::size_t> leg;  // of a cell that is not free: one that has its state in it
+  std::optional<std::size_t> leg;  // of a cell that is not free: index of a leg with that state
 };
 
 /// All cells, of which the map is made up. The same for every run.

@@ -16,12 +16,12 @@
 
 namespace impinge {
 
-/// Of two sides or edges: the sine of their angle below which the error is subtracted.
+/// The sine of the angle of two sides or edges below which the error is subtracted.
 inline constexpr double kThin = 1e-2;
 
-/// mm.
+/// Distance of x from the face, mm, not above the true one but for the rounding above.
 double least_distance(const Vec3& x, const TurnFace& face);
-/// Of the edges a0 a1 and b0 b1, mm.
+/// The same for the edges a0 a1 and b0 b1, mm.
 double least_distance_of_edges(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
 
 }  // namespace impinge

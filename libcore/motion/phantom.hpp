@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Joints whose limits and gaps have a closed form, and what the library measures on meshes of them: the
-/// proof of the pudding for everything from a mesh to a bracket.
+/// Joints whose limits and gaps have a closed form, and what the library measures on meshes of them: a test
+/// of everything from a mesh to a bracket.
 ///
 /// Turning by t about a unit axis w brings a unit vector a to an angle D from a fixed unit vector s where
 ///   (a.w)(s.w) + [a.s - (a.w)(s.w)] cos t + (w x a).s sin t = cos D       (spherical law of cosines)
 /// so that each limit below is one D:
 ///   cone neck      a cone of half angle k about a, apex in the centre, against the rim of a cup that opens
-///   by
-///                  o about s (180 degrees less its half opening): D = o - k
+///                  by o about s (180 degrees less its half opening): D = o - k
 ///   cylinder neck  of radius c about a, against a rim of radius R: the same with k = asin(c / R)
 ///   cam bump       B(u) = R + h cos^2(pi/2 v / W), v the angle from its top a, against a cup of radius S and
-///   half
-///                  opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and the
-///                  rim where angle(a, -s) = H + v
+///                  half opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and
+///                  the rim where angle(a, -s) = H + v
 /// Two spheres, the ball's of radius B about a point b that turns, the socket's of radius S about e, touch
 /// where
 ///   |b(t) - e| = S - B,
@@ -23,10 +21,8 @@
 ///
 /// A mesh differs from its smooth surface by a sagitta: rims and necks have many sides, the bump rings of
 /// vertices next to the level that touches, the spheres rings ever closer about the place of contact. The
-/// limits of the meshes are within kPhantomLimitError of the closed forms, which is a target: it is asked of
-/// them, not proven.
-/// Gaps have a proven bound: the sagittas of both meshes, and for gaps by table what the table is proven to
-/// keep.
+/// limits of the meshes are to be within kPhantomLimitError of the closed forms: a target, not proven. Gaps
+/// have a proven bound: the sagittas of both meshes, and for gaps by table the bound of the table as well.
 #pragma once
 
 #include <cstddef>
@@ -38,14 +34,14 @@
 
 namespace impinge {
 
-/// The first t > 0, in radians below 2 pi, at which that angle is D; none where it never is.
+/// At which t is the angle between s and a, turned about w, equal to D?
 struct AngleQuestion {
   Vec3 turning;         // a, unit vector
   Vec3 fixed;           // s, unit vector
   Vec3 axis;            // w, unit vector
   double cosine = 0.0;  // of D
 };
-std::optional<double> first_turn_to(const AngleQuestion& question);  // the answer, radians
+std::optional<double> first_turn_to(const AngleQuestion& question);  // least t > 0, radians; or none
 
 /// One row of the table of validation; lengths in mm, angles in degrees.
 struct PhantomRow {
@@ -54,9 +50,9 @@ struct PhantomRow {
   double closed_form = 0.0;  // what the equations above say
   double measured = 0.0;     // what the library says of the meshes
   double error = 0.0;        // of the measured value
-  /// That the error is to keep: of a limit a target that was chosen, of a gap a bound that is proven.
+  /// Largest allowed error: of a limit a chosen target, of a gap a proven bound.
   double allowed = 0.0;
-  bool proven = false;  // is it the bound?
+  bool proven = false;  // is `allowed` a proven bound?
 };
 
 /// How fine the meshes are.

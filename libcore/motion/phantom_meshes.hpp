@@ -25,11 +25,11 @@ struct Revolution {
 };
 TriangleMesh revolve(const Revolution& body);  // its mesh, normals outward
 
-/// Rings of a sphere from the axis to `to` radians, `step` apart.
+/// Rings of a sphere of `radius` mm from the axis to `to` radians, `step` radians apart.
 std::vector<LatheRing> sphere_rings(double radius, double to, double step);
 
-/// Rings of a whole sphere about the axis, closer together towards it: each is 1.15 times as far from the
-/// axis as the one before.
+/// Rings of a whole sphere of `radius` mm about the axis, closer together towards it: each is 1.15 times as
+/// far from the axis as the one before.
 std::vector<LatheRing> focused_rings(double radius);
 
 }  // namespace impinge

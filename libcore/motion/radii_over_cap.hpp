@@ -7,8 +7,8 @@
 // their mean direction, since a . x <= |x| is linear. The least of all faces is a lower end, and an infinite
 // one where there is none.
 //
-// Largest. Is the axis covered, at radius r, and does no jump edge (mesh/jump_edges.hpp) meet the cap, then
-// the face of the nearest layer there goes on over the whole cap, from face to face, and the nearest layer is
+// Largest. If the axis is covered, at radius r, and no jump edge (mesh/jump_edges.hpp) meets the cap, then
+// the sheet that is nearest there goes on over the whole cap, from face to face, and the nearest layer is
 // nowhere beyond it. On the way its radius changes by exp(+- angle T) at most, T the largest tan psi of the
 // faces near, and is no larger than theirs. Otherwise nothing is said.
 #pragma once

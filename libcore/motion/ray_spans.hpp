@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stretches of a ray from the centre.
+// Sets of radii along a ray from the centre, or along all rays of a cap.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace impinge {
 
-/// Radii in mm, in order and apart.
+/// Closed spans of radii, mm, in rising order and disjoint.
 class RaySpans {
  public:
-  /// Adds [from, to], nothing if that is empty.
+  /// Adds [from, to], mm; nothing if from > to.
   void add(double from, double to) {
     if (!(from <= to)) return;
     const auto first = std::ranges::find_if(spans_, [&](const RadiusRange& s) { return s.high >= from; });
@@ -25,19 +25,19 @@ class RaySpans {
   }
 
   const std::vector<RadiusRange>& spans() const { return spans_; }  // mm
-  /// Is all of [from, to] within?
+  /// Does the set hold all of [from, to]?
   bool holds(double from, double to) const {
     return std::ranges::any_of(spans_, [&](const RadiusRange& s) { return s.low <= from && to <= s.high; });
   }
-  /// Is some of it?
+  /// Does it hold some of [from, to]?
   bool meets(double from, double to) const {
     return std::ranges::any_of(spans_, [&](const RadiusRange& s) { return s.low <= to && from <= s.high; });
   }
-  /// How much of [from, to] is, mm.
+  /// How much of [from, to] it holds, mm.
   double length(double from, double to) const {
     return sum(from, to, [](double radius) { return radius; });
   }
-  /// Of [0, to], for each steradian, mm^3.
+  /// Volume that it holds up to radius `to`, mm^3 a steradian.
   double volume(double to) const {
     return sum(0.0, to, [](double radius) { return radius * radius * radius / 3.0; });
   }
@@ -58,8 +58,8 @@ class RaySpans {
 
 /// What is known of the rays of a cap of directions.
 struct SpansOverCap {
-  RaySpans certain;   // within, along every one
-  RaySpans possible;  // nothing else is, along any
+  RaySpans certain;   // in the set along every ray
+  RaySpans possible;  // no other radius is in it along any ray
 };
 
 }  // namespace impinge

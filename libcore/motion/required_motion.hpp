@@ -21,12 +21,12 @@
 
 namespace impinge {
 
-/// One angle that grows, and the others stay.
+/// A leg of the path: one angle grows and the others stay.
 struct RequiredLeg {
   JointTurn turn;            // joint frame
   Motion start;              // degrees, where the leg begins
   std::string_view growing;  // one of motion_names()
-  double largest_deg = 0.0;  // from 0, which is the start, to here
+  double largest_deg = 0.0;  // the turn runs from 0, the start, to this angle
 };
 
 /// The legs of the path to a motion; none for the pose of the scan. std::invalid_argument as for
@@ -46,12 +46,12 @@ struct LegPart {
   double to_deg = 0.0;    // of the angle that grows
 };
 
-/// Parts are halved while that helps what is asked of a cap of directions.
-inline constexpr double kCertainEnough = 2e-3;  // mm, what is not certain: less is not made better
+/// When parts are not halved any more for the sake of a cap of directions.
+inline constexpr double kCertainEnough = 2e-3;  // mm: what is uncertain is no longer than this
 inline constexpr double kNarrowPart = 0.35;     // of the cap's angle: a part that is no wider stays
 inline constexpr double kLeastPart = 1e-8;      // radians: narrower parts are all rounding
 
-/// Holds every pose of the part, rounded outwards.
+/// Rotations that hold every pose of the part, rounded outwards.
 RotationBall poses_of(const RequiredLeg& leg, const LegPart& part);
 
 }  // namespace impinge

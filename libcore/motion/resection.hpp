@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the ball has to go so that required motions are reached with a clearance c: the least radial cut,
-// and the least of all.
+// and the least cut of all.
 //
 // With E(u) the least radius of the socket that a direction u of the ball meets on its way
 // (motion/swept_radius.hpp), a point of the ball at u may stay where its radius is at most E(u) - c. What is
@@ -8,10 +8,11 @@
 // star-shaped about the centre keeps its radial gap at c or more in every required pose: a point beyond is
 // nearer to the socket along its ray in some pose. Behind a rim it narrows the neck all the way out.
 //
-// The least of all is what the socket's bone sweeps through within c (motion/swept_bone.hpp), where it is
-// known how thick that bone is. It begins where the radial cut does, along the same rays, and ends where the
-// rim has passed: bone beyond stays, over an undercut, and may be held by nothing. No surface that is one
-// radius a direction tells it: cells do, each a face of the ball with the radii that may have to go there.
+// The least cut of all is what the socket's bone, thickened by c, sweeps through (motion/swept_bone.hpp),
+// where it is known how thick that bone is. It begins where the radial cut does, along the same rays, and
+// ends where the rim has passed: bone beyond stays, over an undercut, and may be held by nothing. No surface
+// with one radius a direction describes it. Cells do, each a face of the ball with the radii that may have to
+// go there.
 //
 // Ends. Faces of the ball are cut in smaller ones (mesh/split_faces.hpp) where too little is known. Of each
 // leaf, b the ends of its radii and K the radii that go along one ray, [E - c, B] of the radial cut, the bone
@@ -39,11 +40,11 @@ namespace impinge {
 struct CutQuestion {
   double clearance_mm = 0.5;            // c, above 0
   double closeness = 0.02;              // the ends of the volume are to be no farther apart, as a share of it
-  double least_mm3 = 0.5;               // or no farther than that
-  std::size_t most_new_faces = 50'000;  // that cutting faces makes: then the ends stay where they are
+  double least_mm3 = 0.5;               // or no farther apart than this, mm^3
+  std::size_t most_new_faces = 50'000;  // made by cutting: after that the ends stay as they are
 };
 
-/// How much goes, between ends.
+/// How much has to go, between proven ends.
 struct CutSize {
   Ends volume_mm3;  // of bone that has to go
   Ends area_mm2;    // of the ball's surface that has to go
@@ -56,7 +57,7 @@ struct Resection : CutSize {
   TriangleMesh cut;           // the same with the bone gone
   std::vector<double> depth;  // of each vertex, along its ray, mm
   double cut_mm3 = 0.0;       // the volume that this mesh takes away
-  std::size_t deepest = 0;    // vertex
+  std::size_t deepest = 0;    // vertex with the largest depth
 
   bool empty() const { return volume_mm3.high <= 0.0; }  // nothing has to go
 };
@@ -74,7 +75,7 @@ struct LeastCut : CutSize {
   std::vector<Cell> cells;
 };
 
-/// The same ball; the clearance is that of `swept`.
+/// ball as above. The clearance is that of `swept`; the question's own is not used.
 LeastCut least_cut(const TriangleMesh& ball, const SweptBone& swept, const CutQuestion& question);
 
 }  // namespace impinge

@@ -35,7 +35,7 @@ inline constexpr std::uint32_t kFinestCells = 19;  // levels
 /// Coordinates w, x, y, z of a quaternion of any length.
 using Quaternion4 = Eigen::Vector4d;
 
-/// Eighth k of a cell. level below kFinestCells.
+/// Eighth k (0 to 7) of a cell. level below kFinestCells.
 inline RotationCell child(const RotationCell& cell, std::uint64_t k) {
   return {cell.level + 1, 8 * cell.number + k};
 }
@@ -67,7 +67,7 @@ inline constexpr double kShareError = 1e-9;
 RotationCell cell_of(const Quaternion4& q, std::uint32_t level);
 
 /// The cell of the same level that shares a side: side 2 k + 1 is at the upper end of the k-th coordinate,
-/// side 2 k at the lower; across the border of a cube it is one of another.
+/// side 2 k at the lower; across the border of a cube it belongs to another cube.
 RotationCell beside(const RotationCell& cell, std::size_t side);
 
 }  // namespace impinge

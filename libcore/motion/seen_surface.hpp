@@ -2,10 +2,10 @@
 // A surface as the centre sees it, face by face: planes, sides and neighbours, for statements about whole
 // caps of directions that hold for its faces, not its vertices alone.
 //
-// Along a direction u of a face 1 / r = q . u, with q the normal of its plane over the plane's offset. In
-// doubles q is some vector near it; the statement is saved by what q makes of the corners themselves: a point
+// Along a direction u of a face 1 / r = q . u, with q the normal of its plane over the plane's offset. A q in
+// doubles is only near that vector; its error is bounded by what it gives at the corners themselves: a point
 // of the face p = sum of l_k v_k, l_k >= 0 and of sum 1, has q . p within max |q . v_k - 1| of 1. So
-// 1 / r is q . u to a share of `doubt`, whatever rounding did to q.
+// 1 / r is q . u to a share of `doubt`, however q was rounded.
 //
 // Over a cap of radius rho about a unit w the most that q . u can be is, A = q . w and T = |q x w|,
 //   |q| if T <= A tan rho, else A cos rho + T sin rho          (rho below a quarter turn)
@@ -35,7 +35,8 @@ struct CapAngle {
   bool wide;                          // is it a quarter turn or more? Then nothing but ranges holds
 };
 
-/// Of the planes of sides, which are off by 1e-10 at most: a side that is seen under less than 1e-6 has none.
+/// Slack for the planes of sides, which are off by 1e-10 at most: a side seen under less than 1e-6 rad has
+/// none.
 inline constexpr double kSideSlack = 1e-9;
 
 /// The most, and the least, that q . u is over all unit u within the cap about w, times |w|.
@@ -45,7 +46,7 @@ double least_over(const Vec3& q, const Vec3& w, const CapAngle& cap);
 /// A face.
 struct DirectionFace {
   static constexpr std::uint32_t kNone = 0xffffffffU;
-  static constexpr double kLeastCosine = 0.25;  // of a cap whose face has a plane
+  static constexpr double kLeastCosine = 0.25;  // of the widest cap whose face has a plane
 
   std::array<Vec3, 3> corner;  // unit vectors
   std::array<Vec3, 3>
@@ -92,22 +93,22 @@ class SeenSurface {
   const std::vector<Vec3>& vertices() const { return vertices_; }  // of faces, in the order of their tree, mm
   double least_radius() const { return least_radius_; }            // of all faces, mm
   Layer layer() const { return layer_; }
-  bool edge_on() const { return edge_on_; }  // were some kept?
+  bool edge_on() const { return edge_on_; }  // were edge-on faces kept?
 
   /// The face of the layer along unit u; kNone where there is none.
   std::uint32_t face_along(const Vec3& u) const;
-  /// Calls visit(face) for every face that unit u meets within its sides until it returns true; whether it
-  /// did. Along a side itself none is found.
+  /// Calls visit(face) for every face that unit u meets within its sides until it returns true; returns
+  /// whether it did. Along a side itself no face is found.
   bool any_along(const Vec3& u, const std::function<bool(std::uint32_t)>& visit) const;
 
   /// May a face have a direction in the cap?
   bool any_near(const DirectionCap& cap) const;
 
-  /// Do the faces that are reached from `from` across sides within the cap cover all of it, each with
-  /// keeps(face)? The face holds the axis. A way along a great circle from the axis to a direction u of the
-  /// cap that meets no corner crosses sides only, each within the cap, so that there is a face on the other
-  /// side each time: u is covered by one of the faces that were asked. A direction whose way meets a corner
-  /// is a limit of others, and the faces are closed.
+  /// Do the faces that are reached from `from` across sides within the cap cover all of it, and does
+  /// keeps(face) hold for each? `from` must hold the axis. A way along a great circle from the axis to a
+  /// direction u of the cap that meets no corner crosses sides only, each within the cap, so that there is a
+  /// face on the other side each time: u is covered by one of the faces that were asked. A direction whose
+  /// way meets a corner is a limit of others, and the faces are closed.
   template <class Keeps>
   bool covers(const DirectionCap& cap, std::uint32_t from, PatchMemory& memory, Keeps&& keeps) const {
     begin(memory, from);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a turn does to a scalar product, and when that is near zero: the closed form behind every contact.
 //
-// A vector a that has turned by an angle t about +z has a(t) . b = c cos t + s sin t + k for any fixed b. So
-// has every condition of contact between a turning surface and one at rest:
+// A vector a that has turned by an angle t about +z has a(t) . b = c cos t + s sin t + k for any fixed b.
+// Every condition of contact between a turning surface and one at rest is such a function:
 //   a corner p on the plane n.x = d of a face                  p . n - d
 //   two edges a + l.. and c + m.. in one plane (Pluecker)      l . (c x m) + (a x l) . m
 #pragma once

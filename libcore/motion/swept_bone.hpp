@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the bone of the socket sweeps through, in the frame of the ball, on the way of required motions, with
-// all that is within the clearance of it along its ray: along u the union of [S_in - c, S_out + c](R u) over
-// the poses R.
+// The radii, in the frame of the ball, that the bone of the socket sweeps through during required motions,
+// with a clearance c along each ray: along u the union of [S_in - c, S_out + c](R u) over the poses R, bone
+// being from S_in to S_out.
 //
 // Over a cap of directions. For every part of a leg, with R and rho its cap of poses, nothing is swept but
 // what may be bone over the cap of rho + angle about R axis; and what is bone in the pose R alone along every
@@ -18,7 +18,7 @@ namespace impinge {
 
 class SweptBone {
  public:
-  /// socket in the joint frame about the centre, closed, mm; the clearance c too.
+  /// socket in the joint frame about the centre, closed, mm; clearance_mm is c. Throws as BoneOverCap.
   SweptBone(const TriangleMesh& socket, std::vector<RequiredLeg> legs, double clearance_mm);
 
   /// Radii that are swept up to `farthest`, mm.

@@ -25,7 +25,7 @@ namespace impinge {
 /// be than it is drawn.
 class SweptParts {
  public:
-  /// A sphere that holds some of the parts; two nodes further on, or one part.
+  /// A sphere that holds one part, or two nodes further on.
   struct Node {
     Vec3 centre;            // mm
     double radius = 0.0;    // mm, doubt included
@@ -41,7 +41,7 @@ class SweptParts {
   const std::vector<Node>& nodes() const { return nodes_; }      // the root first; none without parts
   /// The same parts after a rotation.
   SweptParts rotated(const Eigen::Matrix3d& rotation) const;
-  /// Is every part farther than that from x? mm.
+  /// Is every part farther than `distance` from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
@@ -51,7 +51,7 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
-/// Are these farther apart than that, mm? Not for certain where they pierce each other.
+/// Are these farther apart than `distance`, mm? Of no use where they pierce each other.
 bool farther_than(const TurnFace& s, const TurnFace& t, double distance);
 
 /// The largest distance that is asked for in a span of angles, mm.

@@ -30,11 +30,10 @@ class SweptRadius {
   SweptRadius(const TriangleMesh& socket, std::vector<RequiredLeg> legs);
 
   /// Ends of E over the cap, mm: no direction of it has a smaller E than `low`, none a larger one than
-  /// `high`; infinite where nothing is met, or nothing is known. Where `low` is at least `enough` it is not
-  /// made better.
+  /// `high`; infinite where nothing is met, or nothing is known. `low` is not refined beyond `enough`, mm.
   Ends over(const DirectionCap& cap, double enough) const;
 
-  const RadiiOverCap& socket() const { return socket_; }  // that is met
+  const RadiiOverCap& socket() const { return socket_; }  // its radii, joint frame
 
  private:
   RadiiOverCap socket_;

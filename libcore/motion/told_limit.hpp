@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A limit with what a reader must know of it: for which centres it holds, and whether half a millimetre
+// A limit with what its reader must know: the interval for other centres, and whether half a millimetre
 // changes it.
 #pragma once
 
@@ -18,13 +18,14 @@ struct ToldLimit {
   TurnLimit limit;            // of the meshes as they are
   CentreInterval common;      // for every common centre within kErrorOfInput of theirs
   CentreInterval play;        // for every play of the ball of up to that
-  /// Of contact: the angle at which a vertex first has a gap of kErrorOfInput or less; nothing where none has
-  /// one before the limit, as where edges touch between vertices that are farther away, or up to its low end.
+  /// For contact only: the angle at which a vertex first has a gap of kErrorOfInput or less; nothing where
+  /// none has one up to the low end of the limit, as where edges touch between vertices that are farther
+  /// away.
   std::optional<double> half_mm_gap_deg;
 
-  /// Does it hang on less than half a millimetre: was the gap as small as that more than 5 degrees before the
-  /// limit, or is there no limit although it was? The 5 degrees are our choice: a limitation of that size is
-  /// what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
+  /// Does the limit depend on less than half a millimetre: was the gap that small more than 5 degrees before
+  /// the limit, or is there no limit although it was? The 5 degrees are our choice: a limitation of that size
+  /// is what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
   bool hangs_on_less() const;
 };
 

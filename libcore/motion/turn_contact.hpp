@@ -8,10 +8,9 @@
 //       whose extreme points are a corner of one in the other or a crossing of their edges. (An edge that
 //       pierces the inside of a face across its plane did so before.)
 //   (b) they have none, so that s > 1 in all such pairs. If x lies where X goes on in all directions round
-//   it,
-//       some x' in X(t) was beyond the same y a little earlier, and likewise for y in Y: hence both lie on
-//       jump edges (mesh/jump_edges.hpp). As the centre sees it two arcs meet for the first time: an end of
-//       one comes to lie on the other. (Were they to cross with s < 1 and s to grow to 1, that is (a).) In
+//       it, some x' in X(t) was beyond the same y a little earlier, and likewise for y in Y: hence both lie
+//       on jump edges (mesh/jump_edges.hpp). As the centre sees it two arcs meet for the first time: an end
+//       of one comes to lie on the other. (Were they to cross with s < 1 and s to grow to 1, that is (a).) In
 //       other words an end of a jump edge of the ball comes into the wall { k y : k >= 1 } beyond a jump edge
 //       of the socket, or an end of one of the socket into the wall { k x : 0 <= k <= 1 } within one of the
 //       ball.
@@ -24,7 +23,7 @@
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
 // socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets
 // the ball or is within it. These are corners and faces again, and walls of all jump edges, for every vertex.
-// A vertex of the socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is asked
+// A vertex of the socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is looked
 // for no nearer to the centre than half the way to the nearest point of the ball, where only walls are.
 // What it finds is the first angle at which the two scans of vertices have a gap of t or less.
 //
@@ -38,7 +37,7 @@
 // times the lengths that it is a product of. So `tolerance()`, 1e-12 R, is above what rounding may hide, and
 // a sinusoid is asked for at twice of it. Parts nearer than twice the tolerance count as touching: no contact
 // comes before the angle that is returned, but it may be a false one where the parts pass as closely as that
-// and do not meet: turn_limit.hpp makes certain of it. The wall beyond an edge, q the ratio of the
+// and do not meet: turn_limit.hpp verifies it. The wall beyond an edge, q the ratio of the
 // least to the largest distance of the edge from the centre, has 64 u / q of its reach as further tolerance.
 #pragma once
 
@@ -91,10 +90,10 @@ class TurnContacts {
   /// Takes the parts of both surfaces to the frame of the axis.
   explicit TurnContacts(const TurnScene& scene);
 
-  /// Angles to look at, radians, 0 <= from <= to <= 2 pi.
-  /// The first contact, if there is one.
+  /// The first contact in these angles (radians, 0 <= from <= to <= 2 pi), if there is one.
   std::optional<TurnContact> first(const AngleSpan& angles) const;
-  /// The first angle at which a vertex of either surface has a gap of `gap_mm`, 0 or more; none is at `from`.
+  /// The first angle at which a vertex of either surface has a gap of gap_mm (0 or more) or less; none must
+  /// have it at `from`.
   std::optional<TurnContact> first_gap(double gap_mm, const AngleSpan& angles) const;
 
   double tolerance() const { return tolerance_; }  // mm

@@ -5,15 +5,15 @@
 ///
 ///   low    no angle from the start to here is impinged (motion/turn_contact.hpp has the proof, and how near
 ///          parts may come before they count as touching)
-///   high   here the pose is impinged: the overlay decides it exactly (gap/overlay.hpp), culled
-///          (contact/culled_overlay.hpp); of a threshold, a vertex has that gap, in double
+///   high   here the pose is impinged, decided exactly (contact/culled_overlay.hpp); for a threshold, a
+///          vertex has that gap or less, in double
 /// First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
 /// about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
 /// about the sagitta of a face. The surfaces are the meshes without faces that are edge-on at rest
 /// (mesh/surface_vertices.hpp).
 ///
-/// The bracket is about as wide as 1e-7 degrees, and wider only after a graze: parts that come so near that
-/// doubles cannot tell a touch from none, and of which the overlay sees no contact. Then low stays at the
+/// The bracket is about 1e-7 degrees wide, and wider only after a graze: parts come so near that doubles
+/// cannot tell whether they touch, and the exact test finds no contact. Then low stays at the
 /// first of these places. The search goes on behind it in growing steps, with the same closed forms and with
 /// poses at most a twentieth of a degree apart. A contact that it finds there is certain, though perhaps not
 /// the first: one may lie between two poses. If it finds none the limit is unknown: none up to low, and
@@ -47,7 +47,7 @@ namespace impinge {
 enum class LimitState {
   limited,  // low and high as above
   free,     // nowhere impinged up to the largest angle asked for: low and high are that angle
-  blocked,  // impinged at the start, or below the threshold: low and high are 0
+  blocked,  // impinged, or a gap at or below the threshold, at the start: low and high are 0
   unknown,  // none up to low; from there to high, the largest angle asked for, nothing is certain
 };
 
@@ -62,34 +62,33 @@ struct TurnLimit {
   std::optional<TurnContact> contact;  // where limited, the last place up to `high` where parts touch
   double deg_per_mm = 0.0;             // where limited, see above; infinite where the contact is tangential
   double centre_deg_per_mm = 0.0;
-  /// The first angle at which a vertex of the socket, seen over the ball's mesh so far, has no surface of the
-  /// ball along its ray, open or closed as the mesh may be: beyond, the limit is that of what is left.
-  /// Nothing where none does. Where nothing touches before and behind it, the state is `unknown` and low is
-  /// this angle.
+  /// The first angle at which a vertex of the socket leaves the ball's mesh: its ray met the ball so far and
+  /// does not any more. From there on the limit is that of what is left of the mesh. Nothing where no vertex
+  /// does. Where no contact is found, the state is then `unknown` and low no larger than this angle.
   std::optional<double> leaves_mesh_deg;
 };
 
-/// A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: a shift of
-/// the ball, as that to the socket's own centre, is made before.
+/// A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: shift the
+/// ball beforehand where needed, as to the socket's own centre.
 class TurnLimits {
  public:
-  /// Takes the meshes, and sorts their parts once. Bone beside them is met as motion/body_pairs.hpp has it;
-  /// where the mesh of the ball ends is asked of the main surfaces.
+  /// Takes the meshes, and sorts their parts once. Contact with bone beside them is as in
+  /// motion/body_pairs.hpp; leaves_mesh_deg is about the main surfaces.
   explicit TurnLimits(BallSocketPair joint, const BoneParts& beside = {});
 
-  /// largest_deg in (0, 360].
+  /// The bracket of the first contact. largest_deg in (0, 360], else std::invalid_argument.
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
-  /// The bracket of the turn at which some vertex has a gap of gap_mm, mm, or less.
+  /// The bracket of the turn at which some vertex has a gap of gap_mm or less; throws likewise.
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
   /// Where the limit, one of the above, may be for another centre.
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
                                  const CentreQuestion& question) const;
-  /// What the same question of several turns shares. The limits must outlive it.
+  /// The same made ready for several turns. This object must outlive it.
   CentreIntervals centre_intervals(const CentreQuestion& question) const;
 
-  /// Smallest gap of a vertex of the main surfaces with the turn at that angle; none where none meets the
-  /// other.
+  /// Smallest gap of a vertex of the main surfaces at that angle; none where no vertex meets the other
+  /// surface.
   std::optional<LeastGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
   /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
@@ -120,7 +119,7 @@ class TurnLimits {
   TurnParts socket_parts_;
 };
 
-/// TurnLimits::centre_interval() of one of these turns.
+/// TurnLimits::centre_interval() for one of several turns.
 CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
                                const TurnLimit& limit);
 

@@ -4,7 +4,7 @@
 /// (motion/cell_test.hpp), refined until the open ones are a small enough share of all rotations.
 ///
 /// Of the cells that are open the one with the largest share is split first, those of a quarter octave of
-/// shares together and in the order in which they were found: what comes out hangs on the joint and the
+/// shares together and in the order in which they were found: the result depends on the joint and the
 /// settings alone, not on time or the number of threads.
 ///
 /// The free rotations are an open set, so that a way through them can be moved off the edges and corners of
@@ -27,30 +27,30 @@ namespace impinge {
 
 /// When to stop, and who is told.
 struct VolumeSettings {
-  double width = 0.05;                 // share of all rotations that may stay open
-  std::size_t most_cells = 4'000'000;  // no more are asked for
+  double width = 0.05;                 // share of all rotations that may stay open, above 0
+  std::size_t most_cells = 4'000'000;  // no more cells are tested
   std::size_t threads = 2;             // the result is the same for any number
   /// Verdicts of an earlier run with the same joint and question, in the order in which they were reached:
   /// these are not worked out again.
   std::span<const CellVerdict> known;
-  /// Called after each batch, on the thread that called: what it has reached, which `known` may begin with
-  /// another time, and the share that is open now.
+  /// Called after each batch, on the thread that made the volume: the verdicts of the batch, to be kept for
+  /// `known`, and the share that is open now.
   std::function<void(std::span<const CellVerdict>, double)> reached;
 };
 
-/// Of all rotations; the first four sum to 1.
+/// Shares of all rotations; the first four sum to 1.
 struct VolumeShares {
   double free = 0.0;            // in every rotation of these cells nothing touches
   double blocked = 0.0;         // in every one something does
   double unknown = 0.0;         // nothing touches, but the ball's mesh ends under the socket
   double open = 0.0;            // the rest
   double reachable_low = 0.0;   // free and joined to the neutral pose
-  double reachable_high = 0.0;  // no more than that is
-  std::size_t cells = 0;        // that were asked for
+  double reachable_high = 0.0;  // the most that may be
+  std::size_t cells = 0;        // that were decided
 
-  double low() const { return free * (1.0 - kShareError); }  // of the rotations that are free
+  double low() const { return free * (1.0 - kShareError); }  // proven ends of the free share
   double high() const { return 1.0 - blocked * (1.0 - kShareError); }
-  /// The same of those that can be reached.
+  /// Proven ends of the share that can be reached from the neutral pose.
   double reached() const { return reachable_low * (1.0 - kShareError); }
   double within_reach() const { return std::min(high(), reachable_high * (1.0 + kShareError)); }
 };
@@ -73,7 +73,8 @@ struct VolumeLimit {
 
 class MotionVolume {
  public:
-  /// Refines: about 17 us of a core a cell, of surfaces of 12,000 faces.
+  /// Refines at once, about 17 us of a core a cell for surfaces of 12,000 faces. std::invalid_argument for a
+  /// width that is not above 0.
   MotionVolume(const CellTest& test, const VolumeSettings& settings);
 
   const VolumeShares& shares() const { return shares_; }
@@ -83,7 +84,7 @@ class MotionVolume {
   VolumeCell at(const Quaternion4& q) const;
   /// The limit of a motion, read off the cells. A turn is a great circle of quaternions, which central
   /// projection shows as straight lines: which angles are within a cell has a closed form. largest_deg in
-  /// (0, 180].
+  /// (0, 180], else std::invalid_argument.
   VolumeLimit limit(const JointTurn& turn, double largest_deg) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What NumPy and the library hand each other: views without copies, and loops without Python's lock.
+// Exchange of arrays with NumPy: views without copies, and loops without Python's lock.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ namespace impinge::python {
 
 namespace py = pybind11;
 
-/// Any array, converted once where it is not one of doubles in rows (C order).
+/// Any array; copied and converted if it is not one of doubles in C order.
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// The same of unsigned 32-bit integers.
 using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
 
-/// A read-only view of rows of `columns` numbers, which `owner` keeps alive.
+/// A read-only view, shape (rows, columns) or (rows,) for one column, of numbers that `owner` keeps alive.
 template <class Number>
 py::array view_of(const Number* first, std::size_t rows, std::size_t columns, const py::handle& owner) {
   const auto shape = columns == 1 ? std::vector<std::size_t>{rows} : std::vector<std::size_t>{rows, columns};
@@ -40,7 +40,8 @@ inline std::span<const Vec3> points_of(const Doubles& array) {
 /// A point or vector as three numbers.
 inline py::tuple point_tuple(const Vec3& x) { return py::make_tuple(x.x(), x.y(), x.z()); }
 
-/// Looks now and then whether the user has interrupted, and then throws; called without Python's lock.
+/// Checks about every 0.1 s whether the user has interrupted, and throws py::error_already_set if so. look()
+/// is called without Python's lock.
 class InterruptWatch {
  public:
   void look() {
@@ -56,8 +57,7 @@ class InterruptWatch {
   double worked_ms_ = 0.0;
 };
 
-/// Calls work(k) for all k below `count` without Python's lock, and looks about every 0.1 s whether the user
-/// has interrupted.
+/// Calls work(k) for all k below `count` without Python's lock; can be interrupted, see InterruptWatch.
 template <class Work>
 void without_lock(std::size_t count, const Work& work) {
   const py::gil_scoped_release released;

@@ -10,9 +10,9 @@
 
 namespace impinge::python {
 
-/// What holds a joint for Python.
+/// How Python holds a joint.
 using SharedJoint = std::shared_ptr<PoseJoint>;
-/// The class as the module knows it.
+/// The binding of the class.
 using JointClass = pybind11::class_<PoseJoint, SharedJoint>;
 
 void bind_making(JointClass& joint);        // read(), from_arrays(), from_hip()

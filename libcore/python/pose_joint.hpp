@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A joint and what its questions need, made when first asked for. Questions may come from several threads.
+// A joint with the tables that its questions need, made when first asked for. Several threads may ask at the
+// same time.
 #pragma once
 
 #include <map>
@@ -33,11 +34,11 @@ class PoseJoint {
   const SessionJoint& joint() const { return *session_.joint; }
   const std::string& axes() const { return axes_; }
 
-  /// What answers for the faces themselves, or for tables of that spacing (degrees, `cube_gnomonic`).
+  /// The exact cells of the faces; and tables of `cube_gnomonic` at a precision in degrees.
   const PackedJoint<ExactCells>& cells();
   const PackedJoint<CornerTable>& tables(double precision_deg);
 
-  /// One after the other, whatever the thread.
+  /// These answer one call at a time: a second thread waits.
   SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
   LimitAnswers limits(const LimitRequest& request);
   ResectionAnswer resection(const ResectionRequest& request);

@@ -18,7 +18,7 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& gi
 /// Angles in degrees of an array of shape (3,) or a text. std::invalid_argument for anything else.
 Motion motion_of(const pybind11::object& given);
 
-/// Motions that are to be reached: angles of shape (3,) or (n, 3), a text, or several texts.
+/// Required motions: angles (degrees) of shape (3,) or (n, 3), a text, or several texts.
 /// std::invalid_argument, one line, for anything else, and for a motion that moves nothing.
 std::vector<Motion> required_motions(const SessionJoint& joint, const pybind11::object& given);
 

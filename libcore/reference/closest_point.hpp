@@ -6,9 +6,9 @@
 //   (n.(x - v0))^2 / n.n     if the foot of x on its plane lies in the face,
 //   |e x (x - a)|^2 / e.e    for an edge e from a, if the foot lies on the edge,
 //   |x - v|^2                for a corner,
-// each a ratio of sums of products of doubles. CGAL's tree of boxes finds the faces that the nearest may be
-// among, ratios of integers are compared exactly, and the root of the least is rounded once: each distance is
-// the double nearest to the true one.
+// each a ratio of sums of products of doubles. CGAL's tree of boxes finds the faces that may be
+// nearest, ratios of integers are compared exactly, and the root of the least is rounded once: each distance
+// is the double nearest to the true one.
 #pragma once
 
 #include <cstddef>

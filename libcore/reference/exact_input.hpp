@@ -13,8 +13,8 @@ namespace impinge {
 /// vertices used by a face that are not finite.
 void require_exact_input(const TriangleMesh& mesh);
 
-/// Throws std::invalid_argument for a component that is not finite. `what` is one of them, such as
-/// "direction".
+/// Throws std::invalid_argument for a component that is not finite. `what` names a value in the
+/// message, such as "direction".
 void require_finite(std::span<const Vec3> values, std::string_view what);
 
 }  // namespace impinge

@@ -34,11 +34,11 @@ struct InterpolationError {
 };
 
 /// Of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws std::invalid_argument
-/// for no error and std::runtime_error for one that is not a number.
+/// for no error and std::runtime_error for one that is not finite.
 InterpolationError summarise_errors(std::vector<double> errors);
 
-/// What tables of the scheme, one of each function, answer in the directions of the probe: of their entries
-/// only those that a stencil reads are worked out.
+/// Errors, in the directions of the probe, of tables of the scheme, one of each function. Only entries that a
+/// stencil reads are worked out.
 template <SamplingScheme S>
 InterpolationError interpolation_error(const S& scheme, const ErrorProbe& probe) {
   std::vector<double> errors;

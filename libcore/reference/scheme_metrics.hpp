@@ -13,7 +13,7 @@
 
 namespace impinge {
 
-/// Heights beyond which a gap counts as one at a pole: within 11.5 degrees of it.
+/// A gap with |z| above this counts as one at a pole: within 11.5 degrees of it.
 inline constexpr double kAwayFromPoles = 0.98;
 
 /// N rho^2 of the densest covering of the plane by circles, one on each corner of equilateral triangles

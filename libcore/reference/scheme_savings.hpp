@@ -15,17 +15,18 @@
 
 namespace impinge {
 
-/// The widest gap that there is, radians.
+/// Radius of the widest gap between entries, radians.
 template <SamplingScheme S>
 double measured_covering_radius(const S& scheme) {
   return widest_gap(sphere_delaunay_of(scheme)).radius;
 }
 
-/// Entries of the largest table that is made to be measured.
+/// Most entries of a table that is measured.
 inline constexpr std::size_t kMostMeasured = 1'000'000;
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // a ratio that was not measured
 
-/// A table that is as good as the reference in one meaning. It was really made and measured.
+/// A table that is as good as the reference in one meaning. measured_ratio is kUnknown if it was not
+/// measured.
 struct Saving {
   std::string_view meaning;          // name of what is equal, in tables of results
   std::size_t entries = 0;           // of that table

@@ -60,14 +60,14 @@ class SizeLevels {
     return place_ < precisions_.size() ? made_ : std::nullopt;
   }
 
-  /// The next larger or smaller scheme than the one handed out last, or nothing.
+  /// The next scheme after the one handed out last that has more entries than `than`, or nothing.
   std::optional<S> larger(std::size_t than) {
     while (++place_ < precisions_.size()) {
       if (make(place_) && made_->size() > than) return made_;
     }
     return std::nullopt;
   }
-  /// See larger().
+  /// The next before it that has fewer, or nothing.
   std::optional<S> smaller(std::size_t than) {
     while (place_ > 0) {
       if (make(--place_) && made_->size() < than) return made_;
@@ -113,7 +113,7 @@ std::optional<S> scheme_nearest_size(std::size_t entries) {
   return above->size() - entries < entries - below->size() ? above : below;
 }
 
-/// The same where there must be one. Throws std::runtime_error.
+/// The same, but std::runtime_error where there is none.
 template <SamplingScheme S>
 S scheme_of_size(std::size_t entries) {
   if (const auto scheme = scheme_nearest_size<S>(entries)) return *scheme;

@@ -23,11 +23,11 @@ bool in_shadow(const Vec3& x, const Triangle& face);
 /// centre.
 bool in_pyramid(const Vec3& x, const Triangle& face);
 
-/// Has a face, of any kind, a point in the shadow of the other? False where the plane of the latter holds the
-/// centre.
+/// Has the ball's face, of any kind, a point in the shadow of the socket's? False where the plane of the
+/// socket's face holds the centre.
 bool meets_shadow(const Triangle& ball, const Triangle& socket);
 
-/// Has a face, of any kind, a point in the pyramid of the other? Likewise.
+/// Has the socket's face, of any kind, a point in the pyramid of the ball's? Likewise.
 bool meets_pyramid(const Triangle& socket, const Triangle& ball);
 
 /// Does the plane of the face not hold the centre, exactly?

@@ -21,7 +21,7 @@ namespace impinge {
 /// A circle with no direction inside.
 struct EmptyCircle {
   Vec3 centre = Vec3::UnitZ();  // unit vector
-  double radius = 0.0;          // of the circle
+  double radius = 0.0;          // angle from the centre to the circle, radians
 };
 
 /// The triangles between directions, and the gaps in them.
@@ -39,10 +39,10 @@ SphereDelaunay sphere_delaunay(std::span<const Vec3> entries);
 /// poles. Radius 0 where there is no such centre.
 EmptyCircle widest_gap(const SphereDelaunay& delaunay, double z_max = 1.0);
 
-/// Voronoi area of each distinct direction; they sum to 4 pi.
+/// Voronoi area of each distinct direction, steradians; they sum to 4 pi.
 std::vector<double> voronoi_areas(const SphereDelaunay& delaunay);
 
-/// Area of each entry: entries of one direction share its Voronoi area evenly.
+/// Area of each entry, steradians: entries of one direction share its Voronoi area evenly.
 std::vector<double> entry_areas(const SphereDelaunay& delaunay);
 
 }  // namespace impinge

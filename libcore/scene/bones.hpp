@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One question to every joint of a folder, answered by one table.
+// Asks one question of every joint in a folder, answered in one table.
 #pragma once
 
 #include <ostream>
@@ -17,13 +17,13 @@ namespace impinge {
 ///   measures.csv   of the question measures (scene/measure_table.hpp)
 ///   joints.csv     of the other questions: a row for each joint, with the numbers of its summary
 ///   JOINT/         of the questions volume, resection and orientation: the files of each joint
-/// A joint that cannot be used is left out: summary.json says why, and so does a line on `log`, which tells
-/// the progress too. std::runtime_error where none is left, FileError where a file cannot be written.
+/// A joint that cannot be used is left out: summary.json and a line on `log` say why; `log` also gets the
+/// progress. std::runtime_error if no joint is left, FileError if a file cannot be written.
 ///
 /// Returns the contents of summary.json.
 nlohmann::json answer_bones(const SceneOptions& options, std::ostream& log);
 
-/// The same for a reader at a terminal.
+/// The summary as text for a terminal.
 std::string describe_bones(const SceneOptions& options, const nlohmann::json& summary);
 
 }  // namespace impinge

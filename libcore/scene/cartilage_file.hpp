@@ -8,10 +8,10 @@
 
 namespace impinge {
 
-/// A CSV with the header x,y,z,thickness_mm and one point a line: a place in the frame of the meshes (mm),
-/// such as a vertex of the socket, and the thickness of both layers together there (mm, 0 or more). Its
-/// direction from `centre` counts. FileError with the line for what cannot be read, and where a point is at
-/// the centre.
+/// Reads a CSV with the header x,y,z,thickness_mm and one point a line: a place in the frame of the meshes
+/// (mm), such as a vertex of the socket, and the thickness of both layers together there (mm, 0 or more).
+/// Only its direction from `centre` is used. FileError names the line that cannot be read, or whose point is
+/// at the centre.
 CartilageMap read_cartilage(const std::filesystem::path& file, const Vec3& centre);
 
 }  // namespace impinge

@@ -9,13 +9,12 @@
 
 namespace impinge {
 
-/// Reads both meshes and puts them together (hip/joint.hpp), with the map of the cartilage if there is one,
-/// by the axes that are given or that the headers say (mesh/declared_axes.hpp), and by landmarks in the
-/// frames that these give. FileError for a file that cannot be used; otherwise as assemble_joint(), with the
-/// names of the files.
+/// Reads both meshes and assembles the joint (hip/joint.hpp), with the cartilage map if there is one. Axes
+/// are those given, else those of the headers (mesh/declared_axes.hpp); landmarks set the anatomical frames.
+/// FileError for a file that cannot be used; otherwise throws as assemble_joint(), with the files' names.
 Session load_joint(const SceneOptions& options);
 
-/// What a reader must know of the frames that were not given by --axes alone; a line each.
+/// Lines on how the frames were found, where not by --axes alone.
 std::string describe_frames(const SceneOptions& options, const Joint& joint);
 
 }  // namespace impinge

@@ -35,10 +35,10 @@ struct JointFolder {
 struct JointFolders {
   std::vector<JointFolder> joints;  // in the order of their names
   std::vector<std::string>
-      left_out;  // "FOLDER has no ball mesh", or why its description is none: a line each
+      left_out;  // a line each: "FOLDER has no ball mesh", or what is wrong with its description
 };
 
-/// std::runtime_error, one line, where no folder holds a joint.
+/// Finds the joints of a folder. std::runtime_error, one line, if it holds none.
 JointFolders find_joints(const std::filesystem::path& folder);
 
 }  // namespace impinge

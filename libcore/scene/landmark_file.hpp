@@ -10,22 +10,22 @@
 
 namespace impinge {
 
-/// Points by their labels: of 3D Slicer's .mrk.json, which says in which frame they are, turned to that of
-/// the meshes; or of a CSV label,x,y,z in the frame of the meshes, mm. Labels have the words asis, pubic
-/// tubercle or epicondyle, and left or right, medial or lateral, in any order and case, as asis_right or
-/// "Pubic tubercle, left"; points with other labels are left out. FileError for a file that is no such thing,
-/// and for a label that is there twice.
+/// Reads points by their labels, mm: from 3D Slicer's .mrk.json, which names its frame (turned to that of the
+/// meshes by `axes`, see input_to_joint()), or from a CSV label,x,y,z in the frame of the meshes. A label
+/// contains asis or tubercle with left or right, or epicondyle with medial or lateral, in any order and case,
+/// as asis_right or "Pubic tubercle, left"; other points are ignored. FileError for a file that is neither,
+/// and for a label that occurs twice.
 Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3d& axes);
 
-/// Adds one by its label, in the frame of the meshes, mm; none of another label. std::invalid_argument, one
-/// line, for a place that is none and a label that is there already.
+/// Adds a point by its label, in the frame of the meshes, mm; other labels are ignored.
+/// std::invalid_argument, one line, for a place that is not finite and a label that is there already.
 void add_landmark(std::string_view label, const Vec3& place, Landmarks& found);
 
-/// Takes the joint's frames from them (use_frames()). std::runtime_error, one line with `from`, a file or an
-/// option, where they give none.
+/// Sets the joint's frames by landmarks (use_frames()). std::runtime_error, one line, if they give none; it
+/// begins with `from`, the file or option that they are from.
 void use_landmarks(const Landmarks& landmarks, const std::string& from, std::optional<Side> side,
                    Joint& joint);
-/// The same of a file.
+/// The same with the landmarks of a file.
 void use_landmarks(const std::filesystem::path& file, std::optional<Side> side, Joint& joint);
 
 }  // namespace impinge

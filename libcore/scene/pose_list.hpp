@@ -20,28 +20,28 @@ struct PoseColumn {
   const MotionName* motion = nullptr;  // null for a time
 };
 
-/// One pose in a row. Either columns of angles in degrees, or matrices: twelve numbers, row by row.
+/// One pose a row: either angles in degrees, or a matrix (3 x 4) as twelve numbers, row by row.
 struct PoseList {
   std::vector<PoseColumn> columns;  // empty for matrices
   std::vector<double> values;       // of all rows, one row after the other
 
   std::size_t width() const { return columns.empty() ? 12 : columns.size(); }
   std::size_t size() const { return values.size() / width(); }
-  /// Has it angles that turn opposite ways on the two sides?
+  /// Does it have angles that need the side of the body (abduction, rotation)?
   bool needs_side() const;
-  /// Where the angles of a row bring the ball.
+  /// The motion that the angles of a row make; not for matrices.
   Motion motion(std::size_t row) const;
-  /// x' = rotation x + translation, frame of the input, mm, of a list of matrices.
+  /// Of a list of matrices: x' = rotation x + translation, input frame, mm.
   Eigen::Matrix3d rotation(std::size_t row) const;
   Vec3 translation(std::size_t row) const;
 };
 
-/// Every combination of the angles in "flexion=0..120/1,internal_rotation=0..40/10,abduction=5": from the
-/// first to the last by steps, or one angle. The last one named changes first. std::invalid_argument, one
-/// line, for anything else, a last angle that no step meets, or more than ten million poses.
+/// Every combination of the angles (degrees) in "flexion=0..120/1,internal_rotation=0..40/10,abduction=5":
+/// FIRST..LAST/STEP, or one angle. The last motion named varies fastest. std::invalid_argument, one line, for
+/// anything else, a last angle that the steps do not meet, or more than ten million poses.
 PoseList parse_pose_grid(std::string_view text);
 
-/// Reads poses, by the name of the file:
+/// Reads poses; the file's extension decides how:
 ///   * .mot or .sto: a motion of OpenSim with inDegrees in its head, and columns hip_flexion_r,
 ///     hip_adduction_r, hip_rotation_r (or _l, by `side`), or their states as
 ///     /jointset/.../hip_flexion_r/value; other columns are of other joints. OpenSim's hip (gait2392) turns

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of --certificate: a proof that needs none of this program.
+// The file of --certificate: a proof that can be checked without this program.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace impinge {
 
-/// Of the pose, or where a limit is asked for of the way to it (session/proof.hpp). std::runtime_error, one
-/// line, where nothing can be proven.
+/// The proof for the pose or, if a limit is asked for, for the motion up to it (session/proof.hpp).
+/// std::runtime_error, one line, if nothing can be proven.
 ClearanceProof proof_asked(Session& session, const SceneOptions& options);
 
-/// What the file holds, for a reader at a terminal.
+/// What the file holds, as text for a terminal.
 std::string describe_proof(const SceneOptions& options, const ClearanceProof& proof);
 
 }  // namespace impinge

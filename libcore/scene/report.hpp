@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program `scene` says of a pose with all gaps: ball.ply, socket.ply, gaps.csv, distances.csv,
-// summary.json, and a few lines for the reader.
+// Output of the program `scene` for a pose with all gaps: ball.ply, socket.ply, gaps.csv, distances.csv,
+// summary.json, and a few lines of text.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ namespace impinge {
 nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint,
                        const Measurement& measurement);
 
-/// Writes the files that options.outputs asks for into options.out, all of them or none (file_set.hpp): an
-/// older set is kept where one cannot be written. Positions are those of the pose, in the input frame.
+/// Writes the files that options.outputs asks for into options.out, all of them or none (file_set.hpp).
+/// Positions are those of the pose, in the input frame. FileError if a file cannot be written.
 void write_scene(const SceneOptions& options, const SessionJoint& joint, const Measurement& measurement,
                  const nlohmann::json& summary);
 
-/// The same for a reader at a terminal.
+/// The summary as text for a terminal.
 std::string describe_scene(const SceneOptions& options, const SessionJoint& joint,
                            const Measurement& measurement);
 

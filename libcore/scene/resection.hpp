@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program `scene` says of the bone that required motions would need gone: resection.json and
+// Output of the program `scene` on the bone that has to go for required motions: resection.json and
 // resected_ball.ply.
 #pragma once
 
@@ -16,28 +16,27 @@ namespace impinge {
 inline constexpr const char* kNoGuide =
     "Research software, not a medical device: nothing in this may guide the treatment of a patient.";
 
-/// What the required motions are.
+/// How the required motions are understood.
 inline constexpr const char* kWhichPath =
     "each required motion is its path from the pose of the scan, one angle after the other: flexion, "
     "abduction, "
     "rotation";
 
-/// What the options ask of a cut.
+/// The request for a resection that the options make.
 ResectionRequest resection_request(const SceneOptions& options);
 
-/// The contents of resection.json: volume in mm^3, area in mm^2 and depth in mm between proven ends, and each
-/// leg of the required motions before and after, angles in degrees, times in ms.
+/// The contents of resection.json: volume (mm^3), area (mm^2) and depth (mm) as proven intervals, and each
+/// leg of the required motions before and after; angles in degrees, times in ms.
 nlohmann::json resection_summary(const SceneOptions& options, const SessionJoint& joint,
                                  const ResectionAnswer& found, double milliseconds);
 
-/// Writes resection.json and resected_ball.ply into options.out, both or none: the ball that is left, in the
-/// input frame, with the `depth` of bone that is gone at each vertex, mm along its ray. With them, if there
-/// is a least cut, swept.csv: parts of the ball's surface, in that frame, and the radii there that may have
-/// to go.
+/// Writes into options.out, all files or none: resection.json; resected_ball.ply, the ball that is left, in
+/// the input frame, with the `depth` of removed bone at each vertex (mm along its ray); and, for a least cut,
+/// swept.csv, with parts of the ball's surface (input frame) and the radii there that may have to go.
 void write_resection(const SceneOptions& options, const SessionJoint& joint, const ResectionAnswer& found,
                      const nlohmann::json& summary);
 
-/// The same for a reader at a terminal.
+/// The summary as text for a terminal.
 std::string describe_resection(const SceneOptions& options, const ResectionAnswer& found);
 
 }  // namespace impinge

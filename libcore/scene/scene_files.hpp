@@ -12,11 +12,11 @@ namespace impinge {
 /// Names of the files that write_scene() or an answered question leaves behind.
 std::vector<std::string> scene_files(const SceneOptions& options);
 
-/// Those of any scene.
+/// Names of the files that any scene may write.
 std::vector<std::string> every_scene_file();
 
-/// Names of files in the folder that an earlier scene wrote and this one does not, rows of interrupted poses
-/// among them. They are not of this scene, and are not touched.
+/// Names of files in the folder that an earlier scene wrote and this one does not, unfinished .part files of
+/// many poses included. They are only listed, not changed.
 std::vector<std::string> older_files(const SceneOptions& options);
 
 }  // namespace impinge

@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-/// The empty text stands for an option not given.
+/// Values of the options as text; an empty text means that the option was not given.
 struct TypedOptions {
   std::string centre = "fit";
   std::string scheme;
@@ -36,8 +36,7 @@ struct TypedOptions {
 /// Throws OptionError: "option NAME: 'VALUE' ADVICE".
 [[noreturn]] void refuse_option(std::string_view option, std::string_view value, std::string_view advice);
 
-/// Fills in what the texts say. OptionError where they cannot be used, alone or together with what options
-/// has.
+/// Sets `options` from the texts. OptionError if a text cannot be used, alone or together with the others.
 void interpret(const TypedOptions& typed, SceneOptions& options);
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motion volume as a picture: over flexion and abduction how far the ball may be rotated about the axis
-// of the femur.
+// The motion volume as a picture: how far the femur may be rotated about its axis, over flexion and
+// abduction.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-/// An SVG, 5 degrees a square: darker where internal and external rotation together go farther without
-/// contact, certainly; grey where the pose without rotation is blocked, white where the cells do not say.
+/// An SVG, 5 degrees a square: the darker, the larger the range from external to internal rotation that is
+/// certainly without contact; grey where the pose without rotation is blocked, white where it is undecided.
 std::string volume_picture(const MotionVolume& volume, Side side);
 
 }  // namespace impinge

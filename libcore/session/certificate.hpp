@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a joint impinged in a pose, beyond doubt?
+// Exact verdicts on whether a joint is impinged in a pose.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace impinge {
 
-/// What the tables know of the vertices of one surface, in their order: the gap (mm, NaN where none is known)
-/// and the proven bound on its error.
+/// For each vertex of one surface, in order: its gap from the tables (mm, NaN where none is known) and the
+/// proven bound on the error of that gap.
 struct GapEvidence {
   std::span<const double> gap;    // mm, by vertex
   std::span<const double> bound;  // mm, by vertex
 };
 
-/// Of the vertices that have a gap: what gaps and bounds alone prove, mm.
+/// Counts what gaps and bounds (mm, by vertex) prove of the vertices that have a gap.
 VerdictCount count_verdicts(std::span<const double> gap, std::span<const double> bound);
 
-/// What is known of the vertices of one surface, before and after the exact look.
+/// Verdicts on the vertices of one surface, before and after the exact test.
 struct VertexVerdicts {
-  VerdictCount by_bound;        // what the gaps and their bounds alone would say
-  std::size_t without_gap = 0;  // of which they say nothing: most have no surface in their direction
-  std::size_t impinged = 0;     // exactly
-  std::size_t refuted = 0;      // verdicts by bound that are wrong: none if the bounds hold
+  VerdictCount by_bound;        // by gaps and bounds alone
+  std::size_t without_gap = 0;  // vertices without a known gap: most have no surface in their direction
+  std::size_t impinged = 0;     // vertices impinged by the exact test
+  std::size_t refuted = 0;      // verdicts by bound that the exact test contradicts: 0 if the bounds hold
 };
 
 struct Certificate {
@@ -41,9 +41,9 @@ struct Certificate {
   bool vertices_impinged() const { return ball.impinged + socket.impinged > 0; }
 };
 
-/// A vertex is clear or impinged where gap - bound > 0 or gap + bound <= 0, and undecided otherwise and where
-/// no gap is known; it is then resolved exactly. Vertices of no face belong to no surface and are passed
-/// over. Meshes in their centre frames, mm.
+/// By bound a vertex is clear if gap - bound > 0, impinged if gap + bound <= 0, else undecided; each vertex
+/// is also tested exactly, with or without a gap. Vertices that are not on a surface
+/// (mesh/surface_vertices.hpp) are passed over. Meshes in their centre frames, mm.
 Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
                     const GapEvidence& socket);
 

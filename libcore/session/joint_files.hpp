@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of the files that a pose is kept in. Positions are those of the pose, in the input frame, mm.
+// The bytes of the files written for a pose. Positions are those of the pose, in the input frame, mm.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace impinge {
 
 std::string gaps_csv(const SessionJoint& joint, const PoseAnswer& found);  // as hip/gap_files.hpp has it
 
-/// surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm; the answer has its distances.
+/// CSV surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm; `found` must have distances.
 std::string distances_csv(const PoseAnswer& found);
 
 /// One surface with its gaps and their colours (mesh/ply_writer.hpp).

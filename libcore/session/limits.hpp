@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a session's joint turns: the limits that no step can jump over, about the meshes themselves
-// (motion/told_limit.hpp), and the smallest gaps on the way by the tables.
+// How far a session's joint turns: limits of the meshes themselves, found without steps that could jump over
+// a contact (motion/told_limit.hpp), and the smallest gaps on the way, by the tables.
 #pragma once
 
 #include <optional>
@@ -16,35 +16,35 @@ namespace impinge {
 struct LimitRequest {
   Motion start;                     // degrees
   std::string growing;              // of motion_names()
-  double largest_deg = 360.0;       // of the growth; no farther than anatomy allows
+  double largest_deg = 360.0;       // of the growth; cut to largest_growth() (hip/motion.hpp)
   Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
   double cartilage_mm = 4.0;        // both layers together
 };
 
 /// One limit, and where it is reached.
 struct LimitAnswer {
-  const char* about;            // "ball" or "socket": whose centre
-  Vec3 centre;                  // that, mm, input frame
+  const char* about;            // "ball" or "socket": about whose centre the ball turns
+  Vec3 centre;                  // this centre, mm, input frame
   ToldLimit told;               // its bracket, and what half a millimetre changes
   std::optional<double> hours;  // where they touch, on the dial
-  std::string ball_part;        // which part of the ball stops it (mesh/mesh_parts.hpp); empty: none of them
+  std::string ball_part;        // part of the ball that stops it (mesh/mesh_parts.hpp); empty: main surface
   std::string socket_part;      // the same of the socket
 };
 
-/// Of contact about the centre of the ball; about that of a sphere fitted to the socket, where one fits it
-/// and the ball is not shifted; and of a gap of the cartilage's thickness, about the centre of the ball.
+/// The limits of one growing angle.
 struct LimitAnswers {
   double largest_deg = 0.0;           // of the growth that was looked at
-  LimitAnswer contact;                // about the ball's centre
-  std::optional<LimitAnswer> socket;  // about the socket's
-  LimitAnswer cartilage;              // of the contact where there is no cartilage
+  LimitAnswer contact;                // of contact, about the ball's centre
+  std::optional<LimitAnswer> socket;  // about the centre of a sphere fitted to the socket; none if none fits
+                                      // or the ball is shifted
+  LimitAnswer cartilage;              // of a gap of cartilage_mm, about the ball's centre; `contact` if 0
 };
 LimitAnswers answer_limits(Session& session, const LimitRequest& request);
 
-/// The smallest gap of each step to the largest angle, mm, NaN where the surfaces do not meet.
+/// The smallest gap at each step to the largest angle, by the tables.
 struct Sweep {
-  std::vector<double> angles;  // of the growth, degrees
-  std::vector<double> smallest;
+  std::vector<double> angles;    // of the growth, degrees
+  std::vector<double> smallest;  // mm, NaN where the surfaces do not face each other
 };
 Sweep sweep(Session& session, const LimitRequest& request, double step_deg);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of a joint in one pose, worked out.
+// Works out what is asked of a joint in one pose.
 #pragma once
 
 #include <cstddef>
@@ -16,35 +16,36 @@ namespace impinge {
 
 /// All gaps, and what else was asked for.
 struct Measurement : PoseAnswer {
-  double precision_deg = 0.0;              // of both tables; 0 without, and with an accuracy
-  std::size_t entries = 0;                 // of each table; worked out in both, with an accuracy
+  double precision_deg = 0.0;              // of both tables; 0 without tables, and with max_error_mm
+  std::size_t entries = 0;                 // of each table; with max_error_mm, worked out in both
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
   double bound_ms = 0.0;                   // the bounds of all gaps
   double distance_ms = 0.0;                // all Euclidean distances
   std::optional<PoseVerdicts> proven;      // by the bounds, where they are asked for
   std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
-  std::string way;                         // how the gaps were found, and why so, in one clause
+  std::string way;                         // how the gaps were found and why so, one clause
   std::vector<LeftOut> left_out;           // work and memory that the question did not need
 };
 
-/// Measures each gap, with its bound, on the faces (gap/measured_gap.hpp). Where a precision is asked for, it
-/// fills a table in double for each surface and scans both; where neither bounds nor verdicts are asked for,
-/// only what the gaps need is done (session/scene_plan.hpp). With an accuracy, gaps that no table is proven
-/// to keep that accurate are measured on the faces, and bounds, where they are asked for, are those of
-/// holding each gap against the faces.
+/// Finds all gaps in a pose, by default on the faces (gap/measured_gap.hpp).
+/// * With precision_deg: by a table in double of each surface; if neither bounds nor verdicts are asked for,
+///   only what the gaps need is worked out (session/scene_plan.hpp).
+/// * With max_error_mm: by a table where it is proven to be that accurate, on the faces elsewhere. Bounds
+///   then come from comparing each gap with the faces.
 ///
-/// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take) or
-/// the accuracy is below what rounding leaves.
+/// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take),
+/// max_error_mm is below what rounding leaves, or the joint has parts of bone.
 Measurement measure(Session& session, const PoseQuestion& asked);
 
-/// The answer to another question than all_gaps, and the plan that it was found by.
+/// The answer to a question other than all_gaps.
 struct QuestionAnswer {
   Pose pose;                  // of the ball, in the centre frame
   SceneAnswer answer;         // to the question
   double milliseconds = 0.0;  // of planning and answering
 };
-/// Plans and answers the question in the pose that the motion names.
+/// Answers the question in the pose of asked.motion. std::runtime_error, one line, as measure(); parts of
+/// bone are allowed only for `touch` of both surfaces without tables.
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked);
 
 }  // namespace impinge

@@ -9,8 +9,8 @@
 
 namespace impinge {
 
-/// In the joint frame, which landmarks make that of the pelvis, with the femur in neutral.
-/// std::invalid_argument without a side.
+/// The measures in the joint frame. With landmarks this is the frame of the pelvis, the femur in neutral
+/// position. std::invalid_argument without a side.
 std::vector<Measure> answer_measures(const SessionJoint& joint);
 
 }  // namespace impinge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene asks for, and what may be left out because of it.
+// What a scene asks for, and what work may be left out without changing its answer.
 #pragma once
 
 #include <array>
@@ -27,16 +27,16 @@ struct SceneNeeds {
   bool ball = true;                        // the first scan: vertices of the ball against the socket
   bool socket = true;                      // the second scan
   std::vector<Pose> poses{Pose{}};         // of the ball in the socket, in the order of the answer
-  /// Largest error of a gap, mm; none to have the answers of the tables that are given, bit for bit.
+  /// Largest error of a gap, mm, above 0; none: the answers of the given table, bit for bit.
   std::optional<double> accuracy_mm;
 };
 
-/// Each can be left out or not by itself.
+/// Kinds of work that can be left out, each independently of the others.
 enum class Omission {
   vertices,       // that cannot come within reach of the other surface, or cannot change the answer
-  entries,        // of the tables that no vertex reads
+  entries,        // of the tables, that no vertex reads
   second_scan,    // where bounds prove that it cannot change the answer
-  fine_table,     // a precision, storage or scheme beyond the accuracy
+  fine_table,     // a precision, storage or scheme finer than the accuracy needs
   distances,      // Euclidean
   error_bounds,   // of each gap
   exact_verdicts  // the exact reference

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In which orientations of its socket a session's joint is free in required motions
+// The orientations of the socket in which a session's joint is free in required motions
 // (motion/orientation.hpp).
 #pragma once
 
@@ -14,22 +14,22 @@ namespace impinge {
 struct OrientationRequest {
   std::vector<Motion> required;  // degrees; each along its own path (motion/required_motion.hpp)
   double tilt_deg = 0.0;         // of the pelvis backwards from its pose in the scan
-  double resolution_deg = 0.1;   // of the map, where it is open
+  double resolution_deg = 0.1;   // of the map: undecided cells are not split below this
 };
 
-/// What is known of all orientations of the map. Areas in square degrees.
+/// The map of orientations. Areas in square degrees.
 struct OrientationAnswer {
   OrientationQuestion question;        // that was asked of the cells
   std::vector<OrientationCell> cells;  // that make up the map
-  double free = 0.0;                   // of the map, certainly
+  double free = 0.0;  // area of cells in this state; so the next three (motion/orientation.hpp)
   double blocked = 0.0;
   double unknown = 0.0;
   double open = 0.0;
   CellState as_scanned = CellState::open;  // of the cell that holds the socket as it is
 };
 
-/// The socket turns about the centre of the ball. std::runtime_error, one line, where it has no rim to
-/// measure its orientation by, std::invalid_argument without a side.
+/// The socket turns about the centre of the ball. std::runtime_error, one line, if the socket has no rim to
+/// measure its orientation by; std::invalid_argument without a side.
 OrientationAnswer answer_orientation(Session& session, const OrientationRequest& request);
 
 }  // namespace impinge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plan in the making, with all that it is made from, and its two steps.
+// A plan (scene_plan.hpp) while it is made, with its inputs, and the two steps that make it.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ struct PlanDraft {
   ScenePlan plan;               // so far
 };
 
-/// Leaves out the vertices, and with them maybe the second scan, that cannot change the answer. Sets the
+/// Step 1: leaves out the vertices, and perhaps the second scan, that cannot change the answer. Sets the
 /// plan's limit.
 void choose_vertices(PlanDraft& draft);
 
-/// Then chooses the table for the accuracy that is asked for, if one is, and for each scan the entries that
-/// its look-ups read.
+/// Step 2: chooses the table, if an accuracy is asked for, and for each scan the entries that its look-ups
+/// read.
 void choose_entries(PlanDraft& draft);
 
-/// Makes the scan know the faces near a direction, with a margin of that many radians or more.
+/// Gives the scan an index of the faces near each direction, with a margin of `margin` radians or more.
 void index_faces(const BallSocketPair& joint, double margin, ScanPlan& scan);
 
 /// Calls visit(x) for each look-up of the scan, so far as it is planned, in the order of poses and vertices;

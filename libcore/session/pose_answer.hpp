@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session says of one pose: gaps, what they mean, and what is proven about them.
+// A session's answer for one pose: gaps, summaries of them, and what is proven about them.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,25 @@
 
 namespace impinge {
 
-/// A pose, and where the cartilage begins.
+/// A pose, and the thickness of the cartilage.
 struct PoseRequest {
   Motion motion;                    // degrees
   Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
-  double cartilage_mm = 4.0;        // both layers together; without a map of it
+  double cartilage_mm = 4.0;        // both layers together; ignored if the joint has a cartilage map
 };
 
-/// Of the vertices of one surface. What was not asked for is empty.
+/// Results for the vertices of one surface, one value a vertex; empty if not asked for.
 struct SurfaceAnswer {
   std::vector<double> gap;    // mm, NaN where the other surface is not met; empty if it was not scanned
-  std::vector<double> bound;  // mm, proven bound on the error of the gap, NaN with it, infinite where none is
+  std::vector<double> bound;  // mm, proven bound on the gap's error; NaN without a gap, infinite if unproven
   std::vector<DistanceBracket> distance;  // Euclidean, to any point of the other surface, of every vertex
 
-  std::vector<double> against_cartilage;   // gaps in mm, or as shares of a map's thickness
-  double touching = 0.0;                   // of these, where the layers of cartilage touch
-  GapSummary all;                          // of the gaps
-  GapSummary bone;                         // impinged at 0
-  GapSummary cartilage;                    // impinged where the layers of cartilage touch
-  std::vector<ClockZone> bone_zones;       // of the dial, with such gaps; empty without a dial
+  std::vector<double> against_cartilage;   // gaps in mm, or as shares of the map's thickness if there is one
+  double touching = 0.0;                   // value of against_cartilage at which the layers touch
+  GapSummary all;                          // of `gap`
+  GapSummary bone;                         // of against_cartilage, impinged at 0
+  GapSummary cartilage;                    // of against_cartilage, impinged at `touching`
+  std::vector<ClockZone> bone_zones;       // of the dial, impinged as in `bone`; empty without a dial
   std::vector<ClockZone> cartilage_zones;  // the same
   GapHistogram histogram;                  // of the gaps
 };
@@ -58,22 +58,22 @@ struct PoseAnswer {
   SurfaceAnswer& of(Surface surface) { return surface == Surface::ball ? ball : socket; }
 };
 
-/// What the gaps and their bounds prove about a pose.
+/// What the gaps and their bounds prove about a pose. Counts the vertices of both surfaces that have a gap.
 struct PoseVerdicts {
-  VerdictCount vertices;      // of those that have a gap, on both surfaces
-  std::size_t unbounded = 0;  // of the undecided ones, those about which nothing is proven
-  double largest_mm = 0.0;    // the largest bound of the others
-  double median_mm = 0.0;     // and their median, the upper one of two
-  SmallestBetween smallest;   // of all that have a gap
+  VerdictCount vertices;      // clear, impinged or undecided by their bounds
+  std::size_t unbounded = 0;  // undecided vertices without a finite bound
+  double largest_mm = 0.0;    // largest finite bound
+  double median_mm = 0.0;     // median of the finite bounds, the upper one of two
+  SmallestBetween smallest;   // interval of the smallest gap
 };
 
 /// The pose that a motion names, of the ball in the centre frame of the socket.
 Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation = Vec3::Zero());
 
-/// By the tables, which have been filled.
+/// Answers by the tables, which must have been filled. Shifts the ball by request.translation.
 PoseAnswer answer_pose(Session& session, const PoseRequest& request);
 
-/// What these gaps mean, of the vertices of both surfaces, mm; none of a surface that was not scanned.
+/// Summaries of given gaps (mm, by vertex); empty for a surface that was not scanned.
 PoseAnswer answer_of_gaps(const SessionJoint& joint, const Pose& pose, std::vector<double> ball_gap,
                           std::vector<double> socket_gap, double cartilage_mm);
 
@@ -83,14 +83,14 @@ std::vector<Vec3> places_in_other(const SessionJoint& joint, const Pose& pose, S
 /// The same in the centre frame of the socket.
 std::vector<Vec3> posed_places(const SessionJoint& joint, const Pose& pose, Surface of);
 
-/// Gives each gap the bound of the cell that it reads. Bounds the tables when that has not been done.
+/// Adds to each gap its bound, that of the table's cell it was read from; bounds the tables first if needed.
 void bound_gaps(Session& session, PoseAnswer& answer);
 
-/// Of gaps that have their bounds; those whose bound leaves open where the smallest is are measured on the
-/// faces.
+/// The verdicts of gaps that have their bounds. Where the bounds leave open which gap is the smallest, these
+/// gaps are measured on the faces.
 PoseVerdicts verdicts_of(SessionJoint& joint, const PoseAnswer& answer);
 
-/// All three: the verdicts of session/certificate.hpp before its exact look.
+/// answer_pose(), bound_gaps() and verdicts_of() in turn.
 PoseVerdicts answer_verdicts(Session& session, const PoseRequest& request);
 
 }  // namespace impinge

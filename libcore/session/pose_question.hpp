@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-inline constexpr double kUsualPrecision = 0.5;  // degrees, of tables that are asked for without one
+inline constexpr double kUsualPrecision = 0.5;  // degrees, of tables if no precision is given
 
 /// What is worked out besides the answer to the question.
 struct PoseOutputs {
@@ -32,8 +32,7 @@ struct PoseQuestion {
   bool scan_socket = true;                 // the second scan
   PoseOutputs outputs;                     // with all_gaps
 
-  /// Of a single pose the faces answer sooner than any table would be filled: tables where they are asked
-  /// for.
+  /// Are tables used? Only if asked for: for one pose the faces are faster than filling a table.
   bool by_tables() const { return precision_deg || max_error_mm; }
 };
 

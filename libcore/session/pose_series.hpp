@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint in many poses: touch and the smallest gap of each, without asking most vertices and faces, and
-// impinged areas by the kernel of exact cells.
+// One joint in many poses: touch and the smallest gap of each, without looking at most vertices and faces,
+// and impinged areas by the kernel of exact cells (gap/simd/exact_cells.hpp).
 #pragma once
 
 #include <array>
@@ -24,16 +24,16 @@ struct SeriesOutputs {
   double cartilage_mm = 4.0;  // both layers together
 };
 
-/// Of the vertices of one surface, by their gaps in float (gap/simd/exact_cells.hpp), mm^2.
+/// Impinged area of one surface, by the vertices' gaps in float, mm^2.
 struct SeriesArea {
-  double bone = 0.0;       // with a gap of 0 or less
-  double cartilage = 0.0;  // with one of the cartilage's thickness or less
+  double bone = 0.0;       // where the gap is 0 or less
+  double cartilage = 0.0;  // where the gap is the cartilage's thickness or less
 };
 
 /// The smallest radial gap of a pose and its vertex.
 struct SeriesGap {
   LeastGap least;
-  double bound_mm = 0.0;      // proven, of the error of that vertex's gap; infinite where nothing is
+  double bound_mm = 0.0;      // proven bound on the error of that vertex's gap; infinite if nothing is proven
   Vec3 place = Vec3::Zero();  // of the vertex, posed, centre frame of the socket, mm
 };
 
@@ -75,8 +75,8 @@ class PoseSeries {
   std::vector<Scan> scans_;               // of ball and socket, if areas are
 };
 
-/// The pose of the ball in the centre frame whose matrix is x' = motion x in the frame of the input, in which
-/// the centre is.
+/// The pose in the centre frame for a motion x' = rotation x + translation of the ball in the input frame
+/// (mm), which also has `centre`.
 Pose pose_about(const Vec3& centre, const Eigen::Matrix3d& rotation, const Vec3& translation);
 
 }  // namespace impinge

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a session's ball would have to go so that required motions are reached, and whether that can be:
-// motion/resection.hpp, with the checks that a user's joint needs, and the cut ball held against the exact
-// means of the library.
+// The bone to cut from a session's ball so that required motions are reached (motion/resection.hpp), with
+// checks of the joint, and exact tests of the cut ball.
 //
 // A cut is refused where
 //   * the pose of the scan touches, or has a gap below the clearance, already;
-//   * the mesh of the ball ends under the socket on the way: what is missing may be in the way too;
-//   * it reaches the bearing surface: vertices of the ball that lie on the sphere that fits the head, as near
-//     as those that the fit took (hip/sphere_fit.hpp, SphereFit::trim), and face the socket in the pose of
-//     the scan;
-//   * it comes so near to the axis of the neck that the widest round bar about it which no cut enters is
-//     narrower than was asked for. The axis is that of hip/hip_measures.hpp; a ball without a neck is not
-//     asked.
+//   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
+//   * it reaches the bearing surface: vertices of the ball within SphereFit::trim of the sphere that fits the
+//     head (hip/sphere_fit.hpp) and facing the socket in the pose of the scan;
+//   * it thins the neck too much: the widest round bar about the axis of the neck (hip/hip_measures.hpp) that
+//     the cut leaves whole is narrower than asked for. A ball without a neck is not checked for this.
 //
-// The least cut of all takes bone along the same rays, from the same radius on: what holds for the radial cut
-// of bearing surface and neck holds for it. It is refused where the socket has no wall.
+// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
+// surface and neck hold for it as well. It is refused if the socket has no wall.
 #pragma once
 
 #include <optional>
@@ -34,8 +31,8 @@ struct ResectionRequest {
   bool least = false;                   // the least cut of all too
 };
 
-/// Of the neck's width, where no width was asked for: up to 30 % of the anterolateral quadrant of the neck
-/// can go before less load breaks it (Mardones et al. 2005, cadaver femora).
+/// Default width of the bar, as a share of the neck's width: up to 30 % of the anterolateral quadrant of the
+/// neck can be resected before it breaks at a lower load (Mardones et al. 2005, cadaver femora).
 inline constexpr double kNeckShare = 0.7;
 
 /// A leg of a required path, before the cut and after.
@@ -47,11 +44,11 @@ struct ReachedLeg {
 
 inline constexpr double kBeyondLeg = 10.0;  // degrees that are looked at beyond what is required
 
-/// What is left of the neck, mm.
+/// Width of the round bar inside the neck, mm.
 struct NeckBar {
-  double least = 0.0;   // that was asked for
-  double before = 0.0;  // width of the bar that the ball holds where it is cut
-  double after = 0.0;   // and that the cut leaves
+  double least = 0.0;   // asked for
+  double before = 0.0;  // in the uncut ball, where it is cut
+  double after = 0.0;   // in the cut ball
 };
 
 struct ResectionAnswer {
@@ -62,7 +59,7 @@ struct ResectionAnswer {
   std::optional<NeckBar> neck;    // none without a neck, or without a cut beside it
 };
 
-/// std::runtime_error, one line with the place in the input frame, where it is refused.
+/// std::runtime_error, one line with the place in the input frame, if the cut is refused.
 ResectionAnswer answer_resection(Session& session, const ResectionRequest& request);
 
 }  // namespace impinge

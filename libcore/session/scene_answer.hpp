@@ -26,14 +26,14 @@ struct SmallestGap {
   bool operator==(const SmallestGap&) const = default;
 };
 
-/// What it took.
+/// What an answer took.
 struct SceneCost {
   std::size_t bytes = 0;     // of tables and whatever stood in for them, not of the answer
   std::size_t entries = 0;   // worked out
   std::size_t look_ups = 0;  // at most: a touch is certain after one gap of 0 or less
 };
 
-/// What was asked, and what it took.
+/// The answer to a scene, and what it took.
 struct SceneAnswer {
   std::vector<bool> touches;            // of each pose, for `touch`
   std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
@@ -43,14 +43,14 @@ struct SceneAnswer {
   std::vector<LeftOut> left_out;        // by the plan
 };
 
-/// Vertices of no face belong to no surface and have no gap. `joint` and `needs` are those of the plan.
+/// Answers by a plan that was made for the same `joint` and `needs`. Vertices of no face have no gap.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const ScenePlan& plan);
 
-/// Has the answer what the plan took for proven? A gap that does not exceed the limit, a touch where it
-/// promised one: a rim may have taken the answer of the vertex away that has it.
+/// Does the answer hold what the plan assumed: a gap up to the plan's limit, a touch in each pose of
+/// plan.touches? A table has no answer next to a rim, so that the vertex in question may have no gap.
 bool is_as_planned(const SceneNeeds& needs, const ScenePlan& plan, const SceneAnswer& answer);
 
-/// Plans and answers; anew and without bounds where a plan could not keep what it promised.
+/// Plans and answers. If is_as_planned() is false, does so again with all vertices and both scans.
 SceneAnswer answer_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                          Omissions omissions = Omissions::all());
 

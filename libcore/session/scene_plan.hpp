@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What will be done for a scene and what not, worked out from its needs and its meshes before any table is
-// filled.
+// Decides, from the needs of a scene and its meshes, which work is done and which is left out, before any
+// table is filled.
 //
-// Why the answers stay the same, bit for bit, where no accuracy is stated. All entries that a look-up along x
+// Without an accuracy, leaving work out changes no bit of the answers. All entries that a look-up along x
 // reads are within the stencil radius s of x, and the answer is a mean of them. NearFaces with a margin of s
 // or more gives a range that holds all of their radii, hence the answer:
 //   no face within the margin     every entry is empty, and so is the answer
 //   lower end of the gap > limit  the gap is above the limit, or there is none
 //   upper end of the gap <= 0     the vertex touches, away from any rim: nothing else matters for `touch`
 // For `touch` the limit is 0. For `first_contact` it is the least upper end of the gaps of all vertices that
-// are not near a rim, so that there is a gap at or below it (answer_scene() makes sure). A scan without any
+// are not near a rim, so that some gap is at or below it (answer_scene() checks this). A scan without any
 // vertex left is dropped. Entries that no look-up reads cannot change an answer.
 #pragma once
 
@@ -27,11 +27,11 @@
 
 namespace impinge {
 
-/// One thing that is not done.
+/// One omission.
 struct LeftOut {
   Omission what;             // what it is
   std::string reason;        // one clause, with the numbers that it rests on
-  double bytes_saved = 0.0;  // of memory, against doing it; less than 0 where the way round it takes more
+  double bytes_saved = 0.0;  // of memory; negative if leaving it out takes more
 };
 
 /// One scan: vertices of `scanned` against the other surface.
@@ -44,8 +44,8 @@ struct ScanPlan {
   std::optional<EntrySet> entries;   // those to keep; none given: all
 };
 
-/// What is looked up: a table, and with an accuracy the faces themselves where that is cheaper or the table
-/// is not proven to keep it.
+/// What is looked up: a table. With an accuracy, the faces themselves where that is cheaper or the table is
+/// not proven to be that accurate.
 struct TableChoice {
   AnyScheme scheme;                                  // of the table
   Storage storage = Storage::double_precision;       // of the numbers in the table
@@ -60,7 +60,7 @@ struct ScenePlan {
   std::array<ScanPlan, 2> scans;  // ball, socket
   double limit_mm = 0.0;          // gaps above it do not matter; infinite for all_gaps
   std::string way;                // how the vertices that matter are found, and why so, in one clause
-  std::vector<bool> touches;      // of each pose: proven, but for what a rim takes away
+  std::vector<bool> touches;      // of each pose: is touch proven? See is_as_planned()
   std::vector<LeftOut> left_out;  // what is not done, and why
 
   /// Memory of the plan itself, which the answer needs.
@@ -72,7 +72,8 @@ struct ScenePlan {
 ScenePlan plan_scene(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& given,
                      Omissions omissions);
 
-/// Is the table proven to keep the accuracy at x? `near` is what is near x within the stencil radius or more.
+/// Is the table proven to be within its accuracy along x? `near`: the faces within the stencil radius of x or
+/// more. storage_bound in mm.
 bool keeps_accuracy(const TableChoice& table, double storage_bound, const NearFaces::Near& near);
 
 }  // namespace impinge

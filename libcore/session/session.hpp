@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint with its tables, bounds and limits. What is asked of it is answered as plain structs, which a
-// program writes, a page draws: pose_answer.hpp, measurement.hpp, limits.hpp, joint_files.hpp. Angles in
-// degrees, lengths in mm, times in ms. Every function that fails throws a std::exception whose what() is one
-// line for the reader, and leaves the session as it was.
+// One joint with its tables, bounds and limits. Questions are answered as plain structs: pose_answer.hpp,
+// measurement.hpp, limits.hpp, joint_files.hpp. Angles in degrees, lengths in mm, times in ms. A function
+// that fails throws a std::exception whose what() is one line for the reader; the session can still be used.
 #pragma once
 
 #include <array>
@@ -23,33 +22,33 @@
 
 namespace impinge {
 
-/// What a surface has in every pose.
+/// The data of a surface that do not depend on the pose.
 struct SessionPart {
   SessionPart(const TriangleMesh& mesh, const std::vector<MeshPart>& parts);  // about the centre of the ball
 
   ScannedVertices vertices;  // of the mesh
   std::vector<double> area;  // vertex_areas(), mm^2
-  std::vector<bool> used;    // on_surface(), of the main one: the others have no gap
+  std::vector<bool> used;    // by vertex: on the main surface (on_surface())? The others have no gap
 };
 
-/// A joint, and what follows from its meshes.
+/// A joint, and the data that follow from its meshes.
 struct SessionJoint {
-  /// `axis_code` says where +x, +y and +z of the meshes point (hip/anatomy.hpp); frames of landmarks go
-  /// before it.
+  /// `axis_code` says where +x, +y and +z of the meshes point (hip/anatomy.hpp). The joint frame is that of
+  /// the landmarks if put_together has some, else that of the code.
   explicit SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code);
 
-  /// What a shift of the ball's centre in the socket means, mm, input frame. The ball turns about its own
-  /// centre, which the shift moves. All gaps, tables, bounds and limits are then along rays from that centre,
-  /// about which the socket is `seen`: there the pose has no translation, and the statements (1) and (2) of
-  /// gap/overlay.hpp are one. Of the pose with its translation it is statement (2). What follows from `seen`
-  /// is made anew.
+  /// Shifts the ball's centre in the socket by `to`, mm, input frame axes. The ball turns about its own,
+  /// shifted centre. All gaps, tables, bounds and limits are along rays from that centre, about which `seen`
+  /// is the socket: there the pose has no translation, and the statements (1) and (2) of gap/overlay.hpp
+  /// coincide; for the pose with its translation, contact is that of statement (2). Data that follow from
+  /// `seen` are made anew.
   void shift_to(const Vec3& to);
 
-  /// Of the ball, or of the socket about the centre of the ball.
+  /// Data of the ball, or of the socket about the centre of the ball.
   const SessionPart& part(Surface of) const { return of == Surface::ball ? ball : socket; }
-  /// The mesh of that.
+  /// The mesh of the ball, or of the socket about the centre of the ball.
   const TriangleMesh& mesh(Surface of) const { return of == Surface::ball ? joint.ball.mesh : seen; }
-  /// The same without its parts.
+  /// The same mesh without its parts.
   TriangleMesh main(Surface of) const {
     return main_surface(mesh(of), (of == Surface::ball ? joint.ball : joint.socket).parts);
   }
@@ -57,7 +56,7 @@ struct SessionJoint {
   BoneParts beside() const {
     return {part_surfaces(joint.ball.mesh, joint.ball.parts), part_surfaces(seen, joint.socket.parts)};
   }
-  /// Its faces, as gap/measured_gap.hpp asks them; made when first asked for.
+  /// The faces of a surface, for gap/measured_gap.hpp; made when first asked for.
   const NearFaces& faces(Surface of);
 
   Joint joint;                                         // as it was put together
@@ -90,23 +89,23 @@ struct SessionTables {
   std::unique_ptr<SurfaceBounds> socket_bounds;  // the same
 };
 
-/// Everything about one joint.
+/// One joint with all that was worked out about it.
 struct Session {
   Session() = default;  // no joint yet
   /// A joint without tables.
   Session(Joint put_together, std::optional<Side> side, const std::string& axis_code)
       : joint(std::make_unique<SessionJoint>(std::move(put_together), side, axis_code)) {}
 
-  std::unique_ptr<SessionJoint> joint;  // that everything is about
+  std::unique_ptr<SessionJoint> joint;  // none yet after Session()
   SessionTables tables;                 // filled where fill_tables() or use_*() has
   /// Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
   std::unique_ptr<TurnLimits> limits;
   std::unique_ptr<TurnLimits> socket_limits;
 };
 
-/// A hip made from parameters, with tables of the settings that there were.
+/// Replaces the joint by a hip made from parameters, with tables of the present settings.
 void use_hip(Session& session, const HipParameters& parameters);
-/// A joint of a user's meshes, the same.
+/// The same with a joint of a user's meshes.
 void use_meshes(Session& session, JointInput input);
 
 /// Fills the tables of both surfaces.
@@ -115,14 +114,15 @@ void fill_tables(Session& session, const TableSettings& settings);
 /// Shifts the ball, with the tables and limits; see SessionJoint::shift_to().
 void shift_ball(Session& session, const Vec3& shift);
 
-/// The largest error of the tables along every vertex and the middle of every edge of their own meshes, where
-/// the exact radius has its kinks. What takes long is remembered for the joint.
+/// Sets tables.error_mm: the largest error of both tables along the vertices and edge middles of their own
+/// meshes, where the exact radius has its kinks. Faster when called again for the same joint.
 void measure_tables(Session& session);
 
-/// Proves bounds for both tables, unless they have some. May take some seconds.
+/// Proves bounds for both tables, unless they have some. May take some seconds. std::runtime_error for a
+/// joint with parts of bone.
 void bound_tables(Session& session);
 
-/// The larger of both tables' bounds over all directions, mm, once there are some.
+/// The larger of both tables' bounds over all directions, mm; call bound_tables() before.
 double whole_bound(const SessionTables& tables);
 
 }  // namespace impinge

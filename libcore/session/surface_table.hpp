@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of one surface, whatever its scheme and storage, behind one type, and what is proven about it.
+// One type for the table of a surface, whatever its scheme and storage, and for the bounds on its error.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@
 
 namespace impinge {
 
-/// What a table is made with.
+/// How a table is made.
 struct TableSettings {
   std::string scheme = "cube_gnomonic";     // its name
   double precision_deg = 0.35;              // of the scheme
   Storage storage = Storage::sixteen_bits;  // of the numbers
   bool flat_cube = true;                    // does `cube_gnomonic` interpolate inverse depths (`mesh_exact`)?
-  /// Of the search for the bound of the whole table, the most. Enough for a hip made from parameters: of a
-  /// whole bone, part of which is seen edge-on from the centre, the search takes minutes, and its cells are
-  /// bounded without it.
+  /// Largest number of halvings in the search for the bound of the whole table. Enough for a hip made from
+  /// parameters. For a whole bone, part of which is seen edge-on from the centre, a full search takes
+  /// minutes; bounds of single cells do not need it.
   std::size_t halvings = 20'000;
 };
 
-/// Vertices that are scanned: in double for look-ups one by one, and as the kernels read them.
+/// Vertices to scan: in double for look-ups one by one, and packed in float for the kernels.
 struct ScannedVertices {
   explicit ScannedVertices(std::span<const Vec3> vertices)
       : points(vertices.begin(), vertices.end()), packed(packed_vertices<float>(vertices)) {}
@@ -37,7 +37,7 @@ struct ScannedVertices {
   PackedVertices<float> packed;  // the same
 };
 
-/// What is proven about one table. Keeps what it needs of it.
+/// Proven bounds on the error of one table, which need not outlive them.
 class SurfaceBounds {
  public:
   SurfaceBounds() = default;
@@ -45,17 +45,17 @@ class SurfaceBounds {
   SurfaceBounds& operator=(const SurfaceBounds&) = delete;
   virtual ~SurfaceBounds() = default;
 
-  /// On the error of an answer along x, in the frame of the table, mm: of the interpolation there
-  /// (table/direction_bounds.hpp) and of the storage (sphere/stored_table.hpp). The kernels' own
-  /// roundings, below a micrometre, come on top (gap/simd/gap_kernels.hpp). NaN where there is no answer,
-  /// infinite where nothing is proven.
+  /// Bound on the error of the table's radius along x (frame of the table), mm: interpolation
+  /// (table/direction_bounds.hpp) plus storage (sphere/stored_table.hpp). Not included are the kernels' own
+  /// roundings, below a micrometre (gap/simd/gap_kernels.hpp). NaN where the table has no radius, infinite
+  /// where nothing is proven.
   virtual double at(const Vec3& x) const = 0;
 
   /// The same over all directions.
   virtual double everywhere() const = 0;
 };
 
-/// All entries of a scheme.
+/// The filled table of a surface.
 class SurfaceTable {
  public:
   SurfaceTable() = default;
@@ -69,14 +69,14 @@ class SurfaceTable {
   virtual std::size_t bytes() const = 0;    // of memory
   virtual std::size_t entries() const = 0;  // of the scheme
 
-  /// Of the table that fill_table() makes of these. May take some seconds.
+  /// The bounds of this table; the arguments are those that fill_table() made it with. May take some seconds.
   virtual std::unique_ptr<SurfaceBounds> bounds(const TableSettings& settings, const TriangleMesh& mesh,
                                                 Layer layer) const = 0;
 };
 
-/// `cube_gnomonic` with flat_cube and `rsid` in float and 16 bits are scanned by the kernels
-/// (gap/simd/gap_kernels.hpp), all else vertex by vertex. std::invalid_argument for a scheme or a precision
-/// that there is not. mesh in the centre frame.
+/// Fills the table of a mesh in the centre frame. In float and 16 bits, `cube_gnomonic` with flat_cube and
+/// `rsid` are scanned by the kernels (gap/simd/gap_kernels.hpp), all others vertex by vertex.
+/// std::invalid_argument for an unknown scheme or an impossible precision.
 std::unique_ptr<SurfaceTable> fill_table(const TableSettings& settings, const TriangleMesh& mesh,
                                          Layer layer);
 

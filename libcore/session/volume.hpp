@@ -14,17 +14,17 @@
 
 namespace impinge {
 
-/// Some gigabytes of memory: at about that many cells a program says what it has.
+/// Most cells that programs allow, which take some gigabytes of memory.
 inline constexpr std::size_t kMostVolumeCells = 20'000'000;
 
 /// What is asked, and how finely.
 struct VolumeRequest {
-  CellQuestion question;    // of contact, a gap, a doubtful centre
+  CellQuestion question;    // contact, a gap, or an uncertain centre
   VolumeSettings settings;  // when to stop
 };
 
-/// The test of its cells, with the bone beside the main surfaces. `socket` is the mesh to ask about: where it
-/// is seen from, or where it was before the ball was shifted.
+/// The test for cells of rotations, parts of bone included. `socket` is the socket's mesh with its parts,
+/// about the centre of the ball (SessionJoint::seen) or as it was before the ball was shifted.
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question = {});
 
 /// What stops a motion.
@@ -32,8 +32,8 @@ struct VolumeStop {
   const NamedMotion* motion;
   VolumeLimit limit;
   std::optional<double> hours = {};  // on the dial, of the socket's face that may be touched first
-  std::optional<Vec3> on_ball = {};  // unit direction of the ball's, in the ball's frame at rest, joint axes
-  std::string ball_part = {};        // which part of the ball may be touched first; empty: none of them
+  std::optional<Vec3> on_ball = {};  // unit direction of the ball's face, in the ball at rest, joint frame
+  std::string ball_part = {};        // part of the ball that may be touched first; empty: none
   std::string socket_part = {};      // the same of the socket
 };
 
@@ -42,8 +42,8 @@ struct VolumeAnswer {
   std::vector<VolumeStop> stops;  // of all named motions; none without a side
 };
 
-/// std::invalid_argument as for CellTest and MotionVolume. std::runtime_error for a gap of a joint with bone
-/// beside it.
+/// std::invalid_argument as for CellTest and MotionVolume. std::runtime_error if a gap above 0 is asked of a
+/// joint with parts of bone.
 VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request);
 
 }  // namespace impinge

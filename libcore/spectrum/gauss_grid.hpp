@@ -10,9 +10,9 @@
 
 namespace impinge {
 
-/// L rows at the Gauss-Legendre nodes of z = cos(phi), from the +z pole down, of 2 L equally spaced columns
-/// from theta = 0. Sums over it are integrals over the sphere for products of two functions of band limit L
-/// (degrees below L).
+/// L rows at the Gauss-Legendre nodes of z = cos(phi), from the +z pole down, phi the angle from it, of 2 L
+/// equally spaced columns from theta = 0, the azimuth. Sums over it are integrals over the sphere for
+/// products of two functions of band limit L (degrees below L).
 class GaussGrid {
  public:
   /// std::invalid_argument unless 1 <= band_limit <= 4096.

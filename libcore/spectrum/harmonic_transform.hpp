@@ -21,15 +21,15 @@ struct HarmonicCoefficients {
   std::complex<double> at(std::size_t l, std::size_t m) const { return values[l * (l + 1) / 2 + m]; }
 };
 
-/// Zeros for degrees below the band limit.
+/// All coefficients for degrees below the band limit, zero.
 HarmonicCoefficients zero_coefficients(std::size_t band_limit);
 
 /// Coefficients below the band limit of the grid, by GSL's Legendre functions and a Fourier transform of each
 /// row; exact but for rounding when f has that band limit. O(L^3). std::invalid_argument unless there is one
-/// number for each direction.
+/// finite value for each direction, row by row.
 HarmonicCoefficients analyse(const GaussGrid& grid, const std::vector<double>& values);
 
-/// The function's values on the grid, by plain summation of the series: the inverse of analyse().
+/// The function's values on the grid, row by row, by plain summation of the series: the inverse of analyse().
 /// std::invalid_argument when the coefficients reach beyond the grid.
 std::vector<double> synthesise(const GaussGrid& grid, const HarmonicCoefficients& coefficients);
 

@@ -19,8 +19,9 @@ enum class Filling { membrane, plate };
 
 std::string_view name_of(Filling filling);  // "membrane" or "plate"
 
-/// Replaces the values that are no number. Finite volumes on the grid, solved directly.
-/// std::invalid_argument when there is not one value, or not one place for each direction.
+/// Replaces the NaNs among `values`, one for each direction of the grid, row by row. Finite volumes on the
+/// grid, solved directly. std::invalid_argument for another number of values or if all are NaN;
+/// std::runtime_error if the equations cannot be solved.
 std::vector<double> fill_holes(const GaussGrid& grid, std::vector<double> values, Filling filling);
 
 }  // namespace impinge

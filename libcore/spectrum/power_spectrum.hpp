@@ -14,17 +14,17 @@ std::vector<double> power_by_degree(const HarmonicCoefficients& coefficients);
 
 /// Share of the power of degrees 1 and up that degrees 1..l carry, for each l. Degree 0 is left out: it is
 /// the mean radius, which carries nearly all power of a head and needs a single number. 1 everywhere if
-/// nothing is left.
+/// degrees 1 and up have no power.
 std::vector<double> cumulative_shares(const std::vector<double>& power);
 
-/// Smallest band limit L (degrees below L) that carries `share` of the power of degrees 1 and up; 1 if there
-/// is none.
+/// Smallest band limit L (degrees below L) that carries `share` (0 to 1) of the power of degrees 1 and up; 1
+/// if these have no power.
 std::size_t band_limit(const std::vector<double>& power, double share);
 
-/// Root mean square over the sphere of what degrees of the band limit and up add; unit of the function.
+/// Root mean square over the sphere of the part of degrees band_limit and up; unit of the function.
 double rms_beyond(const std::vector<double>& power, std::size_t band_limit);
 
-/// Smallest band limit, 1 or more, that leaves out no more than this root mean square.
+/// Smallest band limit, 1 or more, that leaves out no more than this root mean square (rms_beyond()).
 std::size_t band_limit_leaving(const std::vector<double>& power, double rms);
 
 /// Entries that determine a function of band limit L.
@@ -39,12 +39,12 @@ std::size_t driscoll_healy_entries(std::size_t band_limit);
 /// theorem on the sphere".
 std::size_t mcewen_wiaux_entries(std::size_t band_limit);
 
-/// Distance of entries below which a band limit is out of their reach, pi / L, degrees.
+/// Nyquist distance of entries for band limit L, pi / L, degrees: entries farther apart are too few.
 double nyquist_angle_deg(std::size_t band_limit);
 
 /// Largest band limit that entries `gap` radians apart all round a great circle determine: a function of band
 /// limit L is a trigonometric polynomial of degree L - 1 there, with 2 L - 1 coefficients, and 2 pi / gap
-/// entries are to be no fewer.
+/// entries are to be no fewer. std::invalid_argument unless 0 < gap <= 2 pi.
 std::size_t band_limit_of_gap(double gap);
 
 }  // namespace impinge

@@ -12,7 +12,7 @@ struct Slice {
   std::size_t index = 0;  // i, from the middle slice
   double height = 0.0;    // mm
   double phi = 0.0;  // angle from the axis at which the slice cuts the sphere, arccos(height / r), radians
-  double gap = 0.0;  // to the slice below, radians; 0 for slice 0
+  double gap = 0.0;  // difference of phi to the slice below, radians; 0 for slice 0
 };
 
 /// Slices of the upper half, the middle one first: all with height <= radius (mm). A sphere is cut by twice

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proven bound on what one look-up costs: the least of
-//   that of first order about the direction (error_bound.hpp), for tables of radii,
-//   that of the cell which answers, before any halving (table_bound.hpp), where the scheme tells patches,
-//   and that of the whole table (table_bound.hpp).
-// A surface that is seen edge-on somewhere spoils the last of them alone.
+// A proven bound on the error of one look-up: the least of
+//   the bound of first order about the direction (error_bound.hpp), for tables of radii,
+//   the bound of the cell that answers, before any halving (table_bound.hpp), where the scheme has patches,
+//   and the bound of the whole table (table_bound.hpp).
+// A surface that is seen edge-on somewhere spoils only the last of them.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 
 namespace impinge {
 
-/// Tables of more cells are bounded to first order alone: the others take some microseconds a cell.
+/// Tables of radii with more cells get the first-order bound only: the others take some microseconds a cell.
 inline constexpr std::size_t kMostBoundedCells = 1'500'000;
 
-/// The lesser of the bound of a cell and that of the whole table, mm. 0 stands in cells that the search has
-/// not met, and says nothing.
+/// The lesser of the bound of a cell and that of the whole table, mm. 0 in `of_cells` means that the cell has
+/// no bound of its own.
 inline double bound_in(const std::vector<float>& of_cells, std::size_t cell, double everywhere) {
   const auto here = static_cast<double>(of_cells[cell]);
   return here > 0.0 ? std::min(here, everywhere) : everywhere;
@@ -31,7 +31,7 @@ template <SamplingScheme S>
 class DirectionBounds {
  public:
   /// mesh in the centre frame; the table was filled from it, exactly, for this layer. Keeps a reference to
-  /// the table. `options` are those of the search for the bound of the whole table.
+  /// the table. `options` control the search for the bound of the whole table.
   DirectionBounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                   BoundOptions options = {})
       : table_(table), slopes_(largest_slopes(mesh, table.scheme())) {
@@ -45,10 +45,10 @@ class DirectionBounds {
 
   DirectionBounds(const TriangleMesh&, const RadialTable<S>&&, Layer, BoundOptions = {}) = delete;
 
-  /// Of the whole table, mm; infinite where none is proven.
+  /// Bound for the whole table, mm; infinite where none is proven.
   double everywhere() const { return everywhere_; }
 
-  /// Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface where the table answers none, and
+  /// Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface where the table has no answer,
   /// infinite where nothing is proven.
   double at(const Vec3& x) const {
     const double here = error_bound_at(table_, slopes_, x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces near a direction: the one grid of directions under all that looks faces up. A list for each entry of
-// a cube map; whoever fills it says what is near, and sums up what it wants to know of each entry on the way.
+// Faces near a direction: for each entry of a cube map, a list of faces. All look-ups of faces use it. The
+// caller that fills it decides which faces count as near an entry, and may gather other data on the way.
 #pragma once
 
 #include <algorithm>
@@ -28,10 +28,10 @@ class DirectionIndex {
         pairs_.push_back({static_cast<std::uint32_t>(entry), static_cast<std::uint32_t>(face)});
     });
   }
-  /// Once, after all faces: the lists are there from now on.
+  /// To be called once, after all faces are added and before any list is read.
   void sort() { faces_ = Lists(grid_.size(), std::exchange(pairs_, {})); }
 
-  const CubeGnomonic& grid() const { return grid_; }  // whose entries have the lists
+  const CubeGnomonic& grid() const { return grid_; }  // the cube map
   /// The faces of an entry, in the order in which they were added.
   std::span<const std::uint32_t> operator[](std::size_t entry) const { return faces_[entry]; }
   bool empty() const { return faces_.empty(); }         // no face is listed
@@ -42,13 +42,13 @@ class DirectionIndex {
   void for_each_near(const TriangleCone& cone, double reach, Visit&& visit) const {
     for_each_entry_near(walker_, cone, reach, visit);
   }
-  /// The faces of the tap that has the largest weight in the direction of x.
+  /// The faces listed at the tap with the largest weight in the direction of x.
   std::span<const std::uint32_t> at_heaviest_tap(const Vec3& x) const {
     const Stencil stencil = grid_.stencil(x);
     const auto heaviest = std::ranges::max_element(stencil.weight);
     return faces_[stencil.entry[static_cast<std::size_t>(heaviest - stencil.weight.begin())]];
   }
-  /// The shortest list of all taps.
+  /// The shortest of the lists at the taps of a stencil.
   std::span<const std::uint32_t> shortest(const Stencil& stencil) const {
     std::span<const std::uint32_t> found = faces_[stencil.entry[0]];
     for (std::size_t k = 1; k < stencil.taps; ++k) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proven bound on what interpolation in a table costs, direction by direction.
+// A proven bound on the error of interpolation in a table, direction by direction.
 //
-// Within a layer the radius is continuous and |d ln r / ds| <= tan psi. In a cell that no rim crosses there
-// is a way from any direction u to each tap i, at most the stencil radius s long. With T_i the largest tan
-// psi of the faces within s of the tap,
+// With psi the angle between a ray and the normal of the face that it meets, a layer's radius is continuous
+// and |d ln r / ds| <= tan psi. In a cell that no rim crosses there is a path from any direction u to each
+// tap i, at most the stencil radius s long. With T_i the largest tan psi of the faces within s of the tap,
 //   |r_i - r(u)| <= r_i (exp(T_i s) - 1),
 // and the interpolated value, a mean of the r_i with weights w_i, errs by at most sum w_i r_i (exp(T_i s) -
 // 1). First order in s: safe, and loose where a face is smooth and large (the error there is of second
@@ -11,8 +11,8 @@
 //
 // Roundings. The condition of a face (kPlaneRoundings in surface_plane.hpp) is at most 4 root(1 + T^2) <= 4
 // (1 + T) by the choice of its plane (sphere/face_plane.hpp), u = 2^-53. So the entry and the radius along u
-// are each off by 84 u (1 + T) of themselves, tan psi by 80 u (1 + T), the look-up by 17 u: added is 512 u (1
-// + T_i) r_i exp(T_i s), which takes in that of the bound itself up to s = 3, and s is widened by
+// are each off by 84 u (1 + T) of themselves, tan psi by 80 u (1 + T), the look-up by 17 u. The bound adds
+// 512 u (1 + T_i) r_i exp(T_i s), which covers its own rounding up to s = 3, and widens s by
 // direction_doubt().
 #pragma once
 
@@ -37,9 +37,9 @@ double direction_doubt(const S& scheme) {
   return 1e-14 * (2.0 + static_cast<double>(scheme.equator_points()));
 }
 
-inline constexpr double kFirstOrderRounding = 512.0 * 0x1p-53;  // for each unit of 1 + tan psi, of a radius
+inline constexpr double kFirstOrderRounding = 512.0 * 0x1p-53;  // share of a radius, per unit of 1 + tan psi
 
-/// How much a radius may change within an angle (radians) where tan psi is no larger, as a share of it.
+/// How much a radius may change within `angle` radians where tan psi <= slope, as a share of the radius.
 inline double first_order_share(double slope, double angle) {
   const double grown = std::expm1(slope * angle);
   return grown + kFirstOrderRounding * (1.0 + slope) * (1.0 + grown);

@@ -32,13 +32,13 @@ struct RadiusRange {
 /// How much of a set of directions the surface covers.
 enum class Cover { none, part, whole };
 
-/// Of unit vectors, their products and the angles between them (angle_between()), whose rounding is below
-/// 16 2^-53 = 1.8e-15.
+/// Allowance for the rounding of unit vectors, their products and the angles between them (angle_between()),
+/// which is below 16 2^-53 = 1.8e-15.
 inline constexpr double kDirectionSlack = 1e-12;
 
 /// Ranges are wider than the truth by kRangeSlack of the radius, and caps by kCapSlack radians. A radius has
-/// 84 2^-53 (1 + tan psi) of rounding (error_bound.hpp), 1e-10 up to tan psi = kSteepSlope: a steeper face
-/// may be anywhere before its farthest corner.
+/// 84 2^-53 (1 + tan psi) of rounding (error_bound.hpp), 1e-10 up to tan psi = kSteepSlope. Of a steeper
+/// face no radius below that of its farthest corner is excluded.
 inline constexpr double kRangeSlack = 1e-9;
 inline constexpr double kCapSlack = 1e-10;
 inline constexpr double kSteepSlope = 1e4;
@@ -47,12 +47,13 @@ inline constexpr double kSteepSlope = 1e4;
 struct FaceCap {
   DirectionCap cap;   // holds its directions if less than a quarter turn wide
   RadiusRange range;  // holds its radii, mm
-  int side = 0;       // orientation of its corners; 0 for a face that covers no direction
+  int side = 0;       // orientation of its corners, +1 or -1; 0 for a face that covers no direction
 
   bool small() const { return cap.radius < 0.5 * kPi; }  // does the cap hold the directions?
 };
 
-/// Of the face with these corners, rounded outwards. A corner in the centre has any direction.
+/// Cap and range of the face with these corners (mm, centre frame), rounded outwards. With a corner at the
+/// centre the cap holds all directions.
 FaceCap face_cap(const std::array<Vec3, 3>& corners);
 
 }  // namespace impinge

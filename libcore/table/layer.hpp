@@ -8,8 +8,8 @@ namespace impinge {
 /// keeps the nearest, the one that faces the ball; a ball keeps the farthest, its outer skin.
 enum class Layer { nearest, farthest };
 
-/// Puts a radius (mm) into an entry that is empty (NaN) or holds that of another face. Ties and order of
-/// faces do not matter, so that the result depends on the surface alone.
+/// Puts a radius (mm) into an entry that is empty (NaN) or holds that of another face. The result does
+/// not depend on the order of faces.
 inline void keep(double& entry, double radius, Layer layer) {
   const bool replaces = layer == Layer::nearest ? !(entry <= radius) : !(entry >= radius);
   if (replaces) entry = radius;

@@ -16,8 +16,8 @@
 
 namespace impinge {
 
-/// Faces with a corner that is not where it was. The meshes differ in the places of their vertices alone,
-/// else std::invalid_argument.
+/// Faces with a corner that has moved. std::invalid_argument unless the meshes differ only in the places of
+/// their vertices.
 std::vector<std::size_t> changed_faces(const TriangleMesh& before, const TriangleMesh& after);
 
 /// A cap that holds all directions of these faces in both meshes; all directions where none narrower is
@@ -25,11 +25,12 @@ std::vector<std::size_t> changed_faces(const TriangleMesh& before, const Triangl
 DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
                           const std::vector<std::size_t>& faces);
 
-/// Are all directions of the face outside of the cap? false is safe.
+/// Are all directions of the face outside of the cap? false where that is not certain.
 bool surely_outside(const TriangleMesh& mesh, const Face& face, const DirectionCap& cap);
 
 /// `table` was filled exactly from `before` for this layer and becomes that of `after`, bit for bit. Returns
-/// how many entries were worked out. The rim, where there is one, is followed anew as a whole.
+/// how many entries were worked out: all of them for a scheme without known cell borders (HasKnownBorders).
+/// The rim is always traced anew as a whole. Throws as changed_faces().
 template <SamplingScheme S>
 std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer layer,
                    RadialTable<S>& table) {

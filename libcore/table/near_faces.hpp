@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a surface is near a direction, made in a few milliseconds: its faces, and what they prove about any
-// table of the surface without there being one. For looking up few directions, where a table of all of them
-// costs more than it saves.
+// The faces of a surface near a direction, and what they prove about any table of the surface, although none
+// is made. Ready in a few milliseconds: for looking up few directions, where a table costs more than it
+// saves.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace impinge {
 
 class NearFaces {
  public:
-  /// Of all directions within the margin of the one that was asked for.
+  /// What is known of all directions within the margin of the one that was asked for.
   struct Near {
     std::span<const std::uint32_t> faces;  // every face that is met there, and perhaps some that are not
     RadiusRange range;   // mm, holds every radius there and every mean of them; empty if there is none
@@ -35,11 +35,11 @@ class NearFaces {
   NearFaces(const TriangleMesh& mesh, double margin);
   NearFaces(const TriangleMesh&&, double) = delete;
 
-  /// x of any length. Nothing is known about the centre, which has no direction.
+  /// x of any length. For x = 0, which has no direction, nothing is known: no faces, any radius and slope.
   Near near(const Vec3& x) const;
 
-  /// Radius of the layer along unit u, mm; kNoSurface if it meets no face. The number that exact
-  /// rasterisation gives to an entry in this direction.
+  /// Radius of the layer along unit u, mm; kNoSurface if it meets no face. Equal to what fill_exact() gives
+  /// an entry in this direction.
   double radius(const Vec3& u, Layer layer) const;
 
   /// The same, for u within the margin of the direction that `near` was asked for.
@@ -57,13 +57,12 @@ class NearFaces {
     return false;
   }
 
-  const TriangleMesh& mesh() const { return mesh_; }             // that the faces are of
+  const TriangleMesh& mesh() const { return mesh_; }             // as given
   bool empty() const { return index_.empty(); }                  // no face covers a direction
   double margin() const { return margin_; }                      // radians
   const std::vector<JumpEdge>& jumps() const { return jumps_; }  // of the whole mesh
 
-  /// Those of the jump edges that come within `angle` radians of some of these directions, and perhaps
-  /// others.
+  /// All jump edges that come within `angle` radians of one of these directions, and perhaps others.
   std::vector<JumpEdge> jumps_near(std::span<const Vec3> directions, double angle) const;
 
   std::size_t bytes() const;  // of memory, without the mesh

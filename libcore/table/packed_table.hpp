@@ -10,9 +10,9 @@
 // may reach beyond the last, and its places are worked out in double whatever is stored. Entries without
 // surface are NaN there, or stored_values.hpp's code for it; cells have the numbers of sphere/spiral.hpp.
 //
-// Entries of the others without surface hold a harmless number, since zeros would become denormal on the way
-// and take a hundred times as long; their cells answer "none", as the cells of the rim do. The scalar look-up
-// says the same but on a grid line that has surface at both ends: it answers there even when the cell beside
+// In the other two schemes an entry without surface holds a harmless number, since zeros would lead to
+// denormals, which are a hundred times slower; its cells answer "none", as those of the rim do. The scalar
+// look-up agrees except on a grid line with surface at both ends: there it answers even when the cell beside
 // has none.
 #pragma once
 
@@ -38,7 +38,7 @@ concept PackedValue =
 /// Plain data; make it with the functions below. Value is what is stored.
 template <SamplingScheme S, PackedValue Value>
 struct PackedTable {
-  /// Does a kernel work in double?
+  /// Does a kernel work in double? Else in float.
   static constexpr bool kDouble = std::same_as<Value, double> || std::same_as<S, Usid>;
   using Real = std::conditional_t<kDouble, double, float>;                 // that a kernel works in
   using Word = std::conditional_t<kDouble, std::uint64_t, std::uint32_t>;  // of the mask, as wide as Real
@@ -47,10 +47,10 @@ struct PackedTable {
   std::size_t stride = 0;     // entries of a row; 0 of the helix
   TableMemory<Value> values;  // entry e stands for smallest + step * values[e]
   double smallest = 0.0;      // mm or 1 / mm
-  double step = 1.0;          // the same
+  double step = 1.0;          // the same unit
   std::vector<Word> none;     // one bit an entry (a cell of the helix): no answer there; empty where all have
 
-  /// Of numbers and mask.
+  /// Memory of numbers and mask.
   std::size_t bytes() const { return values.size() * sizeof(Value) + none.size() * sizeof(Word); }
 };
 
@@ -60,9 +60,9 @@ inline constexpr std::size_t kMostPackedEntries = std::size_t{1} << 28;
 /// std::invalid_argument for more than that.
 void require_packed_entries(std::size_t entries);
 
-/// std::invalid_argument for more entries than kMostPackedEntries and for numbers that a float cannot hold;
-/// for a kernel of `rsid` in float, which squares lengths, for radii beyond those of floats in
-/// mesh/lengths.hpp.
+/// Packs a filled table. std::invalid_argument for more entries than kMostPackedEntries and for numbers that
+/// a float cannot hold; for a kernel of `rsid` in float, which squares lengths, for radii beyond those of
+/// floats in mesh/lengths.hpp.
 template <PackedValue Value>
 PackedTable<CubeGnomonic, Value> packed_table(const RadialTable<CubeGnomonic>& filled);
 template <PackedValue Value>

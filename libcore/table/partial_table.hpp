@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A radial table that keeps only some entries of its scheme: those that will be read. What is not kept takes
 // no memory and is never worked out. Wherever all entries that a look-up reads are kept, it answers as the
-// table of all entries does, bit for bit, rim cells included; elsewhere it answers kNoSurface.
+// full table does, bit for bit, rim cells included; elsewhere it answers kNoSurface.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ enum class Storage { double_precision, single_precision, sixteen_bits };
 
 class PartialTable final : public RadiusSource {
  public:
-  /// Without any surface. The set must have been numbered.
+  /// No entry has a surface yet. The set must have been numbered (EntrySet::number()).
   PartialTable(AnyScheme scheme, EntrySet entries);
 
   const AnyScheme& scheme() const { return scheme_; }  // some of whose entries are kept
@@ -31,7 +31,7 @@ class PartialTable final : public RadiusSource {
   double radius_of(std::size_t entry) const;           // mm, kNoSurface if it is not kept
   /// Radius of the entry with this slot of kept(), mm.
   void set(std::size_t slot, double radius) { radii_[slot] = radius; }
-  /// It has no surface from now on. Before store().
+  /// The entry has no surface from now on. To be called before store().
   void forget(std::size_t entry) {
     if (const auto slot = kept_.slot(entry)) set(*slot, kNoSurface);
   }
@@ -63,18 +63,17 @@ class PartialTable final : public RadiusSource {
   double storage_bound_ = 0.0;
 };
 
-/// Adds what a look-up along x reads.
+/// Adds the entries that a look-up along x reads.
 void insert_taps(const AnyScheme& scheme, const Vec3& x, EntrySet& entries);
 
-/// The entries of the set as fill_exact() has them, by looking at the faces near each: O(entries) for few
-/// entries, where rasterisation is O(faces + all entries). `faces` are those of the surface, with any
-/// margin.
+/// The entries of the set as fill_exact() has them, from the faces near each: O(entries of the set), where
+/// rasterisation is O(faces + all entries). `faces` are those of the surface, with any margin.
 std::unique_ptr<PartialTable> fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries,
                                            Layer layer);
 
 /// An edge marks the cell that it crosses and those that read across it. No two directions of a cell, nor two
 /// between the entries that a cell reads, are farther apart than two stencil radii: what marks a cell is
-/// within so many stencil radii of the entries that it reads.
+/// within kRimReach stencil radii of the entries that it reads.
 inline constexpr double kRimReach = 4.0;
 
 }  // namespace impinge

@@ -8,7 +8,7 @@
 // line of s of width h, y is piecewise smooth, and a linear interpolation of it errs by at most
 //   h^2 / 8 max |y''| + h / 4 sum |jumps of y'|:
 // on a line of length h a hinge of slope j at a is interpolated too high by j a (h - a) / h. Interpolating in
-// s and then in t, with weights that are not negative, adds both. So, with all faces and edges that may meet
+// s and then in t, with non-negative weights, adds both. So, with all faces and edges that may meet
 // the rectangle,
 //   |Y - y| <= max over corners |Y - y| + sum over s, t of (h^2 / 8 max |y''| + h / 4 sum |jumps|
 //              + h^2 / 8 max |Y''|),
@@ -25,10 +25,10 @@
 // changes its sign, so that the jumps at both are together at most its change between them, and all of them
 // at most |q_1 - q_2| times that of u' along the line.
 //
-// This asks that a layer's radius is continuous on the cell (no rim, rim.hpp) and changes from face to face
-// at their edges alone: not where two faces that overlap in the view are both within its range. The layer's
-// radius is within r exp(+-T way) of that of a corner, T the largest tan psi of the faces in that range, so
-// that a face out of range is none of the layer's.
+// This requires that a layer's radius is continuous on the cell (no rim, rim.hpp) and changes from face to
+// face at their edges alone: not where two faces that overlap in the view are both within its range. The
+// layer's radius is within r exp(+-T way) of that of a corner, T the largest tan psi of the faces in that
+// range, so that a face out of range is none of the layer's.
 //
 // Roundings are added. With u = 2^-53 and k the largest condition of the faces (kPlaneRoundings in
 // surface_plane.hpp), in shares of the largest radius r of the layer:
@@ -39,7 +39,7 @@
 // 500 roundings: kOwnRounding. Directions are moved by `angle_doubt`; an error that is sampled a little aside
 // of its corner, by a share of the way, changes by that share of what Y and y change along the way, at most.
 //
-// Of first order, wherever that fails: the layer is within that range, Y between its corners.
+// Where this fails the bound is one of first order: the layer is within that range, Y between its corners.
 #pragma once
 
 #include <array>
@@ -76,7 +76,7 @@ struct PatchView {
 /// What is proven about a rectangle.
 struct PatchBound {
   double bound = 0.0;     // mm, on the error over the rectangle
-  std::size_t split = 0;  // the direction that adds most to it
+  std::size_t split = 0;  // the coordinate that adds most to it: 0 for s, 1 for t
   bool tight = false;     // no smaller rectangle would do better
 };
 
@@ -86,7 +86,7 @@ class PatchError {
   /// angle_doubt: how far rounding may move a direction, radians.
   PatchError(const SurfaceIndex& surface, double angle_doubt) : surface_(surface), doubt_(angle_doubt) {}
 
-  /// At least one corner has a value.
+  /// Bounds the error over the rectangle. At least one corner must have a value.
   PatchBound operator()(const PatchView& view);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What answers how far a surface reaches along a direction: a table, its faces, anything. scan_gaps()
+// Anything that gives the radius of a surface along a direction: a table, its faces. scan_gaps()
 // (gap/gap_scan.hpp) takes any of them.
 #pragma once
 
@@ -18,7 +18,7 @@ concept RadialQuery = requires(const Q& query, const Vec3& x) {
   { query.bytes() } -> std::convertible_to<std::size_t>;
 };
 
-/// One that is chosen while the program runs.
+/// A RadialQuery that is chosen at run time.
 class RadiusSource {
  public:
   RadiusSource() = default;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rim mask: which cells of a table the edge of a surface crosses.
 //
-// Every cell is found that an edge is in, by more than rounding, however the borders of cells bend. The edge
+// Finds every cell that an edge enters by more than rounding, however the borders of cells bend. The edge
 // is halved in angle until each part surely meets every cell in one stretch (HasKnownBorders in
 // sphere/scheme.hpp); along such a part the places where the cell changes are found by halving, one after the
 // other. A part shorter than kRimPlace is not halved any more: a border that bends by k cuts less than k
-// kRimPlace^2 off it. What is left out by rounding is found from either side, at kBesideEdge. Not found is a
-// cell that is narrower than that and runs along the edge; it is read across by its neighbours and marked
-// with them.
+// kRimPlace^2 off it. Each edge is followed twice, at kBesideEdge on either side, against rounding. The only
+// cell that may be missed is narrower than that and runs along the edge; its neighbours read across it and
+// it is marked with them.
 //
-// Of a scheme that does not tell how its cells are bounded the entries beside an edge have no surface.
+// In a scheme that does not declare the borders of its cells, entries beside an edge lose their surface.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ inline constexpr double kBesideEdge = 1e-9;
 /// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
 inline constexpr double kRimPlace = 1e-12;
 
-/// The line from `from` to `to`, each of its points x moved by |x| `aside`. In halves of an angle: a ray that
-/// halves the angle between two points divides the line between them as their distances from the centre.
+/// The line from `from` to `to`, each of its points x moved by |x| `aside`. It is halved by angle: the ray
+/// that halves the angle between two points divides the line between them as their distances from the centre.
 struct RimLine {
   Vec3 from;                  // mm
   Vec3 to;                    // mm
@@ -115,8 +115,9 @@ class RimTrace {
 };
 
 /// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
-/// ends. No cell is left out in which the line is deeper than rounding. Beside an edge a line is straight for
-/// an eighth of a turn, no farther than 1.09 `aside` from it, and then goes on from there.
+/// ends. No cell is left out in which the line is deeper than rounding. A line moved aside is taken as
+/// straight for at most an eighth of a turn, no farther than 1.09 `aside` from the edge; longer ones are
+/// halved.
 template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
   const RimLine::Part whole = line.whole();
@@ -136,17 +137,17 @@ inline double least_radius(const Vec3& first, const Vec3& last) {
   if (length == 0.0) return first.norm();
   return (first + std::clamp(-first.dot(along) / length, 0.0, 1.0) * along).norm();
 }
-/// The largest, which is at an end.
+/// The largest distance, which is at an end, mm.
 inline double largest_radius(const Vec3& first, const Vec3& last) {
   return std::max(first.norm(), last.norm());
 }
-/// The one of both at which a stretch is most likely to be of the layer.
+/// The one of both, mm, at which a stretch is most likely to belong to the layer.
 inline double radius_to_be_seen(const Vec3& first, const Vec3& last, Layer layer) {
   return layer == Layer::nearest ? least_radius(first, last) : largest_radius(first, last);
 }
 
 /// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
-/// to belong to the layer; 0 or less if not at all. `radius` is that of the stretch of the edge in the cell.
+/// to belong to the layer; 0 or less if it already does. `radius` is that of the edge in the cell, mm.
 template <class Table>
 double change_to_be_seen(const Table& table, const Stencil& stencil, double radius, Layer layer) {
   double least = std::numeric_limits<double>::infinity();
@@ -166,9 +167,9 @@ void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   if constexpr (requires { scheme.for_each_cell_across(at, visit); }) scheme.for_each_cell_across(at, visit);
 }
 
-/// Has the cell two entries or more that a rim could part? (One alone is not mixed with anything; an empty
-/// entry speaks for its cell, but not on the line between two others.) Where a cell reads one entry only,
-/// that speaks for directions beyond the rim.
+/// Does the cell read two or more filled entries, which a rim could separate? (One alone is not mixed with
+/// anything; an empty entry silences its cell, but not on the line between two others.) Also true of a cell
+/// that reads one entry only, which would answer for directions beyond the rim.
 template <class Table>
 bool may_be_parted(const Table& table, const Stencil& stencil) {
   return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
@@ -176,7 +177,7 @@ bool may_be_parted(const Table& table, const Stencil& stencil) {
          stencil.taps == 1;
 }
 
-/// An edge in a cell that the faces at the edge alone would call hidden.
+/// An edge in a cell that seems hidden behind the layer, judged by the faces at the edge alone.
 struct DoubtfulRim {
   Stencil reader;  // of the cell, by the entries that it reads
   double slope;    // tan psi that a face within the reach of a tap needs for the edge to be seen
@@ -217,7 +218,7 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
 /// exact, or nearly so, and their product is small: its rounding is one of the edge's own length.
 inline Vec3 across(const Vec3& from, const Vec3& to) { return from.cross(to - from).stableNormalized(); }
 
-/// For a scheme that does not tell the borders of its cells: takes the surface from every entry within the
+/// For a scheme that does not declare the borders of its cells: takes the surface from every entry within the
 /// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
 /// one across an edge.
 template <class Table>
@@ -289,7 +290,7 @@ void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh
   }
 }
 
-/// For all of them.
+/// The same for all jump edges of the mesh.
 template <class Table>
 void mask_rim(const TriangleMesh& mesh, Layer layer, Table& table) {
   mask_rim_along(jump_edges(mesh), mesh, layer, table);

@@ -23,9 +23,9 @@ class SurfaceIndex {
   /// Radius of the layer along unit u, mm; kNoSurface where it is not met.
   double radius(const Vec3& u) const;
 
-  /// Faces that may meet a cap, and edges. Not fewer than do; cap.radius <= reach.
+  /// All faces that meet the cap or have a kink that does, and perhaps others. cap.radius <= reach().
   void faces_near(const DirectionCap& cap, std::vector<std::uint32_t>& found) const;
-  /// Edges of a face, which kink() has.
+  /// Numbers of kinks, for kink(). Each edge is listed at one of its faces only.
   std::span<const std::uint32_t> kinks_of(std::uint32_t face) const { return kinks_of_face_[face]; }
   /// Faces that share directions with this one, so that a layer may change between them off their edges.
   std::span<const std::uint32_t> overlaps_of(std::uint32_t face) const { return overlaps_of_face_[face]; }

@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-/// An edge of two or more faces: the inverse radius q . u is continuous across it, its slope jumps by that of
-/// q. Only edges between faces that lie on opposite sides of it; the others are jump edges (rim.hpp).
+/// An edge of two or more faces: the inverse radius q . u is continuous across it, and q
+/// jumps. Only edges between faces that lie on opposite sides of it; the others are jump edges (rim.hpp).
 struct SurfaceKink {
   Vec3 across;          // its edge_normal() (surface_plane.hpp), which may be zero
   Vec3 from;            // unit vectors to its ends

@@ -17,7 +17,7 @@ namespace impinge {
 ///   r = p / (n.x)  18 u k, one rounding, and 2 u for the length of x: 21 u k
 ///   p / |n|        9 u k + 6 u k + 3 u; q = n / p as much; the direction of n turns by 6 u k radians
 ///   tan psi        = |n x v| / (n . v): 11 u k + 9 u k tan psi
-/// all of them at most this share of k: relative, radians, and of 1 + tan psi.
+/// all of them at most this share of k: of the value, in radians, and of 1 + tan psi for tan psi.
 inline constexpr double kPlaneRoundings = 32.0 * 0x1p-53;
 
 /// The plane q . x = 1 of a face as the centre sees it: r(u) = 1 / (q . u) along unit u.
@@ -28,10 +28,10 @@ struct SurfacePlane {
   double slope = 0.0;            // largest tan psi over the face; infinite for a face that is seen edge-on
   double least_radius = 0.0;     // over the face, mm
   double largest_radius = 0.0;   // over the face, mm
-  double doubt = 0.0;            // kPlaneRoundings k, see there; infinite for a face that is seen edge-on
+  double doubt = 0.0;            // kPlaneRoundings k, see above; infinite for a face that is seen edge-on
   std::array<Vec3, 3> inward{};  // edge_normal() of each side, to the inside
   Vec3 middle = Vec3::Zero();    // a direction inside
-  double chord = 0.0;            // longest from there to a direction of the face
+  double chord = 0.0;            // longest from `middle` to a direction of the face
 };
 
 /// Unit normal of the plane through the centre and an edge, off by less than kDirectionSlack / 2; zero where
@@ -44,8 +44,8 @@ SurfacePlane surface_plane(const TriangleCone& cone);  // of that face
 /// Is one face beyond an edge of the other, by more than rounding? Faces that are seen edge-on overlap none.
 bool clearly_apart(const SurfacePlane& a, const SurfacePlane& b);
 
-/// Largest and least radius of a plane within a cap and the face's own limits, mm, and its largest tan psi
-/// there, widened by what rounding makes of them. infinite slope where the cap may see the plane edge-on.
+/// Least and largest radius of a face within a cap, and its largest tan psi there, widened for rounding.
+/// The slope is infinite where the cap may see the plane edge-on.
 struct PlaneRange {
   double least;    // mm
   double largest;  // mm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A proven and tight bound on what a table costs: the largest |table.radius_at(x) - radius of the mesh along
-/// x| over all x that have an answer.
+/// A proven and tight bound on the error of a table: the largest |table.radius_at(x) - radius of the mesh
+/// along x| over all x that have an answer.
 ///
 /// A priori, for each patch of the scheme (patches/patch.hpp) from its errors at the corners and the faces
 /// and edges that it may meet (patch_error.hpp, with the proof); then by branch and bound: the patch with the
@@ -9,7 +9,7 @@
 /// the budget ends. Patches of one face converge at second order, those across an edge at first order, but
 /// along the edge only.
 ///
-/// A scheme that declares no patches has a bound of first order.
+/// A scheme that declares no patches gets a bound of first order.
 ///
 /// Answer and truth lie between 0 and the largest radius of the surface. A bound above that says nothing, and
 /// is infinite: there is none.
@@ -37,8 +37,8 @@ namespace impinge {
 
 struct TableBound {
   double bound_mm = 0.0;         // infinite where there is none
-  double attained_mm = 0.0;      // largest error that was evaluated, along
-  Vec3 witness = Vec3::UnitZ();  // the direction of that error, unit vector
+  double attained_mm = 0.0;      // largest error that was evaluated
+  Vec3 witness = Vec3::UnitZ();  // its direction, unit vector
   double a_priori_mm = 0.0;      // the bound before any patch was halved
 };
 
@@ -46,7 +46,8 @@ struct TableBound {
 struct BoundOptions {
   double tightness = 1.05;         // stop when bound <= tightness * attained
   std::size_t budget = 1'000'000;  // halvings; 0 for the bound a priori
-  /// If given: as many as the scheme has cells, 0; gets the bound a priori of each that is answered, mm.
+  /// If given: one 0 for each cell of the scheme; receives the a priori bound of each cell that answers, mm.
+  /// Ignored for schemes without patches.
   std::vector<float>* of_cells = nullptr;
 };
 
@@ -54,7 +55,7 @@ struct BoundOptions {
 template <class Interpolant>
 class BoundSearch {
  public:
-  /// Keeps references to interpolant and surface. `surface` reaches as far as the stencils of the table.
+  /// Keeps references to interpolant and surface. `surface` must reach as far as the stencils of the table.
   BoundSearch(const Interpolant& interpolant, const SurfaceIndex& surface, const BoundOptions& options)
       : interpolant_(interpolant),
         surface_(surface),
@@ -217,8 +218,7 @@ class BoundSearch {
   double closed_ = 0.0;  // largest bound of the rectangles that are done with
 };
 
-/// A bound that says something is left as it is; there is none in place of any other. Those of cells
-/// likewise.
+/// Makes bounds above the largest radius of the mesh, which say nothing, infinite; those of cells too.
 inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
                                  std::vector<float>* of_cells = nullptr) {
   double largest = 0.0;
@@ -247,7 +247,7 @@ TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& tab
   return within_surface(mesh, result);
 }
 
-/// The same of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
+/// The same for a table of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
 ///   1 / R = sum w_i |P_i| / (r_i |P|),   |P| <= sum w_i |P_i| <= |P| / cos s,
 /// so that it is at most the largest tap and at least cos s times the least, and is off by at most
 /// r_i (exp(T_i s) - cos s) for one of them.
@@ -268,7 +268,7 @@ TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S
   return within_surface(mesh, result);
 }
 
-/// mesh in the centre frame; the table was filled from it, exactly, for this layer.
+/// The bound of a table that was filled exactly from this mesh (centre frame), for this layer.
 template <SamplingScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {
@@ -282,7 +282,7 @@ TableBound table_bound(const TriangleMesh& mesh, const RadialTable<S>& table, La
   }
 }
 
-/// The same of inverse depths, made from such a table.
+/// The same for a table of inverse depths made from such a table.
 template <PlaneExactScheme S>
 TableBound table_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table, Layer layer,
                        const BoundOptions& options = {}) {

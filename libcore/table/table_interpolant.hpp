@@ -14,7 +14,7 @@
 
 namespace impinge {
 
-/// A tap without a surface is left out where its weight is that of rounding, or of the inset of a corner.
+/// A tap without a surface is ignored below this weight, which comes of rounding or the inset of a corner.
 inline constexpr double kNegligibleWeight = 1e-6;
 
 /// Interpolated value, NaN where a tap that counts has none.
@@ -88,7 +88,7 @@ class PlaneExactInterpolant {
   std::size_t cell(const Vec3& x) const { return table_.scheme().plane_stencil(x).cell; }
   /// As in SmoothInterpolant.
   bool answers(const Vec3& x) const { return !table_.rim_cells().contains(cell(x)); }
-  /// None beside the curved border of a cell that a rim crosses, where the table answers none.
+  /// Y at x; NaN also beside the curved border of a cell that a rim crosses, where the table has no answer.
   double value(const Vec3& x) const {
     if constexpr (!S::kFlatCells) {
       if (table_.rim_cells().contains(table_.scheme().stencil(x).cell)) return kNoSurface;

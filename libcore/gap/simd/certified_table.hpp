@@ -2,7 +2,7 @@
 /// \file
 /// Certified mode: the fast table where its proven bound decides, the exact cells where it does not.
 ///
-/// Asked is on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
+/// It tells on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
 /// table in 16 bits is off from what the exact cells answer by at most
 ///   o + (R + o) e / (1 - e) + 28 u |x|,   o = bound + storage,  e = u (46 + 5 Q + 13 n (C - 1))
 /// bound that of table/table_bound.hpp, storage that of sphere/stored_table.hpp, and the rest the
@@ -11,8 +11,9 @@
 /// its largest number over the least, C the largest of these in one cell, n the cells of a quarter turn. A
 /// vertex whose gap is nearer to the threshold is undecided and goes to the exact cells; so is one whose cell
 /// is open (open_cells.hpp), and one in a cell beside another without an answer, of which the bound says
-/// nothing. So the side is theirs for every vertex; what is decided keeps the gap of the table. Theirs is
-/// that of the mesh but for the roundings in exact_cells.hpp, at the place where float has moved the vertex.
+/// nothing. So every vertex is on the side that the exact cells say; a decided vertex keeps the gap of the
+/// table. Exact cells answer as the mesh but for the roundings in exact_cells.hpp, at the vertex as moved in
+/// float.
 #pragma once
 
 #include <cstddef>
@@ -41,13 +42,13 @@ CertifiedTable certified_table(TriangleMesh&&, Layer, std::size_t) = delete;
 
 /// What is asked and answered; its memory is used again by the next scan.
 struct CertifiedGaps {
-  float threshold = 0.0F;                // mm
-  std::vector<float> gap;                // mm, on its side of the threshold for sure; NaN where there is none
-  std::vector<std::uint32_t> undecided;  // vertices that went to the exact cells, rising
+  float threshold = 0.0F;  // mm
+  std::vector<float> gap;  // mm, certainly on the right side of the threshold; NaN where there is none
+  std::vector<std::uint32_t> undecided;  // vertices that went to the exact cells, in rising order
   PackedVertices<float> asked;           // those vertices
   std::vector<float> answered;           // and their gaps
 };
-/// Every vertex of the scan, by the threshold in `found`.
+/// Gaps of every vertex of `scanned` to the surface of the table, by the threshold that is set in `found`.
 void scan_gaps(const CertifiedTable& table, const PackedVertices<float>& vertices, const Pose& pose,
                Surface scanned, CertifiedGaps& found);
 

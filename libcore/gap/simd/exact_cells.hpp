@@ -81,16 +81,16 @@ struct ExactCells {
 };
 
 /// mesh in the centre frame; it must outlive the cells. Faces whose plane holds the centre cover no
-/// direction. Linear in faces to make; with fewer cells a face more of them are not smooth: less memory, more
-/// time. std::invalid_argument for lengths beyond those of floats in mesh/lengths.hpp.
+/// direction. Linear in faces to make. Fewer cells a face take less memory, but more of them are not smooth:
+/// slower scans. std::invalid_argument for lengths beyond those of floats in mesh/lengths.hpp.
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face = 4.0);
 ExactCells exact_cells(TriangleMesh&&, Layer, double = 4.0) = delete;
 
-/// Gap at x in the frame of the mesh, the faces of a cell that is not smooth met without rounding and the
-/// rest in double; NaN where none is met.
+/// Gap of a vertex of `scanned` at x in the frame of the mesh, mm, in double; NaN where no face is met. In a
+/// cell that is not smooth, which faces are met is decided exactly.
 double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surface scanned);
 
-/// As those of gap_kernels.hpp.
+/// As scan_gaps() of gap_kernels.hpp.
 void scan_gaps(const ExactCells& cells, const PackedVertices<float>& vertices, const Pose& pose,
                Surface scanned, std::span<float> gap);
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The two scans of gap/gap_scan.hpp with vector instructions: several vertices at a time, the pose
-/// fused, no function of libm.
+/// The two scans of gap/gap_scan.hpp with vector instructions: several vertices at a time, moved
+/// by the pose in the same pass, without functions of libm.
 ///
 ///   gap(u) = S(u) - B(u), mm; NaN where the other surface is not met, in a cell that has no answer, and for
 ///   a vertex at the centre itself, which has no direction
 ///
 /// Rounding. With u = 2^-24 (2^-53 for tables in double), a vertex is moved by at most
-///   E = 10.4 u (|v| + |t|)                     (6 u |v| + 2 u |t| a coordinate, Cauchy-Schwarz; times sqrt
-///   3)
+///   E = 10.4 u (|v| + |t|)       (6 u |v| + 2 u |t| a coordinate, Cauchy-Schwarz; times sqrt 3)
 /// and at the moved vertex x the gap is off from that of the table in exact arithmetic by at most
 ///   u (20 (r + |x|) + (c m + 5) D)
 /// r being the radius at x, m the cells of a quarter turn along a row and D how far a cell there can change

@@ -19,14 +19,14 @@ struct CellGrid {
   double margin;          // cells
 };
 
-/// Whose margin covers a place that a kernel works out in float, off by 6.5 u cells of an
-/// edge (gap_kernels.hpp).
+/// A grid whose margin covers places that a kernel works out in float, which are off by 6.5 u times the cells
+/// of an edge (gap_kernels.hpp).
 inline CellGrid float_grid(std::size_t divisions) {
   return {divisions, 1e-6 + 7.0 * 0x1p-24 * static_cast<double>(divisions)};
 }
 
-/// Appends to `cells` every cell that some direction of the cone is in, or may be put in by a place that is
-/// off; few others, in order of the rows, each once.
+/// Appends to `cells` every cell that holds a direction of the cone, or may seem to with places off by the
+/// margin, and few others; in order of the rows, each once.
 void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
 
 }  // namespace impinge

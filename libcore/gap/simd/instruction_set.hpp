@@ -14,7 +14,8 @@ namespace impinge {
 /// AVX2, SSE4 and, without any, SCALAR or EMU128.
 std::vector<std::string> instruction_sets();
 
-/// From now on, in all threads. std::invalid_argument for a name that instruction_sets() does not have.
+/// Makes the kernels use it from now on, in all threads. std::invalid_argument for a name that
+/// instruction_sets() does not have.
 void use_instruction_set(std::string_view name);
 void use_best_instruction_set();  // as if none had been chosen
 

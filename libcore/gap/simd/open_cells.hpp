@@ -9,9 +9,9 @@
 
 namespace impinge {
 
-/// For the entry that each cell begins at: may the surface cover its directions in part only, or jump there
-/// from one layer to another, or be seen so steeply that doubles do not tell its radius to the digits of a
-/// float? In all other cells either every direction meets a face or none does. mesh in the centre frame.
+/// For the entry that each cell begins at: may the surface cover only a part of its directions, or jump there
+/// from one layer to another, or be seen so steeply that its radius in double is not certain to the digits of
+/// a float? In all other cells either every direction meets a face or none does. mesh in the centre frame.
 std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid);
 
 }  // namespace impinge

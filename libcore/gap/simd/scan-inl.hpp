@@ -103,8 +103,8 @@ HWY_INLINE Found<D> look_up(D d, const Table& table, const Place& place) {
   return {decoded(d, table, stored), none};
 }
 
-// Gaps of the vertices in one vector. A scheme says where a point is, and what gap a number means; look_up()
-// of what it says, which number is there in the raw table.
+// Gaps of the vertices in one vector. The scheme gives the place of a point, look_up() the number that the
+// raw table has there, and the scheme the gap that this number means.
 template <class Scheme, class D, class Table>
 HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TFromD<D> sign,
                            const Point<D>& p) {

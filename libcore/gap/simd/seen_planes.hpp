@@ -11,10 +11,9 @@
 
 namespace impinge {
 
-/// Of the faces of a mesh in the centre frame that are seen at 1 / cos psi of at most kSteepest anywhere;
-/// zero for the others.
+/// Largest 1 / cos psi, psi between ray and normal, at which a face may be seen somewhere and have a plane.
 inline constexpr double kSteepest = 4.0;
-std::vector<Vec3> seen_planes(const TriangleMesh& mesh);  // m of each face, 1 / mm.
+std::vector<Vec3> seen_planes(const TriangleMesh& mesh);  // centre frame: m of each face, 1 / mm, or zero
 
 /// A mesh with its planes.
 struct SeenMesh {

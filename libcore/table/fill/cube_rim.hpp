@@ -15,12 +15,12 @@ template <PackedValue Value>
 struct RimTask {
   const TriangleMesh& mesh;                 // centre frame
   const CubeGnomonic& scheme;               // of the table
-  Layer layer;                              // that the table holds
+  Layer layer;                              // which crossing the table holds
   PackedTable<CubeGnomonic, Value>& table;  // whose mask gets the rim
 };
 
-/// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. What is stored is taken for as
-/// near to a jump as its rounding allows, so that no cell is left out that numbers in double would mark.
+/// Along the jump edges of the mesh, as mask_rim_along() of table/rim.hpp. A stored number counts as near
+/// to a jump as its rounding allows, so every cell that numbers in double would mark is marked.
 template <PackedValue Value>
 void mark_rim(const RimTask<Value>& task, const std::vector<JumpEdge>& edges);
 

@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-/// Entries of a face from (first_column, first_row) on; of entries it keeps `columns` x `rows`, of which
-/// those of its right and lower neighbours, where there are any, are seen too: the corners of its cells.
+/// Entries of a face of the cube from (first_column, first_row) on. It keeps `columns` x `rows` of them. It
+/// also sees the next column and row, where there are any: those entries are corners of its cells too.
 struct CubeTile {
   std::size_t face = 0;          // of the cube
   std::size_t first_column = 0;  // of its entries
@@ -30,7 +30,8 @@ struct GridWindow {
   bool empty() const { return first_column > last_column || first_row > last_row; }  // holds no entry
 };
 
-/// No tile is empty: a face has more than kMostSeen - 1 entries for each of its tiles but one.
+/// Divides the faces of a cube map into tiles. No tile is empty: a side has more than kMostSeen - 1 entries
+/// for each of its tiles but one.
 class CubeTiling {
  public:
   /// Entries that a tile sees along a side: a row of them has one bit each in 64.

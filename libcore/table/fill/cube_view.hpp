@@ -41,7 +41,7 @@ class CubeView {
   /// Of a cube map with so many cells along an edge; the mesh, in the centre frame, must outlive this.
   CubeView(const TriangleMesh& mesh, std::size_t divisions);
 
-  /// To be called for all corners before the rest; different threads may do different ones.
+  /// Must be called for all vertices before anything below; threads may share them out.
   void see(std::size_t first_vertex, std::size_t end_vertex);
 
   const TriangleMesh& mesh() const { return *mesh_; }   // that is seen
@@ -55,18 +55,18 @@ class CubeView {
   }
   /// A corner through the face that it is in front of.
   const SeenCorner& corner(VertexIndex v) const { return corners_[v]; }
-  /// Is the face of the cube in front of all corners? They are known then.
+  /// Are all corners in front of that face of the cube? Then they are known through it.
   bool in_front(const Face& face, std::size_t through) const {
     return in_front(corners_[face[0]], through) && in_front(corners_[face[1]], through) &&
            in_front(corners_[face[2]], through);
   }
-  /// Of a face that is inside_one(), through that one.
+  /// The window of a face that is inside_one().
   GridWindow window_inside(const Face& face) const;
 
   /// Bit f: the face may be seen through face f of the cube.
   unsigned may_be_seen(const Face& face) const;
 
-  /// Through a face of the cube for which that is so.
+  /// How it is seen through a face of the cube whose bit is set in may_be_seen().
   SeenFace seen(const Face& face, std::size_t through) const;
 
  private:

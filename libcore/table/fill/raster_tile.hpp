@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawing faces into a tile of a cube map with vector instructions: the same bits with all sets of them.
+// Drawing faces into a tile of a cube map with vector instructions; bit for bit the same on every
+// instruction set.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ struct TileCanvas {
   alignas(64) std::array<float, kStride * kRows> q;  // 1 / mm; no_depth() where nothing is drawn yet
 };
 
-/// What an entry without a surface holds: it gives way to every number. The nearest layer keeps the largest
+/// What an entry without a surface holds: every drawn number replaces it. The nearest layer keeps the largest
 /// inverse depth, the farthest the least.
 float no_depth(Layer layer);
 

@@ -14,8 +14,8 @@
 
 namespace impinge {
 
-/// Calls work(0) ... work(threads - 1) at the same time and waits; throws what the first of them threw. What
-/// no thread can be had for, as in WebAssembly, this one does at last.
+/// Calls work(0) ... work(threads - 1) at the same time and waits; rethrows the exception of the lowest
+/// number that threw. Where no more threads can be started, as in WebAssembly, this one does the rest.
 inline void on_threads(std::size_t threads, const std::function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> failures(threads);
   const auto guarded = [&](std::size_t thread) {
@@ -45,12 +45,12 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Part `part` of `parts` of 0 ... size - 1, as even as can be.
+/// A part of the numbers 0 ... size - 1.
 struct Share {
   std::size_t first;  // of the part
   std::size_t end;    // behind its last one
 };
-/// That part; parts above 0.
+/// Part `part` of `parts` (above 0), all as equal in size as can be.
 inline Share share_of(std::size_t size, std::size_t part, std::size_t parts) {
   return {size * part / parts, size * (part + 1) / parts};
 }

@@ -14,14 +14,14 @@
 
 namespace impinge {
 
-/// What all threads share. Tiles are theirs alone but for the words of the mask, which are set atomically,
-/// and made once that one of them is needed.
+/// What all threads share. Each tile belongs to one thread, but tiles share words of the mask: these are set
+/// atomically, and the mask is made when it is first needed.
 template <PackedValue Value>
 struct PaintTask {
   const CubeView& view;                     // of the mesh, all of whose corners have been seen
   const CubeTiling& tiling;                 // of the table
   const CubeGnomonic& scheme;               // of the table
-  Layer layer;                              // that counts where faces overlap
+  Layer layer;                              // which crossing counts where faces overlap
   PackedTable<CubeGnomonic, Value>& table;  // that is filled
   std::once_flag& mask_made;                // of the table's mask
 };

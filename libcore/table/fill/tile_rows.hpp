@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the rows of a tile that is drawn to those of the table, with vector instructions: the same bits with
-// all sets of them.
+// From the rows of a drawn tile to those of the table, with vector instructions; bit for bit the same on
+// every instruction set.
 #pragma once
 
 #include <cstddef>

@@ -25,9 +25,9 @@ namespace impinge {
 
 inline constexpr double kMostTerms = 8.0;  // see above
 inline constexpr double kMostThin =
-    4096.0;  // parts of the area over the area, for gradient and side to be good
+    4096.0;  // largest sum of |terms| of the area over |area| with certain gradient and side
 
-/// e above.
+/// e above, cells.
 constexpr double place_error(std::size_t divisions) { return 0x1p-49 * static_cast<double>(divisions); }
 
 /// Faces on the grid of a face of the cube, their corners known; number by number, so that a vector holds
@@ -64,8 +64,8 @@ struct TileTriangles {
   std::uint64_t clear = 0;               // of those that are seen; the others are drawn in double
 };
 
-/// `corners` of faces as the tile sees them, of a cube map with so many cells along an edge. The same bits
-/// with all sets of instructions; numbers of faces that are not seen or not clear mean nothing.
+/// `corners` of faces as the tile sees them, of a cube map with so many cells along an edge. Bit for
+/// bit the same on every instruction set; numbers of faces that are not seen or not clear mean nothing.
 void set_up(const CornerBatch& corners, const CubeTile& tile, std::size_t divisions, TileTriangles& drawn);
 
 /// The inverse depth over the plane of a face: q + q_x (x - x_0) + q_y (y - y_0), from corner 0 on.

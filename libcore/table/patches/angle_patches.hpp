@@ -28,18 +28,18 @@ struct AngleRing {
   double shift;       // of the first entry, in steps
 };
 
-/// Largest sin(phi) and |sin(phi) cos(phi)| between two polar angles.
+/// Largest sin(phi) between two polar angles, radians.
 inline double largest_sine(double from, double to) {
   return from < 0.5 * kPi && to > 0.5 * kPi ? 1.0 : std::max(std::sin(from), std::sin(to));
 }
-/// The latter, at most.
+/// An upper bound on |sin(phi) cos(phi)| between them.
 inline double largest_sine_cosine(double from, double to) {
   return largest_sine(from, to) * std::max(std::abs(std::cos(from)), std::abs(std::cos(to)));
 }
 
 class AnglePatches {
  public:
-  /// Rings from the north to the south; a pole that is none of them is joined to the next ring.
+  /// Rings from the north to the south; a pole that is not a ring is joined to the nearest one.
   explicit AnglePatches(std::vector<AngleRing> rings) : rings_(std::move(rings)) {}
 
   template <class Visit>

@@ -57,7 +57,7 @@ inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Mag
           quarter * quarter * root * b_most * b_most * std::sin(2.0 * quarter * s.most) / (least * least)};
 }
 
-/// Warps whose lines are known to move so. A cube map with another warp tells no patches.
+/// Warps with a line_motion(). A cube map with another warp declares no patches.
 template <class Warp>
 concept HasLineMotion = requires(const Magnitude& size) {
   { line_motion(Warp{}, size, size) } -> std::same_as<LineMotion>;

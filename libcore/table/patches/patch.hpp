@@ -3,13 +3,13 @@
 //
 // A patch is a rectangle of two coordinates (s, t) of the scheme's own, inside of one cell, on which the
 // interpolated value is linear in s for each t and linear in t for each s (but for `bend` below), while the
-// direction runs over u(s, t). Patches cover the sphere. A scheme tells them through
+// direction runs over u(s, t). Patches cover the sphere. A scheme declares them by
 //   patches_of(scheme)     the patches of a scheme, in an object with the other three
 //   for_each(visit)        calls visit(patch) for every patch
 //   at(patch, s, t)        the direction u(s, t), a vector of any length above zero
 //   motion(patch, rect)    bounds on how u and the weights move over a part of the patch
-// the first found by its argument. It is optional: without it a bound of first order holds for any scheme
-// (table_bound.hpp).
+// the first found by argument-dependent lookup. It is optional: without it a bound of first order holds for
+// any scheme (table_bound.hpp).
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Rect {
 
 /// One patch of a scheme.
 struct Patch {
-  std::size_t part = 0;  // of the sphere, of a meaning that is the scheme's
+  std::size_t part = 0;  // of the sphere; its meaning is the scheme's
   Rect rect{};           // of the whole patch
 };
 
@@ -46,7 +46,7 @@ struct PatchMotion {
   bool smooth = true;            // whether `turn` is finite; else only `way` is of use
 };
 
-/// Schemes that tell their patches.
+/// Schemes that declare patches.
 template <class S>
 concept HasPatches = requires(const S scheme, Patch patch) {
   { patches_of(scheme).at(patch, 0.0, 0.0) } -> std::same_as<Vec3>;

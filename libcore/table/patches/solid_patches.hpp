@@ -26,7 +26,8 @@ struct ProjectedPatch {
   std::array<double, 2> bending{};  // along s and along t
 };
 
-/// Of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord and b its bending,
+/// Bounds on the motion of u = x / |x|. With x' the derivative of x for the whole width, c its largest chord
+/// and b its bending,
 ///   |x'| <= c + b_s / 2 + b_t / 4        (a chord is the mean of x', and changes by its own bending)
 ///   |u'| <= |x'| / |x|,   |acceleration of u along the sphere| <= b / |x| + 2 |u . x'| |u'| / |x|.
 inline PatchMotion projected_motion(const ProjectedPatch& patch) {
@@ -144,7 +145,7 @@ class IcosahedralPatches {
   bool flat_;
 };
 
-/// A grid with another curved warp tells no patches but flat ones.
+/// A grid with another curved warp declares flat patches only.
 template <class Warp>
 requires(Warp::kFlatCells || std::same_as<Warp, SineIcosahedralWarp>)
     IcosahedralPatches<Warp> patches_of(const IcosahedralGrid<Warp>& scheme) {
