@@ -280,36 +280,44 @@ double BodyPairs::Moved::reach(double from_centre) const {
          poses.shift_mm;
 }
 
-// x, of this body, is farther from the surface of the other one than the poses take it.
-bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
-  const double near = reach(x.norm()) + kNodeRounding * x.norm();
+// x, of this body, is farther from the surface of the other one than the poses take it, by so much.
+bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x, double by_mm) const {
+  const double near = by_mm + reach(x.norm()) + kNodeRounding * x.norm();
   return other.faces.farther_than(near, rotation * x) &&
          other.beyond.farther_than(near + other.stretch * poses.centre_mm, rotation * x);
+}
+
+// x, of this body, is within the gap of the other one in all poses.
+bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
+  return other.faces.within(poses.gap_mm - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
 }
 
 // Where the surfaces are apart.
 bool BodyPairs::Moved::may_enter(const Body& other) const {
   const auto holds = [&](const Vec3& x) { return other.holds(rotation * x); };
-  return std::ranges::any_of(body.pieces, holds) ||
-         std::ranges::any_of(body.loose, [&](const Vec3& x) { return holds(x) || !is_off(other, x); });
+  return std::ranges::any_of(body.pieces, holds) || std::ranges::any_of(body.loose, [&](const Vec3& x) {
+           return holds(x) || !is_off(other, x, poses.gap_mm);
+         });
 }
 
 bool BodyPairs::Moved::is_within(const Body& other) const {
-  if (!other.anchored || body.faces.nodes().empty()) return false;
+  const bool may_be = other.anchored || poses.gap_mm > 0.0;
+  if (!may_be || body.faces.nodes().empty() || other.faces.nodes().empty()) return false;
   const SweptParts::Node& whole = other.faces.nodes()[0];
   std::vector<std::uint32_t> pending{0};
   while (!pending.empty()) {
     const SweptParts::Node& node = body.faces.nodes()[pending.back()];
     pending.pop_back();
     const Vec3 middle = rotation * node.centre;
-    if ((middle - whole.centre).norm() > node.radius + whole.radius) continue;
-    if (other.faces.farther_than(node.radius, middle) && !other.holds(middle)) continue;  // none is, mostly
+    const double near = node.radius + poses.gap_mm;
+    if ((middle - whole.centre).norm() > near + whole.radius) continue;
+    if (other.faces.farther_than(near, middle) && !other.holds(middle)) continue;  // none is, mostly
     if (!node.leaf) {
       pending.insert(pending.end(), {node.at, node.at + 1});
       continue;
     }
     const Vec3& x = body.faces.parts()[node.at].corner[0];
-    if (is_off(other, x) && other.holds(rotation * x)) return true;
+    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x))) return true;
   }
   return false;
 }
@@ -320,15 +328,14 @@ std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses) const
     const Body& socket = *socket_[pair.socket];
     const Moved out{ball, poses, poses.rotation};
     const Moved back{socket, poses, poses.rotation.transpose()};
-    const auto reach = [&](double from_centre) { return out.reach(from_centre); };
-    const auto to_shadow = [&](double from_centre) {
-      return out.reach(from_centre) + ball.stretch * poses.centre_mm;
-    };
+    const double apart = poses.shift_mm + poses.gap_mm;
+    const double of_walls = ball.stretch * poses.centre_mm;
+    const auto reach = [&](double from_centre) { return out.reach(from_centre) + poses.gap_mm; };
+    const auto to_shadow = [&](double from_centre) { return reach(from_centre) + of_walls; };
     const auto near = [&](const SweptParts& of, double shift, const auto& within) {
       return may_come_near(of, socket.faces, poses.rotation, shift, within);
     };
-    if (near(ball.faces, poses.shift_mm, reach) ||
-        near(ball.beyond, poses.shift_mm + ball.stretch * poses.centre_mm, to_shadow) ||
+    if (near(ball.faces, apart, reach) || near(ball.beyond, apart + of_walls, to_shadow) ||
         out.may_enter(socket) || back.may_enter(ball))
       return pair;
   }
@@ -341,8 +348,8 @@ bool BodyPairs::overlap(const NearPoses& poses) const {
     const Body& socket = *socket_[pair.socket];
     const Moved out{ball, poses, poses.rotation};
     const Moved back{socket, poses, poses.rotation.transpose()};
-    if (!surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) && !out.may_enter(socket) &&
-        !back.may_enter(ball))
+    if (poses.gap_mm == 0.0 && !surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) &&
+        !out.may_enter(socket) && !back.may_enter(ball))
       return false;  // nothing of one is inside the other
     return out.is_within(socket) || back.is_within(ball);
   });

@@ -19,8 +19,10 @@
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
 // farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
 // inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
-// under R and farther than s from the surface is inside in all of them. A ball whose mesh ends counts as bone
-// beyond its end, as the centre sees it; so there the walls of that shadow count as surface too.
+// under R and farther than s from the surface is inside in all of them. Where a distance of g and less counts
+// as contact, surfaces farther than s + g apart are clear in all of them, and a vertex within g - s of the
+// other surface is in contact in all of them. A ball whose mesh ends counts as bone beyond its end, as the
+// centre sees it; so there the walls of that shadow count as surface too.
 #pragma once
 
 #include <memory>
@@ -42,6 +44,7 @@ struct NearPoses {
   double turn = 0.0;       // radians, that they are turned from it at most
   double shift_mm = 0.0;   // that they are shifted at most
   double centre_mm = 0.0;  // how far the centre of both bodies may be from the origin
+  double gap_mm = 0.0;     // a distance of surfaces, not along rays, as small as that counts as contact
 };
 
 /// The bodies of a joint and its pairs that have a part. Meshes in one frame, mm.
@@ -65,7 +68,7 @@ class BodyPairs {
   bool vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const;
   /// Two that may be in contact in one of the poses; std::nullopt proves that no two are, in any of them.
   std::optional<Pair> may_meet(const NearPoses& poses) const;
-  /// Is some vertex inside the other body in all of the poses? Yes is proven.
+  /// Is some vertex inside the other body, or within the gap of it, in all of the poses? Yes is proven.
   bool overlap(const NearPoses& poses) const;
   /// First contacts of the turn, pair by pair.
   std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
@@ -98,7 +101,8 @@ class BodyPairs {
     double reach(double from_centre) const;  // mm, from where the rotation takes a point
     bool may_enter(const Body& other) const;
     bool is_within(const Body& other) const;
-    bool is_off(const Body& other, const Vec3& x) const;
+    bool is_off(const Body& other, const Vec3& x, double by_mm = 0.0) const;
+    bool is_near(const Body& other, const Vec3& x) const;
   };
   template <class Found>
   bool any_vertex(const Pose& pose, const Found& found) const;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
 
 namespace impinge {
@@ -285,20 +286,31 @@ SweptParts SweptParts::rotated(const Eigen::Matrix3d& rotation) const {
   return moved;
 }
 
-bool SweptParts::farther_than(double distance, const Vec3& x) const {
+// Calls found(part) for those whose spheres are that near until it returns true.
+template <class Found>
+bool SweptParts::any_part(double distance, const Vec3& x, const Found& found) const {
   std::vector<std::uint32_t> pending;
   if (!nodes_.empty()) pending.push_back(0);
   while (!pending.empty()) {
     const Node node = nodes_[pending.back()];
     pending.pop_back();
     if ((node.centre - x).norm() - node.radius > distance) continue;
-    if (node.leaf) {
-      if (least_distance(x, parts_[node.at]) <= distance) return false;
-      continue;
-    }
-    pending.insert(pending.end(), {node.at, node.at + 1});
+    if (!node.leaf)
+      pending.insert(pending.end(), {node.at, node.at + 1});
+    else if (found(parts_[node.at]))
+      return true;
   }
-  return true;
+  return false;
+}
+
+bool SweptParts::farther_than(double distance, const Vec3& x) const {
+  return !any_part(distance, x, [&](const TurnFace& part) { return least_distance(x, part) <= distance; });
+}
+
+bool SweptParts::within(double distance, const Vec3& x) const {
+  return distance >= 0.0 && any_part(distance, x, [&](const TurnFace& part) {
+           return squared_distance_to_point_of(x, part.corner) <= distance * distance;
+         });
 }
 
 double first_within(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within,

@@ -122,9 +122,6 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
     EXPECT_EQ(test::thrown<std::runtime_error>(ask), what + cure);
   };
   refused("gaps", [&] { measure(session, {}); });
-  refused("motion volume of a gap", [&] {
-    answer_volume(joint, {{.gap_mm = 1.0, .centre_within_mm = 0.0}, {}});
-  });
   refused("resection", [&] { answer_resection(session, {}); });
   refused("certificate", [&] { answer_proof(joint, Pose{}); });
   refused("gaps of poses", [&] { PoseSeries(joint.joint, {}); });
