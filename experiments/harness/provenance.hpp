@@ -24,9 +24,9 @@ namespace impinge::lab {
 struct Result {
   std::string name;                                      // of the file, without .csv
   std::string question;                                  // that the rows answer
-  Table table;                                           // the rows
+  Table table = {};                                      // the rows
   nlohmann::json parameters = nlohmann::json::object();  // everything that was chosen
-  nlohmann::json timing;                                 // protocol and control of a timed result, else null
+  nlohmann::json timing = {};                            // protocol and control of a timed result, else null
   std::map<std::string, std::string> labels = {};        // what a reader calls the methods, by their names
 };
 
