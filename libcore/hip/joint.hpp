@@ -27,6 +27,9 @@ struct JointPart {
 };
 
 struct Joint {
+  /// Is there bone beside it?
+  bool has_parts() const { return !ball.parts.empty() || !socket.parts.empty(); }
+
   JointPart ball;                          // about the centre
   JointPart socket;                        // about the centre
   Vec3 centre = Vec3::Zero();              // mm, input frame
@@ -71,6 +74,9 @@ struct JointInput {
 /// the ball, as if left and right were mixed up, or far from it, and a ball that is a cap get a warning. All
 /// that is of the main surfaces: parts are only looked through for faces that are odd.
 Joint assemble_joint(JointInput input);
+
+/// The joint without the bone beside it.
+Joint without_parts(Joint joint);
 
 /// std::runtime_error, one line, where there is bone beside the joint: `what` is worked out of the main
 /// surfaces alone.

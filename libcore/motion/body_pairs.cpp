@@ -13,6 +13,7 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/meeting_faces.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "motion/part_distance.hpp"
 
 namespace impinge {
 namespace {
@@ -235,26 +236,51 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside) {
 
 // Calls found(body, x), x a vertex of the other one in its frame, until it returns true.
 template <class Found>
+bool BodyPairs::any_vertex_of(const Pair& pair, const Pose& pose, const Found& found) const {
+  const Body& ball = *ball_[pair.ball];
+  const Body& socket = *socket_[pair.socket];
+  return std::ranges::any_of(
+             ball.parts.vertices,
+             [&](VertexIndex v) { return found(socket, to_socket(pose, ball.mesh.vertices[v])); }) ||
+         std::ranges::any_of(socket.parts.vertices, [&](VertexIndex v) {
+           return found(ball, to_ball(pose, socket.mesh.vertices[v]));
+         });
+}
+
+template <class Found>
 bool BodyPairs::any_vertex(const Pose& pose, const Found& found) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) {
-    const Body& ball = *ball_[pair.ball];
-    const Body& socket = *socket_[pair.socket];
-    return std::ranges::any_of(
-               ball.parts.vertices,
-               [&](VertexIndex v) { return found(socket, to_socket(pose, ball.mesh.vertices[v])); }) ||
-           std::ranges::any_of(socket.parts.vertices, [&](VertexIndex v) {
-             return found(ball, to_ball(pose, socket.mesh.vertices[v]));
-           });
-  });
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return any_vertex_of(pair, pose, found); });
+}
+
+bool BodyPairs::touch(const Pair& pair, const Pose& pose) const {
+  return surfaces_meet(ball_[pair.ball]->faces, socket_[pair.socket]->faces, pose) ||
+         any_vertex_of(pair, pose, [](const Body& body, const Vec3& x) { return body.holds(x); });
 }
 
 bool BodyPairs::impinged(const Pose& pose) const {
-  return std::ranges::any_of(pairs_,
-                             [&](const Pair& pair) {
-                               return surfaces_meet(ball_[pair.ball]->faces, socket_[pair.socket]->faces,
-                                                    pose);
-                             }) ||
-         any_vertex(pose, [](const Body& body, const Vec3& x) { return body.holds(x); });
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(pair, pose); });
+}
+
+std::optional<BodyPairs::Nearest> BodyPairs::nearest(const Pose& pose) const {
+  std::optional<Nearest> found;
+  for (const Pair& pair : pairs_) {
+    if (touch(pair, pose)) return Nearest{pair, 0.0, true};
+    double least = found ? found->distance_mm : HUGE_VAL;
+    const SweptParts& ball = ball_[pair.ball]->faces;
+    const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const double spheres = (to_socket(pose, a.centre) - b.centre).norm() - a.radius - b.radius;
+      return spheres > least + kNodeRounding * (a.farthest + b.farthest);
+    };
+    const auto measure = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+      const TurnFace moved = turn_face(to_socket(pose, c0), to_socket(pose, c1), to_socket(pose, c2));
+      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces.parts()[b.at]));
+      return false;
+    };
+    any_pair(ball, socket_[pair.socket]->faces, apart, measure);
+    if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
+  }
+  return found;
 }
 
 bool BodyPairs::vertex_within(const Pose& pose, double gap_mm) const {

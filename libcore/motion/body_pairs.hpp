@@ -61,6 +61,14 @@ class BodyPairs {
   bool empty() const { return pairs_.empty(); }
   /// Are two of them in contact? Exact, of the ball's vertices as the pose rounds them.
   bool impinged(const Pose& pose) const;
+  /// Two that are nearest to each other, and the distance of their surfaces, mm: up to rounding, and not
+  /// above the true one (motion/part_distance.hpp); 0 of two in contact. None where there is no part.
+  struct Nearest {
+    Pair pair;
+    double distance_mm;
+    bool touch;  // exact
+  };
+  std::optional<Nearest> nearest(const Pose& pose) const;
   /// Is along its ray some vertex that near to the other body, mm, or inside?
   bool vertex_within(const Pose& pose, double gap_mm) const;
   /// Is some vertex inside the other body, and farther than that from its surface?
@@ -105,7 +113,10 @@ class BodyPairs {
     bool is_near(const Body& other, const Vec3& x) const;
   };
   template <class Found>
+  bool any_vertex_of(const Pair& pair, const Pose& pose, const Found& found) const;
+  template <class Found>
   bool any_vertex(const Pose& pose, const Found& found) const;
+  bool touch(const Pair& pair, const Pose& pose) const;
 
   std::vector<std::unique_ptr<const Body>> ball_;
   std::vector<std::unique_ptr<const Body>> socket_;

@@ -36,17 +36,6 @@ TurnFace turned_face(const TurnFace& face, double angle) {
   return moved;
 }
 
-double distance_of_faces(const TurnFace& s, const TurnFace& t) {
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < 3; ++i) {
-    least = std::min({least, least_distance(s.corner[i], t), least_distance(t.corner[i], s)});
-    for (std::size_t j = 0; j < 3; ++j)
-      least = std::min(least, least_distance_of_edges(s.corner[i], s.corner[(i + 1) % 3], t.corner[j],
-                                                      t.corner[(j + 1) % 3]));
-  }
-  return least;
-}
-
 // Is t on one side of the plane of s, farther from it than that?
 bool plane_separates(const TurnFace& s, const TurnFace& t, double distance) {
   if (s.thin) return false;
@@ -224,7 +213,7 @@ class SweptSearch {
 
 bool farther_than(const TurnFace& s, const TurnFace& t, double distance) {
   return plane_separates(s, t, distance) || plane_separates(t, s, distance) ||
-         distance_of_faces(s, t) > distance;
+         least_distance(s, t) > distance;
 }
 
 SweptParts::SweptParts(std::vector<TurnFace> parts) : parts_(std::move(parts)) {

@@ -275,6 +275,44 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
   EXPECT_GT(within, 50U);
 }
 
+// The nearest of several bodies, and how near it is.
+TEST(BodyPairs, AreNearestInClosedForm) {
+  const auto sphere = [](double radius, const Vec3& at) {
+    TriangleMesh mesh = icosphere(radius, 4);
+    for (Vec3& x : mesh.vertices) x += at;
+    return mesh;
+  };
+  const BallSocketPair main{icosphere(5.0, 2), icosphere(300.0, 2)};
+  EXPECT_FALSE(BodyPairs(main, {}).nearest({}));
+  const BodyPairs pairs(main, {{sphere(3.0, {40, 0, 0}), sphere(6.0, {0, 40, 0})},
+                               {sphere(4.0, {0, 0, 60}), sphere(2.0, {0, 47, 20})}});
+  std::mt19937_64 random(13);
+  std::normal_distribution<double> normal;
+  for (std::size_t k = 0; k < 200; ++k) {
+    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
+    const Pose pose{at.normalized().toRotationMatrix(), Vec3(normal(random), normal(random), normal(random))};
+    double least = HUGE_VAL;
+    std::array<std::size_t, 2> bodies{};
+    const std::array<std::pair<double, Vec3>, 3> ball{
+        {{5.0, Vec3::Zero()}, {3.0, {40, 0, 0}}, {6.0, {0, 40, 0}}}};
+    const std::array<std::pair<double, Vec3>, 2> socket{{{4.0, {0, 0, 60}}, {2.0, {0, 47, 20}}}};
+    for (std::size_t b = 0; b < ball.size(); ++b) {
+      for (std::size_t s = 0; s < socket.size(); ++s) {
+        const double distance =
+            (to_socket(pose, ball[b].second) - socket[s].second).norm() - ball[b].first - socket[s].first;
+        if (distance < least) bodies = {b, s + 1};
+        least = std::min(least, distance);
+      }
+    }
+    const BodyPairs::Nearest found = pairs.nearest(pose).value();
+    EXPECT_EQ(found.touch, pairs.impinged(pose));
+    if (found.touch) continue;
+    EXPECT_GT(found.distance_mm, least - 1e-9);
+    EXPECT_LT(found.distance_mm, least + 0.03);
+    if (least < 10.0) EXPECT_EQ((std::array{found.pair.ball, found.pair.socket}), bodies);
+  }
+}
+
 // Of a hip with parts, by CGAL's exact distances of vertices.
 TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
   const Hips hips;
