@@ -97,21 +97,20 @@ struct AddRows {
 };
 
 void body(DriverRun& run) {
-  Result result;
-  result.name = "lut_memory";
-  result.question = "How large is the table of each scheme at each precision?";
-  result.table.columns = {{"scheme", "", "name of the sampling scheme"},
-                          {"precision_deg", "deg", "spacing of the entries at the equator"},
-                          {"entries", "1", "sampled directions"},
-                          {"bytes_per_entry", "byte", "bytes of one radius"},
-                          {"bytes", "byte", "radii of one table, as allocated"},
-                          {"helix_turns", "1", "turns of the helix; empty for a scheme without one"},
-                          {"equator_points", "1", "entries on the equator, by the scheme's own formula"},
-                          {"filled_bytes", "byte", "radii and rim mask of the table of a surface with a rim"},
-                          {"equator_least", "1",
-                           "counted: fewest entries of a turn of the helix that crosses the equator, which "
-                           "depend on where the turn begins; empty for a scheme without turns"},
-                          {"equator_most", "1", "counted: most entries of such a turn"}};
+  Result result{"lut_memory",
+                "How large is the table of each scheme at each precision?",
+                {{{"scheme", "", "name of the sampling scheme"},
+                  {"precision_deg", "deg", "spacing of the entries at the equator"},
+                  {"entries", "1", "sampled directions"},
+                  {"bytes_per_entry", "byte", "bytes of one radius"},
+                  {"bytes", "byte", "radii of one table, as allocated"},
+                  {"helix_turns", "1", "turns of the helix; empty for a scheme without one"},
+                  {"equator_points", "1", "entries on the equator, by the scheme's own formula"},
+                  {"filled_bytes", "byte", "radii and rim mask of the table of a surface with a rim"},
+                  {"equator_least", "1",
+                   "counted: fewest entries of a turn of the helix that crosses the equator, which "
+                   "depend on where the turn begins; empty for a scheme without turns"},
+                  {"equator_most", "1", "counted: most entries of such a turn"}}}};
   result.parameters = {{"precisions_deg", kPrecisions},
                        {"radius_type", "double"},
                        {"filled_with", "generated socket"},

@@ -166,10 +166,8 @@ void body(DriverRun& run) {
        "into tables that are kept; rsid, usid: exact raster"},
       {"precision_deg", "deg", "spacing of the entries at the equator"},
       {"triangles", "1", "triangles of each model"}};
-  Result result;
-  result.name = "sampling_time";
-  result.question = "How long does filling the two tables of a joint take?";
-  result.table.columns = timing_columns(keys);
+  Result result{
+      "sampling_time", "How long does filling the two tables of a joint take?", {timing_columns(keys)}};
   result.parameters = {
       {"pair", "generated, default shape"},
       {"triangles_of_both", pair.ball.faces.size() + pair.socket.faces.size()},

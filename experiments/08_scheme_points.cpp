@@ -34,15 +34,14 @@ struct AddRows {
 };
 
 void body(DriverRun& run) {
-  Result result;
-  result.name = "scheme_points";
-  result.question = "Where are the entries of each scheme, and what area does each stand for?";
-  result.table.columns = {{"scheme", "", "name of the sampling scheme"},
-                          {"entry", "1", "number of the entry"},
-                          {"x", "1", "of its direction"},
-                          {"y", "1", "of its direction"},
-                          {"z", "1", "of its direction"},
-                          {"area_sr", "sr", "of its Voronoi cell; repeated entries share one"}};
+  Result result{"scheme_points",
+                "Where are the entries of each scheme, and what area does each stand for?",
+                {{{"scheme", "", "name of the sampling scheme"},
+                  {"entry", "1", "number of the entry"},
+                  {"x", "1", "of its direction"},
+                  {"y", "1", "of its direction"},
+                  {"z", "1", "of its direction"},
+                  {"area_sr", "sr", "of its Voronoi cell; repeated entries share one"}}}};
   result.parameters["entries"] = "nearest to " + std::to_string(kEntries);
   for_each_scheme(AddRows{result.table});
   run.write(result);

@@ -63,19 +63,18 @@ struct AddRows {
 void body(DriverRun& run) {
   const std::size_t probes = run.quick() ? kProbesInQuick : kProbes;
   const ErrorProbe probe(BandLimited(kFunction), uniform_directions(probes, run.record.seed));
-  Result result;
-  result.name = "scheme_savings";
-  result.question = "How many entries does each scheme need to be as good as RSID?";
-  result.table.columns = {
-      {"scheme", "", "name of the sampling scheme"},
-      {"meaning", "", "what is equal: equator_spacing, covering_radius, interpolation_p9999 or _rms"},
-      {"precision_deg", "deg", "precision of the RSID table"},
-      {"entries", "1", "of the table that is as good"},
-      {"rsid_entries", "1", "of the RSID table"},
-      {"saved_percent", "%", "entries saved; negative where more are needed"},
-      {"bytes", "byte", "of the radii of the table"},
-      {"measured_ratio", "1",
-       "what is equal, as measured on the table, over that of RSID; empty where not made"}};
+  Result result{
+      "scheme_savings",
+      "How many entries does each scheme need to be as good as RSID?",
+      {{{"scheme", "", "name of the sampling scheme"},
+        {"meaning", "", "what is equal: equator_spacing, covering_radius, interpolation_p9999 or _rms"},
+        {"precision_deg", "deg", "precision of the RSID table"},
+        {"entries", "1", "of the table that is as good"},
+        {"rsid_entries", "1", "of the RSID table"},
+        {"saved_percent", "%", "entries saved; negative where more are needed"},
+        {"bytes", "byte", "of the radii of the table"},
+        {"measured_ratio", "1",
+         "what is equal, as measured on the table, over that of RSID; empty where not made"}}}};
   result.parameters = {
       {"precisions_deg", kPrecisions},
       {"covering_radius", "smallest table found, in steps of at most 0.5 % of the entries"},

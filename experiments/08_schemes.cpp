@@ -29,46 +29,41 @@ constexpr BandLimitedChoice kFunction;
 const Column kScheme{"scheme", "", "name of the sampling scheme"};
 const Column kEntries{"entries", "1", "sampled directions; repeated ones count"};
 
-Result result_of(std::string name, std::string question, std::vector<Column> columns) {
-  Result result;
-  result.name = std::move(name);
-  result.question = std::move(question);
-  result.table.columns = std::move(columns);
-  return result;
-}
-
 struct Results {
-  Result schemes = result_of(
-      "schemes", "How well does each scheme cover the sphere?",
-      {kScheme,
-       {"label", "", "name for readers"},
-       {"citation", "", "source"},
-       kEntries,
-       {"covering_radius_deg", "deg", "largest angle from any direction to its nearest entry"},
-       {"covering_constant", "1", "entries times covering radius (radians) squared"},
-       {"max_area_ratio", "1", "largest over smallest area of an entry; repeated entries share one area"},
-       {"equator_points", "1", "entries on the equator"}});
-  Result covering = result_of(
-      "scheme_covering", "Where is the widest gap of each scheme, and how wide are the others?",
-      {kScheme,
-       kEntries,
-       {"directions", "1", "entries that differ in direction"},
-       {"constant", "1", "entries times covering radius squared"},
-       {"constant_away", "1", "the same of the widest gap whose middle has |z| at most 0.98"},
-       {"widest_gap_z", "1", "height of the middle of the widest gap"},
-       {"declared_radius_deg", "deg", "covering radius that the scheme declares"},
-       {"direction_area_ratio", "1", "largest over smallest area of a direction, however often repeated"}});
-  Result errors = result_of("scheme_errors", "How far are tables of each scheme from smooth functions?",
-                            {kScheme,
-                             kEntries,
-                             {"max", "1", "largest error, in standard deviations of the functions"},
-                             {"p9999", "1", "error that 1 in 10,000 directions exceeds"},
-                             {"rms", "1", "root mean square error"},
-                             {"rms_poles", "1", "the same within 1 degree of the poles"},
-                             {"entries_max", "1", "entries times max"},
-                             {"entries_p9999", "1", "entries times p9999: memory for a given error"},
-                             {"entries_rms", "1", "entries times rms"},
-                             {"entries_rms_poles", "1", "entries times rms_poles"}});
+  Result schemes{
+      "schemes",
+      "How well does each scheme cover the sphere?",
+      {{kScheme,
+        {"label", "", "name for readers"},
+        {"citation", "", "source"},
+        kEntries,
+        {"covering_radius_deg", "deg", "largest angle from any direction to its nearest entry"},
+        {"covering_constant", "1", "entries times covering radius (radians) squared"},
+        {"max_area_ratio", "1", "largest over smallest area of an entry; repeated entries share one area"},
+        {"equator_points", "1", "entries on the equator"}}}};
+  Result covering{
+      "scheme_covering",
+      "Where is the widest gap of each scheme, and how wide are the others?",
+      {{kScheme,
+        kEntries,
+        {"directions", "1", "entries that differ in direction"},
+        {"constant", "1", "entries times covering radius squared"},
+        {"constant_away", "1", "the same of the widest gap whose middle has |z| at most 0.98"},
+        {"widest_gap_z", "1", "height of the middle of the widest gap"},
+        {"declared_radius_deg", "deg", "covering radius that the scheme declares"},
+        {"direction_area_ratio", "1", "largest over smallest area of a direction, however often repeated"}}}};
+  Result errors{"scheme_errors",
+                "How far are tables of each scheme from smooth functions?",
+                {{kScheme,
+                  kEntries,
+                  {"max", "1", "largest error, in standard deviations of the functions"},
+                  {"p9999", "1", "error that 1 in 10,000 directions exceeds"},
+                  {"rms", "1", "root mean square error"},
+                  {"rms_poles", "1", "the same within 1 degree of the poles"},
+                  {"entries_max", "1", "entries times max"},
+                  {"entries_p9999", "1", "entries times p9999: memory for a given error"},
+                  {"entries_rms", "1", "entries times rms"},
+                  {"entries_rms_poles", "1", "entries times rms_poles"}}}};
 };
 
 struct AddRows {

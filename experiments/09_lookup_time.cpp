@@ -139,15 +139,12 @@ void body(DriverRun& run) {
   Cases cases{run.quick(), look_up, {}, {}, {}};
   for (const Vec3& x : look_up) cases.directions.push_back(x.normalized());
   for_each_scheme(cases);
-  Result lookup;
-  lookup.name = "lookup_time";
-  lookup.question = "How long does one look-up take with each scheme?";
+  Result lookup{"lookup_time", "How long does one look-up take with each scheme?"};
   lookup.parameters = {
       {"lookups", kLookups}, {"directions", "random"}, {"distances_mm", {kNearest, kFarthest}}};
   time_and_write(run, cases.lookups, std::move(lookup), "look-up");
-  Result stencil;
-  stencil.name = "stencil_time";
-  stencil.question = "Does finding the entries of a look-up take longer the more of them there are?";
+  Result stencil{"stencil_time",
+                 "Does finding the entries of a look-up take longer the more of them there are?"};
   stencil.parameters = {{"stencils", kLookups}, {"directions", "random"}};
   time_and_write(run, cases.stencils, std::move(stencil), "stencil");
 }

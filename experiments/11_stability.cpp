@@ -27,23 +27,19 @@ constexpr std::size_t kMostLines = 20;
 void body(DriverRun& run) {
   const StabilityRun settings{run.quick(), run.record.seed};
   StabilityTables tables = run_stability(settings, run.progress);
-  Result result;
-  result.parameters = {{"unit_roundoff_float", unit_roundoff(Scalar::float32)},
-                       {"unit_roundoff_double", unit_roundoff(Scalar::float64)},
-                       {"threshold_of_tables_stored_in_float", kStoredThreshold},
-                       {"precision_deg_of_tables", StabilityScene{}.precision_deg},
-                       {"halvings_of_a_bound", measure_options(settings).search.budget},
-                       {"truth", "exact reference along the very double direction"},
-                       {"stiff_above", 1000}};
-  const auto write = [&](const char* name, const char* question, Table& table) {
-    result.name = name;
-    result.question = question;
-    result.table = std::move(table);
-    run.write(result);
-  };
-  write("stability", "How far off is every method in stiff and extreme cases?", tables.main);
-  write("stability_detail", "In which way does a method fail, and what does it refuse?", tables.detail);
-  write("stability_families", "What is varied in a family, and what is expected?", tables.families);
+  const nlohmann::json parameters = {{"unit_roundoff_float", unit_roundoff(Scalar::float32)},
+                                     {"unit_roundoff_double", unit_roundoff(Scalar::float64)},
+                                     {"threshold_of_tables_stored_in_float", kStoredThreshold},
+                                     {"precision_deg_of_tables", StabilityScene{}.precision_deg},
+                                     {"halvings_of_a_bound", measure_options(settings).search.budget},
+                                     {"truth", "exact reference along the very double direction"},
+                                     {"stiff_above", 1000}};
+  run.write({"stability", "How far off is every method in stiff and extreme cases?", std::move(tables.main),
+             parameters});
+  run.write({"stability_detail", "In which way does a method fail, and what does it refuse?",
+             std::move(tables.detail), parameters});
+  run.write({"stability_families", "What is varied in a family, and what is expected?",
+             std::move(tables.families), parameters});
   if (tables.broken.empty()) return;
   for (std::size_t k = 0; k < tables.broken.size() && k < kMostLines; ++k) run.progress.say(tables.broken[k]);
   throw std::runtime_error(std::to_string(tables.broken.size()) +

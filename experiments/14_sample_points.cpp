@@ -51,9 +51,7 @@ void add_points(const Socket& socket, const RadialTable<S>& table, Table& points
 
 void write_points(DriverRun& run, const char* name, std::vector<Column> columns,
                   const std::vector<Socket>& sockets) {
-  Result result;
-  result.name = name;
-  result.question = "Which points of a socket do the two tables of the thesis sample?";
+  Result result{name, "Which points of a socket do the two tables of the thesis sample?"};
   columns.insert(columns.end(), {{"scheme", "", "name of the sampling scheme"},
                                  {"entry", "1", "its number in the table"},
                                  {"x", "mm", "point of the surface, input frame"},

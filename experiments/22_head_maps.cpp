@@ -57,20 +57,19 @@ void add_map(DriverRun& run, const Ball& ball, Table& maps) {
 }
 
 void body(DriverRun& run) {
-  Result result;
-  result.name = "head_maps";
-  result.question = "Where is the ball of a joint a sphere, and how far is it from one elsewhere?";
-  result.table.columns = {{"joint", "", "name of a hip, or folder of a real joint"},
-                          {"x", "mm", "centre of the sphere, input frame"},
-                          {"y", "mm", "the same"},
-                          {"z", "mm", "the same"},
-                          {"radius_mm", "mm", "of the sphere"},
-                          {"rms_mm", "mm", "residual of the fitted vertices, weighted by their areas"},
-                          {"vertices", "1", "of the ball"},
-                          {"fitted", "1", "of them, those that were fitted"},
-                          {"fitted_area_mm2", "mm^2", "of their faces"},
-                          {"lowest_mm", "mm", "of the distances of fitted vertices from the sphere"},
-                          {"highest_mm", "mm", "the same, outwards positive"}};
+  Result result{"head_maps",
+                "Where is the ball of a joint a sphere, and how far is it from one elsewhere?",
+                {{{"joint", "", "name of a hip, or folder of a real joint"},
+                  {"x", "mm", "centre of the sphere, input frame"},
+                  {"y", "mm", "the same"},
+                  {"z", "mm", "the same"},
+                  {"radius_mm", "mm", "of the sphere"},
+                  {"rms_mm", "mm", "residual of the fitted vertices, weighted by their areas"},
+                  {"vertices", "1", "of the ball"},
+                  {"fitted", "1", "of them, those that were fitted"},
+                  {"fitted_area_mm2", "mm^2", "of their faces"},
+                  {"lowest_mm", "mm", "of the distances of fitted vertices from the sphere"},
+                  {"highest_mm", "mm", "the same, outwards positive"}}}};
   require_writable_folder(run.record.folder / "head_maps");
   for (const char* name : {"patient_a", "patient_b"}) {
     add_map(run, {name, make_hip(hip_preset(name)).ball}, result.table);

@@ -99,23 +99,21 @@ void add_cam(double height, std::size_t faces, Table& table) {
 
 void body(DriverRun& run) {
   const std::size_t faces = run.quick() ? 3000 : kHipFaces;
-  Result result;
+  Result result{"change_error",
+                "How near are the proven ends of an answer to each other, after which time?",
+                {{{"question", "", "resection: volume that has to go; orientation: share that is free"},
+                  {"setting", "", "closeness, or resolution, that was asked for"},
+                  {"setting_unit", "", "of that"},
+                  {"low", "", "proven lower end"},
+                  {"high", "", "proven upper end"},
+                  {"unit", "", "of both"},
+                  {"build_s", "s", "of it, to make the socket ready"},
+                  {"time_s", "s", "in all, wall clock"}}}};
   result.parameters = {{"hip", "cam"},
                        {"faces", faces},
                        {"required", kRequired},
                        {"clearance_mm", kClearance},
                        {"map_deg", kMapWidth}};
-  result.name = "change_error";
-  result.question = "How near are the proven ends of an answer to each other, after which time?";
-  result.table.columns = {
-      {"question", "", "resection: volume that has to go; orientation: share that is free"},
-      {"setting", "", "closeness, or resolution, that was asked for"},
-      {"setting_unit", "", "of that"},
-      {"low", "", "proven lower end"},
-      {"high", "", "proven upper end"},
-      {"unit", "", "of both"},
-      {"build_s", "s", "of it, to make the socket ready"},
-      {"time_s", "s", "in all, wall clock"}};
   add_resections(run, faces, result.table);
   run.progress.say("resections");
   add_orientations(run, faces, result.table);

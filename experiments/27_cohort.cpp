@@ -57,7 +57,7 @@ void body(DriverRun& run) {
     study.check_faces = kFineFacesInQuick;
   }
   const Members members(study);
-  Result result;
+  Result result{"cohort", "What are shape and limits of hips whose parameters spread as published?"};
   result.parameters = {{"study", study.text},
                        {"study_sha256", study.digest},
                        {"faces", study.faces},
@@ -70,8 +70,6 @@ void body(DriverRun& run) {
   const std::string csv = to_csv(result.table);
   const auto rows = std::string_view(csv).substr(csv.find('\n') + 1);
   const nlohmann::json summary = summary_of(study, result.table.columns, rows);
-  result.name = "cohort";
-  result.question = "What are shape and limits of hips whose parameters spread as published?";
   run.write(result);
   result.name = "cohort_quantiles";
   result.question = "How do shape and limits spread, and how well are their quantiles known?";

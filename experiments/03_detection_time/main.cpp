@@ -43,9 +43,7 @@ const Column kMethod{"method", "", "pairwise triangles, OBB trees of FCL, or two
 const Column kTriangles{"triangles", "1", "of each model; of a hip about so many, see the parameters"};
 
 Result make_result(const char* name, const char* question) {
-  Result result;
-  result.name = name;
-  result.question = question;
+  Result result{name, question};
   result.parameters = {
       {"poses",
        "clear, near (gap at most 0.5 mm) and touching (at most -0.5 mm), each also turned by 10 degrees"},

@@ -51,11 +51,9 @@ struct AddScheme {
 };
 
 Result budget_of(DriverRun& run, const char* name, std::vector<BudgetJoint> joints) {
-  Result result;
-  result.name = name;
-  result.question =
-      "What does each stage from the true surface to the stored number add to the error of a gap?";
-  result.table = budget_table();
+  Result result{name,
+                "What does each stage from the true surface to the stored number add to the error of a gap?",
+                budget_table()};
   for (BudgetJoint& joint : joints) {
     joint.wrong_centre = fit_ball(joint.meshes.ball).centre;
     result.parameters["centre_off_mm_" + joint.name] = joint.wrong_centre.norm();

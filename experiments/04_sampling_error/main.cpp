@@ -52,22 +52,17 @@ void body(DriverRun& run) {
   options.seed = run.record.seed;
   SamplingStudy study = make_sampling_study(options);
   for_each_scheme(MeasureScheme{run, study});
-  Result result;
-  result.parameters = {{"head_diameter_mm", 2.0 * study.radius},
-                       {"faces", options.faces},
-                       {"directions", options.uniform},
-                       {"further_directions", study.directions.size() - options.uniform}};
-  const auto write = [&](const char* name, const char* question, Table& table) {
-    result.name = name;
-    result.question = question;
-    result.table = std::move(table);
-    run.write(result);
-  };
-  write("sampling_error", "How wrong is the radius that a table of the head gives, beside Eq. 7 and 8?",
-        study.errors);
-  write("sampling_error_proven", "How near does the measured error come to its proven bound?", study.proven);
-  write("sampling_error_surfaces",
-        "How does the error of a look-up depend on the surface and the interpolant?", study.surfaces);
+  const nlohmann::json parameters = {{"head_diameter_mm", 2.0 * study.radius},
+                                     {"faces", options.faces},
+                                     {"directions", options.uniform},
+                                     {"further_directions", study.directions.size() - options.uniform}};
+  run.write({"sampling_error", "How wrong is the radius that a table of the head gives, beside Eq. 7 and 8?",
+             std::move(study.errors), parameters});
+  run.write({"sampling_error_proven", "How near does the measured error come to its proven bound?",
+             std::move(study.proven), parameters});
+  run.write({"sampling_error_surfaces",
+             "How does the error of a look-up depend on the surface and the interpolant?",
+             std::move(study.surfaces), parameters});
   write("sampling_error_bounds", "Do the bounds on the error of a look-up hold?", study.bounds);
 }
 

@@ -33,16 +33,9 @@ constexpr const char* kReference = "RSID at 1 degree";
 
 std::size_t reference_entries() { return Rsid::with_precision(1.0).size(); }
 
-Result make_result(std::string name, const char* question) {
-  Result result;
-  result.name = std::move(name);
-  result.question = question;
-  return result;
-}
-
 void write_slices(DriverRun& run) {
   const std::vector<Slice> slices = slices_of_sphere(kRadius, kThickness);
-  Result angles = make_result("slices", "At which angles do the slices of a CT scan cut a femoral head?");
+  Result angles{"slices", "At which angles do the slices of a CT scan cut a femoral head?"};
   angles.parameters = {{"head_diameter_mm", 2.0 * kRadius}, {"thickness_mm", kThickness}};
   angles.table.columns = {{"slice", "1", "counted upwards from the middle plane; as many lie below"},
                           {"height_mm", "mm", "above the middle plane"},
@@ -54,7 +47,7 @@ void write_slices(DriverRun& run) {
   }
   run.write(angles);
 
-  Result limits = make_result("slice_band_limit", "Which band limit do the samples of a CT scan determine?");
+  Result limits{"slice_band_limit", "Which band limit do the samples of a CT scan determine?"};
   limits.parameters = angles.parameters;
   limits.parameters["pixel_mm"] = kPixel;
   BandLimitTable table = band_limit_table(
@@ -74,12 +67,12 @@ void write_slices(DriverRun& run) {
 // Both names end in `suffix`.
 void write_spectra(DriverRun& run, const std::string& suffix, const std::vector<NamedSurface>& surfaces) {
   SpectrumTables tables = spectrum_tables(GaussGrid(kGridLimit), surfaces, kReference, reference_entries());
-  Result spectrum = make_result("spectrum" + suffix, "How is the shape of a head spread over degrees?");
+  Result spectrum{"spectrum" + suffix, "How is the shape of a head spread over degrees?"};
   spectrum.parameters = {
       {"grid_band_limit", kGridLimit},
       {"membrane", "holes filled by a harmonic function, as steep as it likes at their edges"},
       {"plate", "holes filled with the least squared Laplacian, without a kink"}};
-  Result limits = make_result("band_limit" + suffix, "Which band limit carries the shape of a head?");
+  Result limits{"band_limit" + suffix, "Which band limit carries the shape of a head?"};
   limits.parameters = spectrum.parameters;
   spectrum.table = std::move(tables.spectrum);
   limits.table = std::move(tables.limits.table);

@@ -90,12 +90,11 @@ void body(DriverRun& run) {
   judge_generated(run, study);
   if (run.bones) judge_real(run, study);
   require_none_wrong(study);
-  Result result;
+  Result result{"certified",
+                "Are certified verdicts on vertices ever wrong, and how many are left undecided?",
+                std::move(study.schemes)};
   result.parameters = {{"poses", "three of four within 10^-5 to 10^-0.5 mm of the first contact"},
                        {"oracle", "clipping by intervals and rationals, all pairs of faces"}};
-  result.name = "certified";
-  result.question = "Are certified verdicts on vertices ever wrong, and how many are left undecided?";
-  result.table = std::move(study.schemes);
   run.write(result);
   result.name = "certified_poses";
   result.question = "Are certified verdicts on surfaces ever wrong, and what do scans of vertices miss?";

@@ -158,12 +158,10 @@ void write_agreement(DriverRun& run) {
   AgreementOptions options;
   options.seed = run.record.seed;
   options.poses = run.quick() ? 1000 : 10000;
-  Result result;
-  result.name = "contact_agreement";
-  result.question =
-      "Do culled answers agree with the exact test of every vertex and with FCL, close to contact too?";
-  result.table =
-      agreement_table(options, contact_agreement(make_ball_socket_pair(options.triangles), options));
+  Result result{
+      "contact_agreement",
+      "Do culled answers agree with the exact test of every vertex and with FCL, close to contact too?",
+      agreement_table(options, contact_agreement(make_ball_socket_pair(options.triangles), options))};
   run.write(result);
 }
 
@@ -175,9 +173,7 @@ struct About {
 };
 
 void write(DriverRun& run, const About& about, QuestionTable found, const std::vector<Column>& keys) {
-  Result result;
-  result.name = about.name;
-  result.question = about.question;
+  Result result{about.name, about.question};
   result.parameters = about.parameters;
   result.table = std::move(found.table);
   result.labels = std::move(found.labels);
@@ -185,9 +181,7 @@ void write(DriverRun& run, const About& about, QuestionTable found, const std::v
 }
 
 void write_points(DriverRun& run, const BenchmarkOptions& options, BenchmarkTables points) {
-  Result result;
-  result.name = "error_against_time_spread";
-  result.question = "What is behind the errors and times of every method?";
+  Result result{"error_against_time_spread", "What is behind the errors and times of every method?"};
   result.parameters = parameters_of(options);
   result.labels = points.main.labels;
   result.table = std::move(points.spread);

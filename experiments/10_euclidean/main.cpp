@@ -106,23 +106,22 @@ void add_joint(Result& result, const std::filesystem::path& cache, const JointPo
 }
 
 void body(DriverRun& run) {
-  Result result;
-  result.name = "euclidean";
-  result.question = "How far above the Euclidean distance are radial gaps, and where in a joint?";
-  result.table.columns = {{"joint", "", "generated ones, and the folders of real ones"},
-                          {"pose", "", "of the ball"},
-                          {"vertices_of", "", "surface whose vertices were looked at"},
-                          {"zone", "",
-                           "facing: met at less than 20 degrees to the normal; oblique: 45; steep: "
-                           "more; rim: a rim or fold is nearer than the end of the gap"},
-                          {"vertices", "1", "in that zone"},
-                          {"gap_median", "1", "gap over exact distance"},
-                          {"gap_p90", "1", "the same, exceeded by 1 in 10"},
-                          {"gap_max", "1", "the same, largest"},
-                          {"lower_p10", "1", "proven lower end over exact distance, 1 in 10 is below"},
-                          {"lower_median", "1", "the same"},
-                          {"upper_median", "1", "proven upper end over exact distance"},
-                          {"upper_p90", "1", "the same, exceeded by 1 in 10"}};
+  Result result{"euclidean",
+                "How far above the Euclidean distance are radial gaps, and where in a joint?",
+                {{{"joint", "", "generated ones, and the folders of real ones"},
+                  {"pose", "", "of the ball"},
+                  {"vertices_of", "", "surface whose vertices were looked at"},
+                  {"zone", "",
+                   "facing: met at less than 20 degrees to the normal; oblique: 45; steep: "
+                   "more; rim: a rim or fold is nearer than the end of the gap"},
+                  {"vertices", "1", "in that zone"},
+                  {"gap_median", "1", "gap over exact distance"},
+                  {"gap_p90", "1", "the same, exceeded by 1 in 10"},
+                  {"gap_max", "1", "the same, largest"},
+                  {"lower_p10", "1", "proven lower end over exact distance, 1 in 10 is below"},
+                  {"lower_median", "1", "the same"},
+                  {"upper_median", "1", "proven upper end over exact distance"},
+                  {"upper_p90", "1", "the same, exceeded by 1 in 10"}}}};
   const std::size_t triangles = run.quick() ? kTrianglesInQuick : kTriangles;
   result.parameters = {{"triangles", triangles},
                        {"turn_deg", kTurnDeg},

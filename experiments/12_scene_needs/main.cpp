@@ -71,14 +71,12 @@ void body(DriverRun& run) {
   }
   require_identical(cases);
   NeedsTables tables = time_needs(cases, options, run.progress);
-  Result result;
+  Result result{"scene_needs_totals", "What does a scene save with all omissions together?",
+                std::move(tables.totals)};
   result.parameters = {{"scheme", "rsid"},
                        {"precision_deg", options.precision_deg},
                        {"faces_of_the_generated_models", faces},
                        {"bytes", "counted by the structures; of outputs, growth of the heap (mallinfo2)"}};
-  result.name = "scene_needs_totals";
-  result.question = "What does a scene save with all omissions together?";
-  result.table = std::move(tables.totals);
   result.timing = timing_record(tables.timing);
   run.write(result);
   result.name = "scene_needs";

@@ -24,9 +24,7 @@ constexpr const char* kCounted = "--counted";
 void body(DriverRun& run) {
   const CountOptions options;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  Result result;
-  result.name = "counts";
-  result.question = "Instructions and misses of a cache of a vertex, or of a pose, of every way?";
+  Result result{"counts", "Instructions and misses of a cache of a vertex, or of a pose, of every way?"};
   result.parameters = {
       {"triangles", options.triangles}, {"poses", options.poses}, {"counted_by", "callgrind"}};
   result.table = count_table(count_events({self, kCounted}, run.record.folder));

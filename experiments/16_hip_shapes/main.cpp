@@ -38,14 +38,12 @@ void add_preset_fits(Table& fits, const std::string& name) {
 }
 
 void write(DriverRun& run, const char* name, const char* question, Table table) {
-  Result result;
-  result.name = name;
-  result.question = question;
-  result.table = std::move(table);
-  result.parameters = {{"faces", kHipFaces},
-                       {"alpha_share", kAlphaShare},
-                       {"patients", "stand-ins: the scans of the thesis' patients are not public"}};
-  run.write(result);
+  run.write({name,
+             question,
+             std::move(table),
+             {{"faces", kHipFaces},
+              {"alpha_share", kAlphaShare},
+              {"patients", "stand-ins: the scans of the thesis' patients are not public"}}});
 }
 
 void body(DriverRun& run) {

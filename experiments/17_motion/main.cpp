@@ -46,13 +46,12 @@ void write_limits(DriverRun& run, std::size_t faces) {
     for (const RealJoint& joint : read_real_joints(*run.bones, run.progress))
       add({joint.subject, in_joint_frame(joint), joint.side});
   }
-  Result result;
+  Result result{"motion_limits",
+                "How far does each joint turn about the centre of its head until the surfaces touch?",
+                limit_table(cases)};
   result.parameters = {{"faces_of_the_generated_models", faces},
                        {"largest_angle_deg", kLargestAngle},
                        {"input_error_mm", kErrorOfInput}};
-  result.name = "motion_limits";
-  result.question = "How far does each joint turn about the centre of its head until the surfaces touch?";
-  result.table = limit_table(cases);
   run.write(result);
   result.name = "motion_limit_details";
   result.question = "How does the limit depend on the centre, the threshold and the input?";
@@ -64,10 +63,7 @@ void write_phantoms(DriverRun& run) {
   std::vector<PhantomRow> rows = phantom_limits();
   const std::vector<PhantomRow> gaps = phantom_gaps();
   rows.insert(rows.end(), gaps.begin(), gaps.end());
-  Result result;
-  result.name = "phantoms";
-  result.question = "Do limits and gaps of joints with closed forms come out?";
-  result.table = phantom_table(rows);
+  Result result{"phantoms", "Do limits and gaps of joints with closed forms come out?", phantom_table(rows)};
   for (const PhantomRow& row : rows) {
     if (std::abs(row.error) > row.allowed)
       throw std::runtime_error(row.phantom + ", " + row.quantity + ": the error is " +

@@ -58,9 +58,8 @@ void body(DriverRun& run) {
   BaselineOptions options;
   if (run.quick()) options = {1, 3, 1.0};
   BaselineTables tables = baseline_tables(joints_of(run), options, run.progress);
-  Result result;
-  result.name = "baselines";
-  result.question = "Bytes, times, lost triangles and wrong answers of every method of Section 3.6?";
+  Result result{"baselines",
+                "Bytes, times, lost triangles and wrong answers of every method of Section 3.6?"};
   result.parameters = {
       {"faces_of_the_generated_models", run.quick() ? kFacesInQuick : kFaces},
       {"maciel_triangles", "filled by all pairs, as published"},

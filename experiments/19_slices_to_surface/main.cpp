@@ -28,9 +28,7 @@ constexpr std::size_t kFaces = 48000;  // of the hip that is scanned
 constexpr std::size_t kFacesInQuick = 12000;
 
 Result make_result(std::string name, const char* question, const SlicesOptions& options) {
-  Result result;
-  result.name = std::move(name);
-  result.question = question;
+  Result result{std::move(name), question};
   result.parameters = {{"hip", "normal"},
                        {"pixel_mm", options.grid.pixel},
                        {"bone_hu", options.levels.bone},

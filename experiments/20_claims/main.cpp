@@ -33,9 +33,7 @@ void body(DriverRun& run) {
   add_layers(study, options);
   add_pairs(study, options);
   ClaimsTables tables = claims_tables(study, run.progress);
-  Result result;
-  result.name = "claims";
-  result.question = "Do the claims of Chapter 6 and Section 6.2 hold?";
+  Result result{"claims", "Do the claims of Chapter 6 and Section 6.2 hold?"};
   result.parameters = {{"faces_of_each_surface", options.faces},
                        {"precision_deg", options.precision_deg},
                        {"memory_of_a_scene", "growth of the heap (mallinfo2)"}};

@@ -34,14 +34,12 @@ std::vector<RecordedMotion> motions_of(double RecordedRange::*patient) {
 }
 
 void write(DriverRun& run, const char* name, const char* question, Table table) {
-  Result result;
-  result.name = name;
-  result.question = question;
-  result.table = std::move(table);
-  result.parameters = {{"precision_deg", kOptions.precision_deg},
-                       {"step_deg", kOptions.step_deg},
-                       {"joints", "stand-ins for the patients of the thesis, whose scans are not public"}};
-  run.write(result);
+  run.write({name,
+             question,
+             std::move(table),
+             {{"precision_deg", kOptions.precision_deg},
+              {"step_deg", kOptions.step_deg},
+              {"joints", "stand-ins for the patients of the thesis, whose scans are not public"}}});
 }
 
 void body(DriverRun& run) {

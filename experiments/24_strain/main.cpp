@@ -24,22 +24,14 @@ constexpr const char* kPoses[][2] = {{"patient_a", "flexion=103.1"},
                                      {"patient_b", "flexion=115.8"},
                                      {"cam", "flexion=90,internal_rotation=10"}};
 
-void write(DriverRun& run, const char* name, const char* question, Table table,
-           const nlohmann::json& parameters) {
-  Result result;
-  result.name = name;
-  result.question = question;
-  result.table = std::move(table);
-  result.parameters = parameters;
-  run.write(result);
-}
-
 void body(DriverRun& run) {
   Table layers = layer_table();
   for (const double poisson : kPoisson)
     for (const double thickness : kThickness) add_layer(layers, poisson, thickness);
-  write(run, "strain_layer", "How far is strain by gap from that of an elastic layer?", std::move(layers),
-        {{"layer", "linear, bonded to rigid bone, no friction, a rigid sphere"}});
+  run.write({"strain_layer",
+             "How far is strain by gap from that of an elastic layer?",
+             std::move(layers),
+             {{"layer", "linear, bonded to rigid bone, no friction, a rigid sphere"}}});
   ObliqueJoint joint;
   if (run.quick()) joint.faces = 6000;
   Table incidence = incidence_table();
@@ -47,8 +39,10 @@ void body(DriverRun& run) {
     joint.gap = gap;
     add_incidence(incidence, joint);
   }
-  write(run, "strain_incidence", "What do oblique rays do to strain by gap?", std::move(incidence),
-        {{"ball_radius_mm", joint.ball_radius}, {"off", joint.off}, {"faces", joint.faces}});
+  run.write({"strain_incidence",
+             "What do oblique rays do to strain by gap?",
+             std::move(incidence),
+             {{"ball_radius_mm", joint.ball_radius}, {"off", joint.off}, {"faces", joint.faces}}});
   Table hips = hip_strain_table();
   StrainedHip hip;
   if (run.quick()) hip.faces = 3000;
@@ -57,8 +51,10 @@ void body(DriverRun& run) {
     hip.pose = pose;
     add_hip_strain(hips, hip);
   }
-  write(run, "strain_hip", "How strained is the cartilage of an impinged hip, and where?", std::move(hips),
-        {{"cartilage_mm", hip.cartilage}, {"thicker", kThicker}, {"faces", hip.faces}});
+  run.write({"strain_hip",
+             "How strained is the cartilage of an impinged hip, and where?",
+             std::move(hips),
+             {{"cartilage_mm", hip.cartilage}, {"thicker", kThicker}, {"faces", hip.faces}}});
 }
 
 }  // namespace

@@ -46,21 +46,15 @@ void body(DriverRun& run) {
       run.progress.say("motion volume of " + joint.subject);
     }
   }
-  Result result;
-  result.parameters = {
+  const nlohmann::json parameters = {
       {"faces", kHipFaces}, {"threads", options.threads}, {"threads_of_peers", 1}, {"gap_mm", 0.0}};
-  const auto write = [&](const char* name, const char* question, Table table) {
-    result.name = name;
-    result.question = question;
-    result.table = std::move(table);
-    run.write(result);
-  };
-  write("motion_volume", "Which share of all rotations is free, between which ends, and after which time?",
-        std::move(tables.volumes));
-  write("motion_volume_methods", "How long does a pose take that is asked by itself?",
-        std::move(tables.methods));
-  write("motion_volume_rotations", "How does internal rotation depend on flexion?",
-        std::move(tables.rotations));
+  run.write({"motion_volume",
+             "Which share of all rotations is free, between which ends, and after which time?",
+             std::move(tables.volumes), parameters});
+  run.write({"motion_volume_methods", "How long does a pose take that is asked by itself?",
+             std::move(tables.methods), parameters});
+  run.write({"motion_volume_rotations", "How does internal rotation depend on flexion?",
+             std::move(tables.rotations), parameters});
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ namespace impinge::lab {
 struct Result {
   std::string name;                                      // of the file, without .csv
   std::string question;                                  // which the rows answer
-  Table table;                                           // the rows
+  Table table = {};                                      // the rows
   nlohmann::json parameters = nlohmann::json::object();  // everything that was chosen
-  nlohmann::json timing;                                 // protocol and control of a timed result, else null
+  nlohmann::json timing = {};                            // protocol and control of a timed result, else null
   std::map<std::string, std::string> labels = {};        // from names of methods to their readable labels
 };
 

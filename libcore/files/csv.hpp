@@ -42,8 +42,8 @@ class Cell {
 
 /// Columns and the rows below them.
 struct Table {
-  std::vector<Column> columns;          // in the order of the cells
-  std::vector<std::vector<Cell>> rows;  // each with a cell for every column
+  std::vector<Column> columns;               // in the order of the cells
+  std::vector<std::vector<Cell>> rows = {};  // each with a cell for every column
 
   /// Throws std::invalid_argument unless there is one cell for each column.
   void add_row(std::vector<Cell> row);

@@ -188,11 +188,19 @@ Joint assemble_joint(JointInput input) {
   return joint;
 }
 
+Joint without_parts(Joint joint) {
+  for (JointPart* part : {&joint.ball, &joint.socket}) {
+    part->mesh = main_surface(part->mesh, part->parts);
+    part->parts.clear();
+  }
+  return joint;
+}
+
 void require_no_parts(const Joint& joint, const std::string& what) {
-  if (joint.ball.parts.empty() && joint.socket.parts.empty()) return;
+  if (!joint.has_parts()) return;
   const std::string& name = (joint.ball.parts.empty() ? joint.socket : joint.ball).parts.front().name;
   throw std::runtime_error(what + ": bone beside the joint, such as " + name +
-                           ", is looked at by touch, limits, volume and orientation alone; leave it out");
+                           ", is not taken into account here; leave it out");
 }
 
 void use_frames(Joint& joint, const AnatomicalFrames& frames) {

@@ -27,6 +27,9 @@ struct JointPart {
 };
 
 struct Joint {
+  /// Is there bone beside it?
+  bool has_parts() const { return !ball.parts.empty() || !socket.parts.empty(); }
+
   JointPart ball;                          // about the centre
   JointPart socket;                        // about the centre
   Vec3 centre = Vec3::Zero();              // mm, input frame
@@ -71,6 +74,9 @@ struct JointInput {
 /// mm, a socket lateral to the ball (left and right mixed up) or far from it, a ball that is only a cap, and
 /// faulty faces. All but the last are checked on the main surfaces alone.
 Joint assemble_joint(JointInput input);
+
+/// The joint without its parts of bone.
+Joint without_parts(Joint joint);
 
 /// std::runtime_error, one line, if the joint has parts of bone beside it; `what` names the question that
 /// takes only the main surfaces into account.

@@ -43,6 +43,21 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
 
 using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
+/// From p to a point of the triangle, mm^2: the nearest point up to rounding. It is never less than the true
+/// least distance by more than the rounding of lengths, however thin the triangle is.
+inline double squared_distance_to_point_of(const Vec3& p, const Triangle& of) {
+  const auto& [a, b, c] = of;
+  const Vec3 normal = (b - a).cross(c - a);
+  const auto weight = [&](const Vec3& from, const Vec3& to) {
+    return std::max(0.0, normal.dot((to - from).cross(p - from)));
+  };
+  const Vec3 weights(weight(b, c), weight(c, a), weight(a, b));
+  const double sides = squared_distance_to_sides(p, a, b, c);
+  if (!(weights.sum() > 0.0)) return sides;
+  const Vec3 inside = weights / weights.sum();
+  return std::min(sides, (p - inside[0] * a - inside[1] * b - inside[2] * c).squaredNorm());
+}
+
 /// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines if their
 /// nearest points are inside of the segments.
 inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {

@@ -13,6 +13,7 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/meeting_faces.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "motion/part_distance.hpp"
 
 namespace impinge {
 namespace {
@@ -235,26 +236,51 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside) {
 
 // Calls found(body, x), x a vertex of the other one in its frame, until it returns true.
 template <class Found>
+bool BodyPairs::any_vertex_of(const Pair& pair, const Pose& pose, const Found& found) const {
+  const Body& ball = *ball_[pair.ball];
+  const Body& socket = *socket_[pair.socket];
+  return std::ranges::any_of(
+             ball.parts.vertices,
+             [&](VertexIndex v) { return found(socket, to_socket(pose, ball.mesh.vertices[v])); }) ||
+         std::ranges::any_of(socket.parts.vertices, [&](VertexIndex v) {
+           return found(ball, to_ball(pose, socket.mesh.vertices[v]));
+         });
+}
+
+template <class Found>
 bool BodyPairs::any_vertex(const Pose& pose, const Found& found) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) {
-    const Body& ball = *ball_[pair.ball];
-    const Body& socket = *socket_[pair.socket];
-    return std::ranges::any_of(
-               ball.parts.vertices,
-               [&](VertexIndex v) { return found(socket, to_socket(pose, ball.mesh.vertices[v])); }) ||
-           std::ranges::any_of(socket.parts.vertices, [&](VertexIndex v) {
-             return found(ball, to_ball(pose, socket.mesh.vertices[v]));
-           });
-  });
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return any_vertex_of(pair, pose, found); });
+}
+
+bool BodyPairs::touch(const Pair& pair, const Pose& pose) const {
+  return surfaces_meet(ball_[pair.ball]->faces, socket_[pair.socket]->faces, pose) ||
+         any_vertex_of(pair, pose, [](const Body& body, const Vec3& x) { return body.holds(x); });
 }
 
 bool BodyPairs::impinged(const Pose& pose) const {
-  return std::ranges::any_of(pairs_,
-                             [&](const Pair& pair) {
-                               return surfaces_meet(ball_[pair.ball]->faces, socket_[pair.socket]->faces,
-                                                    pose);
-                             }) ||
-         any_vertex(pose, [](const Body& body, const Vec3& x) { return body.holds(x); });
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(pair, pose); });
+}
+
+std::optional<BodyPairs::Nearest> BodyPairs::nearest(const Pose& pose) const {
+  std::optional<Nearest> found;
+  for (const Pair& pair : pairs_) {
+    if (touch(pair, pose)) return Nearest{pair, 0.0, true};
+    double least = found ? found->distance_mm : HUGE_VAL;
+    const SweptParts& ball = ball_[pair.ball]->faces;
+    const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const double spheres = (to_socket(pose, a.centre) - b.centre).norm() - a.radius - b.radius;
+      return spheres > least + kNodeRounding * (a.farthest + b.farthest);
+    };
+    const auto measure = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+      const TurnFace moved = turn_face(to_socket(pose, c0), to_socket(pose, c1), to_socket(pose, c2));
+      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces.parts()[b.at]));
+      return false;
+    };
+    any_pair(ball, socket_[pair.socket]->faces, apart, measure);
+    if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
+  }
+  return found;
 }
 
 bool BodyPairs::vertex_within(const Pose& pose, double gap_mm) const {
@@ -280,36 +306,44 @@ double BodyPairs::Moved::reach(double from_centre) const {
          poses.shift_mm;
 }
 
-// x, of this body, is farther from the surface of the other one than the poses take it.
-bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
-  const double near = reach(x.norm()) + kNodeRounding * x.norm();
+// x, of this body, is farther from the surface of the other one than the poses take it, by so much.
+bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x, double by_mm) const {
+  const double near = by_mm + reach(x.norm()) + kNodeRounding * x.norm();
   return other.faces.farther_than(near, rotation * x) &&
          other.beyond.farther_than(near + other.stretch * poses.centre_mm, rotation * x);
+}
+
+// x, of this body, is within the gap of the other one in all poses.
+bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
+  return other.faces.within(poses.gap_mm - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
 }
 
 // Where the surfaces are apart.
 bool BodyPairs::Moved::may_enter(const Body& other) const {
   const auto holds = [&](const Vec3& x) { return other.holds(rotation * x); };
-  return std::ranges::any_of(body.pieces, holds) ||
-         std::ranges::any_of(body.loose, [&](const Vec3& x) { return holds(x) || !is_off(other, x); });
+  return std::ranges::any_of(body.pieces, holds) || std::ranges::any_of(body.loose, [&](const Vec3& x) {
+           return holds(x) || !is_off(other, x, poses.gap_mm);
+         });
 }
 
 bool BodyPairs::Moved::is_within(const Body& other) const {
-  if (!other.anchored || body.faces.nodes().empty()) return false;
+  const bool may_be = other.anchored || poses.gap_mm > 0.0;
+  if (!may_be || body.faces.nodes().empty() || other.faces.nodes().empty()) return false;
   const SweptParts::Node& whole = other.faces.nodes()[0];
   std::vector<std::uint32_t> pending{0};
   while (!pending.empty()) {
     const SweptParts::Node& node = body.faces.nodes()[pending.back()];
     pending.pop_back();
     const Vec3 middle = rotation * node.centre;
-    if ((middle - whole.centre).norm() > node.radius + whole.radius) continue;
-    if (other.faces.farther_than(node.radius, middle) && !other.holds(middle)) continue;  // none is, mostly
+    const double near = node.radius + poses.gap_mm;
+    if ((middle - whole.centre).norm() > near + whole.radius) continue;
+    if (other.faces.farther_than(near, middle) && !other.holds(middle)) continue;  // none is, mostly
     if (!node.leaf) {
       pending.insert(pending.end(), {node.at, node.at + 1});
       continue;
     }
     const Vec3& x = body.faces.parts()[node.at].corner[0];
-    if (is_off(other, x) && other.holds(rotation * x)) return true;
+    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x))) return true;
   }
   return false;
 }
@@ -320,15 +354,14 @@ std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses) const
     const Body& socket = *socket_[pair.socket];
     const Moved out{ball, poses, poses.rotation};
     const Moved back{socket, poses, poses.rotation.transpose()};
-    const auto reach = [&](double from_centre) { return out.reach(from_centre); };
-    const auto to_shadow = [&](double from_centre) {
-      return out.reach(from_centre) + ball.stretch * poses.centre_mm;
-    };
+    const double apart = poses.shift_mm + poses.gap_mm;
+    const double of_walls = ball.stretch * poses.centre_mm;
+    const auto reach = [&](double from_centre) { return out.reach(from_centre) + poses.gap_mm; };
+    const auto to_shadow = [&](double from_centre) { return reach(from_centre) + of_walls; };
     const auto near = [&](const SweptParts& of, double shift, const auto& within) {
       return may_come_near(of, socket.faces, poses.rotation, shift, within);
     };
-    if (near(ball.faces, poses.shift_mm, reach) ||
-        near(ball.beyond, poses.shift_mm + ball.stretch * poses.centre_mm, to_shadow) ||
+    if (near(ball.faces, apart, reach) || near(ball.beyond, apart + of_walls, to_shadow) ||
         out.may_enter(socket) || back.may_enter(ball))
       return pair;
   }
@@ -341,8 +374,8 @@ bool BodyPairs::overlap(const NearPoses& poses) const {
     const Body& socket = *socket_[pair.socket];
     const Moved out{ball, poses, poses.rotation};
     const Moved back{socket, poses, poses.rotation.transpose()};
-    if (!surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) && !out.may_enter(socket) &&
-        !back.may_enter(ball))
+    if (poses.gap_mm == 0.0 && !surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) &&
+        !out.may_enter(socket) && !back.may_enter(ball))
       return false;  // nothing of one is inside the other
     return out.is_within(socket) || back.is_within(ball);
   });

@@ -19,8 +19,10 @@
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
 // farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
 // inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
-// under R and farther than s from the surface is inside in all of them. A ball whose mesh ends counts as bone
-// beyond its end, as the centre sees it; so there the walls of that shadow count as surface too.
+// under R and farther than s from the surface is inside in all of them. Where a distance of g and less counts
+// as contact, surfaces farther than s + g apart are clear in all of them, and a vertex within g - s of the
+// other surface is in contact in all of them. A ball whose mesh ends counts as bone beyond its end, as the
+// centre sees it; so there the walls of that shadow count as surface too.
 #pragma once
 
 #include <memory>
@@ -42,6 +44,7 @@ struct NearPoses {
   double turn = 0.0;       // radians, the largest turn away from it
   double shift_mm = 0.0;   // the largest shift of the ball
   double centre_mm = 0.0;  // how far the centre of both bodies may be from the origin
+  double gap_mm = 0.0;     // a distance of surfaces, not along rays, as small as that counts as contact
 };
 
 /// The bodies of a joint and its pairs that have a part. Meshes in one frame, mm.
@@ -58,6 +61,13 @@ class BodyPairs {
   bool empty() const { return pairs_.empty(); }
   /// Is any pair in contact? Exact, for the ball's vertices as the pose rounds them.
   bool impinged(const Pose& pose) const;
+  struct Nearest {
+    Pair pair;
+    double distance_mm;  // of the surfaces, up to rounding and never above the true one; 0 in contact
+    bool touch;          // exact
+  };
+  /// The pair whose surfaces are nearest to each other (motion/part_distance.hpp); none without a part.
+  std::optional<Nearest> nearest(const Pose& pose) const;
   /// Is some vertex, along its ray, within gap_mm of the other body, or inside it?
   bool vertex_within(const Pose& pose, double gap_mm) const;
   /// Is some vertex inside the other body, and farther than that from its surface?
@@ -65,7 +75,7 @@ class BodyPairs {
   bool vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const;
   /// A pair that may be in contact in one of the poses; std::nullopt proves that none is, in any of them.
   std::optional<Pair> may_meet(const NearPoses& poses) const;
-  /// Is some vertex inside the other body in all of the poses? Yes is proven.
+  /// Is some vertex inside the other body, or within the gap of it, in all of the poses? Yes is proven.
   bool overlap(const NearPoses& poses) const;
   /// The search for first contacts in the turn, one for each pair. largest_gap: mm, as in TurnScene.
   std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
@@ -99,10 +109,14 @@ class BodyPairs {
     double reach(double from_centre) const;  // mm, from where the rotation takes a point
     bool may_enter(const Body& other) const;
     bool is_within(const Body& other) const;
-    bool is_off(const Body& other, const Vec3& x) const;
+    bool is_off(const Body& other, const Vec3& x, double by_mm = 0.0) const;
+    bool is_near(const Body& other, const Vec3& x) const;
   };
   template <class Found>
+  bool any_vertex_of(const Pair& pair, const Pose& pose, const Found& found) const;
+  template <class Found>
   bool any_vertex(const Pose& pose, const Found& found) const;
+  bool touch(const Pair& pair, const Pose& pose) const;
 
   std::vector<std::unique_ptr<const Body>> ball_;
   std::vector<std::unique_ptr<const Body>> socket_;

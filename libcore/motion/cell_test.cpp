@@ -156,7 +156,8 @@ NearPoses CellTest::poses_near(const RotationBall& rotations) const {
   const double turn = rotations.radius + kTurnSlack;
   const double most = std::min(kPi, turned + turn);
   const double within = question_.centre_within_mm;
-  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance), within};
+  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance), within,
+          question_.gap_mm};
 }
 
 // See cell_test.hpp: of these two faces, which is no more than that of all.

@@ -59,7 +59,8 @@ std::string_view name(CellState state);
 
 /// What counts as contact, and for which centres.
 struct CellQuestion {
-  double gap_mm = 0.0;            // a gap as small as that counts as contact; 0 or more
+  double gap_mm = 0.0;  // a gap as small as that counts as contact; 0 or more. Along rays between the
+                        // main surfaces; with bone beside them, the distance
   double centre_within_mm = 0.0;  // for every common centre within that of the meshes' origin; 0 or more
 };
 
@@ -91,8 +92,7 @@ struct CellVerdict {
 class CellTest {
  public:
   /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and bone beside them
-  /// (motion/body_pairs.hpp), to which the gap does not apply. std::invalid_argument for a gap or centre
-  /// below 0, or a surface without a face.
+  /// (motion/body_pairs.hpp). std::invalid_argument for a gap or centre below 0, or a surface without a face.
   CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
   const CellQuestion& question() const { return question_; }

@@ -62,4 +62,15 @@ double least_distance_of_edges(const Vec3& a0, const Vec3& a1, const Vec3& b0, c
   return std::min(at_ends, std::max({0.0, at_ends - sine * shorter, between - error}));
 }
 
+double least_distance(const TurnFace& s, const TurnFace& t) {
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = std::min({least, least_distance(s.corner[i], t), least_distance(t.corner[i], s)});
+    for (std::size_t j = 0; j < 3; ++j)
+      least = std::min(least, least_distance_of_edges(s.corner[i], s.corner[(i + 1) % 3], t.corner[j],
+                                                      t.corner[(j + 1) % 3]));
+  }
+  return least;
+}
+
 }  // namespace impinge

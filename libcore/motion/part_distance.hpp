@@ -23,5 +23,7 @@ inline constexpr double kThin = 1e-2;
 double least_distance(const Vec3& x, const TurnFace& face);
 /// The same for the edges a0 a1 and b0 b1, mm.
 double least_distance_of_edges(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
+/// Of two faces that do not pierce each other, mm.
+double least_distance(const TurnFace& s, const TurnFace& t);
 
 }  // namespace impinge

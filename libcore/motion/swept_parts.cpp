@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
 
 namespace impinge {
@@ -33,17 +34,6 @@ TurnFace turned_face(const TurnFace& face, double angle) {
   for (Vec3& x : moved.corner) x = turned(x, angle);
   moved.normal = turned(face.normal, angle);
   return moved;
-}
-
-double distance_of_faces(const TurnFace& s, const TurnFace& t) {
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < 3; ++i) {
-    least = std::min({least, least_distance(s.corner[i], t), least_distance(t.corner[i], s)});
-    for (std::size_t j = 0; j < 3; ++j)
-      least = std::min(least, least_distance_of_edges(s.corner[i], s.corner[(i + 1) % 3], t.corner[j],
-                                                      t.corner[(j + 1) % 3]));
-  }
-  return least;
 }
 
 // Is t on one side of the plane of s, farther from it than that?
@@ -223,7 +213,7 @@ class SweptSearch {
 
 bool farther_than(const TurnFace& s, const TurnFace& t, double distance) {
   return plane_separates(s, t, distance) || plane_separates(t, s, distance) ||
-         distance_of_faces(s, t) > distance;
+         least_distance(s, t) > distance;
 }
 
 SweptParts::SweptParts(std::vector<TurnFace> parts) : parts_(std::move(parts)) {
@@ -285,20 +275,31 @@ SweptParts SweptParts::rotated(const Eigen::Matrix3d& rotation) const {
   return moved;
 }
 
-bool SweptParts::farther_than(double distance, const Vec3& x) const {
+// Calls found(part) for those whose spheres are that near until it returns true.
+template <class Found>
+bool SweptParts::any_part(double distance, const Vec3& x, const Found& found) const {
   std::vector<std::uint32_t> pending;
   if (!nodes_.empty()) pending.push_back(0);
   while (!pending.empty()) {
     const Node node = nodes_[pending.back()];
     pending.pop_back();
     if ((node.centre - x).norm() - node.radius > distance) continue;
-    if (node.leaf) {
-      if (least_distance(x, parts_[node.at]) <= distance) return false;
-      continue;
-    }
-    pending.insert(pending.end(), {node.at, node.at + 1});
+    if (!node.leaf)
+      pending.insert(pending.end(), {node.at, node.at + 1});
+    else if (found(parts_[node.at]))
+      return true;
   }
-  return true;
+  return false;
+}
+
+bool SweptParts::farther_than(double distance, const Vec3& x) const {
+  return !any_part(distance, x, [&](const TurnFace& part) { return least_distance(x, part) <= distance; });
+}
+
+bool SweptParts::within(double distance, const Vec3& x) const {
+  return distance >= 0.0 && any_part(distance, x, [&](const TurnFace& part) {
+           return squared_distance_to_point_of(x, part.corner) <= distance * distance;
+         });
 }
 
 double first_within(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within,

@@ -43,8 +43,12 @@ class SweptParts {
   SweptParts rotated(const Eigen::Matrix3d& rotation) const;
   /// Is every part farther than `distance` from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
+  /// Is a point of one no farther than that from x, up to rounding? mm.
+  bool within(double distance, const Vec3& x) const;
 
  private:
+  template <class Found>
+  bool any_part(double distance, const Vec3& x, const Found& found) const;
   void split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node);
 
   std::vector<TurnFace> parts_;

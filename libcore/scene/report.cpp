@@ -42,6 +42,15 @@ std::string describe_certificate(const std::optional<Certificate>& found) {
   return text + "; vertices " + verdict_name(found->vertices_impinged()) + " (both decided exactly)\n";
 }
 
+std::string describe_part(const std::optional<NearestPart>& part) {
+  if (!part) return "";
+  const std::string bodies = (part->ball_part.empty() ? "ball" : part->ball_part) + " and " +
+                             (part->socket_part.empty() ? "socket" : part->socket_part);
+  if (part->touch) return "parts               " + bodies + " touch\n";
+  return "parts               " + bodies + " are nearest, " + rounded_down(part->distance_mm, 3) +
+         " mm apart\n";
+}
+
 std::string describe_smallest(const SmallestOfPose& smallest, const SurfaceAnswer& of) {
   const std::size_t i = smallest.vertex;
   std::string text = formatted("smallest gap        %.3f mm at %s vertex %zu", smallest.gap_mm,
@@ -86,8 +95,8 @@ std::string describe_level(const SessionJoint& joint, const Measurement& found, 
 }  // namespace
 
 std::string describe_scene(const SceneOptions& options, const SessionJoint& joint, const Measurement& found) {
-  std::string text =
-      describe_centre(joint.joint) + describe_table(options, found) + describe_certificate(found.certificate);
+  std::string text = describe_centre(joint.joint) + describe_table(options, found) +
+                     describe_certificate(found.certificate) + describe_part(found.part);
   if (!found.smallest) return text + "smallest gap        none: the surfaces do not face each other\n";
   text += describe_smallest(*found.smallest, found.of(found.smallest->surface));
   text += describe_level(joint, found, true);

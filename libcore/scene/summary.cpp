@@ -81,6 +81,14 @@ json histogram_json(const SurfaceAnswer& found) {
           {"without_gap_mm2", found.histogram.without}};
 }
 
+// Null of a joint without parts.
+json nearest_json(const std::optional<NearestPart>& part, const Joint& joint) {
+  if (!part) return nullptr;
+  json found{{"distance_mm", part->distance_mm}, {"touch", part->touch}};
+  add_part_names(joint, part->ball_part, part->socket_part, found);
+  return found;
+}
+
 json impinged_json(const SessionJoint& joint, const GapSummary& found, const std::vector<ClockZone>& zones) {
   json clock_zones;
   if (joint.dial) clock_zones = json::array();
@@ -162,6 +170,7 @@ nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, c
                  {"cartilage_map", cartilage_json(options, read)},
                  {"dial", dial_json(joint.dial)},
                  {"smallest_gap", smallest_json(joint, found)},
+                 {"nearest_part", nearest_json(found.part, read)},
                  {"gap_histogram",
                   {{"first_mm", bins.first},
                    {"bin_mm", bins.width},

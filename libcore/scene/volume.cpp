@@ -172,7 +172,6 @@ json volume_json(const SceneOptions& options, const SessionJoint& joint, const V
 
 json write_volume(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
   const VolumeOptions& asked = *options.volume;
-  if (asked.gap_mm > 0.0) require_no_parts(joint.joint, "motion volume of a gap");  // before a file is begun
   VerdictFile part(options.out, asked_key(options, joint.joint, kVersion));
   if (!part.known().empty())
     log << "scene: " << part.known().size() << " cells were decided before" << std::endl;

@@ -242,11 +242,16 @@ void say_left_out(const PoseOutputs& outputs, Measurement& result) {
   if (!outputs.verdicts) result.left_out.push_back({Omission::exact_verdicts, "not asked for", 0.0});
 }
 
-}  // namespace
+// About the centre that it is seen from.
+Session without_parts(const SessionJoint& joint) {
+  Session alone(impinge::without_parts(joint.joint), joint.side, joint.joint.axes);
+  alone.joint->shift_to(joint.shift);
+  return alone;
+}
 
-Measurement measure(Session& session, const PoseQuestion& asked) {
+// Of the main surfaces.
+Measurement measure_main(Session& session, const PoseQuestion& asked) {
   SessionJoint& joint = *session.joint;
-  require_no_parts(joint.joint, "gaps");
   const PoseOutputs& outputs = asked.outputs;
   const bool bounds = outputs.bounds || outputs.verdicts;
   const bool whole = bounds && !asked.max_error_mm;
@@ -255,19 +260,52 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
                                           : by_plan(joint, asked);
   if (bounds && asked.max_error_mm) bound_on_faces(joint, *asked.max_error_mm, result);
   if (bounds) result.proven = verdicts_of(joint, result);
-  if (outputs.distances) measure_distances(joint, result);
   if (outputs.verdicts) {
     result.certificate =
         certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,
                 {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
   }
-  say_left_out(outputs, result);
+  return result;
+}
+
+NearestPart nearest_part(const SessionJoint& joint, const Pose& pose) {
+  const BodyPairs bodies({joint.main(Surface::ball), joint.main(Surface::socket)}, joint.beside());
+  const BodyPairs::Nearest found = bodies.nearest(pose).value();
+  return {found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
+          body_name(joint.joint.socket.parts, found.pair.socket)};
+}
+
+// Vertices of parts lie behind those of the main surface.
+Measurement measure_with_parts(Session& session, const PoseQuestion& asked) {
+  const SessionJoint& joint = *session.joint;
+  Session alone = without_parts(joint);
+  alone.tables.settings = session.tables.settings;
+  Measurement result = measure_main(alone, asked);
+  for (const Surface of : kSurfaces) {
+    SurfaceAnswer& answer = result.of(of);
+    for (std::vector<double>* values : {&answer.gap, &answer.bound, &answer.against_cartilage}) {
+      if (!values->empty()) values->resize(joint.mesh(of).vertices.size(), kNoSurface);
+    }
+  }
+  result.part = nearest_part(joint, result.pose);
+  return result;
+}
+
+}  // namespace
+
+Measurement measure(Session& session, const PoseQuestion& asked) {
+  Measurement result =
+      session.joint->joint.has_parts() ? measure_with_parts(session, asked) : measure_main(session, asked);
+  if (asked.outputs.distances) measure_distances(*session.joint, result);
+  say_left_out(asked.outputs, result);
   return result;
 }
 
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
-  if (asked.question != Question::touch || asked.by_tables() || !asked.scan_ball || !asked.scan_socket)
-    require_no_parts(joint.joint, "gaps of vertices");
+  if (joint.joint.has_parts() && asked.question != Question::touch)
+    return answer_question(*without_parts(joint).joint, asked);
+  if (asked.by_tables() || !asked.scan_ball || !asked.scan_socket)
+    require_no_parts(joint.joint, "touch of vertices");
   QuestionAnswer found;
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;

@@ -14,7 +14,17 @@
 
 namespace impinge {
 
-/// All gaps, and what else was asked for.
+/// Bone beside a joint in a pose: the two bodies that are nearest to each other, of which one at least is a
+/// part.
+struct NearestPart {
+  double distance_mm = 0.0;      // of their surfaces; 0 in contact
+  bool touch = false;            // exact
+  std::string ball_part = {};    // empty: the ball's main surface
+  std::string socket_part = {};  // the same of the socket
+};
+
+/// All gaps, and what else was asked for. Gaps, and all that rests on them, are those between the main
+/// surfaces: vertices of parts have none. Distances are to any bone of the other side.
 struct Measurement : PoseAnswer {
   double precision_deg = 0.0;              // of both tables; 0 without tables, and with max_error_mm
   std::size_t entries = 0;                 // of each table; with max_error_mm, worked out in both
@@ -24,6 +34,7 @@ struct Measurement : PoseAnswer {
   double distance_ms = 0.0;                // all Euclidean distances
   std::optional<PoseVerdicts> proven;      // by the bounds, where they are asked for
   std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
+  std::optional<NearestPart> part;         // if the joint has parts
   std::string way;                         // how the gaps were found and why so, one clause
   std::vector<LeftOut> left_out;           // work and memory that the question did not need
 };
@@ -44,8 +55,8 @@ struct QuestionAnswer {
   SceneAnswer answer;         // to the question
   double milliseconds = 0.0;  // of planning and answering
 };
-/// Answers the question in the pose of asked.motion. std::runtime_error, one line, as measure(); parts of
-/// bone are allowed only for `touch` of both surfaces without tables.
+/// Answers the question in the pose of asked.motion. With parts of bone the smallest gap is that between the
+/// main surfaces. std::runtime_error, one line, as measure(), and for `touch` of vertices alone with parts.
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked);
 
 }  // namespace impinge

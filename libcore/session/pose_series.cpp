@@ -14,7 +14,6 @@ PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
       beside_(meshes_, {part_surfaces(joint.ball.mesh, joint.ball.parts),
                         part_surfaces(joint.socket.mesh, joint.socket.parts)}),
       joint_(meshes_) {
-  if (outputs.smallest_gap || outputs.areas) require_no_parts(joint, "gaps of poses");
   if (outputs.touch) overlay_.emplace(joint_);
   if (!outputs.areas) return;
   scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));

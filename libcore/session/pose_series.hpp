@@ -47,8 +47,7 @@ struct SeriesAnswer {
 
 class PoseSeries {
  public:
-  /// std::invalid_argument for lengths that CulledScan refuses. Of a joint with parts touch alone, see
-  /// require_no_parts().
+  /// std::invalid_argument for lengths that CulledScan refuses. Gaps are those between the main surfaces.
   PoseSeries(const Joint& joint, const SeriesOutputs& outputs);
   PoseSeries(const PoseSeries&) = delete;
   PoseSeries& operator=(const PoseSeries&) = delete;

@@ -47,7 +47,6 @@ CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const 
 }
 
 VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request) {
-  if (request.question.gap_mm > 0.0) require_no_parts(joint.joint, "motion volume of a gap");
   const CellTest test = cell_test(joint, joint.mesh(Surface::socket), request.question);
   VolumeAnswer answer{MotionVolume(test, request.settings), {}};
   if (!joint.side) return answer;

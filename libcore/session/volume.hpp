@@ -42,8 +42,7 @@ struct VolumeAnswer {
   std::vector<VolumeStop> stops;  // of all named motions; none without a side
 };
 
-/// std::invalid_argument as for CellTest and MotionVolume. std::runtime_error if a gap above 0 is asked of a
-/// joint with parts of bone.
+/// std::invalid_argument as for CellTest and MotionVolume.
 VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request);
 
 }  // namespace impinge

@@ -16,6 +16,7 @@
 #include "mesh/icosphere.hpp"
 #include "mesh/meeting_faces.hpp"
 #include "mesh/star_shape.hpp"
+#include "reference/closest_point.hpp"
 #include "reference/kernel_point.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "support/hip_with_parts.hpp"
@@ -222,6 +223,136 @@ TEST(BodyPairs, AreToldApartUntilTheyAreNear) {
   EXPECT_TRUE(inside.overlap({.turn = 0.1}));
   EXPECT_TRUE(inside.may_meet({.turn = 0.01})) << "its surface is nowhere near";
   EXPECT_FALSE(inside.overlap({.turn = 0.4}));
+}
+
+// Two spheres, and rotations about one that turn the angle between their middles by `turn` at most: clear
+// where they are farther apart than the gap in all, in contact where they are nearer in all. The meshes are
+// within their spheres, by no more than a sagitta.
+TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
+  const BallSocketPair main{icosphere(5.0, 2), icosphere(300.0, 2)};
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> even;
+  std::size_t clear = 0;
+  std::size_t within = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 2000); ++k) {
+    const std::array<double, 2> radius{1.0 + 5.0 * even(random), 1.0 + 5.0 * even(random)};
+    const std::array<double, 2> far{30.0 + 20.0 * even(random), 30.0 + 20.0 * even(random)};
+    const double between = 2.0 * even(random);
+    double sagitta = 0.0;
+    std::array<TriangleMesh, 2> part;
+    for (std::size_t n = 0; n < 2; ++n) {
+      part[n] = icosphere(radius[n], 2);
+      for (const Face& face : part[n].faces) {
+        const auto [a, b, c] = corners_of(part[n], face);
+        sagitta = std::max(sagitta, radius[n] - ((a + b + c) / 3.0).norm());
+      }
+      const double at = n == 0 ? 0.0 : between;
+      for (Vec3& x : part[n].vertices) x += far[n] * Vec3(std::cos(at), std::sin(at), 0.0);
+    }
+    const double gap = 6.0 * even(random);
+    const double turn = std::pow(10.0, -3.0 * even(random)) * 0.5;
+    const auto distance = [&](double angle) {
+      const double squared = far[0] * far[0] + far[1] * far[1] - 2.0 * far[0] * far[1] * std::cos(angle);
+      return std::sqrt(squared) - radius[0] - radius[1];
+    };
+    const double nearest = distance(std::max(0.0, between - turn));
+    const double farthest = distance(between + turn);
+    const double motion = 2.0 * (std::max(far[0], far[1]) + 6.0) * std::sin(0.5 * turn);
+    const BodyPairs pairs(main, {{part[0]}, {part[1]}});
+    const NearPoses poses{.turn = turn, .gap_mm = gap};
+    const bool apart = !pairs.may_meet(poses);
+    const bool touch = pairs.overlap(poses);
+    ASSERT_FALSE(apart && nearest + 2.0 * sagitta < gap) << k;
+    ASSERT_FALSE(touch && farthest > gap) << k;
+    if (distance(between) > gap + motion + 1e-6) ASSERT_TRUE(apart) << k;
+    // A vertex is that near where the surfaces are nearer by what a sphere's vertices leave out of it.
+    if (distance(between) > 0.0 && distance(between) + 2.0 * sagitta + 1.0 < gap - motion)
+      ASSERT_TRUE(touch) << k;
+    clear += apart ? 1 : 0;
+    within += touch ? 1 : 0;
+  }
+  EXPECT_GT(clear, 50U);
+  EXPECT_GT(within, 50U);
+}
+
+// The nearest of several bodies, and how near it is.
+TEST(BodyPairs, AreNearestInClosedForm) {
+  const auto sphere = [](double radius, const Vec3& at) {
+    TriangleMesh mesh = icosphere(radius, 4);
+    for (Vec3& x : mesh.vertices) x += at;
+    return mesh;
+  };
+  const BallSocketPair main{icosphere(5.0, 2), icosphere(300.0, 2)};
+  EXPECT_FALSE(BodyPairs(main, {}).nearest({}));
+  const BodyPairs pairs(main, {{sphere(3.0, {40, 0, 0}), sphere(6.0, {0, 40, 0})},
+                               {sphere(4.0, {0, 0, 60}), sphere(2.0, {0, 47, 20})}});
+  std::mt19937_64 random(13);
+  std::normal_distribution<double> normal;
+  for (std::size_t k = 0; k < 200; ++k) {
+    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
+    const Pose pose{at.normalized().toRotationMatrix(), Vec3(normal(random), normal(random), normal(random))};
+    double least = HUGE_VAL;
+    std::array<std::size_t, 2> bodies{};
+    const std::array<std::pair<double, Vec3>, 3> ball{
+        {{5.0, Vec3::Zero()}, {3.0, {40, 0, 0}}, {6.0, {0, 40, 0}}}};
+    const std::array<std::pair<double, Vec3>, 2> socket{{{4.0, {0, 0, 60}}, {2.0, {0, 47, 20}}}};
+    for (std::size_t b = 0; b < ball.size(); ++b) {
+      for (std::size_t s = 0; s < socket.size(); ++s) {
+        const double distance =
+            (to_socket(pose, ball[b].second) - socket[s].second).norm() - ball[b].first - socket[s].first;
+        if (distance < least) bodies = {b, s + 1};
+        least = std::min(least, distance);
+      }
+    }
+    const BodyPairs::Nearest found = pairs.nearest(pose).value();
+    EXPECT_EQ(found.touch, pairs.impinged(pose));
+    if (found.touch) continue;
+    EXPECT_GT(found.distance_mm, least - 1e-9);
+    EXPECT_LT(found.distance_mm, least + 0.03);
+    if (least < 10.0) EXPECT_EQ((std::array{found.pair.ball, found.pair.socket}), bodies);
+  }
+}
+
+// Of a hip with parts, by CGAL's exact distances of vertices.
+TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
+  const Hips hips;
+  const BodyPairs pairs(hips.main, hips.beside);
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> even;
+  const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+  std::size_t clear = 0;
+  std::size_t within = 0;
+  for (std::size_t k = 0; clear + within < 24 && k < 10'000; ++k) {
+    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
+    const Eigen::Matrix3d rotation = at.normalized().toRotationMatrix();
+    const double gap = 2.0 + 10.0 * even(random);
+    const double turn = 0.05 * even(random);
+    const NearPoses poses{.rotation = rotation, .turn = turn, .gap_mm = gap};
+    const bool apart = !pairs.may_meet(poses) && clear < 12;
+    const bool touch =
+        !apart && within < 12 && !pairs.overlap({.rotation = rotation, .turn = turn}) && pairs.overlap(poses);
+    if (!apart && !touch) continue;
+    ++(apart ? clear : within);
+    const Pose pose{Eigen::AngleAxisd(turn, unit()).toRotationMatrix() * rotation, Vec3::Zero()};
+    double least = HUGE_VAL;
+    const auto compare = [&](const TriangleMesh& ball, const TriangleMesh& socket) {
+      const TriangleMesh moved = posed(ball, pose);
+      for (const double d : closest_distances(moved, {socket.vertices})) least = std::min(least, d);
+      for (const double d : closest_distances(socket, {moved.vertices})) least = std::min(least, d);
+    };
+    for (const TriangleMesh& spine : hips.beside.socket) {
+      compare(hips.main.ball, spine);
+      for (const TriangleMesh& part : hips.beside.ball) compare(part, spine);
+    }
+    for (const TriangleMesh& part : hips.beside.ball) compare(part, hips.main.socket);
+    if (apart)
+      EXPECT_GT(least, gap) << k;
+    else
+      EXPECT_TRUE(least <= gap || pairs.impinged(pose)) << k;
+  }
+  EXPECT_EQ(clear, 12U);
+  EXPECT_EQ(within, 12U);
 }
 
 // Vertices at a known distance along the ray.

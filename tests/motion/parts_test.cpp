@@ -177,24 +177,28 @@ VolumeSettings up_to(double width) {
 }
 
 // Spheres of 20 mm, 50 mm from the centre: rotations that bring the directions of their middles within
-// t = 2 asin(0.4) of each other are blocked, a share of (1 - cos t) / 2. The meshes are within their spheres,
-// by no more than their sagittas.
+// t = 2 asin((20 + gap / 2) / 50) of each other are blocked, a share of (1 - cos t) / 2. The meshes are
+// within their spheres, by no more than their sagittas.
 TEST(Parts, OfSpheresBlockAShareInClosedForm) {
-  const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
-  const CellTest test(main, {}, {{mesh_of({50.0, 20.0, 0.0}, 2)}, {mesh_of({50.0, 20.0, 75.0}, 2)}});
-  const MotionVolume volume(test, up_to(0.1));
-  const auto free = [](double radius) { return 0.5 * (1.0 + std::cos(2.0 * std::asin(radius / 50.0))); };
-  EXPECT_LE(volume.shares().open, 0.1);
-  EXPECT_LE(volume.shares().low(), free(20.0 * 0.96));
-  EXPECT_GE(volume.shares().high(), free(20.0));
-  EXPECT_EQ(volume.shares().unknown, 0.0);
-  EXPECT_EQ(volume.shares().reachable_low, volume.shares().free);
-  const VolumeLimit limit = volume.limit(kAboutZ, 180.0);
-  const double exact = 75.0 - 2.0 * std::asin(0.4) / kDegree;
-  EXPECT_LE(limit.low_deg, exact + 2.0);
-  EXPECT_GE(limit.high_deg.value(), exact);
-  ASSERT_TRUE(limit.stops);
-  EXPECT_EQ(limit.stops->hint.socket_face, CellHint::kNone) << "the main surfaces stop nothing";
+  const BallSocketPair main{icosphere(10.0, 2), cup(20.0, 60.0, 400)};
+  for (const double gap : {0.0, 6.0}) {
+    const CellTest test(main, {.gap_mm = gap},
+                        {{mesh_of({50.0, 20.0, 0.0}, 2)}, {mesh_of({50.0, 20.0, 75.0}, 2)}});
+    const MotionVolume volume(test, up_to(0.1));
+    const auto turned = [&](double radius) { return 2.0 * std::asin((radius + 0.5 * gap) / 50.0); };
+    const auto free = [&](double radius) { return 0.5 * (1.0 + std::cos(turned(radius))); };
+    EXPECT_LE(volume.shares().open, 0.1);
+    EXPECT_LE(volume.shares().low(), free(20.0 * 0.96));
+    EXPECT_GE(volume.shares().high(), free(20.0));
+    EXPECT_EQ(volume.shares().unknown, 0.0);
+    EXPECT_EQ(volume.shares().reachable_low, volume.shares().free);
+    const VolumeLimit limit = volume.limit(kAboutZ, 180.0);
+    const double exact = 75.0 - turned(20.0) / kDegree;
+    EXPECT_LE(limit.low_deg, exact + 2.0);
+    EXPECT_GE(limit.high_deg.value(), exact);
+    ASSERT_TRUE(limit.stops);
+    EXPECT_EQ(limit.stops->hint.socket_face, CellHint::kNone) << "the main surfaces stop nothing";
+  }
 }
 
 // Random rotations asked of the exact overlay and of the bodies.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a joint says of bone beside it.
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -111,23 +113,78 @@ TEST(Parts, AreInVolumeAndOrientation) {
   EXPECT_LT(answer_orientation(session, turned).free, answer_orientation(without, turned).free);
 }
 
+// Gaps are those without parts, vertices of parts have none, and distances are to the nearest bone.
+TEST(Parts, LeaveGapsAsTheyAre) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  Session alone = session_of(make_hip({}, 1000));
+  PoseSeries series(session.joint->joint, {.areas = true});
+  PoseSeries series_alone(alone.joint->joint, {.areas = true});
+  for (const auto precision : {std::optional<double>(), std::optional<double>(2.0)}) {
+    PoseQuestion asked;
+    asked.precision_deg = precision;
+    asked.motion = {.flexion = 70.0, .internal_rotation = 20.0};
+    const Measurement found = measure(session, asked);
+    const Measurement expected = measure(alone, asked);
+    for (const Surface of : kSurfaces) {
+      const std::size_t vertices = expected.of(of).gap.size();
+      ASSERT_GT(session.joint->mesh(of).vertices.size(), vertices);
+      ASSERT_EQ(found.of(of).gap.size(), session.joint->mesh(of).vertices.size());
+      bool nearer = false;
+      for (std::size_t i = 0; i < found.of(of).gap.size(); ++i) {
+        const double gap = i < vertices ? expected.of(of).gap[i] : kNoSurface;
+        const double bound = i < vertices ? expected.of(of).bound[i] : kNoSurface;
+        EXPECT_TRUE(found.of(of).gap[i] == gap || (std::isnan(found.of(of).gap[i]) && std::isnan(gap))) << i;
+        EXPECT_TRUE(found.of(of).bound[i] == bound ||
+                    (std::isnan(found.of(of).bound[i]) && std::isnan(bound)));
+        if (i >= vertices) continue;
+        EXPECT_LE(found.of(of).distance[i].lower_mm, expected.of(of).distance[i].upper_mm);
+        nearer = nearer || found.of(of).distance[i].upper_mm < expected.of(of).distance[i].lower_mm;
+      }
+      EXPECT_TRUE(nearer) << "a part is nearer to some vertex";
+      EXPECT_EQ(found.of(of).bone.impinged_area, expected.of(of).bone.impinged_area);
+      EXPECT_EQ(found.of(of).histogram.without, expected.of(of).histogram.without);
+    }
+    EXPECT_EQ(found.smallest.value().gap_mm, expected.smallest.value().gap_mm);
+    EXPECT_EQ(found.certificate.value().surfaces_impinged, expected.certificate.value().surfaces_impinged);
+    EXPECT_FALSE(expected.part);
+    // Of all vertices to all bone that they may be a part's nearest of: no pair of bodies is nearer.
+    double least = HUGE_VAL;
+    for (const Surface of : kSurfaces) {
+      for (std::size_t i = expected.of(of).gap.size(); i < found.of(of).distance.size(); ++i)
+        least = std::min(least, found.of(of).distance[i].upper_mm);
+    }
+    EXPECT_FALSE(found.part.value().touch);
+    EXPECT_GT(found.part->distance_mm, 0.0);
+    EXPECT_LE(found.part->distance_mm, least + 1e-9);
+    asked.precision_deg.reset();
+    asked.question = Question::first_contact;
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.smallest.value().gap_mm,
+              answer_question(*alone.joint, asked).answer.smallest.value().gap_mm);
+    const Pose pose = pose_of(*session.joint, asked.motion);
+    const SeriesAnswer of_series = series.answer(pose);
+    EXPECT_EQ(of_series.smallest.value().least.gap_mm,
+              series_alone.answer(pose).smallest.value().least.gap_mm);
+    EXPECT_EQ(of_series.areas.value()[0].cartilage, series_alone.answer(pose).areas.value()[0].cartilage);
+  }
+}
+
 // What does not look at parts says so, and leaves them out of nothing in silence.
 TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const SessionJoint& joint = *session.joint;
   const std::string cure =
-      ": bone beside the joint, such as greater trochanter, is looked at by touch, limits, volume and "
-      "orientation alone; leave it out";
+      ": bone beside the joint, such as greater trochanter, is not taken into account here; leave it out";
   const auto refused = [&](const std::string& what, const std::function<void()>& ask) {
     EXPECT_EQ(test::thrown<std::runtime_error>(ask), what + cure);
   };
-  refused("gaps", [&] { measure(session, {}); });
-  refused("motion volume of a gap", [&] {
-    answer_volume(joint, {{.gap_mm = 1.0, .centre_within_mm = 0.0}, {}});
+  refused("touch of vertices", [&] {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.scan_socket = false;
+    answer_question(*session.joint, asked);
   });
   refused("resection", [&] { answer_resection(session, {}); });
   refused("certificate", [&] { answer_proof(joint, Pose{}); });
-  refused("gaps of poses", [&] { PoseSeries(joint.joint, {}); });
 }
 
 }  // namespace
