@@ -16,9 +16,9 @@ int plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Two segments a - b and c - d as the centre sees them.
 struct Crossing {
-  bool crosses = false;  // some ray from the centre meets both, ends included; not where all lie in one plane
-                         /// with the centre
-  int order = 0;         // +1 where it meets a - b beyond c - d, 0 where both meet, -1 where a - b is nearer
+  /// Does some ray from the centre meet both, ends included? Not where all lie in one plane with the centre.
+  bool crosses = false;
+  int order = 0;  // +1 where it meets a - b beyond c - d, 0 where both meet, -1 where a - b is nearer
 };
 
 /// With k1 a + k2 b + k3 c + k4 d = 0, k = (det(b, c, d), -det(a, c, d), det(a, b, d), -det(a, b, c)), the
