@@ -23,13 +23,14 @@ PEERS = [
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:
     """The warm or the cold rows of data/all_gaps.csv of the scenes that begin so, with a readable `line` for each method and
-    storage, the largest error of either sign, error_um, and times_embree, the time of the fastest of Embree's rays over theirs.
+    storage, the largest error of either sign, error_um, and times_embree, the time of the fastest of Embree's rays over theirs
+    (nan where Embree is not asked, since the first face along a ray is not the one that counts).
     """
     table = common.load(results, "all_gaps")
     table = table[(table.state == state) & table.scene.str.startswith(scenes)].copy()
     table["error_um"] = table[["max_over_um", "max_under_um"]].max(axis=1)
     rays = table[table.method.str.startswith("embree_ray")].groupby(KEYS).ns_vertex.min()
-    table["times_embree"] = rays.loc[pd.MultiIndex.from_frame(table[KEYS])].to_numpy() / table.ns_vertex
+    table["times_embree"] = rays.reindex(pd.MultiIndex.from_frame(table[KEYS])).to_numpy() / table.ns_vertex
     table["line"] = measured.lines(table, table.attrs["labels"], stored=~table.method.isin(["floor", "vdb_grid"]))
     return table
 

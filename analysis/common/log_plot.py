@@ -64,9 +64,12 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
         draw_thesis(axes, group, key, look)
         draw_method(axes, group, key, look)
         measured = group[~group.extrapolated]
-        text = f"{common.label(method)}: exponent {slope(measured[key], measured.measured_ms):.2f}"
+        exponents = []
+        if len(measured) > 1:
+            exponents.append(f"exponent {slope(measured[key], measured.measured_ms):.2f}")
         if np.isfinite(group.thesis_ms).any():
-            text += f" (thesis {slope(group[key], group.thesis_ms):.2f})"
+            exponents.append(f"thesis {slope(group[key], group.thesis_ms):.2f}")
+        text = ": ".join([common.label(method), ", ".join(exponents)]) if exponents else common.label(method)
         legend.append(common.key(text, **look))
     legend.append(
         common.key(

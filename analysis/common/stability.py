@@ -47,7 +47,9 @@ def magnitudes(cases: pd.DataFrame) -> list[float]:
 
 
 def power(value: float) -> str:
-    """A magnitude as a tick: 0.01, 3 or a power of ten."""
+    """A magnitude as a tick: 0.01, 3, a power of ten, or how far it is below 1."""
+    if 0.99 < value < 1:
+        return f"1−{power(1 - value)}"
     if value == 0 or 1e-3 <= abs(value) < 1e5:
         return f"{value:g}"
     mantissa, exponent = f"{value:.0e}".split("e")

@@ -26,6 +26,13 @@ def main(options) -> common.Figure:
     return figure
 
 
+def fewer(least: str, most: str) -> str:
+    """How many times less the plan takes, over all joints."""
+    if least != most:
+        return f"{least} to {most} times less"
+    return "the same" if float(least) == 1 else f"{least} times less"
+
+
 def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, label: str) -> None:
     """Everything, whole tables and plan of each question."""
     shown = [q for q in scene_needs.QUESTIONS if (totals.question == q).any()]
@@ -53,9 +60,7 @@ def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, l
     for row, question in enumerate(shown):
         ratio = totals[totals.question == question]["bytes_ratio" if unit == "bytes" else "time_ratio"]
         axes.annotate(
-            f"{common.digits(ratio.min(), 2)} to {common.digits(ratio.max(), 2)} times less"
-            if len(ratio) > 1
-            else f"{common.digits(ratio.min(), 2)} times less",
+            fewer(common.digits(ratio.min(), 2), common.digits(ratio.max(), 2)),
             (0.985, row - 0.42),
             xycoords=("axes fraction", "data"),
             ha="right",
