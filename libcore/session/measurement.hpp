@@ -45,9 +45,8 @@ struct Measurement : PoseAnswer {
 /// * With max_error_mm: by a table where it is proven to be that accurate, on the faces elsewhere. Bounds
 ///   then come from comparing each gap with the faces.
 ///
-/// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take),
-/// max_error_mm is below what rounding leaves, or a joint with parts of bone is asked for bounds of
-/// tables or a certificate.
+/// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take), or
+/// max_error_mm is below what rounding leaves.
 Measurement measure(Session& session, const PoseQuestion& asked);
 
 /// The answer to a question other than all_gaps.
