@@ -38,6 +38,7 @@ PROVENANCE = {
     "parameters": "Parameters",
 }
 TIMING = {"inconclusive": "Inconclusive timings", "control": "Control (one case against itself)"}
+MOST_CASES = 10  # inconclusive timings that are named; the sidecar names all
 
 
 def provenance(results: Path, name: str) -> str:
@@ -60,6 +61,8 @@ def timing_fact(value: object) -> str:
     """What a sidecar says of the timing, without the single samples."""
     if isinstance(value, dict):
         value = {key: inner for key, inner in value.items() if key != "samples_ms"}
+    if isinstance(value, list) and len(value) > MOST_CASES:
+        return f"{len(value)}, such as {', '.join(value[:MOST_CASES])}; the sidecar (.json) names all"
     return json.dumps(value) if value else "none"
 
 
