@@ -63,7 +63,8 @@ void body(DriverRun& run) {
   run.write({"sampling_error_surfaces",
              "How does the error of a look-up depend on the surface and the interpolant?",
              std::move(study.surfaces), parameters});
-  write("sampling_error_bounds", "Do the bounds on the error of a look-up hold?", study.bounds);
+  run.write({"sampling_error_bounds", "Do the bounds on the error of a look-up hold?",
+             std::move(study.bounds), parameters});
 }
 
 }  // namespace
