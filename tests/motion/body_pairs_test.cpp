@@ -264,10 +264,13 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
     const bool touch = pairs.overlap(poses);
     ASSERT_FALSE(apart && nearest + 2.0 * sagitta < gap) << k;
     ASSERT_FALSE(touch && farthest > gap) << k;
-    if (distance(between) > gap + motion + 1e-6) ASSERT_TRUE(apart) << k;
+    if (distance(between) > gap + motion + 1e-6) {
+      ASSERT_TRUE(apart) << k;
+    }
     // A vertex is that near where the surfaces are nearer by what a sphere's vertices leave out of it.
-    if (distance(between) > 0.0 && distance(between) + 2.0 * sagitta + 1.0 < gap - motion)
+    if (distance(between) > 0.0 && distance(between) + 2.0 * sagitta + 1.0 < gap - motion) {
       ASSERT_TRUE(touch) << k;
+    }
     clear += apart ? 1 : 0;
     within += touch ? 1 : 0;
   }
@@ -309,7 +312,9 @@ TEST(BodyPairs, AreNearestInClosedForm) {
     if (found.touch) continue;
     EXPECT_GT(found.distance_mm, least - 1e-9);
     EXPECT_LT(found.distance_mm, least + 0.03);
-    if (least < 10.0) EXPECT_EQ((std::array{found.pair.ball, found.pair.socket}), bodies);
+    if (least < 10.0) {
+      EXPECT_EQ((std::array{found.pair.ball, found.pair.socket}), bodies);
+    }
   }
 }
 
