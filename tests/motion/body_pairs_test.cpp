@@ -237,7 +237,7 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 2000); ++k) {
     const std::array<double, 2> radius{1.0 + 5.0 * even(random), 1.0 + 5.0 * even(random)};
     const std::array<double, 2> far{30.0 + 20.0 * even(random), 30.0 + 20.0 * even(random)};
-    const double between = 2.0 * even(random);
+    const double between = 0.6 * even(random);
     double sagitta = 0.0;
     std::array<TriangleMesh, 2> part;
     for (std::size_t n = 0; n < 2; ++n) {
@@ -281,17 +281,17 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
 // The nearest of several bodies, and how near it is.
 TEST(BodyPairs, AreNearestInClosedForm) {
   const auto sphere = [](double radius, const Vec3& at) {
-    TriangleMesh mesh = icosphere(radius, 4);
+    TriangleMesh mesh = icosphere(radius, 3);
     for (Vec3& x : mesh.vertices) x += at;
     return mesh;
   };
-  const BallSocketPair main{icosphere(5.0, 2), icosphere(300.0, 2)};
+  const BallSocketPair main{icosphere(5.0, 3), icosphere(300.0, 2)};
   EXPECT_FALSE(BodyPairs(main, {}).nearest({}));
   const BodyPairs pairs(main, {{sphere(3.0, {40, 0, 0}), sphere(6.0, {0, 40, 0})},
                                {sphere(4.0, {0, 0, 60}), sphere(2.0, {0, 47, 20})}});
   std::mt19937_64 random(13);
   std::normal_distribution<double> normal;
-  for (std::size_t k = 0; k < 200; ++k) {
+  for (std::size_t k = 0; k < 20; ++k) {
     const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
     const Pose pose{at.normalized().toRotationMatrix(), Vec3(normal(random), normal(random), normal(random))};
     double least = HUGE_VAL;
@@ -311,7 +311,7 @@ TEST(BodyPairs, AreNearestInClosedForm) {
     EXPECT_EQ(found.touch, pairs.impinged(pose));
     if (found.touch) continue;
     EXPECT_GT(found.distance_mm, least - 1e-9);
-    EXPECT_LT(found.distance_mm, least + 0.03);
+    EXPECT_LT(found.distance_mm, least + 0.08);  // by no more than the faces are inside of the spheres
     if (least < 10.0) {
       EXPECT_EQ((std::array{found.pair.ball, found.pair.socket}), bodies);
     }
