@@ -7,7 +7,7 @@ const { chromium } = require("../../analysis/node_modules/playwright-core");
 
 const QUIET = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic",
   "--no-first-run", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const PATIENCE = 1000 * Number(process.env.PATIENCE_S ?? 40); // ms: of a machine that does other things, too
+const PATIENCE = 1000 * Number(process.env.PATIENCE_S ?? 90); // ms: of a machine that does other things, too
 
 const launch = () => chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
 
