@@ -159,7 +159,7 @@ def check(certificate, ball, socket, *parts):
     files = {"--ball-part": [ball], "--socket-part": [socket]}
     for k, word in enumerate(parts):
         if word not in files:
-            files[next(option for option in parts[k::-1] if option in files)].append(word)
+            files[next((option for option in parts[k::-1] if option in files), f"{word}: of which side?")].append(word)
     with open(certificate, encoding="ascii") as file:
         (*title, says), *lines = [line.split() for line in file]
     need(title == ["impinge", "certificate", "1"] and lines.pop() == ["end"], "this is no whole certificate")

@@ -227,7 +227,7 @@ class Certificate(GeneratedPair):
             ("it is of", []), ("it is of", self.parts[:2] + self.parts[3:]), ("it is of", self.parts[:3]),
             ("it is of", ["--socket-part", *self.parts[1:3], "--ball-part", self.spine]), ("it is of", [*self.parts, self.spine]),
             ("the socket is not beyond", [*self.parts[:4], near]), ("the ball reaches beyond", ["--ball-part", far, *self.parts[2:]]),
-            ("StopIteration", self.parts[1:]), ("none.ply", [*self.parts[:4], self.root / "none.ply"]),
+            ("greater_trochanter.ply: of which side", self.parts[1:]), ("none.ply", [*self.parts[:4], self.root / "none.ply"]),
         ]:
             with self.subTest(parts=parts):
                 self.refused(lines, reason, *parts, **self.with_parts)
