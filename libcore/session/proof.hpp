@@ -5,10 +5,11 @@
 //
 // Bone beside the joint. A clear proof is about all surfaces of a side: in every direction all of the ball
 // and its parts is nearer than all of the socket and its parts, so that no two of them meet. That is more
-// than to be free: a trochanter may pass behind a rim, and then there is no proof. A ray shows contact of the
-// main surfaces alone, since a part that lies farther out along a ray need not touch (motion/body_pairs.hpp):
-// so contact of a part has no proof. A part inside other bone touches it although no surfaces meet, beyond
-// the end of a ball's mesh for one. There the exact verdict comes first, and nothing is written.
+// than to be free: a trochanter may pass behind the rim, or the shaft behind a spine, and then there is no
+// proof. A ray shows contact of the main surfaces alone, since a part that lies farther out along a ray need
+// not touch (motion/body_pairs.hpp): so contact of a part has no proof. A part inside other bone touches it
+// although no surfaces meet, beyond the end of a ball's mesh for one. There the exact verdict comes first,
+// and nothing is written.
 #pragma once
 
 #include "motion/clearance_proof.hpp"
