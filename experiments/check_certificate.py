@@ -1,16 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_certificate.py CERTIFICATE BALL SOCKET: is what a certificate says true of two mesh files (PLY or OBJ)?
+"""check_certificate.py CERTIFICATE BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: is it true of these meshes (PLY or OBJ)?
 
-Exact, and written from certificate_format.md alone. Exit code 0 where it is proven, 1 where not, with one line either way.
-"""
+Exact, and written from certificate_format.md alone. Exit code 0 where it is proven, 1 where not, with one line either way."""
 import math
 import struct
 import sys
 from fractions import Fraction
 
-TYPES = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64"
-CODES = dict(zip(TYPES.split(), "bBhHiIfdbBhHiIfd"))
+TYPES = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64".split()
 ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
@@ -45,7 +43,7 @@ def read_ply(data):
 
     def take(kind, count):
         nonlocal place
-        layout = struct.Struct(ORDERS[form] + str(count) + CODES[kind])
+        layout = struct.Struct(ORDERS[form] + str(count) + "bBhHiIfd"[TYPES.index(kind) % 8])
         place += count if form == "ascii" else layout.size
         return source[place - count : place] if form == "ascii" else layout.unpack_from(source, place - layout.size)
 
@@ -55,26 +53,29 @@ def read_ply(data):
             rows.setdefault(name, []).append(row)
     once = all(len(set(names)) == len(names) for names in [[e[0] for e in elements]] + [[p[-1] for p in e[2]] for e in elements])
     need(title == "format" and place == len(source) and once, "a PLY file is not as its header says")
-    faces = [row["vertex_indices"] if "vertex_indices" in row else row["vertex_index"] for row in rows["face"]]
-    return [[row[axis] for axis in "xyz"] for row in rows["vertex"]], [[int(i) for i in f] for f in faces]
+    corners = (row.get("vertex_indices") or row["vertex_index"] for row in rows["face"])
+    return [[row[axis] for axis in "xyz"] for row in rows["vertex"]], [[int(i) for i in f] for f in corners]
 
 
-def read_mesh(path, centre, shift):
-    """Vertices about the centre and the shift, in whole numbers of 1 / unit mm; the unit; the faces."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if path.lower().endswith(".obj"):
-        lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").split("\n")]
-        points = [line[1:4] for line in lines if line[:1] == ["v"]]
-        faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines if line[:1] == ["f"]]
-    else:
-        points, faces = read_ply(data)
-    there = all(len(f) == 3 and min(f) >= 0 and max(f) < len(points) for f in faces) and all(len(p) == 3 for p in points)
-    need(faces and there, f"{path}: not all faces are triangles of its vertices")
-    rows = [[number(x) - c for x, c in zip(p, centre)] for p in points] + [shift]
+def read_side(paths, centre, shift):
+    """Vertices of all files about the centre and the shift, in whole numbers of 1 / unit mm; the unit; the faces."""
+    rows, triangles = [shift], []
+    for path in paths:
+        with open(path, "rb") as file:
+            data = file.read()
+        if path.lower().endswith(".obj"):
+            lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").split("\n")]
+            points = [line[1:4] for line in lines if line[:1] == ["v"]]
+            faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines if line[:1] == ["f"]]
+        else:
+            points, faces = read_ply(data)
+        there = all(len(f) == 3 and 0 <= min(f) <= max(f) < len(points) for f in faces) and {*map(len, points)} == {3}
+        need(faces and there, f"{path}: not all faces are triangles of its vertices")
+        triangles += [[i + len(rows) - 1 for i in f] for f in faces]
+        rows += [[number(x) - c for x, c in zip(p, centre)] for p in points]
     unit = math.lcm(*(x.denominator for row in rows for x in row))
-    *points, shift = [[x.numerator * (unit // x.denominator) for x in row] for row in rows]
-    return points, shift, unit, faces
+    shift, *points = [[x.numerator * (unit // x.denominator) for x in row] for row in rows]
+    return points, shift, unit, triangles
 
 
 def dot(a, b):
@@ -85,8 +86,7 @@ def cross(a, b):
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-def product(a, b):
-    """Of two quaternions."""
+def product(a, b):  # of two quaternions
     (s, *u), (t, *v) = a, b
     return [s * t - dot(u, v)] + [s * y + t * x + z for x, y, z in zip(u, v, cross(u, v))]
 
@@ -94,15 +94,13 @@ def product(a, b):
 def posed(head, about, c, s, ball, socket):
     """Of ball and socket: the corners of all faces about a centre, in whole numbers of 1 / unit mm, and the unit."""
     q = product(product(head["outer"], [c] + [s * x for x in head["axis"]]), head["inner"])
-    n, bar, units = dot(q, q), [q[0], -q[1], -q[2], -q[3]], ([1, 0, 0], [0, 1, 0], [0, 0, 1])
-    images = [product(product(q, [0, *unit]), bar)[1:] for unit in units]  # n times the rotation's columns
+    n, bar, own = dot(q, q), [q[0], -q[1], -q[2], -q[3]], {"ball": True, "socket": False}[about]
+    images = [product(product(q, unit), bar)[1:] for unit in ([0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1])]  # n times the rotation's columns
     right = all(dot(images[i], images[k]) == (n * n if i == k else 0) for i in range(3) for k in range(3))
     need(n > 0 and right and dot(images[0], cross(*images[1:])) == n**3, "a quaternion is no rotation")
-    own = {"ball": True, "socket": False}[about]
     moved = [[dot(row, p) + (0 if own else n * t) for row, t in zip(zip(*images), ball[1])] for p in ball[0]]
     still = [[x - own * t for x, t in zip(p, socket[1])] for p in socket[0]]
-    corners = ([[points[i] for i in f] for f in faces] for points, faces in ((moved, ball[3]), (still, socket[3])))
-    return list(zip(corners, (n * ball[2], socket[2])))
+    return [([[points[i] for i in f] for f in faces], unit) for points, faces, unit in ((moved, ball[3], n * ball[2]), (still, socket[3], socket[2]))]
 
 
 def clipped(face, planes):
@@ -130,9 +128,7 @@ def check_node(node, leaves, unit, ball, socket):
                           or a * f[3] + b * f[k + 3] >= low or a * f[6] + b * f[k + 6] >= low], size)
                         for faces, size in (ball, socket))
     if node not in leaves:
-        for part in range(4):
-            check_node((face, level + 1, 2 * i + part // 2, 2 * j + part % 2), leaves, unit, ball, socket)
-        return
+        return [check_node((face, level + 1, 2 * i + part // 2, 2 * j + part % 2), leaves, unit, ball, socket) for part in range(4)]
     axis = (n, 2 * i + 1 - n, 2 * j + 1 - n)
     most, least = (leaves[node] * ball[1]) ** 2, (leaves[node] * socket[1]) ** 2 * dot(axis, axis)
     for f in ball[0]:
@@ -145,8 +141,7 @@ def check_node(node, leaves, unit, ball, socket):
 
 
 def check_cell(head, cell, slack, leaves, meshes):
-    there = all(0 <= f < 6 and 0 <= level <= 40 and 0 <= min(i, j) <= max(i, j) < 2**level for f, level, i, j in leaves)
-    need(there, "a leaf is not on the cube")
+    need(all(0 <= f < 6 and 0 <= level <= 40 and 0 <= min(i, j) <= max(i, j) < 2**level for f, level, i, j in leaves), "a leaf is not on the cube")
     inner = {(f, level - k, i >> k, j >> k) for f, level, i, j in leaves for k in range(1, level + 1)}
     areas = sum(Fraction(1, 4 ** leaf[1]) for leaf in leaves)
     need(areas == 6 and not inner & leaves.keys() and min(leaves.values()) >= 0, "the leaves do not cover the cube once")
@@ -160,18 +155,23 @@ def check_cell(head, cell, slack, leaves, meshes):
         check_node((f, 0, 0, 0), leaves, head["unit"][0], *seen)
 
 
-def check(certificate, *paths):
+def check(certificate, ball, socket, *parts):
+    files = {"--ball-part": [ball], "--socket-part": [socket]}
+    for k, word in enumerate(parts):
+        if word not in files:
+            files[next((option for option in parts[k::-1] if option in files), f"{word}: of which side?")].append(word)
     with open(certificate, encoding="ascii") as file:
         (*title, says), *lines = [line.split() for line in file]
     need(title == ["impinge", "certificate", "1"] and lines.pop() == ["end"], "this is no whole certificate")
+    bodies = whole(lines.pop(0)[1:]) if lines[0][0] == "bodies" else [1, 1]
+    need(bodies == list(map(len, files.values())), f"it is of {bodies} files of ball and socket, parts and all")
     sizes = {"centre": 3, "shift": 3, "outer": 4, "axis": 3, "inner": 4, "unit": 1}
     need([(line[0], len(line) - 1) for line in lines[:6]] == list(sizes.items()), "its head is not that of a certificate")
     head = {name: list(map(number, words)) if name in ("centre", "shift") else whole(words) for name, *words in lines[:6]}
     need(head["unit"][0] > 0 and dot(head["axis"], head["axis"]) == 1, "the unit or the axis is none")
-    meshes = [read_mesh(path, head["centre"], head["shift"]) for path in paths]
+    meshes = [read_side(paths[:1] if says == "blocked" else paths, head["centre"], head["shift"]) for paths in files.values()]
     if says == "blocked":
-        ((kind, about, *words),) = lines[6:]
-        found, (c, s, *ray) = [], whole(words)
+        found, ((kind, about, c, s, *ray),) = [], [[*words[:2], *whole(words[2:])] for words in lines[6:]]
         for faces, unit in posed(head, about, c, s, *meshes):
             corners = [(dot(a, cross(b, c)), dot(ray, cross(b, c)), dot(ray, cross(c, a)), dot(ray, cross(a, b))) for a, b, c in faces]
             found.append([Fraction(v, sum(p) * unit) for v, *p in corners if v != 0 and any(p) and all(x * v >= 0 for x in p)])
@@ -195,6 +195,6 @@ def check(certificate, *paths):
 
 if __name__ == "__main__":
     try:
-        print(check(*sys.argv[1:4]))
+        print(check(*sys.argv[1:]))
     except Exception as error:  # whatever is wrong, nothing is proven
         sys.exit(f"refused: {' '.join(str(error).split())[:300] or type(error).__name__}")

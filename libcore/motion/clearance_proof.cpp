@@ -100,6 +100,11 @@ std::string whole_numbers(const Range& values) {
   return text;
 }
 
+std::string bodies_text(const ClearanceProof& proof) {
+  const auto [ball, socket] = proof.bodies;
+  return ball + socket == 2 ? "" : formatted("bodies %zu %zu\n", ball, socket);
+}
+
 std::string cell_text(const ProofCell& cell) {
   std::string text = "cell " + std::string(name(cell.about)) + whole_numbers(cell.from) +
                      whole_numbers(cell.to) + whole_numbers(cell.at) + " " + std::to_string(cell.slack) +
@@ -196,10 +201,11 @@ ClearanceProof prove_turn(const ProofJoint& joint, const JointTurn& turn, double
 }
 
 std::string proof_text(const ClearanceProof& proof) {
-  std::string text = std::string("impinge certificate 1 ") + (proof.ray ? "blocked" : "clear") + "\ncentre " +
-                     numbers(proof.centre) + "\nshift " + numbers(proof.shift) + "\nouter" +
-                     whole_numbers(proof.outer) + "\naxis" + whole_numbers(proof.axis) + "\ninner" +
-                     whole_numbers(proof.inner) + "\nunit " + std::to_string(kLeafUnit) + "\n";
+  std::string text = std::string("impinge certificate 1 ") + (proof.ray ? "blocked" : "clear") + "\n" +
+                     bodies_text(proof) + "centre " + numbers(proof.centre) + "\nshift " +
+                     numbers(proof.shift) + "\nouter" + whole_numbers(proof.outer) + "\naxis" +
+                     whole_numbers(proof.axis) + "\ninner" + whole_numbers(proof.inner) + "\nunit " +
+                     std::to_string(kLeafUnit) + "\n";
   for (const ProofCell& cell : proof.cells) text += cell_text(cell);
   if (proof.ray)
     text += "ray " + std::string(name(proof.ray_from)) + " 1 0" + whole_numbers(*proof.ray) + "\n";

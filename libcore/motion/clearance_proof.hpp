@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proof that a pose or a motion is clear, or that a pose is not, which can be checked with the two mesh
-// files and without this library. (session/certificate.hpp has the exact verdict on a pose, without a proof.)
+// A proof that a pose or a motion is clear, or that a pose is not, which can be checked with the mesh files
+// and without this library. (session/certificate.hpp has the exact verdict on a pose, without a proof.)
 //
 // The page experiments/certificate_format.md says what the text means, and experiments/check_certificate.py
 // checks it in exact arithmetic. Here all is prepared in doubles with a margin for their rounding: that
@@ -54,13 +54,15 @@ struct ClearanceProof {
   std::optional<std::array<std::int64_t, 3>> ray;  // of a blocked pose
   Surface ray_from = Surface::socket;              // whose centre the ray is from
   std::optional<Vec3> open;  // neither is proven: in this direction from the centre surfaces are too near
-  double rounded_deg = 0.0;  // by how much the rotations differ from those asked for, at most
+  std::array<std::size_t, 2> bodies{1, 1};  // files of ball and socket: the main surface and its parts
+  double rounded_deg = 0.0;                 // by how much the rotations differ from those asked for, at most
 
   std::size_t leaves() const;
   double end_deg() const;  // of the motion, from its start
 };
 
-/// The meshes in the centre frame as they were read, and their centre in the input frame, mm.
+/// The meshes in the centre frame as they were read, and their centre in the input frame, mm. Faces of parts
+/// (mesh/mesh_parts.hpp) are more faces of their side: a proof that they are clear is one for each pair.
 struct ProofJoint {
   const BallSocketPair& meshes;
   Vec3 centre;

@@ -364,10 +364,6 @@ void interpret(const TypedOptions& typed, SceneOptions& options) {
   if (options.certificate && options.landmarks)
     throw OptionError(
         "option --certificate: it is about the meshes as they lie in their files; leave out --landmarks");
-  if (options.certificate && !(options.ball_parts.empty() && options.socket_parts.empty()))
-    throw OptionError(
-        "option --certificate: it is checked against two files; put the parts into those of --ball and "
-        "--socket");
   if (options.certificate && options.all_motions)
     throw OptionError(
         "option --certificate: it is of one pose or motion; add --question limit --motion NAME");

@@ -90,10 +90,6 @@ OPTIONS = [
     (["--ball-part"], "--ball-part: 1 required TEXT missing; see scene --help"),
     (["--ball-part", ""], "option --ball-part: '' is empty; give it a value or leave it out"),
     (["--socket-part", ""], "option --socket-part: '' is empty; give it a value or leave it out"),
-    (
-        ["--certificate", "proof.txt", "--socket-part", "spine.ply"],
-        "option --certificate: it is checked against two files; put the parts into those of --ball and --socket",
-    ),
     (["--bones", "."], "--ball excludes --bones; see scene --help"),
     (
         ["--motion", "flexion"],

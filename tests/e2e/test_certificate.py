@@ -7,6 +7,7 @@ SCENE and MAKE_PAIR name the two programs. With IMPINGE_BONES set, real joints a
 from __future__ import annotations
 
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -26,12 +27,32 @@ def run(*words) -> subprocess.CompletedProcess:
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
 
 
+def read_mesh(file: Path) -> tuple[list, list]:
+    """Points and faces of a PLY that make_pair wrote."""
+    head, body = file.read_bytes().split(b"end_header\n")
+    vertices, faces = (int(head.split(kind)[1].split()[0]) for kind in (b"element vertex ", b"element face "))
+    assert len(body) == 24 * vertices + 13 * faces
+    points = [struct.unpack_from("<3d", body, 24 * k) for k in range(vertices)]
+    return points, [struct.unpack_from("<3i", body, 24 * vertices + 13 * k + 1) for k in range(faces)]
+
+
+def write_obj(file: Path, points, faces) -> Path:
+    text = "".join("v {} {} {}\n".format(*p) for p in points)
+    file.write_text(text + "".join("f {} {} {}\n".format(*(i + 1 for i in f)) for f in faces))
+    return file
+
+
 class Certificate(GeneratedPair):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        made = run(os.environ["MAKE_PAIR"], "--hip", "cam", "--faces", "600", "--out", cls.root / "pair")
-        assert made.returncode == 0, made.stderr
+        bone = ["greater_trochanter_width=30", "lesser_trochanter_height=8", "aiis_height=10"]
+        for name, words in {"pair": ["cam"], "with": ["normal", *(word for one in bone for word in ("--set", one))]}.items():
+            made = run(os.environ["MAKE_PAIR"], "--hip", *words, "--faces", "600", "--out", cls.root / name)
+            assert made.returncode == 0, made.stderr
+        cls.with_parts = {"ball": cls.root / "with/ball.ply", "socket": cls.root / "with/socket.ply"}
+        cls.greater, cls.lesser, cls.spine = (cls.root / f"with/{name}.ply" for name in ("greater_trochanter", "lesser_trochanter", "aiis"))
+        cls.parts = ["--ball-part", cls.greater, cls.lesser, "--socket-part", cls.spine]
 
     def scene(self, name: str, *words, ball=None, socket=None) -> subprocess.CompletedProcess:
         files = ["--ball", ball or self.ball, "--socket", socket or self.socket, "--out", self.root / "out"]
@@ -44,16 +65,16 @@ class Certificate(GeneratedPair):
         self.assertIn(f": {self.root / name}\n", done.stdout)
         return (self.root / name).read_text().splitlines()
 
-    def accepted(self, name: str, says: str, ball=None, socket=None) -> str:
-        done = run(sys.executable, CHECKER, self.root / name, ball or self.ball, socket or self.socket)
+    def accepted(self, name: str, says: str, *parts, ball=None, socket=None) -> str:
+        done = run(sys.executable, CHECKER, self.root / name, ball or self.ball, socket or self.socket, *parts)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertTrue(done.stdout.startswith(says), done.stdout)
         return done.stdout
 
-    def refused(self, lines: list[str], reason="", ball=None, socket=None):
+    def refused(self, lines: list[str], reason="", *parts, ball=None, socket=None):
         changed = self.root / "changed.txt"
         changed.write_text("\n".join(lines) + "\n")
-        done = run(sys.executable, CHECKER, changed, ball or self.ball, socket or self.socket)
+        done = run(sys.executable, CHECKER, changed, ball or self.ball, socket or self.socket, *parts)
         self.assertEqual((done.returncode, done.stdout), (1, ""), "accepted")
         self.assertRegex(done.stderr, f"^refused: .*{reason}.*\n$")
 
@@ -74,18 +95,12 @@ class Certificate(GeneratedPair):
 
     def test_other_formats(self):
         """The same joint as text: decimals as they are written, and as an OBJ."""
-        _, body = self.ball.read_bytes().split(b"end_header\n")
-        head = self.ball.read_bytes().split(b"end_header\n")[0]
-        vertices, faces = (int(head.split(kind)[1].split()[0]) for kind in (b"element vertex ", b"element face "))
-        points = [struct.unpack_from("<3d", body, 24 * k) for k in range(vertices)]
-        corners = [struct.unpack_from("<3i", body, 24 * vertices + 13 * k + 1) for k in range(faces)]
-        self.assertEqual(len(body), 24 * vertices + 13 * faces)
+        points, corners = read_mesh(self.ball)
         xyz = "".join(f"property double {axis}\n" for axis in "xyz")
-        text = f"ply\nformat ascii 1.0\nelement vertex {vertices}\n{xyz}element face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+        text = f"ply\nformat ascii 1.0\nelement vertex {len(points)}\n{xyz}element face {len(corners)}\nproperty list uchar int vertex_indices\nend_header\n"
         text += "".join("{} {} {}\n".format(*p) for p in points) + "".join("3 {} {} {}\n".format(*f) for f in corners)
         (self.root / "ball_text.ply").write_text(text)
-        obj = "".join("v {} {} {}\n".format(*p) for p in points)
-        (self.root / "ball.obj").write_text(obj + "".join("f {} {} {}\n".format(*(i + 1 for i in f)) for f in corners))
+        obj = write_obj(self.root / "ball.obj", points, corners).read_text()
         for name in ("ball_text.ply", "ball.obj"):
             ball = self.root / name
             self.made("format.txt", "--question", "touch", "--pose", "flexion=70", ball=ball)
@@ -201,6 +216,67 @@ class Certificate(GeneratedPair):
         self.refused(self.word(self.word(self.word(lines, 7, 4, "0"), 7, 5, "0"), 7, 6, "0"), "meet")
         self.refused(self.word(lines, 3, 1, "1048576"))  # another rotation
         self.refused(self.word(lines, 0, 3, "clear"))
+
+    def test_bone_beside_the_joint(self):
+        lines = self.made("parts.txt", "--question", "touch", "--pose", "flexion=60", *self.parts, **self.with_parts)
+        self.assertEqual(lines[1], "bodies 3 2")
+        self.accepted("parts.txt", "clear", *self.parts, **self.with_parts)
+        self.accepted("parts.txt", "clear", "--socket-part", self.spine, "--ball-part", self.lesser, "--ball-part", self.greater, **self.with_parts)
+        near, far = self.scaled(self.spine, 0.5), self.scaled(self.greater, 2.0)
+        for reason, parts in [
+            ("it is of", []), ("it is of", self.parts[:2] + self.parts[3:]), ("it is of", self.parts[:3]),
+            ("it is of", ["--socket-part", *self.parts[1:3], "--ball-part", self.spine]), ("it is of", [*self.parts, self.spine]),
+            ("the socket is not beyond", [*self.parts[:4], near]), ("the ball reaches beyond", ["--ball-part", far, *self.parts[2:]]),
+            ("greater_trochanter.ply: of which side", self.parts[1:]), ("none.ply", [*self.parts[:4], self.root / "none.ply"]),
+        ]:
+            with self.subTest(parts=parts):
+                self.refused(lines, reason, *parts, **self.with_parts)
+        exchanged = ["--ball-part", self.spine, "--socket-part", self.greater, self.lesser]
+        self.refused(lines[:1] + ["bodies 2 3"] + lines[2:], "leaf", *exchanged, **self.with_parts)
+        self.refused(lines[:1] + lines[2:], "it is of", *self.parts, **self.with_parts)
+        self.refused(lines[:2] + lines[1:], "head", *self.parts, **self.with_parts)
+
+    def scaled(self, part: Path, factor: float) -> Path:
+        points, faces = read_mesh(part)
+        return write_obj(self.root / f"scaled_{part.stem}.obj", [[factor * x for x in p] for p in points], faces)
+
+    def test_a_limit_at_bone_beside_the_joint(self):
+        limit = ["--question", "limit", "--motion", "internal_rotation", "--pose", "flexion=70"]
+        self.made("spine.txt", *limit, *self.parts, **self.with_parts)
+        said = self.accepted("spine.txt", "clear", *self.parts, **self.with_parts)
+        lines = self.made("alone.txt", *limit, **self.with_parts)
+        self.assertEqual([line for line in lines if line.startswith("bodies")], [])
+        alone = self.accepted("alone.txt", "clear", **self.with_parts)
+        ends = [float(one.split("up to ")[1].split()[0]) for one in (said, alone)]
+        self.assertLess(ends[0] + 0.5, ends[1])  # the spine stops it before the rim does
+        self.refused(lines[:1] + ["bodies 3 2"] + lines[1:], "leaf", *self.parts, **self.with_parts)
+
+    def test_a_witness_is_of_the_main_surfaces(self):
+        pose = ["--question", "touch", "--pose", "external_rotation=70"]
+        lines = self.made("witness.txt", *pose, *self.parts, **self.with_parts)
+        self.accepted("witness.txt", "blocked", *self.parts, **self.with_parts)
+        self.assertEqual(lines[:1] + lines[2:], self.made("alone.txt", *pose, **self.with_parts))
+        self.refused(lines, "it is of", **self.with_parts)
+        # A trochanter behind a rim is no contact, and the ray that meets both is no witness. It is one of two meshes that hold all.
+        pose = ["--question", "touch", "--pose", "abduction=45"]
+        done = self.scene("none.txt", *pose, *self.parts, **self.with_parts)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr.splitlines()[-1], "no certificate for .*, the ball with its parts is not clearly nearer than the socket .*$")
+        direction = re.search("direction ([-0-9.]+),([-0-9.]+),([-0-9.]+) from", done.stderr).groups()
+        ray = "ray socket 1 0 " + " ".join(str(round(1e4 * float(x))) for x in direction)
+        head = self.made("alone.txt", *pose, **self.with_parts)[1:7]
+        lines = ["impinge certificate 1 blocked", *head, ray, "end"]
+        self.refused(lines[:1] + ["bodies 3 2"] + lines[1:], "meet|nearer", *self.parts, **self.with_parts)
+        whole = {}
+        for side, files in {"ball": [self.with_parts["ball"], self.greater, self.lesser], "socket": [self.with_parts["socket"], self.spine]}.items():
+            points, faces = [], []
+            for file in files:
+                more_points, more_faces = read_mesh(file)
+                faces += [[i + len(points) for i in f] for f in more_faces]
+                points += more_points
+            whole[side] = write_obj(self.root / f"whole_{side}.obj", points, faces)
+        (self.root / "whole.txt").write_text("\n".join(lines) + "\n")
+        self.accepted("whole.txt", "blocked", **whole)
 
     def test_what_cannot_be_proven_is_one_line(self):
         near = self.root / "near"

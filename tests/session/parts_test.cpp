@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a joint says of bone beside it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "hip/hip.hpp"
+#include "mesh/bodies.hpp"
 #include "session/limits.hpp"
 #include "session/measurement.hpp"
 #include "session/orientation.hpp"
@@ -168,10 +172,113 @@ TEST(Parts, LeaveGapsAsTheyAre) {
   }
 }
 
+// The text of a proof without the number of its files; or why there is none.
+std::string proof_or_reason(const SessionJoint& joint, const Pose& pose) {
+  try {
+    std::string text = proof_text(answer_proof(joint, pose));
+    const std::size_t bodies = text.find("bodies");
+    return bodies == std::string::npos ? text : text.erase(bodies, text.find('\n', bodies) + 1 - bodies);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+std::string kind_of(const std::string& found) {
+  for (const char* kind : {"1 clear", "1 blocked", "is in contact with", "not clearly nearer"}) {
+    if (found.find(kind) != std::string::npos) return kind;
+  }
+  return found;
+}
+
+std::vector<Pose> many_poses(const SessionJoint& joint) {
+  std::vector<Pose> poses;
+  for (const double flexion : {-20.0, 0.0, 70.0, 110.0, 130.0}) {
+    for (const double abduction : {0.0, 45.0}) {
+      for (const double rotation : {-40.0, 0.0, 50.0, 55.0}) {
+        poses.push_back(pose_of(joint, {flexion, abduction, rotation}));
+        poses.push_back(pose_of(joint, {flexion, abduction, rotation}, Vec3(0.0, 0.4, -0.4)));
+      }
+    }
+  }
+  return poses;
+}
+
+// Touch decides exactly, and knows nothing of certificates. A ray is that of the main surfaces, and each
+// reason for none is that of a pose of its kind.
+TEST(Parts, HaveCertificatesThatAgreeWithTouch) {
+  const Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  const Session alone = session_of(make_hip({}, 1000));
+  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  PoseSeries main_series(alone.joint->joint, {.touch = true, .smallest_gap = false});
+  std::map<std::string, int> kinds;
+  for (const Pose& pose : many_poses(*session.joint)) {
+    const std::string found = proof_or_reason(*session.joint, pose);
+    const std::string kind = kind_of(found);
+    const bool ray = kind == "1 blocked";
+    ++kinds[kind];
+    EXPECT_EQ(series.answer(pose).touch.value(), ray || kind == "is in contact with") << found;
+    EXPECT_EQ(main_series.answer(pose).touch.value(), ray) << found;
+    if (ray) {
+      EXPECT_EQ(found, proof_or_reason(*alone.joint, pose));
+    }
+  }
+  EXPECT_EQ(kinds.size(), 4U);
+  for (const auto& [kind, number] : kinds) EXPECT_GT(number, 2) << kind;
+}
+
+TEST(Parts, AreNamedWhereThereIsNoCertificate) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
+  const double limit = answer_limits(session, request).contact.told.limit.high_deg;
+  EXPECT_EQ(
+      proof_or_reason(*session.joint, pose_of(*session.joint, {70.0, 0.0, limit + 0.2})),
+      "the ball is in contact with AIIS: a certificate of contact is a ray between the two main surfaces, "
+      "and these are clear");
+  const std::string behind =
+      "the ball with its parts is not clearly nearer than the socket with its parts, in "
+      "the direction ";
+  EXPECT_TRUE(proof_or_reason(*session.joint, pose_of(*session.joint, {0.0, 45.0, 0.0})).starts_with(behind));
+  const std::string on_the_way =
+      test::thrown<std::runtime_error>([&] { answer_proof(session, {.start = {}, .growing = "abduction"}); });
+  EXPECT_NE(on_the_way.find(" degrees along the motion " + behind), std::string::npos) << on_the_way;
+  const ClearanceProof chain = answer_proof(session, request);  // to the part, and not to the rim
+  EXPECT_EQ(chain.bodies, (std::array<std::size_t, 2>{3, 2}));
+  EXPECT_NEAR(chain.end_deg(), limit - kProofEndsBefore, 1e-3);
+}
+
+// No surfaces meet, and all of the ball is nearer; but one is inside the other.
+void expect_no_certificate(Hip hip, const std::string& part) {
+  Session session = session_of(std::move(hip));
+  const Joint& joint = session.joint->joint;
+  const BallSocketPair meshes{joint.ball.mesh, joint.socket.mesh};
+  EXPECT_FALSE(prove_pose({meshes, joint.centre}, {}).cells.empty()) << part;
+  EXPECT_EQ(proof_or_reason(*session.joint, {}),
+            "the ball is in contact with " + part +
+                ": a certificate of contact is a ray between the two main surfaces, and these are clear");
+  EXPECT_EQ(
+      test::thrown<std::runtime_error>([&] { answer_proof(session, {.start = {}, .growing = "flexion"}); }),
+      "the motion ends within 0.1 degrees of its start; begin at another pose")
+      << part;
+}
+
+TEST(Parts, InsideOtherBoneHaveNoCertificate) {
+  Hip shell = make_hip({}, 1000);
+  append_part(shell.socket, shell.socket_parts, "shell", sphere(400.0, 100));
+  Hip screw = make_hip({}, 1000);  // beyond the end of a shaft that is cut open, as the centre sees it
+  TriangleMesh& femur = screw.ball;
+  const auto lower = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+  const Vec3 end = *std::ranges::min_element(femur.vertices, lower);
+  std::erase_if(femur.faces, [&](const Face& face) {
+    return std::ranges::all_of(face, [&](VertexIndex v) { return femur.vertices[v].z() < end.z() + 5.0; });
+  });
+  append_part(screw.socket, screw.socket_parts, "screw", sphere(1.0, 20, 1.5 * end));
+  expect_no_certificate(std::move(shell), "shell");
+  expect_no_certificate(std::move(screw), "screw");
+}
+
 // What does not look at parts says so, and leaves them out of nothing in silence.
 TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
-  const SessionJoint& joint = *session.joint;
   const std::string cure =
       ": bone beside the joint, such as greater trochanter, is not taken into account here; leave it out";
   const auto refused = [&](const std::string& what, const std::function<void()>& ask) {
@@ -184,7 +291,6 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
     answer_question(*session.joint, asked);
   });
   refused("resection", [&] { answer_resection(session, {}); });
-  refused("certificate", [&] { answer_proof(joint, Pose{}); });
 }
 
 }  // namespace
