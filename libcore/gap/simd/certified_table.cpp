@@ -2,8 +2,8 @@
 #include "gap/simd/certified_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -16,8 +16,9 @@ namespace impinge {
 namespace {
 
 constexpr double kUnit = 0x1p-24;
-constexpr double kShareDecided =
-    0.99;  // of the cells that answer: the others, where least is proven, are open
+constexpr double kGaps = 10.0;              // mm: gaps are taken to be spread evenly over so much
+constexpr int kFinest = -64;                // quarter octaves of a millimetre: 2^-16 mm
+constexpr int kCoarsest = 16;               // 16 mm
 constexpr double kRoundUp = 1.0 + 0x1p-20;  // the comparison itself takes 4 u of it
 
 using Codes = PackedTable<CubeGnomonic, std::uint16_t>;
@@ -71,17 +72,39 @@ void include(const Codes& table, std::size_t e, const CellBound& bound, DecidedC
   decided.steepest = std::max({decided.steepest, bound.steepest, most / least});
 }
 
-// Opens the cells of which least is proven.
+// The bound (mm) that leaves the fewest vertices undecided: those in cells above it, which will be open, and
+// those whose gap is within it of the threshold.
+double best_bound(const std::vector<double>& bounds) {
+  std::array<std::size_t, kCoarsest - kFinest + 1> above{};  // bounds by quarter octaves
+  for (const double mm : bounds)
+    ++above[static_cast<std::size_t>(
+        std::clamp(std::ceil(4.0 * std::log2(mm)), kFinest + 0.0, kCoarsest + 0.0) - kFinest)];
+  double best = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t open = bounds.size();
+  for (int k = kFinest; k < kCoarsest; ++k) {
+    open -= above[static_cast<std::size_t>(k - kFinest)];
+    const double bound = std::exp2(0.25 * k);
+    const double undecided =
+        static_cast<double>(open) / static_cast<double>(bounds.size()) + 2.0 * bound / kGaps;
+    if (undecided >= least) continue;
+    least = undecided;
+    best = bound;
+  }
+  return best;
+}
+
+// Opens the cells whose bound is above the best one.
 DecidedCells decide_cells(const Codes& table, const std::vector<CellBound>& bounds, std::vector<bool>& open) {
-  std::vector<std::size_t> left;
+  std::vector<double> left;
+  const auto decides = [&](std::size_t e) { return bounds[e].mm > 0.0 && !open[e] && answers(table, e); };
   for (std::size_t e = 0; e < bounds.size(); ++e)
-    if (bounds[e].mm > 0.0 && !open[e] && answers(table, e)) left.push_back(e);
-  const auto decided = static_cast<std::ptrdiff_t>(kShareDecided * static_cast<double>(left.size()));
-  std::ranges::nth_element(left, left.begin() + decided, {}, [&](std::size_t e) { return bounds[e].mm; });
+    if (decides(e)) left.push_back(bounds[e].mm);
+  const double best = best_bound(left);
   DecidedCells found;
-  for (std::ptrdiff_t k = 0; k < std::ssize(left); ++k) {
-    const std::size_t e = left[static_cast<std::size_t>(k)];
-    if (k < decided && std::isfinite(bounds[e].mm))
+  for (std::size_t e = 0; e < bounds.size(); ++e) {
+    if (!decides(e)) continue;
+    if (bounds[e].mm <= best)
       include(table, e, bounds[e], found);
     else
       open[e] = true;
