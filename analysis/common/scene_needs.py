@@ -13,6 +13,7 @@ QUESTIONS = {
     "touch in a motion": "touch, 19 poses",
     "gaps in a motion": "all gaps to 0.05 mm, 181 poses",
     "local change": "table after a local change",
+    "motion volume": "free rotations, 16,384 cells",
 }
 
 

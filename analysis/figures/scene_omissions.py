@@ -18,6 +18,7 @@ OMISSIONS = {
     "fine_table": "fine table",
     "all": "all together",
 }
+BY_THEMSELVES = ("local change", "motion volume")  # with one omission each, not those of a plan
 
 
 def main(options) -> common.Figure:
@@ -34,7 +35,7 @@ def main(options) -> common.Figure:
 def draw_alone(axes: plt.Axes, needs: pd.DataFrame, totals: pd.DataFrame, unit: str) -> None:
     """What is left of the whole tables' memory or time with one omission alone, median over the joints."""
     shown = [o for o in OMISSIONS if (needs.left_out == o).any()]
-    questions = [q for q in scene_needs.QUESTIONS if (totals.question == q).any() and q != "local change"]
+    questions = [q for q in scene_needs.QUESTIONS if (totals.question == q).any() and q not in BY_THEMSELVES]
     whole = totals.set_index("scene")
     column = "bytes_saved" if unit == "bytes" else "time_saved_us"
     height = 0.8 / len(questions)

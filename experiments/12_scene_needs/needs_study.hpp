@@ -56,6 +56,11 @@ std::vector<NeedsCase> outputs_of(const NeedsScene& scene, const NeedsOptions& o
 std::vector<NeedsCase> local_change_of(const std::string& name, const BallSocketPair& joint,
                                        const NeedsOptions& options);
 
+// The rotations without contact, as 16,384 cells of one size: each is decided ("nothing"), or only the parts
+// of cells that were still open ("all"), as a motion volume does. The answers are the same if no cell is free
+// in one and blocked in the other. The joint must outlive the cases.
+std::vector<NeedsCase> motion_volume_of(const std::string& name, const BallSocketPair& joint);
+
 // Times all cases and makes scene_needs.csv, and scene_needs_totals.csv of every scene's everything beside
 // its plan. The outputs of a joint count as part of everything in its scenes of one pose.
 struct NeedsTables {

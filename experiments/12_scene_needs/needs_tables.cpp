@@ -34,7 +34,9 @@ Table needs_table() {
        {"time_saved_us", "us",
         "median of the time, against leaving nothing out; below 0 where it takes longer"},
        {"identical", "",
-        "yes: the answer is the same bit for bit, or within the stated accuracy of the exact one"}},
+        "yes: the answer is the same bit for bit, or within the stated accuracy of the exact one; of a "
+        "motion "
+        "volume, no cell is free in one and blocked in the other"}},
       {}};
 }
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "contact/gap_bounds.hpp"
 #include "contact/touch_search.hpp"
 #include "gap/exact_side.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {
@@ -86,12 +88,25 @@ class LeastGapSearch {
 
 }  // namespace
 
-CulledJoint::CulledJoint(const BallSocketPair& joint)
+// Everything that takes time: a thread for each surface.
+struct CulledJoint::Parts {
+  explicit Parts(const BallSocketPair& joint) {
+    on_threads(kSurfaces.size(), [&](std::size_t k) {
+      const TriangleMesh& mesh = mesh_of(joint, kSurfaces[k]);
+      scans[k].emplace(kSurfaces[k], mesh, mesh_of(joint, other(kSurfaces[k])));
+      faces[k].emplace(mesh, 0.0);
+    });
+  }
+  std::array<std::optional<CulledScan>, 2> scans;
+  std::array<std::optional<NearFaces>, 2> faces;
+};
+
+CulledJoint::CulledJoint(const BallSocketPair& joint) : CulledJoint(joint, Parts(joint)) {}
+CulledJoint::CulledJoint(const BallSocketPair& joint, Parts&& parts)
     : joint_(joint),
-      ball_(joint.ball, 0.0),
-      socket_(joint.socket, 0.0),
-      scans_{CulledScan(Surface::ball, joint.ball, joint.socket),
-             CulledScan(Surface::socket, joint.socket, joint.ball)} {}
+      ball_(std::move(*parts.faces[0])),
+      socket_(std::move(*parts.faces[1])),
+      scans_{std::move(*parts.scans[0]), std::move(*parts.scans[1])} {}
 
 bool CulledJoint::exactly_impinged(Surface scanned, const Vec3& x) const {
   return impinge::exactly_impinged(scanned, faces(other(scanned)), x);

@@ -21,7 +21,7 @@ struct LeastGap {
 
 class CulledJoint {
  public:
-  /// Meshes in their centre frames, mm; they must outlive this. O(faces + vertices).
+  /// Meshes in their centre frames, mm; they must outlive this. O(faces + vertices), by two threads.
   explicit CulledJoint(const BallSocketPair& joint);
   explicit CulledJoint(const BallSocketPair&&) = delete;
 
@@ -44,6 +44,9 @@ class CulledJoint {
   std::size_t bytes() const;  // of everything that was made, without the meshes
 
  private:
+  struct Parts;
+  CulledJoint(const BallSocketPair& joint, Parts&& parts);
+
   const BallSocketPair& joint_;
   NearFaces ball_;
   NearFaces socket_;

@@ -18,16 +18,23 @@ std::vector<NeedsCase> all_cases() {
     const auto more = cases_of(scene, kOptions);
     cases.insert(cases.end(), more.begin(), more.end());
   }
-  const auto change = local_change_of("tiny", joint, kOptions);
-  cases.insert(cases.end(), change.begin(), change.end());
+  for (const auto& more : {local_change_of("tiny", joint, kOptions), motion_volume_of("tiny", joint)})
+    cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
 
 TEST(NeedsStudy, EveryAnswerIsTheSame) {
   const auto cases = all_cases();
-  EXPECT_GT(cases.size(), 13U);
+  EXPECT_GT(cases.size(), 15U);
   for (const NeedsCase& work : cases)
     EXPECT_TRUE(work.identical) << work.scene << ", " << work.left_out << ": " << work.difference_mm << " mm";
+}
+
+TEST(NeedsStudy, AMotionVolumeAsksForFewerCells) {
+  const BallSocketPair joint = make_ball_socket_pair(200, impinging_cam());
+  const auto cases = motion_volume_of("tiny", joint);
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_LT(cases[1].bytes, 0.7 * cases[0].bytes);
 }
 
 TEST(NeedsStudy, AnOutputIsCountedInEverythingAndNotInTheTables) {

@@ -76,7 +76,7 @@ TEST(CertifiedTableTest, IsOnTheSideOfTheExactCells) {
 }
 
 // Where the table is worst a threshold next to the exact gap is on the wrong side of that of the table, by
-// more than half of the bound.
+// more than a quarter of the bound, which comes from the corners of cells alone.
 TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
   const BallSocketPair pair = make_ball_socket_pair(300);
   for (const TriangleMesh& mesh : {pair.ball, pair.socket}) {
@@ -94,7 +94,7 @@ TEST(CertifiedTableTest, HoldsWhereTheTableIsWorst) {
     for (std::size_t i = 0; i < exact.size(); ++i)
       if (error(i) > error(worst) || std::isnan(error(worst))) worst = i;
     EXPECT_LE(error(worst), table.bound_mm);
-    EXPECT_GT(error(worst), 0.5 * table.bound_mm);
+    EXPECT_GT(error(worst), 0.25 * table.bound_mm);
     expect_sides({table, points, {}, Surface::ball}, std::nextafter(exact[worst], far.gap[worst]));
     expect_sides({table, points, {}, Surface::ball}, exact[worst]);
   }
@@ -122,8 +122,8 @@ TEST(CertifiedTableTest, HoldsOnSteepFaces) {
   }
 }
 
-// Nor does the bound reach what exact cells make of a face that doubles hardly tell from one seen edge-on: a
-// wall between two planes that the surface does not leave.
+// The bound says nothing of a face that doubles hardly tell from one seen edge-on: a wall between two planes
+// that the surface does not leave.
 TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
   for (const double width : {1e-3, 5e-8}) {
     const double foot = 2.5 + width;
@@ -138,9 +138,9 @@ TEST(CertifiedTableTest, CellsOfWallsThatAreAllButEdgeOnAreOpen) {
                             {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}, {4, 6, 7}, {4, 7, 5}}};
     CertifiedGaps found;
     found.threshold = -1e6F;
-    const auto beside = packed_vertices<float>(std::vector<Vec3>{{0.25, 0.05, 1.0}});
-    scan_gaps(certified_table(mesh, Layer::nearest, 10), beside, {}, Surface::ball, found);
-    EXPECT_EQ(found.undecided.size(), width < 1e-6 ? 1U : 0U);
+    const auto points = packed_vertices<float>(std::vector<Vec3>{{-0.25, 0.05, 1.0}, {0.25, 0.05, 1.0}});
+    scan_gaps(certified_table(mesh, Layer::nearest, 10), points, {}, Surface::ball, found);
+    EXPECT_EQ(found.undecided, std::vector<std::uint32_t>{1});
   }
 }
 

@@ -3,20 +3,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "gap/simd/cell_bounds.hpp"
 #include "gap/simd/open_cells.hpp"
 #include "sphere/stored_table.hpp"
 #include "table/exact_raster.hpp"
-#include "table/table_bound.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kUnit = 0x1p-24;
-constexpr double kTightness = 1.25;  // of the proven bound, over the largest error that was met
-constexpr std::size_t kHalvings = 100000;
+constexpr double kGaps = 10.0;              // mm: gaps are taken to be spread evenly over so much
+constexpr int kFinest = -64;                // quarter octaves of a millimetre: 2^-16 mm
+constexpr int kCoarsest = 16;               // 16 mm
 constexpr double kRoundUp = 1.0 + 0x1p-20;  // the comparison itself takes 4 u of it
 
 using Codes = PackedTable<CubeGnomonic, std::uint16_t>;
@@ -31,30 +33,6 @@ std::size_t first_entry(std::size_t cell, std::size_t divisions) {
   return (row + row / divisions) * (divisions + 1) + cell % divisions;
 }
 
-// What counts of the cells that answer, as they are stored.
-struct StoredCells {
-  double largest = 0.0;   // radius of a corner, mm
-  double steepest = 1.0;  // largest number of a cell over its least
-};
-
-StoredCells stored_cells(const Codes& table, const Uint16InverseDepthTable<CubeGnomonic>& stored) {
-  StoredCells found;
-  for (std::size_t cell = 0; cell < stored.scheme().cells(); ++cell) {
-    const std::size_t e = first_entry(cell, table.divisions);
-    if (!answers(table, e)) continue;
-    double least = std::numeric_limits<double>::infinity();
-    double most = 0.0;
-    for (const std::size_t corner : {e, e + 1, e + table.stride, e + table.stride + 1}) {
-      const double number = table.smallest + table.step * table.values[corner];
-      least = std::min(least, number);
-      most = std::max(most, number);
-      found.largest = std::max(found.largest, stored.radius_of(corner));
-    }
-    found.steepest = std::max(found.steepest, most / least);
-  }
-  return found;
-}
-
 // Is a cell without an answer next to this one, on its face of the cube?
 bool beside_none(const Codes& table, std::size_t entry) {
   for (const std::size_t row : {entry - table.stride, entry, entry + table.stride})
@@ -64,14 +42,83 @@ bool beside_none(const Codes& table, std::size_t entry) {
 }
 
 // Cells that the table or the mesh calls open, and those that answer beside one that does not: a place may be
-// rounded from that one into it, and of directions without an answer the bound says nothing.
-std::vector<std::uint32_t> open_bits(const TriangleMesh& mesh, const InverseDepthTable<CubeGnomonic>& depths,
-                                     const Codes& table) {
+// rounded from that one into it, and of directions without an answer the bounds say nothing.
+std::vector<bool> open_cells_of(const TriangleMesh& mesh, const InverseDepthTable<CubeGnomonic>& depths,
+                                const Codes& table) {
   std::vector<bool> open = open_cells(mesh, float_grid(table.divisions));
   for (std::size_t cell = 0; cell < depths.scheme().cells(); ++cell) {
     const std::size_t e = first_entry(cell, table.divisions);
     if (depths.rim_cells().contains(cell) || (answers(table, e) && beside_none(table, e))) open[e] = true;
   }
+  return open;
+}
+
+// What holds for all cells that are decided.
+struct DecidedCells {
+  double bound_mm = 0.0;  // on the error of the table, without what storage adds
+  double steepest = 1.0;  // largest number in a cell over its least
+};
+
+// Of a cell that is decided.
+void include(const Codes& table, std::size_t e, const CellBound& bound, DecidedCells& decided) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const std::size_t corner : {e, e + 1, e + table.stride, e + table.stride + 1}) {
+    const double number = table.smallest + table.step * table.values[corner];
+    least = std::min(least, number);
+    most = std::max(most, number);
+  }
+  decided.bound_mm = std::max(decided.bound_mm, bound.mm);
+  decided.steepest = std::max({decided.steepest, bound.steepest, most / least});
+}
+
+// The bound (mm) that leaves the fewest vertices undecided: those in cells above it, which will be open, and
+// those whose gap is within it of the threshold.
+double best_bound(const std::vector<double>& bounds) {
+  std::array<std::size_t, kCoarsest - kFinest + 1> above{};  // bounds by quarter octaves
+  for (const double mm : bounds)
+    ++above[static_cast<std::size_t>(
+        std::clamp(std::ceil(4.0 * std::log2(mm)), kFinest + 0.0, kCoarsest + 0.0) - kFinest)];
+  double best = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t open = bounds.size();
+  for (int k = kFinest; k < kCoarsest; ++k) {
+    open -= above[static_cast<std::size_t>(k - kFinest)];
+    const double bound = std::exp2(0.25 * k);
+    const double undecided =
+        static_cast<double>(open) / static_cast<double>(bounds.size()) + 2.0 * bound / kGaps;
+    if (undecided >= least) continue;
+    least = undecided;
+    best = bound;
+  }
+  return best;
+}
+
+// Opens the cells whose bound is above the best one.
+DecidedCells decide_cells(const Codes& table, const std::vector<CellBound>& bounds, std::vector<bool>& open) {
+  std::vector<double> left;
+  const auto decides = [&](std::size_t e) { return bounds[e].mm > 0.0 && !open[e] && answers(table, e); };
+  for (std::size_t e = 0; e < bounds.size(); ++e)
+    if (decides(e)) left.push_back(bounds[e].mm);
+  const double best = best_bound(left);
+  DecidedCells found;
+  for (std::size_t e = 0; e < bounds.size(); ++e) {
+    if (!decides(e)) continue;
+    if (bounds[e].mm <= best)
+      include(table, e, bounds[e], found);
+    else
+      open[e] = true;
+  }
+  return found;
+}
+
+double largest_radius(const RadialTable<CubeGnomonic>& table) {  // mm
+  double largest = 0.0;
+  for (const double radius : table.radii()) largest = std::max(largest, std::isnan(radius) ? 0.0 : radius);
+  return largest;
+}
+
+std::vector<std::uint32_t> bits_of(const std::vector<bool>& open) {
   std::vector<std::uint32_t> bits(open.size() / 32 + 1);
   for (std::size_t e = 0; e < open.size(); ++e) bits[e / 32] |= (open[e] ? 1U : 0U) << (e % 32);
   return bits;
@@ -85,16 +132,15 @@ CertifiedTable certified_table(const TriangleMesh& mesh, Layer layer, std::size_
   const InverseDepthTable<CubeGnomonic> depths(radii);
   const Uint16InverseDepthTable<CubeGnomonic> stored(radii);
   auto table = packed_table<std::uint16_t>(radii);
-  const StoredCells cells = stored_cells(table, stored);
+  std::vector<bool> open = open_cells_of(mesh, depths, table);
+  const DecidedCells cells = decide_cells(table, cell_bounds(mesh, layer, depths), open);
   const double range = table.smallest > 0.0 ? 1.0 + table.step / table.smallest * 65535.0 : 1.0;
   const double share =
       kUnit * (46.0 + 5.0 * range + 13.0 * static_cast<double>(divisions) * (cells.steepest - 1.0));
-  const TableBound proven = table_bound(mesh, depths, layer, {kTightness, kHalvings});
-  const double off = proven.bound_mm + stored.storage_bound();
-  const double bound = share < 1.0 ? off + share / (1.0 - share) * (cells.largest + off)
+  const double off = cells.bound_mm + stored.storage_bound();
+  const double bound = share < 1.0 ? off + share / (1.0 - share) * (largest_radius(radii) + off)
                                    : std::numeric_limits<double>::infinity();
-  auto open = open_bits(mesh, depths, table);
-  return {std::move(table), std::move(open), kRoundUp * bound, exact_cells(mesh, layer)};
+  return {std::move(table), bits_of(open), kRoundUp * bound, exact_cells(mesh, layer)};
 }
 
 }  // namespace impinge

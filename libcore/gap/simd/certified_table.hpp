@@ -5,13 +5,15 @@
 /// It tells on which side of a threshold the gap of every vertex is. At the moved vertex x the gap of the
 /// table in 16 bits is off from what the exact cells answer by at most
 ///   o + (R + o) e / (1 - e) + 28 u |x|,   o = bound + storage,  e = u (46 + 5 Q + 13 n (C - 1))
-/// bound that of table/table_bound.hpp, storage that of sphere/stored_table.hpp, and the rest the
-/// roundings of both kernels (gap_kernels.hpp, exact_cells.hpp; |gap| <= r + |x|): R is the largest radius of
-/// the table, so that no radius of the mesh or of what is stored is above R + o where the table answers, Q
-/// its largest number over the least, C the largest of these in one cell, n the cells of a quarter turn. A
-/// vertex whose gap is nearer to the threshold is undecided and goes to the exact cells; so is one whose cell
-/// is open (open_cells.hpp), and one in a cell beside another without an answer, of which the bound says
-/// nothing. So every vertex is on the side that the exact cells say; a decided vertex keeps the gap of the
+/// bound the largest of cell_bounds.hpp over the cells that are decided, storage that of
+/// sphere/stored_table.hpp, and the rest the roundings of both kernels (gap_kernels.hpp, exact_cells.hpp;
+/// |gap| <= r + |x|): R is the largest radius of the table, so that no radius of the mesh or of what is
+/// stored is above R + o in a decided cell, Q its largest number over the least, C the largest of these in
+/// one decided cell, n the cells of a quarter turn. A vertex whose gap is nearer to the threshold is
+/// undecided and goes to the exact cells. So does every vertex in an open cell: where the surface may end or
+/// jump (open_cells.hpp), beside a cell without an answer, of which the bound says nothing, and in the cells
+/// with the largest bounds, without which the bound of all others is so small that fewer vertices are
+/// undecided. So every vertex is on the side that the exact cells say; a decided vertex keeps the gap of the
 /// table. Exact cells answer as the mesh but for the roundings in exact_cells.hpp, at the vertex as moved in
 /// float.
 #pragma once

@@ -12,7 +12,6 @@
 #include "gap/simd/open_cells.hpp"
 #include "gap/simd/seen_planes.hpp"
 #include "mesh/lengths.hpp"
-#include "sphere/lists.hpp"
 
 namespace impinge {
 namespace {
@@ -35,18 +34,6 @@ double covered_share(const TriangleMesh& mesh) {
 std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
   const double cells = cells_a_face * static_cast<double>(mesh.faces.size()) / covered_share(mesh);
   return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
-}
-
-// Faces of each cell, as places in the order of the blocks, rising.
-Lists faces_of_cells(const ExactCells& made, const CellGrid& grid) {
-  std::vector<std::uint32_t> cells;
-  std::vector<Lists::Pair> pairs;
-  for (std::uint32_t place = 0; place < made.face.size(); ++place) {
-    cells.clear();
-    add_hit_cells(grid, cone_of(made.mesh, made.mesh.faces[made.face[place]]), cells);
-    for (const std::uint32_t cell : cells) pairs.push_back({cell, place});
-  }
-  return Lists(made.cells.size(), pairs);
 }
 
 void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
@@ -80,7 +67,7 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
   const std::vector<Vec3> planes = seen_planes(mesh);
   made.blocks = face_blocks({mesh, planes}, made.face, layer);
   const CellGrid grid = float_grid(made.divisions);
-  const Lists faces = faces_of_cells(made, grid);
+  const Lists faces = faces_of_cells(mesh, made.face, grid);
   const std::vector<bool> open = open_cells(mesh, grid);
   std::vector<std::uint32_t> few;
   for (std::size_t c = 0; c < made.cells.size(); ++c) {

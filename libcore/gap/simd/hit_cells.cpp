@@ -98,4 +98,16 @@ void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<s
   }
 }
 
+Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> order, const CellGrid& grid) {
+  std::vector<std::uint32_t> cells;
+  std::vector<Lists::Pair> pairs;
+  for (std::uint32_t place = 0; place < order.size(); ++place) {
+    cells.clear();
+    add_hit_cells(grid, cone_of(mesh, mesh.faces[order[place]]), cells);
+    for (const std::uint32_t cell : cells) pairs.push_back({cell, place});
+  }
+  const std::size_t lines = grid.divisions + 1;
+  return Lists(6 * lines * lines, pairs);
+}
+
 }  // namespace impinge

@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/lists.hpp"
 #include "sphere/triangle_cone.hpp"
 
 namespace impinge {
@@ -28,5 +31,9 @@ inline CellGrid float_grid(std::size_t divisions) {
 /// Appends to `cells` every cell that holds a direction of the cone, or may seem to with places off by the
 /// margin, and few others; in order of the rows, each once.
 void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
+
+/// For the entry that each cell begins at: the places in `order`, rising, of the faces that the cell may
+/// meet. mesh in the centre frame, `order` numbers of its faces.
+Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> order, const CellGrid& grid);
 
 }  // namespace impinge
