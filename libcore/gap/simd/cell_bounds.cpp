@@ -54,8 +54,11 @@ bool share_an_edge(const Face& a, const Face& b) {
 
 class CellSearch {
  public:
-  CellSearch(const TriangleMesh& mesh, Layer layer)
-      : mesh_(mesh), planes_(sure_planes(mesh)), sign_(layer == Layer::nearest ? 1.0 : -1.0) {}
+  CellSearch(const TriangleMesh& mesh, Layer layer, double margin)
+      : mesh_(mesh),
+        planes_(sure_planes(mesh)),
+        sign_(layer == Layer::nearest ? 1.0 : -1.0),
+        slack_(2.0 * kRoundings + 8.0 * margin) {}
 
   CellBound bound(std::span<const std::uint32_t> faces, const Corners& corner, const Numbers& kept) {
     met_.clear();
@@ -114,8 +117,7 @@ class CellSearch {
     }
     std::erase_if(met_, [&](const CellFace& one) {
       bool behind = !one.sheet;
-      for (std::size_t k = 0; k < 4; ++k)
-        behind = behind && sign_ * one.number[k] < sheet[k] - 2.0 * kRoundings * size;
+      for (std::size_t k = 0; k < 4; ++k) behind = behind && sign_ * one.number[k] < sheet[k] - slack_ * size;
       return behind;
     });
   }
@@ -123,6 +125,9 @@ class CellSearch {
   const TriangleMesh& mesh_;
   std::vector<Vec3> planes_;
   double sign_;  // times a number: the largest counts
+  // Share of the largest number. Directions that count may be beyond the cell by the margin on two sides,
+  // which changes the difference of two planes' numbers, at most 4 times the largest, by 2 margins of it.
+  double slack_;
   std::vector<CellFace> met_;
   std::vector<std::size_t> open_;
 };
@@ -135,11 +140,12 @@ std::vector<CellBound> cell_bounds(const TriangleMesh& mesh, Layer layer,
   const std::size_t lines = n + 1;
   std::vector<std::uint32_t> all(mesh.faces.size());
   std::iota(all.begin(), all.end(), 0U);
-  const Lists faces = faces_of_cells(mesh, all, float_grid(n));
+  const CellGrid grid = float_grid(n);
+  const Lists faces = faces_of_cells(mesh, all, grid);
   const auto at = [n](std::size_t line) {
     return -1.0 + 2.0 * static_cast<double>(line) / static_cast<double>(n);
   };
-  CellSearch search(mesh, layer);
+  CellSearch search(mesh, layer, grid.margin);
   std::vector<CellBound> bounds(table.scheme().size());
   for (std::size_t e = 0; e + lines + 1 < bounds.size(); ++e) {
     const std::size_t i = e % lines;
