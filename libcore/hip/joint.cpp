@@ -8,9 +8,11 @@
 
 #include "files/file_error.hpp"
 #include "gap/formatted.hpp"
+#include "gap/surface.hpp"
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
 #include "mesh/surface_vertices.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {
@@ -175,8 +177,11 @@ Joint assemble_joint(JointInput input) {
   Joint joint;
   joint.axes = input.axes;
   place_centre(input, joint);
-  joint.ball = examine(std::move(input.ball.mesh), joint.centre);
-  joint.socket = examine(std::move(input.socket.mesh), joint.centre);
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const bool of_ball = kSurfaces[k] == Surface::ball;
+    (of_ball ? joint.ball : joint.socket) =
+        examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
+  });
   check_view(input, joint);
   const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
   check_units(input, found, joint);

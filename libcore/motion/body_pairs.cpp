@@ -334,8 +334,12 @@ bool BodyPairs::Moved::is_within(const Body& other) const {
   while (!pending.empty()) {
     const SweptParts::Node& node = body.faces.nodes()[pending.back()];
     pending.pop_back();
+    // A point of the node is at most its radius deeper or nearer than the middle, and has to be deeper than
+    // the poses take it, or nearer than the gap by as much.
     const Vec3 middle = rotation * node.centre;
-    const double near = node.radius + poses.gap_mm;
+    const double least = reach(node.nearest);
+    if (poses.gap_mm <= least && other.faces.within(least - node.radius, middle)) continue;
+    const double near = std::max(0.0, node.radius + poses.gap_mm - least);
     if ((middle - whole.centre).norm() > near + whole.radius) continue;
     if (other.faces.farther_than(near, middle) && !other.holds(middle)) continue;  // none is, mostly
     if (!node.leaf) {
@@ -374,9 +378,6 @@ bool BodyPairs::overlap(const NearPoses& poses) const {
     const Body& socket = *socket_[pair.socket];
     const Moved out{ball, poses, poses.rotation};
     const Moved back{socket, poses, poses.rotation.transpose()};
-    if (poses.gap_mm == 0.0 && !surfaces_meet(ball.faces, socket.faces, {poses.rotation, Vec3::Zero()}) &&
-        !out.may_enter(socket) && !back.may_enter(ball))
-      return false;  // nothing of one is inside the other
     return out.is_within(socket) || back.is_within(ball);
   });
 }

@@ -16,6 +16,7 @@
 #include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {
@@ -226,11 +227,12 @@ void bound_on_faces(SessionJoint& joint, double promised, Measurement& result) {
 // They are those of the meshes, whatever the table.
 void measure_distances(const SessionJoint& joint, Measurement& result) {
   Stopwatch watch;
-  for (const Surface of : kSurfaces) {
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const Surface of = kSurfaces[k];
     const EuclideanDistance distance(joint.mesh(other(of)));
     for (const Vec3& x : places_in_other(joint, result.pose, of))
       result.of(of).distance.push_back(distance.at(x));
-  }
+  });
   result.distance_ms = watch.lap_ms();
 }
 
