@@ -68,6 +68,7 @@ def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, l
             fontsize=common.SMALL,
         )
     axes.set(xscale="log", xlabel=label)
+    axes.set_xlim(right=8 * axes.get_xlim()[1])  # room for the words, right of all marks
     axes.set_yticks(range(len(shown)), [scene_needs.QUESTIONS[q] for q in shown])
     axes.set_ylim(len(shown) - 0.4, -0.6)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:,g}")
