@@ -6,7 +6,6 @@
 
 #include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
-#include "sphere/infinity.hpp"
 
 namespace impinge {
 namespace {
@@ -16,10 +15,10 @@ constexpr double kOutwards = 1e-9;   // of a radius
 
 }  // namespace
 
-RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh)
-    : index_(without_edge_on(mesh), Layer::nearest, kIndexReach), wide_(mesh, Layer::nearest) {
+RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh, Layer layer)
+    : layer_(layer), index_(without_edge_on(mesh), layer, kIndexReach), wide_(mesh, layer) {
   const TriangleMesh surface = without_edge_on(mesh);
-  for (const Face& face : surface.faces) least_.push_back(face_cap(corners_of(surface, face)).range.low);
+  for (const Face& face : surface.faces) ranges_.push_back(face_cap(corners_of(surface, face)).range);
   for (const JumpEdge& edge : jump_edges(surface)) {
     const Vec3 from = surface.vertices[edge.from].normalized();
     const Vec3 to = surface.vertices[edge.to].normalized();
@@ -28,17 +27,19 @@ RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh)
   }
 }
 
-double RadiiOverCap::least(const DirectionCap& cap) const {
+// The end that no face is beyond: the least radius of the nearest layer, the largest of the farthest.
+double RadiiOverCap::of_faces(const DirectionCap& cap) const {
   if (cap.radius + kCapSlack > kIndexReach)
     return static_cast<double>(
         wide_.within(cap.axis, std::nextafter(static_cast<float>(cap.radius), 4.0F)).radius);
   index_.faces_near(cap, near_);
-  double least = kInfinity;
+  RadiusRange all;
   for (const std::uint32_t f : near_) {
-    const double radius = std::max(range_within(index_.plane(f), cap).least, least_[f]);
-    least = std::min(least, radius);
+    const PlaneRange range = range_within(index_.plane(f), cap);
+    all.low = std::min(all.low, std::max(range.least, ranges_[f].low));
+    all.high = std::max(all.high, std::min(range.largest, ranges_[f].high));
   }
-  return least * (1.0 - kOutwards);
+  return nearest() ? all.low * (1.0 - kOutwards) : all.high * (1.0 + kOutwards);
 }
 
 // A chord is no longer than its arc, and the straight line between the ends is no farther from a direction
@@ -52,20 +53,23 @@ bool RadiiOverCap::meets_jump(const DirectionCap& cap) const {
   });
 }
 
-double RadiiOverCap::largest(const DirectionCap& cap) const {
-  if (cap.radius + kCapSlack > kIndexReach || meets_jump(cap)) return kInfinity;
+// The other end, by the sheet that the axis meets: the layer is nowhere beyond it.
+double RadiiOverCap::of_sheet(const DirectionCap& cap) const {
+  if (cap.radius + kCapSlack > kIndexReach || meets_jump(cap)) return none();
   const double middle = index_.radius(cap.axis);
-  if (std::isnan(middle)) return kInfinity;
+  if (std::isnan(middle)) return none();
   index_.faces_near(cap, near_);
-  double largest = 0.0;
+  RadiusRange all;
   double slope = 0.0;
   for (const std::uint32_t f : near_) {
     const PlaneRange range = range_within(index_.plane(f), cap);
-    largest = std::max(largest, range.largest);
+    all.include(range.least);
+    all.include(range.largest);
     slope = std::max(slope, range.slope);
   }
-  const double grown = middle * std::exp(std::min(slope * cap.radius, 100.0));
-  return std::min(largest, grown) * (1.0 + kOutwards);
+  const double growth = std::exp(std::min(slope * cap.radius, 100.0));
+  return nearest() ? std::min(all.high, middle * growth) * (1.0 + kOutwards)
+                   : std::max(all.low, middle / growth) * (1.0 - kOutwards);
 }
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of the ball has to go so that required motions are reached with a clearance c: the least radial cut,
-// and the least cut of all.
+// What of the ball, or of the socket, has to go so that required motions are reached with a clearance c: the
+// least radial cut, and of the ball the least cut of all.
 //
 // With E(u) the least radius of the socket that a direction u of the ball meets on its way
 // (motion/swept_radius.hpp), a point of the ball at u may stay where its radius is at most E(u) - c. What is
@@ -22,9 +22,23 @@
 // of a closed ball volumes are those of bone, star-shaped or not. The area is that of the ball's own surface
 // which goes, the depth the most that goes along one ray.
 //
+// The rim. With F(v) the largest radius of the ball in a direction v of the socket, a point of the socket at
+// v may stay where its radius is at least K = F(v) + c. What is kept is all bone beyond, and no more of the
+// socket keeps its radial gap at c. Of each leaf, b the ends of its radii, the ray gives way from b to K. In
+// a closed mesh the bone that goes along a ray is the sum of (K^3 - b^3)_+ / 3 over the faces that look to
+// the centre, where the ray comes into bone, less that over those that look away, where it leaves bone.
+// There are as many of both, so that K may be taken no larger than the radius of the outermost layer, beyond
+// which is none. Of a leaf with the solid angle w this is w max(K, b)^3 / 3 less the volume of its cone. An
+// open mesh does not say how thick the bone is. Where the neck passes, K is as far out as the ball is, and
+// all of a wall goes.
+//
 // The cut surface. Each corner is drawn in to the least e.low - c of the leaves round it that may be cut. A
 // flat face is nowhere farther from the centre than its farthest corner, so that no point of a leaf is beyond
-// its own e.low - c: the mesh itself keeps the clearance. It takes a little more than the least.
+// its own e.low - c: the mesh itself keeps the clearance. It takes a little more than the least. A corner of
+// the socket is moved out to the largest K.high / cos(angle) of its leaves: of a leaf within `angle` about an
+// axis a, whose corners x all have |x| >= K / cos(angle), each point has a . x >= K. Leaves
+// along whose rays all bone goes are taken out: there the cut mesh is open, a crack as wide as leaves are
+// long.
 #pragma once
 
 #include <array>
@@ -33,6 +47,7 @@
 
 #include "motion/swept_bone.hpp"
 #include "motion/swept_radius.hpp"
+#include "sphere/infinity.hpp"
 
 namespace impinge {
 
@@ -41,30 +56,34 @@ struct CutQuestion {
   double clearance_mm = 0.5;            // c, above 0
   double closeness = 0.02;              // the ends of the volume are to be no farther apart, as a share of it
   double least_mm3 = 0.5;               // or no farther apart than this, mm^3
+  double depth_mm = kInfinity;          // nor those of the depth, which says more where a steep neck passes
   std::size_t most_new_faces = 50'000;  // made by cutting: after that the ends stay as they are
 };
 
 /// How much has to go, between proven ends.
 struct CutSize {
-  Ends volume_mm3;  // of bone that has to go
-  Ends area_mm2;    // of the ball's surface that has to go
-  Ends depth_mm;    // the most along a ray
+  Ends volume_mm3;  // of bone that has to go; of an open socket nothing is known: 0 to infinity
+  Ends area_mm2;    // of the surface that has to go
+  Ends depth_mm;    // the most along a ray: of a socket as far as the ball is clear of it, or its bone ends
 };
 
 /// The least radial cut, and a mesh that makes it.
 struct Resection : CutSize {
-  TriangleMesh before;        // the ball, cut in leaves, its old vertices first
-  TriangleMesh cut;           // the same with the bone gone
-  std::vector<double> depth;  // of each vertex, along its ray, mm
-  double cut_mm3 = 0.0;       // the volume that this mesh takes away
-  std::size_t deepest = 0;    // vertex with the largest depth
+  Surface of = Surface::ball;  // which one is cut
+  TriangleMesh before;         // the surface, cut in leaves, its old vertices first
+  TriangleMesh cut;            // the same with the bone gone
+  std::vector<double> depth;   // of each vertex, along its ray, mm
+  double cut_mm3 = 0.0;        // the volume that this mesh takes away; NaN where it is open
+  std::size_t deepest = 0;     // vertex with the largest depth
 
-  bool empty() const { return volume_mm3.high <= 0.0; }  // nothing has to go
+  bool empty() const { return depth_mm.high <= 0.0; }  // nothing has to go
 };
 
-/// ball in the frame of the legs, about the centre, mm. Numbers in double, rounded outwards.
-/// std::runtime_error, one line, where nothing would be left along some ray.
-Resection least_radial_cut(const TriangleMesh& ball, const SweptRadius& swept, const CutQuestion& question);
+/// Of the surface that `swept` is for, about the centre, mm: the ball in the frame of the legs, the socket in
+/// the joint frame. Numbers in double, rounded outwards. std::runtime_error, one line, where nothing of the
+/// ball would be left along some ray, or a face of the socket is too wide to be moved out.
+Resection least_radial_cut(const TriangleMesh& surface, const SweptRadius& swept,
+                           const CutQuestion& question);
 
 /// The least cut of all, as what may have to go: all other bone of the ball keeps the clearance.
 struct LeastCut : CutSize {
@@ -75,7 +94,7 @@ struct LeastCut : CutSize {
   std::vector<Cell> cells;
 };
 
-/// ball as above. The clearance is that of `swept`; the question's own is not used.
+/// Of the ball, as above. The clearance is that of `swept`; the question's own is not used.
 LeastCut least_cut(const TriangleMesh& ball, const SweptBone& swept, const CutQuestion& question);
 
 }  // namespace impinge

@@ -56,7 +56,7 @@ std::vector<Headline> headlines(const SceneOptions& options) {
     std::vector<Headline> cut{
         {{"volume_low_mm3", "mm^3", "of the least radial cut, at least"}, at("/volume_mm3/0")},
         {{"volume_high_mm3", "mm^3", "at most"}, at("/volume_mm3/1")},
-        {{"area_low_mm2", "mm^2", "of the ball's surface, at least"}, at("/area_mm2/0")},
+        {{"area_low_mm2", "mm^2", "of the cut bone's surface, at least"}, at("/area_mm2/0")},
         {{"area_high_mm2", "mm^2", "at most"}, at("/area_mm2/1")},
         {{"depth_low_mm", "mm", "largest, at least"}, at("/depth_mm/0")},
         {{"depth_high_mm", "mm", "at most"}, at("/depth_mm/1")}};

@@ -103,6 +103,9 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       ->allow_extra_args(false);
   app.add_option("--clearance", typed.clearance,
                  "with resection: radial gap to keep along the whole motion, mm [0.5]");
+  app.add_option("--cut", typed.cut, "with resection: which bone is cut, ball or socket (its rim) [ball]");
+  app.add_option("--rim", typed.rim,
+                 "with --cut socket: how far inside the rim the bearing surface may be cut, mm [5]");
   app.add_option(
       "--neck", typed.neck,
       "with resection: least uncut width about the axis of the neck, mm [70 % of the neck's width]");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/surface.hpp"
 #include "session/pose_question.hpp"
 #include "sphere/direction.hpp"
 
@@ -21,6 +22,8 @@ struct ChangeOptions {
   double clearance_mm = 0.5;            // of a resection
   std::optional<double> least_neck_mm;  // of a resection: see ResectionRequest
   bool least = false;                   // of a resection: the least cut of all too (swept.csv)
+  Surface cut = Surface::ball;          // of a resection
+  std::optional<double> most_rim_mm;    // of a resection of the socket: see ResectionRequest
   double tilt_deg = 0.0;                // of an orientation: of the pelvis backwards
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Output of the program `scene` on the bone that has to go for required motions: resection.json and
-// resected_ball.ply.
+// resected_ball.ply, or resected_socket.ply.
 #pragma once
 
 #include <string>
@@ -26,13 +26,15 @@ inline constexpr const char* kWhichPath =
 ResectionRequest resection_request(const SceneOptions& options);
 
 /// The contents of resection.json: volume (mm^3), area (mm^2) and depth (mm) as proven intervals, and each
-/// leg of the required motions before and after; angles in degrees, times in ms.
+/// leg of the required motions before and after; angles in degrees, times in ms. Of an open socket the volume
+/// is null, and `volume_why` says why.
 nlohmann::json resection_summary(const SceneOptions& options, const SessionJoint& joint,
                                  const ResectionAnswer& found, double milliseconds);
 
-/// Writes into options.out, all files or none: resection.json; resected_ball.ply, the ball that is left, in
-/// the input frame, with the `depth` of removed bone at each vertex (mm along its ray); and, for a least cut,
-/// swept.csv, with parts of the ball's surface (input frame) and the radii there that may have to go.
+/// Writes into options.out, all files or none: resection.json; resected_ball.ply or resected_socket.ply, the
+/// bone that is left, in the input frame, with the `depth` of removed bone at each vertex (mm along its ray);
+/// and, for a least cut, swept.csv, with parts of the ball's surface (input frame) and the radii there that
+/// may have to go.
 void write_resection(const SceneOptions& options, const SessionJoint& joint, const ResectionAnswer& found,
                      const nlohmann::json& summary);
 

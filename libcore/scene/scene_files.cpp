@@ -7,13 +7,15 @@
 
 namespace impinge {
 
+std::string resected_file(Surface cut) { return "resected_" + std::string(name(cut)) + ".ply"; }
+
 std::vector<std::string> scene_files(const SceneOptions& options) {
   std::vector<std::string> files;
   if (options.many()) return {"poses.csv", "summary.json"};
   if (options.bones && options.limit == nullptr && !options.measures) return {"joints.csv", "summary.json"};
   if (options.change && options.change->of_socket) return {"orientation.csv", "orientation.json"};
   if (options.change) {
-    files = {"resected_ball.ply", "resection.json"};
+    files = {resected_file(options.change->cut), "resection.json"};
     if (options.change->least) files.emplace_back("swept.csv");
     return files;
   }
@@ -38,9 +40,9 @@ std::vector<std::string> scene_files(const SceneOptions& options) {
 std::vector<std::string> every_scene_file() {
   const SceneOptions everything;
   std::vector<std::string> files = scene_files(everything);
-  for (const char* name :
-       {"poses.csv", "limits.csv", "measures.csv", "joints.csv", "resected_ball.ply", "resection.json",
-        "swept.csv", "orientation.csv", "orientation.json", "volume.csv", "volume.json", "volume.svg"})
+  for (const char* name : {"poses.csv", "limits.csv", "measures.csv", "joints.csv", "resected_ball.ply",
+                           "resected_socket.ply", "resection.json", "swept.csv", "orientation.csv",
+                           "orientation.json", "volume.csv", "volume.json", "volume.svg"})
     files.emplace_back(name);
   return files;
 }

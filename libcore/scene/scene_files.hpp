@@ -9,6 +9,9 @@
 
 namespace impinge {
 
+/// Name of the mesh of a bone that was cut.
+std::string resected_file(Surface cut);
+
 /// Names of the files that write_scene() or an answered question leaves behind.
 std::vector<std::string> scene_files(const SceneOptions& options);
 

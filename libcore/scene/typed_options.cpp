@@ -167,6 +167,23 @@ Motion parse_required(const std::string& text, bool knows_side) {
   });
 }
 
+// Which bone is cut, and what is asked of that one alone.
+void set_cut(const TypedOptions& typed, ChangeOptions& change) {
+  if (!typed.cut.empty() && typed.cut != "ball" && typed.cut != "socket")
+    refuse_option("--cut", typed.cut, "is no bone that can be cut; give ball or socket");
+  change.cut = typed.cut == "socket" ? Surface::socket : Surface::ball;
+  const bool of_ball = change.cut == Surface::ball;
+  if (!typed.neck.empty() && !of_ball)
+    refuse_option("--neck", typed.neck, "is of a cut of the ball; leave it or --cut socket out");
+  if (typed.least && !of_ball)
+    throw OptionError("option --least: is a cut of the ball; leave it or --cut socket out");
+  if (!typed.rim.empty() && of_ball)
+    refuse_option("--rim", typed.rim, "is of a cut of the socket; add --cut socket");
+  if (!typed.neck.empty()) change.least_neck_mm = parse_positive("--neck", typed.neck);
+  if (!typed.rim.empty()) change.most_rim_mm = parse_positive("--rim", typed.rim);
+  change.least = typed.least;
+}
+
 void set_change(const TypedOptions& typed, SceneOptions& options) {
   if (typed.required.empty())
     refuse_option("--question", typed.question,
@@ -182,8 +199,7 @@ void set_change(const TypedOptions& typed, SceneOptions& options) {
     change.text += (change.text.empty() ? "" : "; ") + text;
   }
   if (!typed.clearance.empty()) change.clearance_mm = parse_positive("--clearance", typed.clearance);
-  if (!typed.neck.empty()) change.least_neck_mm = parse_positive("--neck", typed.neck);
-  change.least = typed.least;
+  set_cut(typed, change);
   change.of_socket = typed.question == "orientation";
   if (!typed.tilt.empty()) change.tilt_deg = parse_tilt(typed.tilt);
   if (change.of_socket && !options.side && !options.bones)
@@ -227,6 +243,8 @@ void require_asked(const TypedOptions& typed) {
   if (typed.question != "limits") belongs("--motion", typed.motion, "limit");
   belongs("--require", required, "resection", "orientation");
   belongs("--clearance", typed.clearance, "resection");
+  belongs("--cut", typed.cut, "resection");
+  belongs("--rim", typed.rim, "resection");
   belongs("--neck", typed.neck, "resection");
   if (typed.least && typed.question != "resection")
     throw OptionError("option --least: comes with the question resection alone; add --question resection");

@@ -23,6 +23,8 @@ struct TypedOptions {
   std::string motion;
   std::vector<std::string> required;
   std::string clearance;
+  std::string cut;
+  std::string rim;
   std::string neck;
   bool least = false;
   std::string tilt;

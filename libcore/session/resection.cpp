@@ -6,16 +6,21 @@
 #include <stdexcept>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "gap/formatted.hpp"
 #include "hip/hip_measures.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
 
 // Of the least cut, whose faces take longer.
-constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .most_new_faces = 20'000};
+constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .depth_mm = kInfinity, .most_new_faces = 20'000};
+// Of the rim, where the ends of the volume close more slowly than those of the ball.
+constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
 
 std::string at_place(const SessionJoint& joint, const Vec3& place) {
   const Vec3 x = joint.axes.transpose() * place + joint.joint.centre;
@@ -44,8 +49,8 @@ void require_whole_ball(const ReachedLeg& reached) {
                            ": what is missing may be in the way; require less, or give more of the bone");
 }
 
-// The place of a cut on the bearing surface.
-std::optional<Vec3> bearing_cut(const Resection& cut, const TriangleMesh& ball, const RadiiOverCap& socket) {
+// The place of a cut on the bearing surface of the ball.
+std::optional<Vec3> head_cut(const Resection& cut, const TriangleMesh& ball, const RadiiOverCap& socket) {
   SphereFit fit;
   try {
     fit = fit_ball(ball);
@@ -59,6 +64,72 @@ std::optional<Vec3> bearing_cut(const Resection& cut, const TriangleMesh& ball, 
       return x;
   }
   return std::nullopt;
+}
+
+// The inside of a socket, as seen from the centre of the sphere that fits it.
+class SocketSphere {
+ public:
+  SocketSphere(const TriangleMesh& socket, const SphereFit& fit)
+      : fit_(fit), mesh_(relative_to(socket, fit.centre)), faces_(mesh_, 0.0) {}
+  SocketSphere(const SocketSphere&) = delete;
+  SocketSphere& operator=(const SocketSphere&) = delete;
+
+  // Flat faces are off the sphere where their corners are on it, so that the trim of the fit may be too
+  // small.
+  bool holds(double radius) const {
+    return std::abs(radius / fit_.radius - 1.0) <= BallFitOptions{}.trim;  // NaN: the surface has ended
+  }
+  /// Is x on the sphere, and does that go on in all directions, `within` mm away?
+  bool goes_on_round(const Vec3& x, double within) const {
+    constexpr int kTried = 24;
+    const Vec3 at = x - fit_.centre;
+    if (!holds(at.norm())) return false;
+    const Vec3 axis = at.normalized();
+    const Vec3 beside = Eigen::AngleAxisd(within / fit_.radius, axis.unitOrthogonal()) * axis;
+    for (int k = 0; k < kTried; ++k) {
+      const Vec3 u = Eigen::AngleAxisd(2.0 * kPi * k / kTried, axis) * beside;
+      if (!holds(faces_.radius(u, Layer::nearest))) return false;
+    }
+    return true;
+  }
+
+ private:
+  SphereFit fit_;
+  TriangleMesh mesh_;
+  NearFaces faces_;
+};
+
+// The place of a cut on the bearing surface of the socket.
+std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, const TriangleMesh& socket,
+                               double most_rim) {
+  SphereFit fit;
+  try {
+    fit = measure_acetabulum(socket, fit_ball(ball), Side::right).socket;  // the side changes no sphere
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  const SocketSphere sphere(socket, fit);
+  for (std::size_t v = 0; v < cut.depth.size(); ++v) {
+    const Vec3& x = cut.before.vertices[v];
+    if (cut.depth[v] > 0.0 && sphere.goes_on_round(x, most_rim)) return x;
+  }
+  return std::nullopt;
+}
+
+void require_no_bearing_cut(const SessionJoint& joint, const ResectionRequest& request, const Resection& cut,
+                            const RadiiOverCap& other) {
+  const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
+  if (cut.of == Surface::ball) {
+    if (const auto place = head_cut(cut, ball, other))
+      throw std::runtime_error("the cut would reach the bearing surface of the ball " +
+                               at_place(joint, *place) + "; require less, or give a smaller clearance");
+    return;
+  }
+  const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
+  if (const auto place = socket_cut(cut, ball, socket, request.most_rim_mm))
+    throw std::runtime_error("the cut would reach the bearing surface of the socket " +
+                             at_place(joint, *place) + ", more than " + rounded_up(request.most_rim_mm, 1) +
+                             " mm inside its rim; require less, or allow more of the rim to go");
 }
 
 // Width of the widest bar about an axis through the centre that the cut faces of a mesh stay out of, on its
@@ -101,8 +172,10 @@ std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectionReque
   return NeckBar{least, before->width, after->width};
 }
 
-void reach(const TriangleMesh& socket, ResectionAnswer& answer) {
-  const TurnLimits after({answer.cut.cut, socket});
+void reach(const TriangleMesh& other, ResectionAnswer& answer) {
+  const bool of_ball = answer.cut.of == Surface::ball;
+  const TurnLimits after(of_ball ? BallSocketPair{answer.cut.cut, other}
+                                 : BallSocketPair{other, answer.cut.cut});
   for (ReachedLeg& reached : answer.legs) {
     const RequiredLeg& leg = reached.leg;
     const double farthest =
@@ -110,8 +183,9 @@ void reach(const TriangleMesh& socket, ResectionAnswer& answer) {
     reached.after = after.first_contact(leg.turn, farthest);
     require_whole_ball(reached);
     if (reached.after.low_deg < leg.largest_deg)
-      throw std::runtime_error("the cut ball is not proven to reach " + describe(leg) + ", but " +
-                               rounded_down(reached.after.low_deg, 3) + " degrees; give a larger clearance");
+      throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
+                               describe(leg) + ", but " + rounded_down(reached.after.low_deg, 3) +
+                               " degrees; give a larger clearance");
   }
 }
 
@@ -130,21 +204,24 @@ ResectionAnswer answer_resection(Session& session, const ResectionRequest& reque
   require_no_parts(joint.joint, "resection");
   const std::vector<RequiredLeg> legs = required_legs(request.required, joint.side);
   if (legs.empty()) throw std::runtime_error("no motion is required");
+  const bool of_ball = request.cut == Surface::ball;
+  if (request.least && !of_ball)
+    throw std::runtime_error("the least cut of all is one of the ball; cut the ball, or leave it out");
   const TriangleMesh ball = in_joint_frame(joint, joint.mesh(Surface::ball));
   const TriangleMesh socket = in_joint_frame(joint, joint.mesh(Surface::socket));
   const TurnLimits limits({ball, socket});
   require_free_start(limits, legs.front(), request.clearance_mm);
-  const SweptRadius swept(socket, legs);
-  ResectionAnswer answer{
-      least_radial_cut(ball, swept, {.clearance_mm = request.clearance_mm}), {}, {}, {}, {}};
+  const TriangleMesh& other = of_ball ? socket : ball;
+  const SweptRadius swept(other, legs, request.cut);
+  CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;
+  question.clearance_mm = request.clearance_mm;
+  ResectionAnswer answer{least_radial_cut(of_ball ? ball : socket, swept, question), {}, {}, {}, {}};
   for (const RequiredLeg& leg : legs)
     answer.legs.push_back({leg, limits.first_contact(leg.turn, leg.largest_deg), {}});
-  const TriangleMesh head = in_joint_frame(joint, joint.main(Surface::ball));
-  if (const auto place = bearing_cut(answer.cut, head, swept.socket()))
-    throw std::runtime_error("the cut would reach the bearing surface of the ball " +
-                             at_place(joint, *place) + "; require less, or give a smaller clearance");
-  answer.neck = neck_left(joint, request, answer.cut, head);
-  reach(socket, answer);
+  require_no_bearing_cut(joint, request, answer.cut, swept.other());
+  if (of_ball)
+    answer.neck = neck_left(joint, request, answer.cut, in_joint_frame(joint, joint.main(Surface::ball)));
+  reach(other, answer);
   if (request.least) {
     answer.least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
     nest(*answer.least, answer.cut);

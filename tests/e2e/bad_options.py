@@ -254,6 +254,30 @@ OPTIONS = [
         ["--clearance", "1"],
         "option --clearance: '1' comes with the question resection alone; add --question resection",
     ),
+    (
+        ["--cut", "socket"],
+        "option --cut: 'socket' comes with the question resection alone; add --question resection",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--cut", "femur"],
+        "option --cut: 'femur' is no bone that can be cut; give ball or socket",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--cut", "socket", "--neck", "20"],
+        "option --neck: '20' is of a cut of the ball; leave it or --cut socket out",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--cut", "socket", "--least"],
+        "option --least: is a cut of the ball; leave it or --cut socket out",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--rim", "3"],
+        "option --rim: '3' is of a cut of the socket; add --cut socket",
+    ),
+    (
+        ["--question", "resection", "--require", "flexion=90", "--cut", "socket", "--rim", "0"],
+        "option --rim: '0' is no length; give a number of mm above 0",
+    ),
     (["--least"], "option --least: comes with the question resection alone; add --question resection"),
     (
         ["--question", "orientation", "--require", "flexion=90"],

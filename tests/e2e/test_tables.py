@@ -177,6 +177,18 @@ class Tables(unittest.TestCase):
                 for file in set(files) - {f"{question}.json"}:
                     self.assertEqual((self.root / question / name / file).read_bytes(), (alone / file).read_bytes(), file)
 
+    def test_cut_sockets_of_a_folder_have_an_area_and_without_a_wall_no_volume(self):
+        self.ask_all("rims", "--question", "resection", "--cut", "socket", "--require", "flexion=90,internal_rotation=20")
+        rows = {row["joint"]: row for row in rows_of(self.root / "rims/joints.csv")}
+        self.assertTrue(0 < float(rows["b_left"]["area_low_mm2"]) <= float(rows["b_left"]["area_high_mm2"]))
+        self.assertEqual(rows["b_left"]["volume_high_mm3"], "")
+        self.assertEqual(sorted(file.name for file in (self.root / "rims/b_left").iterdir()), ["resected_socket.ply", "resection.json"])
+        said = json.loads((self.root / "rims/b_left/resection.json").read_text())
+        self.assertEqual((said["surface"], said["volume_mm3"]), ("socket", None))
+        self.assertIn("nothing in this may guide the treatment", said["notice"])
+        for leg in said["legs"]:
+            self.assertGreater(leg["after"]["low_deg"], leg["required_deg"])
+
     def test_a_joint_that_a_question_refuses_is_left_out_by_name(self):
         bones = self.root / "sideless"
         for name in ("a_right", "b_left"):

@@ -11,52 +11,12 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "motion/phantom_meshes.hpp"
+#include "motion/bump_under_a_cup.hpp"
 #include "motion/turn_limit.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kHeadRadius = 22.0;
-constexpr double kCupRadius = 26.0;
-constexpr double kBumpHeight = 6.0;
-constexpr double kBumpHalfWidth = 25.0 * kDegree;
-
-double bump_radius(double polar) {
-  if (polar >= kBumpHalfWidth) return kHeadRadius;
-  const double c = std::cos(0.5 * kPi * polar / kBumpHalfWidth);
-  return kHeadRadius + kBumpHeight * c * c;
-}
-
-// A bump about +x, 28 degrees below a cup round +z, which a turn about y brings wholly under the cup.
-BallSocketPair bump_under_a_cup() {
-  std::vector<LatheRing> rings;
-  for (int k = 0; k < 25; ++k) rings.push_back({k * kDegree, bump_radius(k * kDegree)});
-  for (int k = 25; k < 180; k += 5) rings.push_back({k * kDegree, kHeadRadius});
-  rings.push_back({kPi, kHeadRadius});
-  const Vec3 top(std::cos(28.0 * kDegree), 0.0, -std::sin(28.0 * kDegree));
-  return {revolve({rings, top, Vec3::Zero(), 120}),
-          revolve({sphere_rings(kCupRadius, 87.0 * kDegree, kDegree), Vec3::UnitZ(), Vec3::Zero(), 180})};
-}
-
-constexpr double kWallRadius = 27.0;
-
-// The same cup with a wall.
-TriangleMesh cup_with_a_wall() {
-  std::vector<LatheRing> rings = sphere_rings(kCupRadius, 87.0 * kDegree, 3.0 * kDegree);
-  std::vector<LatheRing> back = sphere_rings(kWallRadius, 87.0 * kDegree, 3.0 * kDegree);
-  rings.insert(rings.end(), back.rbegin(), back.rend());
-  return revolve({rings, Vec3::UnitZ(), Vec3::Zero(), 120});
-}
-
-RequiredLeg turn_about_y(double degrees) {
-  RequiredLeg leg;
-  leg.turn = {Eigen::Matrix3d::Identity(), -Vec3::UnitY(), Eigen::Matrix3d::Identity()};
-  leg.growing = "flexion";
-  leg.largest_deg = degrees;
-  return leg;
-}
 
 // Simpson's rule on 2000 steps.
 template <class F>
@@ -181,25 +141,6 @@ TEST(Resection, OfAJointThatReachesItIsNothing) {
   EXPECT_EQ(cut.cut_mm3, 0.0);
   for (std::size_t v = 0; v < hip.ball.vertices.size(); ++v)
     EXPECT_EQ(cut.cut.vertices[v], hip.ball.vertices[v]);
-}
-
-// Radius of a face along u (Moeller and Trumbore 1997), infinite where it is not met.
-double radius_along(const TriangleMesh& mesh, const Face& face, const Vec3& u) {
-  const Vec3 a = corner(mesh, face, 0);
-  const Vec3 ab = corner(mesh, face, 1) - a;
-  const Vec3 ac = corner(mesh, face, 2) - a;
-  const Vec3 across = u.cross(ac);
-  const double determinant = ab.dot(across);
-  const double v = -a.dot(across) / determinant;
-  const double w = u.dot((-a).cross(ab)) / determinant;
-  const double radius = ac.dot((-a).cross(ab)) / determinant;
-  return v >= 0.0 && w >= 0.0 && v + w <= 1.0 && radius > 0.0 ? radius : HUGE_VAL;
-}
-
-double nearest_along(const TriangleMesh& mesh, const Vec3& u) {
-  double nearest = HUGE_VAL;
-  for (const Face& face : mesh.faces) nearest = std::min(nearest, radius_along(mesh, face, u));
-  return nearest;
 }
 
 // Radii at which a ray meets faces, in order.

@@ -13,6 +13,7 @@
 #include "scene/joint.hpp"
 #include "scene/orientation.hpp"
 #include "scene/resection.hpp"
+#include "scene/scene_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -55,6 +56,33 @@ TEST(SceneChange, WritesTheBallThatIsLeft) {
   for (std::size_t v = 0; v < cut.vertices.size(); ++v)
     ASSERT_LT((cut.vertices[v] - found.cut.cut.vertices[v]).norm(), 1e-4) << "meshes are read as floats";
   EXPECT_NE(describe_resection(options, found).find(kNoGuide), std::string::npos);
+}
+
+TEST(SceneChange, WritesTheCutSocket) {
+  const test::TemporaryFolder folder;
+  SceneOptions options = options_in(folder.path());
+  options.change->text = "flexion=90,internal_rotation=20";
+  options.change->required = {parse_motion(options.change->text)};
+  options.change->cut = Surface::socket;
+  EXPECT_EQ(scene_files(options), (std::vector<std::string>{"resected_socket.ply", "resection.json"}));
+  Session session = load_joint(options);
+  const ResectionAnswer found = answer_resection(session, resection_request(options));
+  const nlohmann::json report = resection_summary(options, *session.joint, found, 1.0);
+  write_resection(options, *session.joint, found, report);
+  EXPECT_EQ(report["surface"], "socket");
+  EXPECT_EQ(report["notice"], kNoGuide);
+  EXPECT_TRUE(report["volume_mm3"].is_null());
+  EXPECT_TRUE(report["mesh_volume_mm3"].is_null());
+  EXPECT_NE(report["volume_why"].get<std::string>().find("no closed mesh"), std::string::npos);
+  EXPECT_GT(report["area_mm2"][0], 0.0);
+  EXPECT_GT(report["legs"][1]["after"]["low_deg"], report["legs"][1]["required_deg"]);
+  const TriangleMesh cut = relative_to(read_mesh(options.out / "resected_socket.ply"), kCentreHere);
+  ASSERT_EQ(cut.vertices.size(), found.cut.cut.vertices.size());
+  for (std::size_t v = 0; v < cut.vertices.size(); ++v)
+    ASSERT_LT((cut.vertices[v] - found.cut.cut.vertices[v]).norm(), 1e-4) << "meshes are read as floats";
+  const std::string text = describe_resection(options, found);
+  EXPECT_NE(text.find("of the socket's surface"), std::string::npos) << text;
+  EXPECT_NE(text.find(kNoGuide), std::string::npos);
 }
 
 TEST(SceneChange, WritesWhatTheBoneSweepsThrough) {

@@ -49,6 +49,15 @@ TEST(SceneOptions, ReadsAllOfTheContract) {
   EXPECT_FALSE(parse({"--centre", "fit"})->centre);
 }
 
+TEST(SceneOptions, ReadsWhichBoneIsCut) {
+  const auto options =
+      parse({"--question", "resection", "--require", "flexion=90", "--cut", "socket", "--rim", "3"});
+  EXPECT_EQ(options->change->cut, Surface::socket);
+  EXPECT_EQ(options->change->most_rim_mm, 3.0);
+  EXPECT_EQ(parse({"--question", "resection", "--require", "flexion=90", "--cut", "ball"})->change->cut,
+            Surface::ball);
+}
+
 TEST(SceneOptions, ReadsRequiredMotions) {
   const auto options =
       parse({"--question", "resection", "--side", "left", "--require", "flexion=90,internal_rotation=30",
@@ -61,6 +70,7 @@ TEST(SceneOptions, ReadsRequiredMotions) {
   EXPECT_EQ(options->change->clearance_mm, 1.5);
   EXPECT_EQ(options->change->least_neck_mm, 20.0);
   EXPECT_FALSE(options->change->of_socket);
+  EXPECT_EQ(options->change->cut, Surface::ball);
   EXPECT_FALSE(parse({})->change);
   const auto turned =
       parse({"--question", "orientation", "--side", "right", "--require", "flexion=90", "--tilt", "-7.5"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a user's ball would have to go, and where a cut is refused.
+// What of a user's ball, or socket, would have to go, and where a cut is refused.
 #include "session/resection.hpp"
 
 #include <utility>
@@ -105,6 +105,66 @@ TEST(SessionResection, LeavesTheBearingSurfaceAlone) {
   const std::string said =
       thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=60", gap - 0.05)); });
   EXPECT_NE(said.find("the bearing surface of the ball at ("), std::string::npos) << said;
+}
+
+ResectionRequest asked_of_rim(std::string_view motion, double most_rim_mm = kMostRim) {
+  ResectionRequest request = asked(motion);
+  request.cut = Surface::socket;
+  request.most_rim_mm = most_rim_mm;
+  return request;
+}
+
+HipParameters pincer(double wall_mm) {
+  HipParameters parameters = hip_preset("pincer");
+  parameters.wall_thickness = wall_mm;
+  return parameters;
+}
+
+TEST(SessionRimResection, ReachesWhatIsRequiredInTheFrameOfTheFiles) {
+  Session session = scanned_hip(pincer(4.0));
+  const ResectionAnswer found = answer_resection(session, asked_of_rim("flexion=90,internal_rotation=25"));
+  EXPECT_EQ(found.cut.of, Surface::socket);
+  EXPECT_GT(found.cut.volume_mm3.low, 10.0);
+  EXPECT_LT(found.cut.volume_mm3.high, 100.0);
+  ASSERT_EQ(found.legs.size(), 2U);
+  EXPECT_EQ(found.legs[1].before.state, LimitState::limited);
+  for (const ReachedLeg& reached : found.legs) EXPECT_GT(reached.after.low_deg, reached.leg.largest_deg);
+  const Vec3 joint_place = found.cut.before.vertices[found.cut.deepest];
+  EXPECT_TRUE((input_to_joint("LPS") * (found.deepest - kAt)).isApprox(joint_place, 1e-12));
+  EXPECT_FALSE(found.neck);
+}
+
+TEST(SessionRimResection, OfASheetHasNoVolume) {
+  Session session = scanned_hip(pincer(0.0));
+  const ResectionAnswer found = answer_resection(session, asked_of_rim("flexion=90,internal_rotation=25"));
+  EXPECT_GT(found.cut.area_mm2.low, 10.0);
+  EXPECT_EQ(found.cut.volume_mm3.high, HUGE_VAL);
+}
+
+// More than may go of the rim, by little or by much.
+TEST(SessionRimResection, LeavesTheBearingSurfaceAlone) {
+  Session session = scanned_hip(pincer(0.0));
+  const auto refused = [&](const ResectionRequest& request) {
+    return thrown<std::runtime_error>([&] { answer_resection(session, request); });
+  };
+  const std::string said = refused(asked_of_rim("flexion=90,internal_rotation=30", 1.0));
+  EXPECT_EQ(said.find("the cut would reach the bearing surface of the socket at ("), 0U) << said;
+  EXPECT_NE(said.find("), more than 1.0 mm inside its rim; "), std::string::npos) << said;
+  EXPECT_NE(refused(asked_of_rim("flexion=110,internal_rotation=60")).find("more than 5.0 mm inside its rim"),
+            std::string::npos);
+}
+
+TEST(SessionRimResection, IsRefusedWithTheReason) {
+  Session session = scanned_hip(pincer(0.0), 500);
+  const auto refused = [&](const ResectionRequest& request) {
+    return thrown<std::runtime_error>([&] { answer_resection(session, request); });
+  };
+  ResectionRequest least = asked_of_rim("flexion=20");
+  least.least = true;
+  EXPECT_EQ(refused(least), "the least cut of all is one of the ball; cut the ball, or leave it out");
+  ResectionRequest wide = asked_of_rim("flexion=20");
+  wide.clearance_mm = 5.0;
+  EXPECT_EQ(refused(wide).substr(0, 34), "the pose of the scan has a gap of ");
 }
 
 TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {

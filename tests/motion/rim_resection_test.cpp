@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The least radial cut of a socket: its size beside an integral over a formula, what it leaves beside the
+// exact overlay and beside single rays, and what one hair less would leave.
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "motion/bump_under_a_cup.hpp"
+#include "motion/resection.hpp"
+#include "motion/turn_limit.hpp"
+#include "support/random_cases.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+// How far out the bump comes along v on its way from 28 degrees below the edge of the cup to 62 above it: its
+// radius at the angle from v to the way of its top.
+double farthest_of_bump(const Vec3& v) {
+  const double along = std::clamp(std::atan2(v.z(), v.x()), -28.0 * kDegree, 62.0 * kDegree);
+  const Vec3 top(std::cos(along), 0.0, std::sin(along));
+  return bump_radius(std::acos(std::min(1.0, v.dot(top))));
+}
+
+// What of a cup between two radii has to go, by the midpoint rule.
+struct CutOfCup {
+  double area_mm2 = 0.0;
+  double volume_mm3 = 0.0;
+};
+CutOfCup cut_of_cup(double outer, double clearance) {
+  constexpr int kPolar = 600;
+  constexpr int kAround = 1200;
+  CutOfCup cut;
+  for (int i = 0; i < kPolar; ++i) {
+    const double polar = (i + 0.5) * 87.0 * kDegree / kPolar;
+    const double angle = std::sin(polar) * 87.0 * kDegree / kPolar * 2.0 * kPi / kAround;
+    for (int k = 0; k < kAround; ++k) {
+      const double turn = (k + 0.5) * 2.0 * kPi / kAround;
+      const double clear = clearance + farthest_of_bump({std::sin(polar) * std::cos(turn),
+                                                         std::sin(polar) * std::sin(turn), std::cos(polar)});
+      if (clear > kCupRadius) {
+        cut.area_mm2 += angle * kCupRadius * kCupRadius;
+        cut.volume_mm3 += angle * (std::pow(std::min(clear, outer), 3) - std::pow(kCupRadius, 3)) / 3.0;
+      }
+      if (clear > outer) cut.area_mm2 += angle * outer * outer;
+    }
+  }
+  return cut;
+}
+
+void expect_near_ends(const Ends& ends, double value, double slack) {
+  EXPECT_LE(ends.low, value * (1.0 + slack));
+  EXPECT_GE(ends.high, value * (1.0 - slack));
+}
+
+// Few faces, so that the test is short: ends of the volume close as slowly as leaves get narrower.
+constexpr CutQuestion kEnoughForATest{
+    .clearance_mm = 0.5, .closeness = 0.1, .least_mm3 = 0.5, .depth_mm = 0.2, .most_new_faces = 15'000};
+
+double share_between(const Ends& ends) { return (ends.high - ends.low) / ends.low; }
+
+TEST(RimResection, OfASheetIsTheIntegralOverAFormula) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const Resection cut = least_radial_cut(joint.socket, swept, kEnoughForATest);
+  expect_near_ends(cut.area_mm2, cut_of_cup(1e9, 0.5).area_mm2, 0.004);
+  EXPECT_LT(share_between(cut.area_mm2), 0.12);
+  expect_near_ends(cut.depth_mm, kHeadRadius + kBumpHeight + 0.5 - kCupRadius, 0.01);
+  EXPECT_LT(share_between(cut.depth_mm), 0.1);
+  EXPECT_EQ(cut.volume_mm3.low, 0.0);
+  EXPECT_EQ(cut.volume_mm3.high, HUGE_VAL) << "no wall says how thick the bone is";
+  EXPECT_TRUE(std::isnan(cut.cut_mm3));
+}
+
+TEST(RimResection, OfAWallIsTheIntegralOverAFormula) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const Resection cut = least_radial_cut(cup_with_a_wall(), swept, kEnoughForATest);
+  const CutOfCup formula = cut_of_cup(kWallRadius, 0.5);
+  expect_near_ends(cut.volume_mm3, formula.volume_mm3, 0.02);
+  expect_near_ends(cut.area_mm2, formula.area_mm2, 0.02);
+  expect_near_ends(cut.depth_mm, kWallRadius - kCupRadius, 0.03);
+  EXPECT_LT(share_between(cut.volume_mm3), 0.18);
+  EXPECT_LT(share_between(cut.area_mm2), 0.3);
+  EXPECT_LT(share_between(cut.depth_mm), 0.1);
+  EXPECT_TRUE(std::isnan(cut.cut_mm3)) << "where all of the wall goes the mesh is open";
+}
+
+// Of a wall that is thick enough some bone is left everywhere.
+TEST(RimResection, OfAThickWallIsTheIntegralOverAFormula) {
+  constexpr double kThickWall = 29.5;
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const Resection cut = least_radial_cut(cup_with_a_wall(kThickWall), swept, kEnoughForATest);
+  const CutOfCup formula = cut_of_cup(kThickWall, 0.5);
+  expect_near_ends(cut.volume_mm3, formula.volume_mm3, 0.02);
+  expect_near_ends(cut.area_mm2, formula.area_mm2, 0.02);
+  expect_near_ends(cut.depth_mm, kHeadRadius + kBumpHeight + 0.5 - kCupRadius, 0.01);
+  EXPECT_LT(share_between(cut.volume_mm3), 0.35);
+  EXPECT_GE(cut.cut_mm3, cut.volume_mm3.low);
+  EXPECT_LE(cut.cut_mm3, 1.3 * formula.volume_mm3);
+  EXPECT_EQ(cut.cut.faces.size(), cut.before.faces.size());
+}
+
+// A wall inside out holds the same bone.
+TEST(RimResection, OfAWallInsideOutIsTheSame) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  CutQuestion question = kEnoughForATest;
+  question.most_new_faces = 1000;
+  TriangleMesh socket = cup_with_a_wall();
+  const Resection cut = least_radial_cut(socket, swept, question);
+  for (Face& face : socket.faces) std::swap(face[1], face[2]);
+  const Resection turned = least_radial_cut(socket, swept, question);
+  EXPECT_GT(cut.volume_mm3.low, 100.0);
+  EXPECT_NEAR(turned.volume_mm3.low, cut.volume_mm3.low, 0.05 * cut.volume_mm3.low);
+  EXPECT_NEAR(turned.volume_mm3.high, cut.volume_mm3.high, 0.05 * cut.volume_mm3.high);
+  EXPECT_EQ(turned.cut.faces.size(), cut.cut.faces.size());
+}
+
+// A pincer that is to reach more than it does, with or without a wall.
+struct PincerThatTurnsFarther {
+  explicit PincerThatTurnsFarther(double wall_mm, std::size_t faces = 4000)
+      : hip(make_hip(
+            [&] {
+              HipParameters parameters = hip_preset("pincer");
+              parameters.wall_thickness = wall_mm;
+              return parameters;
+            }(),
+            faces)),
+        legs(required_legs(parse_motion("flexion=90,internal_rotation=35"), Side::right)),
+        swept(hip.ball, legs, Surface::socket),
+        cut(least_radial_cut(hip.socket, swept, kEnoughForATest)) {}
+  Hip hip;
+  std::vector<RequiredLeg> legs;
+  SweptRadius swept;
+  Resection cut;
+};
+
+TEST(RimResection, LetsTheBallReachAllThatWasRequired) {
+  for (const double wall_mm : {0.0, 4.0}) {
+    const PincerThatTurnsFarther pincer(wall_mm);
+    ASSERT_FALSE(pincer.cut.empty());
+    const TurnLimits before({pincer.hip.ball, pincer.hip.socket});
+    const TurnLimits after({pincer.hip.ball, pincer.cut.cut});
+    EXPECT_EQ(before.first_contact(pincer.legs[1].turn, pincer.legs[1].largest_deg).state,
+              LimitState::limited);
+    for (const RequiredLeg& leg : pincer.legs) {
+      EXPECT_EQ(after.first_contact(leg.turn, leg.largest_deg).state, LimitState::free) << describe(leg);
+      EXPECT_EQ(after.gap_of(leg.turn, 0.5 * (1.0 - 1e-6), leg.largest_deg).state, LimitState::free);
+    }
+  }
+}
+
+// Contact comes back where a vertex stands a hair within F, and not where it stands a hair beyond.
+TEST(RimResection, TakesNoMoreThanItMust) {
+  const PincerThatTurnsFarther pincer(0.0);
+  const Vec3 at = pincer.cut.cut.vertices[pincer.cut.deepest];
+  const Ends most = pincer.swept.over({at.normalized(), 1e-6}, 0.0);
+  ASSERT_LT(most.high - most.low, 0.01);
+  const auto free_at = [&](double radius) {
+    TriangleMesh socket = pincer.cut.cut;
+    socket.vertices[pincer.cut.deepest] = radius * at.normalized();
+    const TurnLimits limits({pincer.hip.ball, socket});
+    return std::ranges::all_of(pincer.legs, [&](const RequiredLeg& leg) {
+      return limits.first_contact(leg.turn, leg.largest_deg).state == LimitState::free;
+    });
+  };
+  EXPECT_TRUE(free_at(most.high + 0.01));
+  EXPECT_FALSE(free_at(most.low - 0.01));
+}
+
+// Vertices of the ball that may come into the way at all, in 10,000 random poses of the path.
+TEST(RimResection, KeepsTheClearanceOfEveryVertex) {
+  const PincerThatTurnsFarther pincer(4.0, 1500);
+  std::vector<Vec3> far;
+  for (const Vec3& x : pincer.hip.ball.vertices) {
+    if (x.norm() > 26.0) far.push_back(x);
+  }
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::size_t in_the_way = 0;
+  for (int k = 0; k < 10'000; ++k) {
+    const std::size_t leg = engine() % pincer.legs.size();
+    const double angle = share(engine) * pincer.legs[leg].largest_deg;
+    const Vec3& x = far[engine() % far.size()];
+    const Vec3 u = poses_of(pincer.legs[leg], {leg, angle, angle}).rotation * x.normalized();
+    in_the_way += nearest_along(pincer.hip.socket, u) < x.norm() + 0.5 ? 1U : 0U;
+    ASSERT_GE(nearest_along(pincer.cut.cut, u), x.norm() + 0.5 - 1e-9);
+  }
+  EXPECT_GT(in_the_way, 20U);
+}
+
+TEST(RimResection, OfAJointThatReachesItIsNothing) {
+  const Hip hip = make_hip(hip_preset("normal"), 2000);
+  const SweptRadius swept(hip.ball, required_legs(parse_motion("flexion=60"), Side::right), Surface::socket);
+  const Resection cut = least_radial_cut(hip.socket, swept, kEnoughForATest);
+  EXPECT_TRUE(cut.empty());
+  EXPECT_EQ(cut.cut_mm3, 0.0);
+  EXPECT_EQ(cut.volume_mm3.high, 0.0);
+  EXPECT_EQ(cut.cut.vertices, hip.socket.vertices);
+}
+
+TEST(RimResection, RefusesAFaceThatIsTooWide) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const TriangleMesh wide{{{20.0, -70.0, -1.0}, {20.0, 70.0, -1.0}, {20.0, 0.0, 70.0}}, {{0, 1, 2}}};
+  EXPECT_EQ(test::thrown<std::runtime_error>([&] { least_radial_cut(wide, swept, {.most_new_faces = 0}); }),
+            "a face of the socket is too wide to be cut; give a mesh of smaller faces");
+}
+
+// Radius of the farthest face along u, -infinity where none is met.
+double farthest_along(const TriangleMesh& mesh, const Vec3& u) {
+  double farthest = -HUGE_VAL;
+  for (const Face& face : mesh.faces) {
+    const double radius = radius_along(mesh, face, u);
+    if (radius < HUGE_VAL) farthest = std::max(farthest, radius);
+  }
+  return farthest;
+}
+
+// Ends of F over caps, beside random poses of the path and directions of the cap.
+TEST(RimResection, EndsOfTheFarthestRadiusHoldEveryPose) {
+  const Hip hip = make_hip(hip_preset("cam"), 600);
+  const auto legs =
+      required_legs(parse_motion("flexion=100,abduction=-15,internal_rotation=40"), Side::right);
+  const SweptRadius swept(hip.ball, legs, Surface::socket);
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::size_t close = 0;
+  std::size_t beyond = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 20'000) / 10; ++k) {
+    const DirectionCap cap{Vec3(normal(engine), normal(engine), normal(engine)).normalized(),
+                           std::pow(10.0, -4.0 + 3.5 * share(engine))};
+    const Ends ends = swept.over(cap, 0.0);
+    EXPECT_LE(ends.low, ends.high);
+    const Vec3 u = Eigen::AngleAxisd(share(engine) * cap.radius, cap.axis.unitOrthogonal()) * cap.axis;
+    double farthest = -HUGE_VAL;
+    for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+      for (int i = 0; i <= 64; ++i) {
+        const double angle = legs[leg].largest_deg * i / 64.0;
+        farthest = std::max(
+            farthest,
+            farthest_along(hip.ball, poses_of(legs[leg], {leg, angle, angle}).rotation.transpose() * u));
+      }
+    }
+    EXPECT_GE(ends.high, farthest);
+    close += ends.low > -HUGE_VAL && ends.high < 1.05 * ends.low ? 1U : 0U;
+    beyond += farthest > 26.0 ? 1U : 0U;
+  }
+  EXPECT_GT(close, 20U);
+  EXPECT_GT(beyond, 5U);
+}
+
+}  // namespace
+}  // namespace impinge
