@@ -3,7 +3,7 @@
 // @writes    scene_needs scene_needs_totals scene_needs_samples
 // @bones     yes
 // @timing    yes
-// @seconds   32 440
+// @seconds   27 420
 // @links     harness real_joints methods session answer_difference
 //
 // Everything is done with RSID tables at 0.1 degrees, for four questions about each joint: all gaps in one

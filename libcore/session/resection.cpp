@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -118,6 +119,7 @@ std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, c
 
 void require_no_bearing_cut(const SessionJoint& joint, const ResectionRequest& request, const Resection& cut,
                             const RadiiOverCap& other) {
+  if (request.least) require_no_parts(joint.joint, "the least cut of all");
   const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
   if (cut.of == Surface::ball) {
     if (const auto place = head_cut(cut, ball, other))
@@ -172,20 +174,43 @@ std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectionReque
   return NeckBar{least, before->width, after->width};
 }
 
-void reach(const TriangleMesh& other, ResectionAnswer& answer) {
+BoneParts beside_in_joint_frame(const SessionJoint& joint) {
+  BoneParts beside = joint.beside();
+  for (auto* parts : {&beside.ball, &beside.socket}) {
+    for (TriangleMesh& part : *parts) part = in_joint_frame(joint, std::move(part));
+  }
+  return beside;
+}
+
+// Parts are not cut.
+void require_no_part_in_the_way(const Joint& joint, const ReachedLeg& reached) {
+  if (!reached.after.contact) return;
+  const auto [of_ball, of_socket] = reached.after.contact->body;
+  const std::string ball = body_name(joint.ball.parts, of_ball);
+  const std::string socket = body_name(joint.socket.parts, of_socket);
+  if (ball.empty() && socket.empty()) return;
+  throw std::runtime_error((ball.empty() ? "the ball" : ball) + " meets " +
+                           (socket.empty() ? "the socket" : socket) + " " +
+                           rounded_down(reached.after.low_deg, 1) + " degrees into " + describe(reached.leg) +
+                           ", and bone beside the joint is not cut; require less");
+}
+
+void reach(const SessionJoint& joint, const TriangleMesh& other, const BoneParts& beside,
+           ResectionAnswer& answer) {
   const bool of_ball = answer.cut.of == Surface::ball;
-  const TurnLimits after(of_ball ? BallSocketPair{answer.cut.cut, other}
-                                 : BallSocketPair{other, answer.cut.cut});
+  const TurnLimits after(
+      of_ball ? BallSocketPair{answer.cut.cut, other} : BallSocketPair{other, answer.cut.cut}, beside);
   for (ReachedLeg& reached : answer.legs) {
     const RequiredLeg& leg = reached.leg;
     const double farthest =
         std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
     reached.after = after.first_contact(leg.turn, farthest);
     require_whole_ball(reached);
-    if (reached.after.low_deg < leg.largest_deg)
-      throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
-                               describe(leg) + ", but " + rounded_down(reached.after.low_deg, 3) +
-                               " degrees; give a larger clearance");
+    if (reached.after.low_deg >= leg.largest_deg) continue;
+    require_no_part_in_the_way(joint.joint, reached);
+    throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
+                             describe(leg) + ", but " + rounded_down(reached.after.low_deg, 3) +
+                             " degrees; give a larger clearance");
   }
 }
 
@@ -201,15 +226,15 @@ void nest(CutSize& inner, CutSize& outer) {
 
 ResectionAnswer answer_resection(Session& session, const ResectionRequest& request) {
   const SessionJoint& joint = *session.joint;
-  require_no_parts(joint.joint, "resection");
   const std::vector<RequiredLeg> legs = required_legs(request.required, joint.side);
   if (legs.empty()) throw std::runtime_error("no motion is required");
   const bool of_ball = request.cut == Surface::ball;
   if (request.least && !of_ball)
     throw std::runtime_error("the least cut of all is one of the ball; cut the ball, or leave it out");
-  const TriangleMesh ball = in_joint_frame(joint, joint.mesh(Surface::ball));
-  const TriangleMesh socket = in_joint_frame(joint, joint.mesh(Surface::socket));
-  const TurnLimits limits({ball, socket});
+  const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
+  const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
+  const BoneParts beside = beside_in_joint_frame(joint);
+  const TurnLimits limits({ball, socket}, beside);
   require_free_start(limits, legs.front(), request.clearance_mm);
   const TriangleMesh& other = of_ball ? socket : ball;
   const SweptRadius swept(other, legs, request.cut);
@@ -219,9 +244,8 @@ ResectionAnswer answer_resection(Session& session, const ResectionRequest& reque
   for (const RequiredLeg& leg : legs)
     answer.legs.push_back({leg, limits.first_contact(leg.turn, leg.largest_deg), {}});
   require_no_bearing_cut(joint, request, answer.cut, swept.other());
-  if (of_ball)
-    answer.neck = neck_left(joint, request, answer.cut, in_joint_frame(joint, joint.main(Surface::ball)));
-  reach(other, answer);
+  if (of_ball) answer.neck = neck_left(joint, request, answer.cut, ball);
+  reach(joint, other, beside, answer);
   if (request.least) {
     answer.least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
     nest(*answer.least, answer.cut);

@@ -13,11 +13,13 @@
 //     checked for this;
 //   * it thins the neck too much: the widest round bar about the axis of the neck (hip/hip_measures.hpp) that
 //     the cut leaves whole is narrower than asked for. A ball without a neck is not checked for this, nor a
-//     cut of the socket.
+//     cut of the socket;
+//   * bone beside the joint stops a required motion after the cut (motion/body_pairs.hpp). Such parts are not
+//     cut, and need no clearance.
 //
 // The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
-// surface and neck hold for it as well. It is refused if the socket has no wall, and there is none of the
-// socket.
+// surface and neck hold for it as well. It is refused if the socket has no wall or there is bone
+// beside the joint, and there is none of the socket.
 #pragma once
 
 #include <optional>

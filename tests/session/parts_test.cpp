@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
 #include "mesh/bodies.hpp"
 #include "session/limits.hpp"
 #include "session/measurement.hpp"
@@ -276,6 +277,39 @@ TEST(Parts, InsideOtherBoneHaveNoCertificate) {
   expect_no_certificate(std::move(screw), "screw");
 }
 
+// A cam is cut so that the path is clear, parts and all, pose by pose by the exact test; what only a part
+// stops is no matter of a cut.
+TEST(Parts, AreLookedAtAfterACut) {
+  Session session = session_of(make_hip(test::hip_with_parts(hip_preset("cam")), 2000));
+  const auto low = [&](Session& of) {
+    return answer_limits(of, {.start = {.flexion = 70.0}, .growing = "internal_rotation"})
+        .contact.told.limit.low_deg;
+  };
+  const double before = low(session);
+  const Motion required = parse_motion("flexion=70,internal_rotation=35");
+  ASSERT_LT(before, 34.0);
+  const ResectionAnswer answer = answer_resection(session, {.required = {required}});
+  EXPECT_GT(answer.cut.volume_mm3.low, 0.0);
+  Hip hip = make_hip(test::hip_with_parts(hip_preset("cam")), 2000);
+  hip.ball = answer.cut.cut;
+  Session after = session_of(std::move(hip));
+  for (const double rotation : {0.0, before, 0.5 * (before + 35.0), 34.9}) {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0};
+    asked.motion.internal_rotation = rotation;
+    EXPECT_FALSE(answer_question(*after.joint, asked).answer.touches.at(0)) << rotation;
+  }
+  const std::string refusal = test::thrown<std::runtime_error>(
+      [&] { answer_resection(session, {.required = {parse_motion("flexion=70,internal_rotation=55")}}); });
+  EXPECT_EQ(refusal.rfind("the ball meets AIIS ", 0), 0U) << refusal;
+  EXPECT_NE(
+      refusal.find(" degrees into internal_rotation from 0 to 55 degrees at flexion 70, and bone beside "
+                   "the joint is not cut; require less"),
+      std::string::npos)
+      << refusal;
+}
+
 // What does not look at parts says so, and leaves them out of nothing in silence.
 TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
@@ -290,7 +324,8 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
     asked.scan_socket = false;
     answer_question(*session.joint, asked);
   });
-  refused("resection", [&] { answer_resection(session, {}); });
+  refused("the least cut of all",
+          [&] { answer_resection(session, {.required = {parse_motion("flexion=60")}, .least = true}); });
 }
 
 }  // namespace
