@@ -28,8 +28,9 @@
 namespace impinge {
 namespace {
 
-Session session_of(Hip hip) {
+Session session_of(Hip hip, const std::optional<Vec3>& centre = {}) {
   JointInput input;
+  input.centre = centre;
   input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
   input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
   input.side = Side::right;
@@ -277,6 +278,13 @@ TEST(Parts, InsideOtherBoneHaveNoCertificate) {
   expect_no_certificate(std::move(screw), "screw");
 }
 
+ResectionRequest requiring(const std::string& motion, bool least = false) {
+  ResectionRequest request;
+  request.required = {parse_motion(motion)};
+  request.least = least;
+  return request;
+}
+
 // A cam is cut so that the path is clear, parts and all, pose by pose by the exact test; what only a part
 // stops is no matter of a cut.
 TEST(Parts, AreLookedAtAfterACut) {
@@ -286,13 +294,17 @@ TEST(Parts, AreLookedAtAfterACut) {
         .contact.told.limit.low_deg;
   };
   const double before = low(session);
-  const Motion required = parse_motion("flexion=70,internal_rotation=35");
   ASSERT_LT(before, 34.0);
-  const ResectionAnswer answer = answer_resection(session, {.required = {required}});
+  const ResectionAnswer answer = answer_resection(session, requiring("flexion=70,internal_rotation=35"));
   EXPECT_GT(answer.cut.volume_mm3.low, 0.0);
   Hip hip = make_hip(test::hip_with_parts(hip_preset("cam")), 2000);
-  hip.ball = answer.cut.cut;
-  Session after = session_of(std::move(hip));
+  const std::vector<MeshPart> names = std::exchange(hip.ball_parts, {});
+  const std::vector<TriangleMesh> parts = part_surfaces(std::exchange(hip.ball, answer.cut.cut), names);
+  for (Vec3& x : hip.ball.vertices)  // from the joint frame
+    x = session.joint->axes.transpose() * x + session.joint->joint.centre;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    append_part(hip.ball, hip.ball_parts, names[k].name, parts[k]);
+  Session after = session_of(std::move(hip), session.joint->joint.centre);
   for (const double rotation : {0.0, before, 0.5 * (before + 35.0), 34.9}) {
     PoseQuestion asked;
     asked.question = Question::touch;
@@ -301,7 +313,7 @@ TEST(Parts, AreLookedAtAfterACut) {
     EXPECT_FALSE(answer_question(*after.joint, asked).answer.touches.at(0)) << rotation;
   }
   const std::string refusal = test::thrown<std::runtime_error>(
-      [&] { answer_resection(session, {.required = {parse_motion("flexion=70,internal_rotation=55")}}); });
+      [&] { answer_resection(session, requiring("flexion=70,internal_rotation=55")); });
   EXPECT_EQ(refusal.rfind("the ball meets AIIS ", 0), 0U) << refusal;
   EXPECT_NE(
       refusal.find(" degrees into internal_rotation from 0 to 55 degrees at flexion 70, and bone beside "
@@ -325,7 +337,7 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
     answer_question(*session.joint, asked);
   });
   refused("the least cut of all",
-          [&] { answer_resection(session, {.required = {parse_motion("flexion=60")}, .least = true}); });
+          [&] { answer_resection(session, requiring("flexion=60", /*least=*/true)); });
 }
 
 }  // namespace
