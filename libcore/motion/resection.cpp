@@ -39,11 +39,11 @@ struct Leaf {
 // A face as the centre sees it.
 struct SeenLeaf {
   SeenLeaf(const TriangleMesh& mesh, const Face& face) : seen(face_cap(corners_of(mesh, face))) {
-    if (seen.side == 0) return;  // edge-on: it covers no direction
     cap = {seen.cap.axis, seen.small() ? seen.cap.radius : kPi};
+    area = 0.5 * area_vector(mesh, face).norm();
+    if (seen.side == 0) return;  // edge-on: no volume is over it
     cone = std::abs(cone_volume(mesh, face));
     angle = std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
-    area = 0.5 * area_vector(mesh, face).norm();
   }
   FaceCap seen;
   DirectionCap cap;
@@ -76,7 +76,6 @@ Leaf leaf_of(const SeenLeaf& face, const SpansOverCap& goes) {
 }
 
 Leaf ball_leaf(const SeenLeaf& face, const SweptRadius& swept, double clearance) {
-  if (face.seen.side == 0) return {};
   const double farthest = face.seen.range.high;
   const Ends swept_over = swept.over(face.cap, farthest + clearance);
   const double keep = swept_over.low - clearance;
@@ -113,7 +112,9 @@ Ends volume_up_to(const SeenLeaf& face, const Ends& radius) {
 
 // What goes of the bone along the rays of a leaf, up to `clear` and no farther than the outermost layer.
 void add_bone(const SeenLeaf& face, const Ends& clear, const Bone& bone, Leaf& leaf) {
-  const Ends outside{std::max(0.0, bone.outside.least(face.cap)), bone.outside.largest(face.cap)};
+  const Ends outside{
+      std::max(0.0, bone.outside.least(face.cap)),
+      std::max(bone.outside.largest(face.cap), face.seen.range.high)};  // edge-on: it knows none
   const Ends goes{std::min(clear.low, outside.low), std::min(clear.high, outside.high)};
   const Ends volume = volume_up_to(face, goes);
   const bool comes_into_bone = (face.seen.side < 0) != bone.inside_out;
@@ -124,7 +125,6 @@ void add_bone(const SeenLeaf& face, const Ends& clear, const Bone& bone, Leaf& l
 
 Leaf socket_leaf(const SeenLeaf& face, const SweptRadius& swept, const std::optional<Bone>& bone,
                  double clearance) {
-  if (face.seen.side == 0) return {};
   const auto& [low, high] = face.seen.range;
   const Ends swept_over = swept.over(face.cap, low - clearance);
   const Ends clear{std::max(0.0, swept_over.low + clearance), swept_over.high + clearance};
@@ -140,7 +140,6 @@ Leaf socket_leaf(const SeenLeaf& face, const SweptRadius& swept, const std::opti
 }
 
 Leaf least_leaf(const SeenLeaf& face, const SweptBone& swept) {
-  if (face.seen.side == 0) return {};
   SpansOverCap goes = swept.over(face.cap, face.seen.range.high);
   Leaf leaf = leaf_of(face, goes);
   leaf.may_go = std::move(goes.possible);

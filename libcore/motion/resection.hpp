@@ -20,7 +20,8 @@
 // that of the K which is possible in [0, b.high]; and between the volume of the cone and what stays of it,
 // the other way round. A leaf that looks to the centre counts below zero, as in any volume by cones, so that
 // of a closed ball volumes are those of bone, star-shaped or not. The area is that of the ball's own surface
-// which goes, the depth the most that goes along one ray.
+// which goes, the depth the most that goes along one ray. A leaf that the centre sees edge-on has no volume,
+// but an area, and is moved like any other: a wall along rays does not stay where all round it goes.
 //
 // The rim. With F(v) the largest radius of the ball in a direction v of the socket, a point of the socket at
 // v may stay where its radius is at least K = F(v) + c. What is kept is all bone beyond, and no more of the

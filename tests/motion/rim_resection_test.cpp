@@ -106,6 +106,62 @@ TEST(RimResection, OfAThickWallIsTheIntegralOverAFormula) {
   EXPECT_EQ(cut.cut.faces.size(), cut.before.faces.size());
 }
 
+// A block over the way of the bump. Its walls lie exactly in planes through the centre; vertices of the ring
+// in the middle belong to no other faces.
+constexpr double kBlockRing = 1.0625;  // times the vertices of its inner side
+constexpr double kBlockBack = 1.25;
+const std::array<Vec3, 4> kBlockInside{
+    {{20.0, -2.0, 14.0}, {20.0, 2.0, 14.0}, {14.0, 2.0, 20.0}, {14.0, -2.0, 20.0}}};
+
+TriangleMesh block_with_edge_on_walls() {
+  TriangleMesh block;
+  for (const double share : {1.0, kBlockRing, kBlockBack})
+    for (const Vec3& x : kBlockInside) block.vertices.emplace_back(share * x);
+  block.faces = {{0, 1, 2}, {0, 2, 3}, {8, 10, 9}, {8, 11, 10}};
+  for (const VertexIndex ring : {0U, 4U}) {
+    for (VertexIndex k = 0; k < 4; ++k) {
+      const VertexIndex a = ring + k;
+      const VertexIndex b = ring + (k + 1) % 4;
+      block.faces.push_back({a, a + 4, b});
+      block.faces.push_back({b, a + 4, b + 4});
+    }
+  }
+  return block;
+}
+
+// Of the inner side all goes; of a wall s (a + t (b - a)) between two of its corners what is below s = K.
+double cut_area_of_block(double clearance) {
+  const auto& [a, b, c, d] = kBlockInside;
+  double area = (b - a).cross(d - a).norm();
+  constexpr int kSteps = 1000;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3& from = kBlockInside[k];
+    const Vec3& to = kBlockInside[(k + 1) % 4];
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec3 x = from + (i + 0.5) / kSteps * (to - from);
+      const double goes = std::min(kBlockBack, (clearance + farthest_of_bump(x.normalized())) / x.norm());
+      area += 0.5 * (goes * goes - 1.0) * from.cross(to).norm() / kSteps;
+    }
+  }
+  return area;
+}
+
+TEST(RimResection, TakesWallsThatTheCentreSeesEdgeOn) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const TriangleMesh block = block_with_edge_on_walls();
+  for (std::size_t f = 4; f < block.faces.size(); ++f) ASSERT_TRUE(cone_of(block, block.faces[f]).edge_on());
+  CutQuestion question = kEnoughForATest;
+  question.most_new_faces = 2000;
+  const Resection cut = least_radial_cut(block, swept, question);
+  expect_near_ends(cut.area_mm2, cut_area_of_block(0.5), 0.01);
+  EXPECT_LT(share_between(cut.area_mm2), 1.0);
+  EXPECT_EQ(cut.cut.faces.size(), cut.before.faces.size()) << "the block is thicker than what goes";
+  double least = HUGE_VAL;
+  for (const Vec3& x : cut.cut.vertices) least = std::min(least, x.norm() - farthest_of_bump(x.normalized()));
+  EXPECT_GT(least, 0.4);  // the clearance but for what flat faces of the bump are below the formula
+}
+
 // A wall inside out holds the same bone.
 TEST(RimResection, OfAWallInsideOutIsTheSame) {
   const BallSocketPair joint = bump_under_a_cup(40, 2.5);
