@@ -84,7 +84,7 @@ class SocketSphere {
   bool goes_on_round(const Vec3& x, double within) const {
     constexpr int kTried = 24;
     const Vec3 at = x - fit_.centre;
-    if (!holds(at.norm())) return false;
+    if (!holds(at.norm()) || within >= kPi * fit_.radius) return false;  // no place is as far away
     const Vec3 axis = at.normalized();
     const Vec3 beside = Eigen::AngleAxisd(within / fit_.radius, axis.unitOrthogonal()) * axis;
     for (int k = 0; k < kTried; ++k) {

@@ -154,6 +154,14 @@ TEST(SessionRimResection, LeavesTheBearingSurfaceAlone) {
             std::string::npos);
 }
 
+// No place is farther inside the rim than half round the sphere, and from once round on all would begin
+// again.
+TEST(SessionRimResection, MayBeAllowedAsMuchAsOneLikes) {
+  Session session = scanned_hip(pincer(0.0));
+  for (const double most_rim_mm : {174.5, 175.5, 1e9})
+    EXPECT_NO_THROW(answer_resection(session, asked_of_rim("flexion=90,internal_rotation=25", most_rim_mm)));
+}
+
 TEST(SessionRimResection, IsRefusedWithTheReason) {
   Session session = scanned_hip(pincer(0.0), 500);
   const auto refused = [&](const ResectionRequest& request) {
