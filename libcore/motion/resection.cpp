@@ -12,6 +12,7 @@
 #include "mesh/star_shape.hpp"
 #include "mesh/validation.hpp"
 #include "sphere/infinity.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
@@ -96,9 +97,50 @@ struct Bone {
   bool inside_out;
 };
 
+// Where a ray from the centre crosses a closed surface.
+struct Crossing {
+  double radius = 0.0;  // mm; of crossings at one place those into bone come first
+  int into_bone = 0;    // 1, or -1 out of it
+};
+
+// Along unit u; none where it passes an edge within rounding.
+std::vector<Crossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
+  constexpr double kOnePlace = 1e-6;
+  std::vector<Crossing> crossings;
+  const bool doubtful = faces.any_hit(u, [&](std::uint32_t f, int side) {
+    const TriangleCone cone = cone_of(faces.mesh(), faces.mesh().faces[f]);
+    const double inside = cone.least_edge_distance(u.x(), u.y(), u.z());
+    if (std::abs(inside) <= cone.doubt()) return true;
+    const int into = (side < 0) != inside_out ? 1 : -1;
+    const double radius = cone.plane().offset / cone.plane().normal.dot(u);
+    if (inside > 0.0) crossings.push_back({radius * (1.0 - kOnePlace * into), into});
+    return false;
+  });
+  if (doubtful) crossings.clear();
+  std::ranges::sort(crossings, {}, &Crossing::radius);
+  return crossings;
+}
+
+// Is each shell of a closed mesh the same way round, but for cavities in the bone of another one? No ray, of
+// one through each face, then comes out of bone more often than into it.
+bool of_one_orientation(const TriangleMesh& socket, bool inside_out) {
+  const NearFaces faces(socket, 0.0);
+  return std::ranges::none_of(socket.faces, [&](const Face& face) {
+    const Vec3 middle = corner(socket, face, 0) + corner(socket, face, 1) + corner(socket, face, 2);
+    int in_bone = 0;
+    for (const Crossing& crossing : crossings_along(faces, middle.stableNormalized(), inside_out)) {
+      in_bone += crossing.into_bone;
+      if (in_bone < 0) return true;
+    }
+    return false;
+  });
+}
+
 std::optional<Bone> bone_of(const TriangleMesh& socket) {
-  const std::optional<double> volume = validate(socket).volume;
-  return volume ? std::optional<Bone>(std::in_place, socket, *volume) : std::nullopt;
+  const MeshReport report = validate(socket);
+  if (!report.volume) return std::nullopt;
+  if (report.components > 1 && !of_one_orientation(socket, *report.volume < 0.0)) return std::nullopt;
+  return std::optional<Bone>(std::in_place, socket, *report.volume);
 }
 
 // Bone between the radii of a face and these, mm^3, along rays that it lies on.

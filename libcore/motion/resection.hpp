@@ -29,9 +29,10 @@
 // a closed mesh the bone that goes along a ray is the sum of (K^3 - b^3)_+ / 3 over the faces that look to
 // the centre, where the ray comes into bone, less that over those that look away, where it leaves bone.
 // There are as many of both, so that K may be taken no larger than the radius of the outermost layer, beyond
-// which is none. Of a leaf with the solid angle w this is w max(K, b)^3 / 3 less the volume of its cone. An
-// open mesh does not say how thick the bone is. Where the neck passes, K is as far out as the ball is, and
-// all of a wall goes.
+// which is none. Of a leaf with the solid angle w this is w max(K, b)^3 / 3 less the volume of its cone. Bone
+// of two shells that overlap counts twice. An open mesh does not say how thick the bone is, nor does one of
+// several shells if along some ray more faces leave bone than came into it: one of the shells is inside out.
+// Where the neck passes, K is as far out as the ball is, and all of a wall goes.
 //
 // The cut surface. Each corner is drawn in to the least e.low - c of the leaves round it that may be cut. A
 // flat face is nowhere farther from the centre than its farthest corner, so that no point of a leaf is beyond
