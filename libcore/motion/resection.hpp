@@ -38,9 +38,10 @@
 // flat face is nowhere farther from the centre than its farthest corner, so that no point of a leaf is beyond
 // its own e.low - c: the mesh itself keeps the clearance. It takes a little more than the least. A corner of
 // the socket is moved out to the largest K.high / cos(angle) of its leaves: of a leaf within `angle` about an
-// axis a, whose corners x all have |x| >= K / cos(angle), each point has a . x >= K. Leaves
-// along whose rays all bone goes are taken out: there the cut mesh is open, a crack as wide as leaves are
-// long.
+// axis a, whose corners x all have |x| >= K / cos(angle), each point has a . x >= K. Where a cut comes out at
+// the back of a wall, the back may so be moved beyond the bone that there was, by as much as leaves are wide:
+// clear of the ball, but cut_mm3 counts it as added. Leaves along whose rays all bone goes are taken out:
+// there the cut mesh is open, a crack as wide as leaves are long.
 #pragma once
 
 #include <array>
