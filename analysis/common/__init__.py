@@ -31,9 +31,7 @@ def arguments(*more: str) -> argparse.Namespace:
     """--results, --out and further required options of the same kind."""
     parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
     parser.add_argument("--results", type=Path, required=True, help="the results folder")
-    parser.add_argument(
-        "--out", type=Path, default=Path("."), help="where to write, laid out as the results folder"
-    )
+    parser.add_argument("--out", type=Path, default=Path("."), help="where to write, laid out as the results folder")
     for name in more:
         parser.add_argument(name, required=True)
     return parser.parse_args()

@@ -57,8 +57,7 @@ def rays(axes: plt.Axes, curve: pd.DataFrame, angles_deg: np.ndarray, **look) ->
     """Rays from the conchoid's origin to the curve; one label for all."""
     for k, phi in enumerate(angles_deg):
         axes.plot(
-            *np.array([[0, 0], point(curve, phi)]).T,
-            **{**look, "label": look.get("label") if k == 0 else None},
+            *np.array([[0, 0], point(curve, phi)]).T, **{**look, "label": look.get("label") if k == 0 else None}
         )
 
 

@@ -65,8 +65,6 @@ def read_image(path: Path, limits: tuple[float, float]) -> np.ndarray:
     kind, size, largest, pixels = data.split(b"\n", 3)
     columns, rows = map(int, size.split())
     if kind != b"P5" or largest != b"255" or len(pixels) != rows * columns:
-        raise common.Refused(
-            f"{path} is no whole image of 8 bits: remove it and run experiments/reproduce again"
-        )
+        raise common.Refused(f"{path} is no whole image of 8 bits: remove it and run experiments/reproduce again")
     grey = np.frombuffer(pixels, np.uint8).reshape(rows, columns).astype(float)
     return np.where(grey == 0, np.nan, limits[0] + (grey - 1) / 254 * (limits[1] - limits[0]))

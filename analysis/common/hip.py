@@ -90,9 +90,7 @@ def close_zones(summary: dict) -> str:
     found = level["socket"]["clock_zones"]
     if found is None:
         return "no clock positions"
-    places = ", ".join(
-        "any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found
-    )
+    places = ", ".join("any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found)
     return (
         f"socket within {level['gap_up_to_mm']:g} mm at {places}"
         if places
@@ -176,9 +174,7 @@ class Dial:
     def at(self, hours: float | np.ndarray, radius: float) -> np.ndarray:
         """Points (..., 3) of the dial."""
         angle = np.asarray(hours) * np.pi / 6
-        return self.middle + radius * (
-            np.cos(angle)[..., None] * self.twelve + np.sin(angle)[..., None] * self.three
-        )
+        return self.middle + radius * (np.cos(angle)[..., None] * self.twelve + np.sin(angle)[..., None] * self.three)
 
 
 def dial(joint: Hip) -> Dial:

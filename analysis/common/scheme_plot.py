@@ -37,11 +37,7 @@ def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
 
 
 def dots(
-    axes: plt.Axes,
-    values: dict[str, pd.Series],
-    span: tuple[float, float],
-    names: dict[str, str],
-    apart: float,
+    axes: plt.Axes, values: dict[str, pd.Series], span: tuple[float, float], names: dict[str, str], apart: float
 ) -> None:
     """A marker a row for each series, `apart` rows from one another; names are those of the legend. What is
     beyond the span is written at its edge, in the order of the legend.
@@ -51,9 +47,7 @@ def dots(
         inside = values[name].between(*span).to_numpy()
         places = np.flatnonzero(inside) + apart * (k - middle)
         axes.plot(
-            values[name][inside],
-            places,
-            **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]},
+            values[name][inside], places, **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]}
         )
     for place in range(len(next(iter(values.values())))):
         row = [series.iloc[place] for series in values.values()]
@@ -113,12 +107,7 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
 
 def _offsets() -> list[tuple[float, float]]:
     """Where a name may stand, in points from its own: near before far, right before left."""
-    return [
-        (dx, dy)
-        for away in (0, 10, 20, 32, 46, 62)
-        for dy in dict.fromkeys((away, -away))
-        for dx in (9, -9, 26)
-    ]
+    return [(dx, dy) for away in (0, 10, 20, 32, 46, 62) for dy in dict.fromkeys((away, -away)) for dx in (9, -9, 26)]
 
 
 def panels(

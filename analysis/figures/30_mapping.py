@@ -23,9 +23,7 @@ def main(options) -> common.Figure:
     chart = common.load(options.results, "diagram_chart")
     chart = chart[chart.name == MESH]
     middles = faces.mean(axis=1) / np.linalg.norm(faces.mean(axis=1), axis=1)[:, None]
-    chosen = {
-        letter: int(np.argmax(middles @ diagram.direction(*angles))) for letter, angles in SHOWN.items()
-    }
+    chosen = {letter: int(np.argmax(middles @ diagram.direction(*angles))) for letter, angles in SHOWN.items()}
     chosen["C"] = across_seam(chart, middles @ diagram.direction(*SHOWN["C"]))
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.9), width_ratios=[1, 1.75])
     draw_space(space, faces, chosen)

@@ -49,10 +49,7 @@ def main(options) -> common.Figure:
         flat.yaxis.set_major_locator(MultipleLocator(5 if name == "pole_at_vertex" else 2))
     seam([figure.add_subplot(grid[4, column]) for column in range(3)], corners, chart, coverage)
     handles = [
-        *(
-            Patch(**look, edgecolor=diagram.INK, label=f"part {k + 1}")
-            for k, look in enumerate(diagram.PARTS)
-        ),
+        *(Patch(**look, edgecolor=diagram.INK, label=f"part {k + 1}") for k, look in enumerate(diagram.PARTS)),
         Patch(facecolor="#d9d9d9", edgecolor="white", label="entries filled (table at 1°)"),
         common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
     ]
@@ -136,9 +133,7 @@ def seam(panels: list[plt.Axes], corners, chart, coverage) -> None:
         direct, f"as mapped: {len(missed)} missed (orange),\n{len(wrong):,} filled wrongly (black)"
     )
     diagram_chart.turns(direct, step=90)
-    unrolled = entries[entries.drawn].assign(
-        column=lambda e: np.where(e.column > 180, e.column - 360, e.column)
-    )
+    unrolled = entries[entries.drawn].assign(column=lambda e: np.where(e.column > 180, e.column - 360, e.column))
     diagram_chart.cells(flat, unrolled, facecolors="#d9d9d9", linewidth=0.3)
     region = chart.loc[chart.name == SEAM, ["theta_deg", "phi_deg"]].to_numpy()
     region[:, 0] -= 360 * np.round(region[:, 0].mean() / 360)

@@ -116,9 +116,7 @@ def fibonacci(results: Path) -> Finding:
 
 def octahedron(results: Path) -> Finding:
     """Section B, at equal error."""
-    saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index(
-        "scheme"
-    )
+    saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index("scheme")
     solid = saved.saved_percent.octahedral_equal_area
     return finding(
         "note, B",

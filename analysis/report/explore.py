@@ -62,9 +62,7 @@ def section(results: Path) -> str:
     """The controls, the plot's place and its data."""
     table = pareto.load(results)
     first = pareto.main_scene(list(table.scene.unique()))
-    scenes = {
-        name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]
-    }
+    scenes = {name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]}
     shown = lines(table[pareto.competes(table)])
     return (
         '<h2 id="explore">Error against cost, to explore</h2>'

@@ -60,9 +60,7 @@ def filters(verdicts: pd.DataFrame) -> str:
     """Choices that report.js reads."""
 
     def choice(name: str, title: str, values: dict[str, str]) -> str:
-        options = "".join(
-            element("option", text, value=value) for value, text in {"": "all", **values}.items()
-        )
+        options = "".join(element("option", text, value=value) for value, text in {"": "all", **values}.items())
         return element("label", title + element("select", options, id=f"filter-{name}"))
 
     found = set(verdicts.verdict)

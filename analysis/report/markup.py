@@ -39,9 +39,7 @@ def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:
     return (f"{number:.3g}" if abs(number) < 1e-5 else common.digits(number, 4)), True
 
 
-def cell(
-    value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None
-) -> str:
+def cell(value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None) -> str:
     """A table cell; numbers to the right unless they are names. kept: what the reference run has there."""
     text, number = written(value, shorten, name)
     attributes = {"data_title": title} if title else {}

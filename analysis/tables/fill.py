@@ -25,11 +25,7 @@ def latex(table: pd.DataFrame) -> str:
     cells = sorted(shown.cells.unique())
     precisions = " & ".join(rf"\multicolumn{{2}}{{c}}{{{90 / n:.2g}\degrees{{}}}}" for n in cells)
     rules = "".join(rf"\cmidrule(l){{{3 + 2 * k}-{4 + 2 * k}}}" for k in range(len(cells)))
-    head = [
-        rf" & & {precisions} \\",
-        rules,
-        "filling & triangles" + r" & ms & $\times$" * len(cells) + r" \\",
-    ]
+    head = [rf" & & {precisions} \\", rules, "filling & triangles" + r" & ms & $\times$" * len(cells) + r" \\"]
     lines = []
     for line, own in shown.groupby("line", sort=False):
         lines.append(r"\midrule")
