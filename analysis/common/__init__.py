@@ -22,7 +22,7 @@ from common.loading import load
 from common.sidecars import Refused, sidecar
 from common.thesis_values import counterparts, methods_of, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
-from common.writing import groups, tabular, write, write_table
+from common.writing import groups, ruled, tabular, write, write_table
 
 Table = tuple[pd.DataFrame, str]  # and its LaTeX
 

@@ -9,6 +9,7 @@ import pandas as pd
 from matplotlib.collections import PolyCollection
 
 import common
+from common import diagram
 
 PHI, THETA = "polar angle φ, degrees", "azimuth θ, degrees"
 
@@ -29,6 +30,14 @@ def chart_axes(axes: plt.Axes, title: str = "") -> None:
 def turns(axes: plt.Axes, low: float = 0, high: float = 360, step: float = 60) -> None:
     """Ticks of an azimuth."""
     axes.set(xlim=(low, high), xticks=np.arange(low, high + 1, step))
+
+
+def area(axes: plt.Axes, corners: np.ndarray, **look) -> None:
+    """A polygon, on both sides of the seam where it reaches beyond."""
+    for turn in (-360, 0, 360):
+        moved = corners + [turn, 0]
+        if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
+            diagram.polygon(axes, moved, **look)
 
 
 def true_edges(axes: plt.Axes, face: np.ndarray, **look) -> None:

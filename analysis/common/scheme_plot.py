@@ -125,11 +125,3 @@ def panels(
     figure.subplots_adjust(wspace=0.06, hspace=0.2)
     figure.suptitle(title, x=0.125, y=0.88 + 0.5 / (lines * size[1]), ha="left", va="bottom", fontsize=11)
     return figure
-
-
-def turn(azimuth_deg: float, elevation_deg: float) -> np.ndarray:
-    """Rows: right, up and towards the eye of a viewer in that direction."""
-    a, e = np.radians([azimuth_deg, elevation_deg])
-    eye = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.array([-np.sin(a), np.cos(a), 0.0])
-    return np.stack([right, np.cross(eye, right), eye])

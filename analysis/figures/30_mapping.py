@@ -70,10 +70,7 @@ def draw_chart(axes: plt.Axes, chart: pd.DataFrame, chosen: dict[str, int]) -> N
         look = {"facecolor": "#f4f4f4", "linewidth": 0.5, "edgecolor": "#6a6a6a", "zorder": 2}
         if face in letters:
             look = {**LOOKS[letters[face]], "linewidth": 0.9, "zorder": 3}
-        for turn in (-360, 0, 360):
-            moved = triangle + [turn, 0]
-            if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
-                diagram.polygon(axes, moved, **look)
+        diagram_chart.area(axes, triangle, **look)
     for letter, face in chosen.items():
         rows = chart[chart.face == face]
         place = (np.clip(rows.theta_deg.mean() % 360, 6, 354), rows.phi_deg.mean())

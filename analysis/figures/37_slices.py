@@ -65,7 +65,8 @@ def cut(mesh: ply.Mesh, height: float) -> np.ndarray:
     """Segments (n, 2, 3) in which the plane z = height cuts the triangles."""
     corners = mesh.vertices[mesh.triangles]
     above = corners[:, :, 2] > height
-    corners, above = (corners[above.any(axis=1) & ~above.all(axis=1)], above[above.any(axis=1) & ~above.all(axis=1)])
+    crossed = above.any(axis=1) & ~above.all(axis=1)
+    corners, above = corners[crossed], above[crossed]
     alone = np.where(above.sum(axis=1) == 1, above.argmax(axis=1), (~above).argmax(axis=1))
     rows = np.arange(len(corners))
     tip = corners[rows, alone]

@@ -8,9 +8,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import common
-from common import scheme_plot
+from common import scheme_plot, sphere_view
 
-VIEW = scheme_plot.turn(azimuth_deg=20, elevation_deg=38)
+VIEW = sphere_view.view(elevation_deg=38, azimuth_deg=20)
 
 
 def main(options) -> common.Figure:

@@ -41,17 +41,13 @@ def latex(rows: pd.DataFrame) -> str:
         r" & & & fill & pose & \multicolumn{2}{c}{missed (\%)} & error & \multicolumn{2}{c}{wrong (\%)} & within \\",
         r"method & resolution & kB & (ms) & (µs) & triangles & vertices & (µm) & false & missed & (mm) \\",
     ]
-    lines, before = [], None
+    lines = []
     for row in rows.itertuples():
-        if row.method != before:
-            lines.append(r"\midrule")
-        name = common.label(row.method) if row.method != before else ""
-        before = row.method
-        cells = [name, row.setting.replace("x", r"$\times$"), row.kB, row.build_ms.replace("†", r"\textdagger")]
-        cells += [row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
+        cells = [common.label(row.method), row.setting.replace("x", r"$\times$"), row.kB]
+        cells += [row.build_ms.replace("†", r"\textdagger"), row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
         cells += [row.false_touches, row.missed_touches, row.wrong_within_mm]
         lines.append(cells)
-    return common.tabular("@{}llrrrrrrrrr@{}", head, lines)
+    return common.tabular("@{}llrrrrrrrrr@{}", head, common.ruled(lines))
 
 
 common.run(main)
