@@ -18,7 +18,7 @@ import pandas as pd
 from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, Figure, save_figure, style
 from common.drawing import key, look, marks, medians, note, scheme_looks
 from common.heads import job_of
-from common.loading import load
+from common.loading import as_text, load
 from common.sidecars import Refused, sidecar
 from common.thesis_values import counterparts, methods_of, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex

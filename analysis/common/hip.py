@@ -126,11 +126,8 @@ def view(name: str, joint: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) ->
     """The camera of that name, so that it shows the meshes as far as NEAR from the centre."""
     look, up = towards(name, joint)
     up = up / np.linalg.norm(up)
-    frame = np.array([np.cross(look, up), up, look])
     points = np.vstack([mesh.vertices for mesh in meshes])
-    seen = points[np.linalg.norm(points, axis=1) < NEAR] @ frame.T
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    return render.View((low + high) / 2 @ frame, look, up, 0.56 * float((high - low)[:2].max()), pixels)
+    return render.framed(points[np.linalg.norm(points, axis=1) < NEAR], look, up, 0.56, pixels)
 
 
 def letters(seen: render.View) -> dict[str, str]:

@@ -43,6 +43,14 @@ class View:
         return (self.pixels - 1) / 2 + seen / self.size * self.pixels / 2
 
 
+def framed(points: np.ndarray, towards: np.ndarray, up: np.ndarray, share: float, pixels: int = PIXELS) -> View:
+    """The view of the points; from its middle to its border are `share` of their larger extent across. Unit vectors."""
+    frame = np.array([np.cross(towards, up), up, towards])
+    seen = points @ frame.T
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    return View((low + high) / 2 @ frame, towards, up, share * float((high - low)[:2].max()), pixels)
+
+
 @dataclass(frozen=True)
 class Shades:
     """Colours (n, 3) from 0 to 1, evenly over the limits of a number; that of no number. Beyond, the first and the

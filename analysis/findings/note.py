@@ -193,7 +193,7 @@ def face_bound(results: Path) -> Finding:
 
 def misprints(results: Path) -> list[Finding]:
     """One for each number that verdicts.csv calls a misprint of the thesis."""
-    verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = common.as_text(results / "verdicts.csv")
     return [
         finding(
             row.artefact.replace("table-", "Table ").replace("section-", ""),

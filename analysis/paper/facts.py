@@ -137,7 +137,7 @@ def finding_facts(results: Path) -> dict[str, str]:
 
 def main(options) -> None:
     """Writes paper/facts.tex."""
-    verdicts = pd.read_csv(options.results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = common.as_text(options.results / "verdicts.csv")
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
     facts = {key: str(record.get(key, "unknown")) for key in MACHINE}
     facts["commit"] = facts["commit"][:12]

@@ -17,7 +17,7 @@ from common import fast, log_plot
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
     table = fast.load(results)
-    targets = pd.read_csv(results / "tables" / "fast-targets.csv", dtype=str, keep_default_na=False)
+    targets = common.as_text(results / "tables" / "fast-targets.csv")
     found = {f"fast:{row.key}": row.measured for row in targets.itertuples()}
     found |= {f"fast:{row.key}:met": row.met for row in targets.itertuples()}
     found |= {"fast:met": str((targets.met == "yes").sum()), "fast:missed": str((targets.met == "no").sum())}

@@ -19,6 +19,12 @@ def element(tag: str, inner: str, **attributes: str) -> str:
     return f"<{tag}{words}>{inner}</{tag}>"
 
 
+def choice(name: str, title: str, options: dict[str, str]) -> str:
+    """A list to choose from, by what each value is called."""
+    inner = "".join(element("option", html.escape(text), value=value) for value, text in options.items())
+    return element("label", title + element("select", inner, id=name))
+
+
 def data_script(name: str, value: object) -> str:
     """A script element that holds the value as JSON, for the page's own scripts to read."""
     text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
