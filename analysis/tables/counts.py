@@ -7,7 +7,7 @@
 import pandas as pd
 
 import common
-from common import contact, counts, fast
+from common import counts, fast
 
 
 def main(options) -> common.Table:
