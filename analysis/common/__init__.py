@@ -18,11 +18,11 @@ import pandas as pd
 from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, Figure, save_figure, style
 from common.drawing import key, look, marks, medians, note, scheme_looks
 from common.heads import job_of
-from common.loading import load
+from common.loading import as_text, load
 from common.sidecars import Refused, sidecar
 from common.thesis_values import counterparts, methods_of, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
-from common.writing import groups, tabular, write, write_table
+from common.writing import groups, ruled, tabular, write, write_table
 
 Table = tuple[pd.DataFrame, str]  # and its LaTeX
 
@@ -31,9 +31,7 @@ def arguments(*more: str) -> argparse.Namespace:
     """--results, --out and further required options of the same kind."""
     parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
     parser.add_argument("--results", type=Path, required=True, help="the results folder")
-    parser.add_argument(
-        "--out", type=Path, default=Path("."), help="where to write, laid out as the results folder"
-    )
+    parser.add_argument("--out", type=Path, default=Path("."), help="where to write, laid out as the results folder")
     for name in more:
         parser.add_argument(name, required=True)
     return parser.parse_args()

@@ -88,9 +88,7 @@ def comparison(hips: pd.DataFrame) -> pd.DataFrame:
     ours = statistics(hips)
     random = np.random.default_rng(27)
     draws = DRAWS if len(hips) <= 3000 else DRAWS // 5
-    again = pd.DataFrame(
-        [statistics(hips.iloc[random.integers(0, len(hips), len(hips))]) for _ in range(draws)]
-    )
+    again = pd.DataFrame([statistics(hips.iloc[random.integers(0, len(hips), len(hips))]) for _ in range(draws)])
     rows = []
     for name, value in ours.items():
         published, source, given = PUBLISHED.get(name, (float("nan"), "", False))

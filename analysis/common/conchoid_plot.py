@@ -7,7 +7,6 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from mpl_toolkits.mplot3d import Axes3D  # noqa: F401  (registers the projection)
 
 import common
 
@@ -57,8 +56,7 @@ def rays(axes: plt.Axes, curve: pd.DataFrame, angles_deg: np.ndarray, **look) ->
     """Rays from the conchoid's origin to the curve; one label for all."""
     for k, phi in enumerate(angles_deg):
         axes.plot(
-            *np.array([[0, 0], point(curve, phi)]).T,
-            **{**look, "label": look.get("label") if k == 0 else None},
+            *np.array([[0, 0], point(curve, phi)]).T, **{**look, "label": look.get("label") if k == 0 else None}
         )
 
 

@@ -18,16 +18,11 @@ def load(results: Path) -> pd.DataFrame:
     table = common.load(results, "counts")
     table["name"] = table.method.map(table.attrs["labels"])
     timed = fast.load(results)
-    timed = timed[
-        (timed.triangles == fast.TRIANGLES) & (timed.threads == 1) & (timed.instruction_set != "none")
-    ]
+    timed = timed[(timed.triangles == fast.TRIANGLES) & (timed.threads == 1) & (timed.instruction_set != "none")]
     table = table.merge(timed[[*KEYS, "ns_vertex"]], on=KEYS, how="left")
     floor = table[table.method == "floor"].set_index(["direction", "instruction_set"])
     floor = table[["direction", "instruction_set"]].merge(
-        floor[["instructions", "ns_vertex"]],
-        left_on=["direction", "instruction_set"],
-        right_index=True,
-        how="left",
+        floor[["instructions", "ns_vertex"]], left_on=["direction", "instruction_set"], right_index=True, how="left"
     )
     table["over_floor"] = table.instructions / floor.instructions
     table["time_over_floor"] = table.ns_vertex / floor.ns_vertex

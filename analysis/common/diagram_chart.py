@@ -9,6 +9,7 @@ import pandas as pd
 from matplotlib.collections import PolyCollection
 
 import common
+from common import diagram
 
 PHI, THETA = "polar angle φ, degrees", "azimuth θ, degrees"
 
@@ -29,6 +30,14 @@ def chart_axes(axes: plt.Axes, title: str = "") -> None:
 def turns(axes: plt.Axes, low: float = 0, high: float = 360, step: float = 60) -> None:
     """Ticks of an azimuth."""
     axes.set(xlim=(low, high), xticks=np.arange(low, high + 1, step))
+
+
+def area(axes: plt.Axes, corners: np.ndarray, **look) -> None:
+    """A polygon, on both sides of the seam where it reaches beyond."""
+    for turn in (-360, 0, 360):
+        moved = corners + [turn, 0]
+        if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
+            diagram.polygon(axes, moved, **look)
 
 
 def true_edges(axes: plt.Axes, face: np.ndarray, **look) -> None:
@@ -65,8 +74,6 @@ def read_image(path: Path, limits: tuple[float, float]) -> np.ndarray:
     kind, size, largest, pixels = data.split(b"\n", 3)
     columns, rows = map(int, size.split())
     if kind != b"P5" or largest != b"255" or len(pixels) != rows * columns:
-        raise common.Refused(
-            f"{path} is no whole image of 8 bits: remove it and run experiments/reproduce again"
-        )
+        raise common.Refused(f"{path} is no whole image of 8 bits: remove it and run experiments/reproduce again")
     grey = np.frombuffer(pixels, np.uint8).reshape(rows, columns).astype(float)
     return np.where(grey == 0, np.nan, limits[0] + (grey - 1) / 254 * (limits[1] - limits[0]))

@@ -15,10 +15,15 @@ def front(points: np.ndarray) -> np.ndarray:
     return np.asarray(points, float)[..., [0, 2]] * [-1, 1]
 
 
+def segments(sections: pd.DataFrame, name: str) -> np.ndarray:
+    """Segments (n, 2, 2) of one mesh, from the front."""
+    rows = sections[sections.name == name]
+    return rows[["x0", "z0", "x1", "z1"]].to_numpy().reshape(-1, 2, 2) * [-1, 1]
+
+
 def section(axes: plt.Axes, sections: pd.DataFrame, name: str, fill: str | None = None, **look) -> None:
     """What the frontal plane y = 0 cuts of one mesh, from the front."""
-    rows = sections[sections.name == name]
-    ends = rows[["x0", "z0", "x1", "z1"]].to_numpy().reshape(-1, 2, 2) * [-1, 1]
+    ends = segments(sections, name)
     look = {"linewidths": 1.6, "capstyle": "round", "zorder": 3, **look}
     axes.add_collection(LineCollection(ends, **look))
     if fill:

@@ -62,9 +62,7 @@ def reached(path: Path) -> list[Path]:
 def job_of(script: Path, name: str | None) -> dict[str, str]:
     """What the script's head says of the job of that name, or of its only one."""
     job = next(
-        job
-        for job in head(script)[1]
-        if name is None or re.fullmatch(re.sub(r"\b[A-Z]+\b", ".+", job["name"]), name)
+        job for job in head(script)[1] if name is None or re.fullmatch(re.sub(r"\b[A-Z]+\b", ".+", job["name"]), name)
     )
     return {**ROOMS[script.resolve().parent.name], **job, "name": name or job["name"]}
 

@@ -90,9 +90,7 @@ def close_zones(summary: dict) -> str:
     found = level["socket"]["clock_zones"]
     if found is None:
         return "no clock positions"
-    places = ", ".join(
-        "any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found
-    )
+    places = ", ".join("any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found)
     return (
         f"socket within {level['gap_up_to_mm']:g} mm at {places}"
         if places
@@ -128,11 +126,8 @@ def view(name: str, joint: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) ->
     """The camera of that name, so that it shows the meshes as far as NEAR from the centre."""
     look, up = towards(name, joint)
     up = up / np.linalg.norm(up)
-    frame = np.array([np.cross(look, up), up, look])
     points = np.vstack([mesh.vertices for mesh in meshes])
-    seen = points[np.linalg.norm(points, axis=1) < NEAR] @ frame.T
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    return render.View((low + high) / 2 @ frame, look, up, 0.56 * float((high - low)[:2].max()), pixels)
+    return render.framed(points[np.linalg.norm(points, axis=1) < NEAR], look, up, 0.56, pixels)
 
 
 def letters(seen: render.View) -> dict[str, str]:
@@ -176,9 +171,7 @@ class Dial:
     def at(self, hours: float | np.ndarray, radius: float) -> np.ndarray:
         """Points (..., 3) of the dial."""
         angle = np.asarray(hours) * np.pi / 6
-        return self.middle + radius * (
-            np.cos(angle)[..., None] * self.twelve + np.sin(angle)[..., None] * self.three
-        )
+        return self.middle + radius * (np.cos(angle)[..., None] * self.twelve + np.sin(angle)[..., None] * self.three)
 
 
 def dial(joint: Hip) -> Dial:

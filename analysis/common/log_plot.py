@@ -19,9 +19,7 @@ def slope(x: pd.Series, y: pd.Series) -> float:
 
 def draw_method(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> None:
     """Median with its quartiles' spread; hollow where extrapolated."""
-    axes.errorbar(
-        lines[key], lines.measured_ms, yerr=lines.iqr_ms / 2, fmt="none", ecolor=look["color"], capsize=3
-    )
+    axes.errorbar(lines[key], lines.measured_ms, yerr=lines.iqr_ms / 2, fmt="none", ecolor=look["color"], capsize=3)
     axes.plot(lines[key], lines.measured_ms, color=look["color"], linestyle=look["linestyle"])
     for hollow, group in lines.groupby("extrapolated"):
         common.marks(

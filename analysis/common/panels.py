@@ -87,9 +87,7 @@ def sheet(
             axes.axis("off")
     figure.suptitle(heading, fontsize=9.5, y=1 - 0.08 / height, va="top")
     top = 1 - (head + above - 0.05) / height
-    figure.subplots_adjust(
-        left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=above / side
-    )
+    figure.subplots_adjust(left=0.01, right=0.99, top=top, bottom=legend / height, wspace=0.03, hspace=above / side)
     return figure, grid
 
 

@@ -64,23 +64,12 @@ def competes(table: pd.DataFrame) -> pd.Series:
 
 
 def front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
-    """Which points no other point is at least as good as in both, and better in one: one pass over the points
-    in the order of their cost. Points that are the same in both stand or fall together.
+    """Which points no other point is at least as good as in both, and better in one. Points that are the same in both
+    stand or fall together.
     """
-    order = np.lexsort((error, cost))
-    on = np.zeros(len(error), dtype=bool)
-    best = np.inf
-    k = 0
-    while k < len(order):
-        same = k
-        while same < len(order) and cost[order[same]] == cost[order[k]]:
-            same += 1
-        least = error[order[k]]
-        if least < best:
-            on[order[k:same]] = error[order[k:same]] == least
-            best = least
-        k = same
-    return on
+    least = pd.Series(error).groupby(cost).min()  # in the order of the cost
+    better = least[least < least.cummin().shift(fill_value=np.inf)]
+    return better.reindex(cost).to_numpy() == error
 
 
 def fronts(table: pd.DataFrame) -> pd.DataFrame:
@@ -90,17 +79,7 @@ def fronts(table: pd.DataFrame) -> pd.DataFrame:
         for cost in COSTS:
             own = group[np.isfinite(group[cost]) & (group[cost] > 0)]
             on = front(own.error_um.to_numpy(), own[cost].to_numpy())
-            lines.append(
-                pd.DataFrame(
-                    {
-                        "scene": scene,
-                        "cost": cost,
-                        "method": own.method,
-                        "setting": own.setting,
-                        "error_um": own.error_um,
-                        "value": own[cost],
-                        "on_front": on,
-                    }
-                )
-            )
+            shown = {"scene": scene, "cost": cost, "method": own.method, "setting": own.setting}
+            shown |= {"error_um": own.error_um, "value": own[cost], "on_front": on}
+            lines.append(pd.DataFrame(shown))
     return pd.concat(lines, ignore_index=True)

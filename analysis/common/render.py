@@ -12,11 +12,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 )
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  # registers the renderer
 
@@ -45,6 +41,14 @@ class View:
         offset = point - self.focus
         seen = np.array([offset @ right, -offset @ np.cross(right, self.towards)])
         return (self.pixels - 1) / 2 + seen / self.size * self.pixels / 2
+
+
+def framed(points: np.ndarray, towards: np.ndarray, up: np.ndarray, share: float, pixels: int = PIXELS) -> View:
+    """The view of the points; from its middle to its border are `share` of their larger extent across. Unit vectors."""
+    frame = np.array([np.cross(towards, up), up, towards])
+    seen = points @ frame.T
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    return View((low + high) / 2 @ frame, towards, up, share * float((high - low)[:2].max()), pixels)
 
 
 @dataclass(frozen=True)

@@ -73,9 +73,7 @@ def union(table: pd.DataFrame) -> str:
     if filled.all() or not filled.any():
         return "12:00-12:00" if filled.all() else "none"
     starts = np.flatnonzero(filled & ~np.roll(filled, 1))
-    lengths = [
-        next(n for n in range(1, QUARTERS + 1) if not filled[(start + n) % QUARTERS]) for start in starts
-    ]
+    lengths = [next(n for n in range(1, QUARTERS + 1) if not filled[(start + n) % QUARTERS]) for start in starts]
     return ", ".join(f"{clock(start / 4)}-{clock((start + n) / 4)}" for start, n in zip(starts, lengths))
 
 

@@ -45,11 +45,7 @@ def inside_view(socket: ply.Mesh, summary: dict) -> render.View:
     side = np.cross(axis, render.upwards(summary["axes"], axis))
     side /= np.linalg.norm(side)
     towards = np.cos(TILT) * axis + np.sin(TILT) * np.cross(side, axis)
-    up = np.cross(side, towards)
-    seen = socket.vertices @ np.array([side, up, towards]).T
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    middle = (low + high) / 2 @ np.array([side, up, towards])
-    return render.View(middle, towards, up, 1.05 * float((high - low)[:2].max()) / 2, PIXELS)
+    return render.framed(socket.vertices, towards, np.cross(side, towards), 0.525, PIXELS)
 
 
 def dots(points: np.ndarray, view: render.View, size: float, colour=GREEN):

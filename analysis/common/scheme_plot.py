@@ -37,11 +37,7 @@ def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
 
 
 def dots(
-    axes: plt.Axes,
-    values: dict[str, pd.Series],
-    span: tuple[float, float],
-    names: dict[str, str],
-    apart: float,
+    axes: plt.Axes, values: dict[str, pd.Series], span: tuple[float, float], names: dict[str, str], apart: float
 ) -> None:
     """A marker a row for each series, `apart` rows from one another; names are those of the legend. What is
     beyond the span is written at its edge, in the order of the legend.
@@ -51,9 +47,7 @@ def dots(
         inside = values[name].between(*span).to_numpy()
         places = np.flatnonzero(inside) + apart * (k - middle)
         axes.plot(
-            values[name][inside],
-            places,
-            **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]},
+            values[name][inside], places, **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]}
         )
     for place in range(len(next(iter(values.values())))):
         row = [series.iloc[place] for series in values.values()]
@@ -113,12 +107,7 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
 
 def _offsets() -> list[tuple[float, float]]:
     """Where a name may stand, in points from its own: near before far, right before left."""
-    return [
-        (dx, dy)
-        for away in (0, 10, 20, 32, 46, 62)
-        for dy in dict.fromkeys((away, -away))
-        for dx in (9, -9, 26)
-    ]
+    return [(dx, dy) for away in (0, 10, 20, 32, 46, 62) for dy in dict.fromkeys((away, -away)) for dx in (9, -9, 26)]
 
 
 def panels(
@@ -136,11 +125,3 @@ def panels(
     figure.subplots_adjust(wspace=0.06, hspace=0.2)
     figure.suptitle(title, x=0.125, y=0.88 + 0.5 / (lines * size[1]), ha="left", va="bottom", fontsize=11)
     return figure
-
-
-def turn(azimuth_deg: float, elevation_deg: float) -> np.ndarray:
-    """Rows: right, up and towards the eye of a viewer in that direction."""
-    a, e = np.radians([azimuth_deg, elevation_deg])
-    eye = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.array([-np.sin(a), np.cos(a), 0.0])
-    return np.stack([right, np.cross(eye, right), eye])

@@ -69,12 +69,7 @@ def draw(axes: plt.Axes, image: np.ndarray, joint: hip.Hip, title: str = "") -> 
         axes.plot(*place(np.linspace(0, 12, 121), np.full(121, polar), joint).T, color=FAINT, linewidth=0.5)
     for hour in range(1, 13):
         axes.text(
-            *place(hour, 1.02 * LARGEST, joint),
-            str(hour),
-            ha="center",
-            va="center",
-            fontsize=common.SMALL,
-            color=INK,
+            *place(hour, 1.02 * LARGEST, joint), str(hour), ha="center", va="center", fontsize=common.SMALL, color=INK
         )
     axes.text(*place(6, 90, joint), "90°", ha="center", va="bottom", fontsize=common.SMALL, color=INK)
     axes.set(xlim=(-1.12, 1.12), ylim=(-1.12, 1.12), aspect="equal")

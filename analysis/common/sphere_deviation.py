@@ -62,9 +62,7 @@ def coloured(head: HeadMap) -> vtkActor:
     limits = (-LARGEST - STEP, LARGEST + STEP)
     scale = colours()
     middles = np.arange(limits[0] + STEP / 2, limits[1], STEP)
-    return render.scalar_surface(
-        head.ball, head.deviation, render.Shades(scale.to_rgba(middles)[:, :3], limits)
-    )
+    return render.scalar_surface(head.ball, head.deviation, render.Shades(scale.to_rgba(middles)[:, :3], limits))
 
 
 @dataclass(frozen=True)

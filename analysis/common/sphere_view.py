@@ -14,11 +14,7 @@ def view(elevation_deg: float, azimuth_deg: float) -> np.ndarray:
     """Rows: right, up and towards the eye, of an eye above the azimuth given; +z is up."""
     elevation, azimuth = math.radians(elevation_deg), math.radians(azimuth_deg)
     towards = np.array(
-        [
-            math.cos(elevation) * math.cos(azimuth),
-            math.cos(elevation) * math.sin(azimuth),
-            math.sin(elevation),
-        ]
+        [math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation)]
     )
     right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     return np.array([right, np.cross(towards, right), towards])

@@ -35,9 +35,7 @@ def draw(cases: pd.DataFrame, family: pd.Series, of_all: dict[str, dict]) -> plt
     title = cases.family.iloc[0].replace("_", " ").capitalize()
     heading = textwrap.wrap(f"{title}. Expected: {family.expected}", 130)
     figure.suptitle("\n".join(heading), x=0.01, ha="left", y=1.0 + 0.026 * len(heading), fontsize=11)
-    figure.legend(
-        handles=stability_plot.legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3
-    )
+    figure.legend(handles=stability_plot.legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3)
     return figure
 
 

@@ -97,9 +97,7 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
                 line = group[group.method == method]
                 if method in with_thesis:
                     cells.append(_printed(line[theirs]) if theirs == "thesis_ms" else _cell(line[theirs]))
-                cells.append(
-                    _cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else "")
-                )
+                cells.append(_cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else ""))
             body.append(cells)
     return common.tabular(layout, head, body)
 

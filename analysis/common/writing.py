@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writing text and tables."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import pandas as pd
@@ -32,6 +33,17 @@ def tabular(layout: str, head: list[str | list[str]], rows: list[str | list[str]
             "",
         ]
     )
+
+
+def ruled(rows: Iterable[list[str]]) -> list[str | list[str]]:
+    """The rows, with a rule before each group that begins alike; only the first of a group says how."""
+    lines, before = [], None
+    for first, *rest in rows:
+        if first != before:
+            lines.append("\\midrule")
+        lines.append(["" if first == before else first, *rest])
+        before = first
+    return lines
 
 
 def groups(first: str, widths: list[tuple[str, int]]) -> tuple[str, list[str | list[str]]]:

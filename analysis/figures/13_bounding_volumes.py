@@ -7,7 +7,6 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 
 import common
 from common import diagram, diagram_section
@@ -18,8 +17,9 @@ ROUND = np.linspace(0, 2 * np.pi, 181)
 
 def main(options) -> common.Figure:
     sections = common.load(options.results, "diagram_sections")
-    points = outline(sections)
-    own = area(max(diagram_section.loops(segments(sections)), key=len))
+    segments = diagram_section.segments(sections, BODY)
+    points = segments.reshape(-1, 2)
+    own = area(max(diagram_section.loops(segments), key=len))
     volumes = {
         "a) sphere": sphere(points),
         "b) box along the axes": slabs(points, [0, 90]),
@@ -37,17 +37,6 @@ def main(options) -> common.Figure:
     figure.suptitle("Bounding volumes of a head and neck (section of a mesh)", fontsize=10.5)
     figure.subplots_adjust(left=0.005, right=0.995, top=0.80, bottom=0.08, wspace=0.04)
     return figure
-
-
-def segments(sections: pd.DataFrame) -> np.ndarray:
-    """Segments (n, 2, 2) of the body, from the front."""
-    rows = sections[sections.name == BODY]
-    return rows[["x0", "z0", "x1", "z1"]].to_numpy().reshape(-1, 2, 2) * [-1, 1]
-
-
-def outline(sections: pd.DataFrame) -> np.ndarray:
-    """Their ends (n, 2)."""
-    return segments(sections).reshape(-1, 2)
 
 
 def area(polygon: np.ndarray) -> float:

@@ -34,8 +34,7 @@ def main(options) -> common.Figure:
     diagram.title(panels[1], f"b) its {len(points)} sample points,\none an entry of the table")
     diagram.title(panels[2], "c) the table's stand-in for it:\nthe points alone")
     figure.suptitle(
-        f"A triangle becomes entries of a table (socket, {diagram.HIP}, coarse mesh; RSID at 1°)",
-        fontsize=10.5,
+        f"A triangle becomes entries of a table (socket, {diagram.HIP}, coarse mesh; RSID at 1°)", fontsize=10.5
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.78, bottom=0.02, wspace=0.05)
     return figure
@@ -63,9 +62,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     diagram.dots(axes, origin[None], marker="s", markersize=5)
     diagram.note(axes, origin, "centre of\nrotation", (-6, -19), fontsize=8.5)
     diagram.note(axes, FROM_BESIDE.see(point), "sample\npoint", (29, 8), fontsize=9, color=diagram.POLE)
-    diagram.note(
-        axes, FROM_BESIDE.see(0.55 * point), f"d = {entry.met_mm:.2f} mm", (2, -16), color=diagram.POLE
-    )
+    diagram.note(axes, FROM_BESIDE.see(0.55 * point), f"d = {entry.met_mm:.2f} mm", (2, -16), color=diagram.POLE)
     everything = np.vstack([seen, origin[None], FROM_BESIDE.see(9 * np.eye(3))])
     diagram.frame(axes, everything, room=0.05)
     diagram.title(axes, f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d")

@@ -73,9 +73,7 @@ def look_up(axes: plt.Axes, points: np.ndarray, vertex: pd.Series) -> None:
     diagram.dots(axes, hit[None], markersize=6.5, color=diagram.POLE, markeredgecolor="white", zorder=6)
     diagram.note(axes, at, f"vertex: $d_i$ = {vertex.vertex_mm:.2f} mm", (-54, -11), fontsize=8.5)
     diagram.note(axes, hit, f"table: $d$ = {vertex.table_mm:.2f} mm", (-10, 14), fontsize=8.5)
-    diagram.note(
-        axes, (-2, -9), f"gap = $d - d_i$ = {vertex.gap_mm:.2f} mm\n> 0: no impingement", fontsize=9.5
-    )
+    diagram.note(axes, (-2, -9), f"gap = $d - d_i$ = {vertex.gap_mm:.2f} mm\n> 0: no impingement", fontsize=9.5)
 
 
 def write_excerpt(axes: plt.Axes, excerpt: pd.DataFrame, vertex: pd.Series, precision: float) -> None:

@@ -27,9 +27,7 @@ def main(options) -> common.Figure:
     repeat(axes, ball, chosen)
     decide(axes, ball)
     back(axes, socket)
-    figure.suptitle(
-        f"Rapid impingement detection, with the numbers of one pose\n({diagram.HIP})", fontsize=10.5
-    )
+    figure.suptitle(f"Rapid impingement detection, with the numbers of one pose\n({diagram.HIP})", fontsize=10.5)
     figure.subplots_adjust(left=0.01, right=0.99, top=0.925, bottom=0.01)
     return figure
 
@@ -85,10 +83,7 @@ def decide(axes: plt.Axes, ball) -> None:
     corners = [(0, half[1]), (half[0], 0), (0, -half[1]), (-half[0], 0)]
     axes.add_patch(
         Polygon(
-            [(middle[0] + x, middle[1] + y) for x, y in corners],
-            facecolor=DECIDED,
-            edgecolor=diagram.INK,
-            zorder=3,
+            [(middle[0] + x, middle[1] + y) for x, y in corners], facecolor=DECIDED, edgecolor=diagram.INK, zorder=3
         )
     )
     axes.text(*middle, "gap $g = d - d_i$\n$g ≤ 0$ ?", ha="center", va="center", fontsize=9.5, zorder=5)
@@ -98,10 +93,7 @@ def decide(axes: plt.Axes, ball) -> None:
             {"facecolor": "#F6C9A8", "edgecolor": diagram.POLE, "linewidth": 2},
         ),
         7.0: (f"no: free\n{ball.met - ball.impinged:,} vertices", {"facecolor": "#D5EBDF"}),
-        9.0: (
-            f"no surface\n{ball.vertices - ball.met:,} vertices",
-            {"facecolor": "white", "linestyle": "--"},
-        ),
+        9.0: (f"no surface\n{ball.vertices - ball.met:,} vertices", {"facecolor": "white", "linestyle": "--"}),
     }
     tails = (RIGHT - half[0] * 0.5, 3.02), (RIGHT - 0.2, 2.74), (RIGHT + half[0] * 0.5, 3.02)
     for tail, (x, (text, look)) in zip(tails, ends.items()):

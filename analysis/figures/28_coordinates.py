@@ -30,9 +30,7 @@ def main(options) -> common.Figure:
 def arc(phi: tuple[float, float], theta: tuple[float, float], radius: float) -> np.ndarray:
     """Points of a curve with angles between two pairs, degrees."""
     share = np.linspace(0, 1, 60)
-    return radius * diagram.direction(
-        phi[0] + share * (phi[1] - phi[0]), theta[0] + share * (theta[1] - theta[0])
-    )
+    return radius * diagram.direction(phi[0] + share * (phi[1] - phi[0]), theta[0] + share * (theta[1] - theta[0]))
 
 
 def draw_sphere(axes: plt.Axes, corner: pd.Series) -> None:

@@ -38,15 +38,7 @@ def main(options) -> common.Figure:
             if facts.star_shaped
             else f"{100 * facts.violating:.1f} % of all rays meet it again"
         )
-        axes.text(
-            0.5,
-            -0.02,
-            f"{span}\n{met}",
-            transform=axes.transAxes,
-            ha="center",
-            va="top",
-            fontsize=8.5,
-        )
+        axes.text(0.5, -0.02, f"{span}\n{met}", transform=axes.transAxes, ha="center", va="top", fontsize=8.5)
     handles = [
         common.key("sample point", color=diagram.POINT, marker="o", markersize=4, linestyle="none"),
         common.key(
@@ -59,9 +51,7 @@ def main(options) -> common.Figure:
         common.key("centre", color=diagram.INK, marker="s", linestyle="none"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=8.5)
-    figure.suptitle(
-        "Which surfaces have one distance in every direction? (sections of meshes)", fontsize=10.5
-    )
+    figure.suptitle("Which surfaces have one distance in every direction? (sections of meshes)", fontsize=10.5)
     figure.subplots_adjust(left=0.005, right=0.995, top=0.80, bottom=0.22, wspace=0.04)
     return figure
 
@@ -69,9 +59,7 @@ def main(options) -> common.Figure:
 def draw(axes: plt.Axes, sections, rays, name: str) -> None:
     """Section, rays and their crossings."""
     diagram_section.section(axes, sections, name, fill=diagram.FILL["ball"], colors=diagram.BALL)
-    nearest, farthest = (
-        diagram_section.in_section(rays, name, column) for column in ("nearest_mm", "farthest_mm")
-    )
+    nearest, farthest = (diagram_section.in_section(rays, name, column) for column in ("nearest_mm", "farthest_mm"))
     for first, last in zip(nearest, farthest):
         axes.plot(*np.array([(0, 0), last]).T, color="#8a8a8a", linewidth=0.5, zorder=2)
     twice = np.linalg.norm(farthest - nearest, axis=1) > SPAN

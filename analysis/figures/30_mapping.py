@@ -23,9 +23,7 @@ def main(options) -> common.Figure:
     chart = common.load(options.results, "diagram_chart")
     chart = chart[chart.name == MESH]
     middles = faces.mean(axis=1) / np.linalg.norm(faces.mean(axis=1), axis=1)[:, None]
-    chosen = {
-        letter: int(np.argmax(middles @ diagram.direction(*angles))) for letter, angles in SHOWN.items()
-    }
+    chosen = {letter: int(np.argmax(middles @ diagram.direction(*angles))) for letter, angles in SHOWN.items()}
     chosen["C"] = across_seam(chart, middles @ diagram.direction(*SHOWN["C"]))
     figure, (space, flat) = plt.subplots(1, 2, figsize=(8.8, 3.9), width_ratios=[1, 1.75])
     draw_space(space, faces, chosen)
@@ -72,10 +70,7 @@ def draw_chart(axes: plt.Axes, chart: pd.DataFrame, chosen: dict[str, int]) -> N
         look = {"facecolor": "#f4f4f4", "linewidth": 0.5, "edgecolor": "#6a6a6a", "zorder": 2}
         if face in letters:
             look = {**LOOKS[letters[face]], "linewidth": 0.9, "zorder": 3}
-        for turn in (-360, 0, 360):
-            moved = triangle + [turn, 0]
-            if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
-                diagram.polygon(axes, moved, **look)
+        diagram_chart.area(axes, triangle, **look)
     for letter, face in chosen.items():
         rows = chart[chart.face == face]
         place = (np.clip(rows.theta_deg.mean() % 360, 6, 354), rows.phi_deg.mean())

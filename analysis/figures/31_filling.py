@@ -38,15 +38,8 @@ def main(options) -> common.Figure:
         diagram_chart.turns(axes)
         axes.set(ylim=(180, 0), yticks=np.arange(0, 181, 30), facecolor=EMPTY)
         left, right, upper, lower = DETAIL
-        corners = [
-            (left - 2, upper - 2),
-            (right + 2, upper - 2),
-            (right + 2, lower + 2),
-            (left - 2, lower + 2),
-        ]
-        diagram.polygon(
-            axes, np.array(corners), facecolor="none", edgecolor=diagram.POLE, linewidth=1.5, zorder=6
-        )
+        corners = [(left - 2, upper - 2), (right + 2, upper - 2), (right + 2, lower + 2), (left - 2, lower + 2)]
+        diagram.polygon(axes, np.array(corners), facecolor="none", edgecolor=diagram.POLE, linewidth=1.5, zorder=6)
     mapped(detail, triangles, colours, limits, edges=True)
     filled(pixels, table, step, colours, limits)
     for axes, title in ((detail, "c) detail of a)"), (pixels, "d) detail of b)")):
@@ -66,9 +59,7 @@ def mapped(axes: plt.Axes, triangles: np.ndarray, colours, limits, edges: bool =
     shades = colours(plt.Normalize(*limits)(corners[:, :, 2].mean(axis=1)))
     edge, width = ("#3b6ea5", 0.8) if edges else (shades, 0.2)
     axes.add_collection(
-        PolyCollection(
-            corners[:, :, :2], facecolors=shades, edgecolors=edge, linewidths=width, rasterized=True
-        )
+        PolyCollection(corners[:, :, :2], facecolors=shades, edgecolors=edge, linewidths=width, rasterized=True)
     )
 
 

@@ -35,7 +35,8 @@ def main(options) -> common.Figure:
         faces = diagram.faces(corners, name)
         regions = pieces(chart[chart.name == name])
         from_above(space, faces, name)
-        draw_entries(flat, diagram_chart.of_face(coverage, name))
+        entries = diagram_chart.of_face(coverage, name)
+        diagram_chart.cells(flat, entries[entries.drawn], facecolors="#d9d9d9", linewidth=0.1)
         draw_regions(flat, regions)
         for face in faces:
             diagram_chart.true_edges(flat, face)
@@ -49,10 +50,7 @@ def main(options) -> common.Figure:
         flat.yaxis.set_major_locator(MultipleLocator(5 if name == "pole_at_vertex" else 2))
     seam([figure.add_subplot(grid[4, column]) for column in range(3)], corners, chart, coverage)
     handles = [
-        *(
-            Patch(**look, edgecolor=diagram.INK, label=f"part {k + 1}")
-            for k, look in enumerate(diagram.PARTS)
-        ),
+        *(Patch(**look, edgecolor=diagram.INK, label=f"part {k + 1}") for k, look in enumerate(diagram.PARTS)),
         Patch(facecolor="#d9d9d9", edgecolor="white", label="entries filled (table at 1°)"),
         common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
     ]
@@ -77,19 +75,10 @@ def pieces(chart: pd.DataFrame) -> list[tuple[np.ndarray, int]]:
     return found
 
 
-def draw_entries(axes: plt.Axes, entries: pd.DataFrame) -> None:
-    """Those that the thesis' raster fills."""
-    diagram_chart.cells(axes, entries[entries.drawn], facecolors="#d9d9d9", linewidth=0.1)
-
-
 def draw_regions(axes: plt.Axes, regions: list[tuple[np.ndarray, int]]) -> None:
     """Each region in the look of its number, on both sides of the seam."""
     for region, number in regions:
-        for turn in (-360, 0, 360):
-            moved = region + [turn, 0]
-            if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
-                look = diagram.PARTS[number % len(diagram.PARTS)]
-                diagram.polygon(axes, moved, alpha=0.6, zorder=3, **look)
+        diagram_chart.area(axes, region, alpha=0.6, zorder=3, **diagram.PARTS[number % len(diagram.PARTS)])
 
 
 def name_corners(axes: plt.Axes, regions: list[tuple[np.ndarray, int]]) -> None:
@@ -136,9 +125,7 @@ def seam(panels: list[plt.Axes], corners, chart, coverage) -> None:
         direct, f"as mapped: {len(missed)} missed (orange),\n{len(wrong):,} filled wrongly (black)"
     )
     diagram_chart.turns(direct, step=90)
-    unrolled = entries[entries.drawn].assign(
-        column=lambda e: np.where(e.column > 180, e.column - 360, e.column)
-    )
+    unrolled = entries[entries.drawn].assign(column=lambda e: np.where(e.column > 180, e.column - 360, e.column))
     diagram_chart.cells(flat, unrolled, facecolors="#d9d9d9", linewidth=0.3)
     region = chart.loc[chart.name == SEAM, ["theta_deg", "phi_deg"]].to_numpy()
     region[:, 0] -= 360 * np.round(region[:, 0].mean() / 360)

@@ -39,12 +39,9 @@ def main(options) -> common.Figure:
         common.key("vertex of the ball", color=diagram.POLE, marker="v", linestyle="none"),
         common.key("centre of the table", color=diagram.INK, marker="s", linestyle="none"),
     ]
-    figure.legend(
-        handles=handles, loc="lower center", ncol=5, fontsize=8.5, handletextpad=0.4, columnspacing=1.2
-    )
+    figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=8.5, handletextpad=0.4, columnspacing=1.2)
     figure.suptitle(
-        f"The same vertex, three poses, one table of the socket ({diagram.HIP}, from the front)",
-        fontsize=10.5,
+        f"The same vertex, three poses, one table of the socket ({diagram.HIP}, from the front)", fontsize=10.5
     )
     figure.subplots_adjust(left=0.01, right=0.99, top=0.84, bottom=0.24, wspace=0.04)
     return figure
@@ -57,9 +54,7 @@ def draw_query(axes: plt.Axes, vertex: pd.Series) -> None:
     far = at if vertex.gap_mm < 0 else hit
     axes.plot(*np.array([(0, 0), far]).T, color=diagram.POLE, linewidth=1.4, linestyle="--", zorder=4)
     diagram.dots(axes, np.zeros((1, 2)), marker="s", markersize=6)
-    diagram.dots(
-        axes, at[None], marker="v", markersize=9, color=diagram.POLE, markeredgecolor="white", zorder=7
-    )
+    diagram.dots(axes, at[None], marker="v", markersize=9, color=diagram.POLE, markeredgecolor="white", zorder=7)
     diagram.dots(axes, hit[None], markersize=6, color=diagram.POLE, markeredgecolor="white", zorder=6)
     verdict = "impinged" if vertex.gap_mm <= 0 else "free"
     lines = [
@@ -68,14 +63,7 @@ def draw_query(axes: plt.Axes, vertex: pd.Series) -> None:
         f"= gap {vertex.gap_mm:+.2f} mm: {verdict}".replace("-", "−"),
     ]
     axes.text(
-        0.5,
-        -0.03,
-        "\n".join(lines),
-        transform=axes.transAxes,
-        ha="center",
-        va="top",
-        fontsize=9,
-        linespacing=1.35,
+        0.5, -0.03, "\n".join(lines), transform=axes.transAxes, ha="center", va="top", fontsize=9, linespacing=1.35
     )
 
 

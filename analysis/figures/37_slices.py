@@ -29,9 +29,7 @@ def main(options) -> common.Figure:
     draw_contours(axes[1], meshes)
     draw_surface(axes[2], meshes)
     faces = {name: len(mesh.triangles) for name, mesh in meshes.items()}
-    axes[2].set_title(
-        f"c) surface: {faces['ball']:,} and\n{faces['socket']:,} triangles", loc="center", fontsize=9.5
-    )
+    axes[2].set_title(f"c) surface: {faces['ball']:,} and\n{faces['socket']:,} triangles", loc="center", fontsize=9.5)
     handles = [common.key(name, color=colour) for name, colour in LINES.items()]
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9)
     figure.subplots_adjust(left=0.06, right=0.99, top=0.86, bottom=0.16, wspace=0.08)
@@ -67,10 +65,8 @@ def cut(mesh: ply.Mesh, height: float) -> np.ndarray:
     """Segments (n, 2, 3) in which the plane z = height cuts the triangles."""
     corners = mesh.vertices[mesh.triangles]
     above = corners[:, :, 2] > height
-    corners, above = (
-        corners[above.any(axis=1) & ~above.all(axis=1)],
-        above[above.any(axis=1) & ~above.all(axis=1)],
-    )
+    crossed = above.any(axis=1) & ~above.all(axis=1)
+    corners, above = corners[crossed], above[crossed]
     alone = np.where(above.sum(axis=1) == 1, above.argmax(axis=1), (~above).argmax(axis=1))
     rows = np.arange(len(corners))
     tip = corners[rows, alone]
@@ -101,9 +97,7 @@ def frame(axes: plt.Axes, meshes: dict[str, ply.Mesh]) -> None:
     focus, size = window(meshes)
     right, up, _ = sphere_view.view(*EYE)
     axes.set(
-        xlim=(focus @ right - size, focus @ right + size),
-        ylim=(focus @ up - size, focus @ up + size),
-        aspect="equal",
+        xlim=(focus @ right - size, focus @ right + size), ylim=(focus @ up - size, focus @ up + size), aspect="equal"
     )
 
 

@@ -32,9 +32,7 @@ def main(options) -> common.Figure:
             panels.take("a) with the sphere as wires, anterior view", [ball, wires], front),
             panels.take("b) superior view", [ball], above),
         ]
-    heading = (
-        f"{hip.title(joint.name)}\nball beyond the sphere of {radius:.2f} mm fitted to it ({joint.side} side)"
-    )
+    heading = f"{hip.title(joint.name)}\nball beyond the sphere of {radius:.2f} mm fitted to it ({joint.side} side)"
     figure, _ = panels.sheet([row], heading, legend=0.85)
     sphere_deviation.colour_bar(figure)
     return figure

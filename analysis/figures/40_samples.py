@@ -39,9 +39,7 @@ def main(options) -> common.Figure:
             panels.take("c) sample points", [dots], camera),
         ]
     precision = table.attrs["parameters"]["precision_deg"]
-    heading = (
-        f"{len(points):,} points of the socket that RSID samples at {precision:g}°\n{hip.title(joint.name)}"
-    )
+    heading = f"{len(points):,} points of the socket that RSID samples at {precision:g}°\n{hip.title(joint.name)}"
     figure, _ = panels.sheet([row], heading)
     handles = [
         Patch(color=hip.SOCKET, label=f"socket, {len(joint.socket.triangles):,} triangles"),

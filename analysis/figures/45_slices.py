@@ -41,11 +41,7 @@ def draw_space(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:
     axes.view_init(elev=14, azim=-60)
     axes.set_axis_off()
     thickness = slices.attrs["parameters"]["thickness_mm"]
-    title(
-        axes,
-        0.03,
-        f"a) {2 * len(slices) - 1} slices, {thickness:g} mm apart, cut a head of {2 * radius:g} mm",
-    )
+    title(axes, 0.03, f"a) {2 * len(slices) - 1} slices, {thickness:g} mm apart, cut a head of {2 * radius:g} mm")
 
 
 def draw_side(axes: plt.Axes, slices: pd.DataFrame, radius: float, shown: int = 8) -> None:
@@ -55,9 +51,7 @@ def draw_side(axes: plt.Axes, slices: pd.DataFrame, radius: float, shown: int = 
     for index, height in zip(slices.slice, slices.height_mm):
         half = np.sqrt(radius**2 - height**2)
         for z in {height, -height}:
-            style = (
-                {"color": common.COLOURS[1], "linewidth": 1.6} if index == 0 else {"color": common.COLOURS[0]}
-            )
+            style = {"color": common.COLOURS[1], "linewidth": 1.6} if index == 0 else {"color": common.COLOURS[0]}
             axes.plot([-half, half], [z, z], **{"linewidth": 0.9, **style})
     line = slices.set_index("slice").loc[shown]
     phi = np.radians(line.phi_deg)
@@ -69,9 +63,7 @@ def draw_side(axes: plt.Axes, slices: pd.DataFrame, radius: float, shown: int = 
     boxed = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
     middle = 0.47 * radius * np.array([np.sin(phi / 2), np.cos(phi / 2)])
     axes.text(*middle, "φ", ha="center", va="center", fontsize=12, bbox=boxed)
-    axes.text(
-        point[0] * 0.62 + 1.6, point[1] * 0.62 - 1.6, "r", fontsize=11, ha="center", va="center", bbox=boxed
-    )
+    axes.text(point[0] * 0.62 + 1.6, point[1] * 0.62 - 1.6, "r", fontsize=11, ha="center", va="center", bbox=boxed)
     axes.annotate(
         "",
         (-0.5 * radius, line.height_mm),

@@ -29,9 +29,7 @@ def draw_curve(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:
     axes.vlines(x, 0, slices.phi_deg, color=common.COLOURS[0], linewidth=0.5)
     axes.hlines(slices.phi_deg, -1, x, color=common.COLOURS[0], linewidth=0.5)
     axes.set(xlim=(-1, 1), ylim=(0, 180), yticks=range(0, 181, 30))
-    axes.set(
-        xlabel="x = i ΔT / r", ylabel="φ, degrees", title="a) even steps in height, uneven ones in angle"
-    )
+    axes.set(xlabel="x = i ΔT / r", ylabel="φ, degrees", title="a) even steps in height, uneven ones in angle")
     axes.legend(loc="upper right")
 
 

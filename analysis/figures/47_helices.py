@@ -22,11 +22,7 @@ def main(options) -> common.Figure:
         entries = lines[lines.kind == "entry"]
         sphere_view.draw_sphere(axes)
         sphere_view.draw_line(
-            axes,
-            lines[lines.kind == "curve"][AXES].to_numpy(),
-            EYE,
-            color=common.COLOURS[0],
-            linewidth=12 / (k + 8),
+            axes, lines[lines.kind == "curve"][AXES].to_numpy(), EYE, color=common.COLOURS[0], linewidth=12 / (k + 8)
         )
         sphere_view.draw_points(
             axes,
@@ -38,9 +34,7 @@ def main(options) -> common.Figure:
             markeredgewidth=0,
         )
         axes.set_title(f"{letter}) k = {k} turns, w = {len(entries):,} entries", loc="center", fontsize=13)
-    figure.suptitle(
-        "The helix θ = 2kφ on the sphere; orange: sampled directions, faint: behind", fontsize=13, y=1.0
-    )
+    figure.suptitle("The helix θ = 2kφ on the sphere; orange: sampled directions, faint: behind", fontsize=13, y=1.0)
     figure.tight_layout()
     return figure
 

@@ -37,9 +37,7 @@ def markers(point: str) -> dict:
 def draw_helix(axes: plt.Axes, helix: pd.DataFrame, eye: np.ndarray, width: float) -> None:
     """Ball, curve and small entries."""
     sphere_view.draw_sphere(axes)
-    sphere_view.draw_line(
-        axes, helix[helix.kind == "curve"][AXES].to_numpy(), eye, color=CURVE, linewidth=width
-    )
+    sphere_view.draw_line(axes, helix[helix.kind == "curve"][AXES].to_numpy(), eye, color=CURVE, linewidth=width)
     entries = helix[helix.kind == "entry"][AXES].to_numpy()
     sphere_view.draw_points(axes, entries, eye, color=ENTRY, marker="o", markersize=3, markeredgewidth=0)
 
@@ -50,14 +48,7 @@ def draw_look_up(axes: plt.Axes, points: pd.DataFrame, eye: np.ndarray, labels: 
     axes.plot(*(ends @ eye.T)[:, :2].T, color=CROSSING, linestyle="--", linewidth=1.2, zorder=4)
     for point, row in points.iterrows():
         at = eye @ row[AXES].to_numpy(float)
-        axes.plot(
-            *at[:2],
-            linestyle="none",
-            zorder=6,
-            markeredgecolor="white",
-            markeredgewidth=0.8,
-            **markers(point),
-        )
+        axes.plot(*at[:2], linestyle="none", zorder=6, markeredgecolor="white", markeredgewidth=0.8, **markers(point))
         if labels:
             common.note(axes, NAMES[point], at[:2], OFFSETS[point], fontsize=13, zorder=7)
 

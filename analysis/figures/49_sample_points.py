@@ -47,9 +47,7 @@ def main(options) -> common.Figure:
     titles = [f"a) socket, {len(socket.triangles):,} triangles"]
     for letter, scheme in zip("bc", schemes):
         on_surface = len(sample_points.of_scheme(points, scheme))
-        titles.append(
-            f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket"
-        )
+        titles.append(f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket")
     return compose(rows, titles, view, pole)
 
 
@@ -83,9 +81,7 @@ def compose(
             circle = Circle((middle, middle), view.pixels / 2 - 3, transform=axes.transData)
             axes.images[0].set_clip_path(circle)
             axes.add_patch(Circle(circle.center, circle.radius, fill=False, edgecolor=RING, linewidth=1.6))
-        grid[1][0].set_title(
-            f"the circle: {CLOSE:g} mm round the pole, $\\varphi = 0$", loc="center", fontsize=9.5
-        )
+        grid[1][0].set_title(f"the circle: {CLOSE:g} mm round the pole, $\\varphi = 0$", loc="center", fontsize=9.5)
     figure.subplots_adjust(left=0.01, right=0.99, top=0.92, bottom=0.01, wspace=0.03, hspace=0.08)
     return figure
 

@@ -39,9 +39,7 @@ def main(options) -> common.Figure:
             titles.append(f"{letter}) {common.label(scheme)}: {smallest(gaps[-1])}")
     figure = compose(images, titles, heading(options.joint, summary, gaps))
     handles = gap_colours.legend(summary, ("socket",))
-    figure.legend(
-        handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="gap, mm"
-    )
+    figure.legend(handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="gap, mm")
     return figure
 
 
@@ -56,9 +54,7 @@ def heading(joint: str, summary: dict, gaps: list[np.ndarray]) -> str:
     pose = summary["pose"].replace("=", " ").replace("_", " ") + ("°" if "=" in summary["pose"] else "")
     apart = np.abs(gaps[0] - gaps[1])
     largest = "" if np.isnan(apart).all() else f"gaps differ by at most {np.nanmax(apart):.3f} mm"
-    return (
-        f"Socket, {name}, {pose}\n{largest}\npoints: entries of its table at {summary['precision_deg']:.3g}°"
-    )
+    return f"Socket, {name}, {pose}\n{largest}\npoints: entries of its table at {summary['precision_deg']:.3g}°"
 
 
 def compose(images: list[np.ndarray], titles: list[str], heading_text: str) -> plt.Figure:

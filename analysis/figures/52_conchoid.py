@@ -37,9 +37,7 @@ def main(options) -> common.Figure:
         linestyle="--",
         label=f"best sphere of the cap, radius {shape.sphere_radius_mm:.1f} mm",
     )
-    panels[1].plot(
-        0, -shape.sphere_height_mm, "x", color=conchoid.SECOND, markersize=7, label="centre of the sphere"
-    )
+    panels[1].plot(0, -shape.sphere_height_mm, "x", color=conchoid.SECOND, markersize=7, label="centre of the sphere")
     panels[0].set_title(f"a) a = {shape.a_mm} mm, b = {shape.b_mm} mm")
     panels[1].set_title(
         f"b) the cap leaves the sphere by {shape.sphere_lowest_mm:+.2f} to {shape.sphere_highest_mm:+.2f} mm"

@@ -44,15 +44,10 @@ def main(options) -> common.Figure:
         )
     for degrees in (0, 45, 90, 135):
         whole = np.concatenate(
-            [
-                np.array(conchoid.turned(curve, degrees)).T,
-                np.array(conchoid.turned(curve, degrees + 180)).T[::-1],
-            ]
+            [np.array(conchoid.turned(curve, degrees)).T, np.array(conchoid.turned(curve, degrees + 180)).T[::-1]]
         )
         panels[2].add_collection3d(
-            Poly3DCollection(
-                [whole], facecolor=conchoid.CURVE, alpha=0.16, edgecolor=conchoid.CURVE, linewidth=1.4
-            )
+            Poly3DCollection([whole], facecolor=conchoid.CURVE, alpha=0.16, edgecolor=conchoid.CURVE, linewidth=1.4)
         )
     panels[0].set_title("a) the surface", loc="center")
     panels[1].set_title("b) one curve (thick) turned about the axis", loc="center")

@@ -38,12 +38,8 @@ def draw_coordinates(axes: plt.Axes, curve) -> None:
     axes.plot(*conchoid.turned(curve, THETA_DEG), color=conchoid.SECOND, linewidth=2.0)
     axes.plot([0, tip[0]], [0, tip[1]], [0, 0], color="#555555", linestyle="--", linewidth=1)
     phi = np.radians(np.linspace(0, PHI_DEG, 40))
-    axes.plot(
-        11 * np.sin(phi) * np.cos(theta), -11 * np.sin(phi) * np.sin(theta), -11 * np.cos(phi), color="black"
-    )
-    middle = 15 * np.array(
-        [np.sin(phi[20]) * np.cos(theta), -np.sin(phi[20]) * np.sin(theta), -np.cos(phi[20])]
-    )
+    axes.plot(11 * np.sin(phi) * np.cos(theta), -11 * np.sin(phi) * np.sin(theta), -11 * np.cos(phi), color="black")
+    middle = 15 * np.array([np.sin(phi[20]) * np.cos(theta), -np.sin(phi[20]) * np.sin(theta), -np.cos(phi[20])])
     axes.text(*middle, "φ", ha="center", va="center", fontsize=14)
     turn = np.linspace(0, theta, 40)
     axes.plot(13 * np.cos(turn), -13 * np.sin(turn), 0 * turn, color="black")

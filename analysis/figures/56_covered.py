@@ -33,10 +33,7 @@ def main(options) -> common.Figure:
         conchoid.rays(axes, curve, exact[[0, i]], color="black", linewidth=1)
         phi = np.linspace(0, exact[i], 100)
         axes.plot(
-            conchoid.at(curve, phi, "x_mm"),
-            conchoid.at(curve, phi, "up_mm"),
-            color=conchoid.SECOND,
-            linewidth=5,
+            conchoid.at(curve, phi, "x_mm"), conchoid.at(curve, phi, "up_mm"), color=conchoid.SECOND, linewidth=5
         )
         length = conchoid.at(curve, exact[i], "length_mm")
         middle = conchoid.point(curve, exact[i] / 2)

@@ -20,12 +20,8 @@ def main(options) -> common.Figure:
     conchoid.draw_axis(axes, -42, 3)
     cap = conchoid.cap(curve)
     axes.plot(cap.x_mm, cap.up_mm, color=conchoid.CURVE, linewidth=2)
-    conchoid.rays(
-        axes, curve, four.original_deg, color="black", linestyle="--", linewidth=1, label="original"
-    )
-    conchoid.rays(
-        axes, curve, four.thesis_deg, color=conchoid.SECOND, linewidth=1.6, label="adjusted, Eq. 16"
-    )
+    conchoid.rays(axes, curve, four.original_deg, color="black", linestyle="--", linewidth=1, label="original")
+    conchoid.rays(axes, curve, four.thesis_deg, color=conchoid.SECOND, linewidth=1.6, label="adjusted, Eq. 16")
     for row in four.itertuples():
         at = conchoid.point(curve, row.thesis_deg)
         text = f"{row.original_deg:.0f}° → {row.thesis_deg:.2f}°\n(exact {row.exact_deg:.2f}°)"

@@ -38,12 +38,8 @@ def main(options) -> common.Figure:
     both = [head.ball, joint.socket]
     with render.screen():
         row = [
-            panels.take(
-                f"a) {joint.side} head, superior view", [ball], hip.view("superior", joint, [head.ball])
-            ),
-            panels.take(
-                f"b) {joint.side} joint, oblique view", [ball, glass], hip.view("oblique", joint, both)
-            ),
+            panels.take(f"a) {joint.side} head, superior view", [ball], hip.view("superior", joint, [head.ball])),
+            panels.take(f"b) {joint.side} joint, oblique view", [ball, glass], hip.view("oblique", joint, both)),
         ]
     found = (
         f"ring: largest rise of {sphere_deviation.EXCESS:g} mm or more on the head, {region.most:.1f} mm"

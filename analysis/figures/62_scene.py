@@ -29,9 +29,7 @@ EYE = "#d4006a"
 
 def main(options) -> common.Figure:
     joint = hip.load(options.results, options.joint)
-    ball, socket = (
-        render.plain_surface(*part) for part in ((joint.ball, hip.BALL), (joint.socket, hip.SOCKET))
-    )
+    ball, socket = (render.plain_surface(*part) for part in ((joint.ball, hip.BALL), (joint.socket, hip.SOCKET)))
     both = [joint.ball, joint.socket]
     with render.screen():
         above = hip.view("superior", joint, both)

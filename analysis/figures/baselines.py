@@ -17,9 +17,15 @@ def main(options) -> common.Figure:
     table = table[table.joint == table.joint.iloc[0]]
     looks = common.look(list(table.method.unique()))
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 6.2))
-    lost(axes[0, 0], table, looks)
-    wrong(axes[0, 1], table, looks)
-    errors(axes[1, 0], table, looks)
+    lost, wrong = table.faces_missed / table.faces, (table.false_touches + table.missed_touches) / table.poses
+    draw(axes[0, 0], table, looks, floored(lost))
+    axes[0, 0].set(ylabel="of the ball's triangles, %", title="Triangles that no entry samples")
+    draw(axes[0, 1], table, looks, floored(wrong))
+    axes[0, 1].set(ylabel="of the poses, %", title="Wrong answers near a contact")
+    for panel in axes[0]:
+        ticks(panel)
+    draw(axes[1, 0], table, looks, table.rms_error_mm.where(table.rms_error_mm > 1e-9))  # of those that interpolate
+    axes[1, 0].set(ylabel="root mean square, mm", title="Error of a distance")
     building(axes[1, 1], table, looks)
     figure.legend(*axes[0, 1].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0, 0.05, 1, 1))
@@ -45,26 +51,6 @@ def ticks(axes: plt.Axes) -> None:
     axes.set_ylim(0.7 * FLOOR, 140)
     axes.set_yticks([FLOOR, 0.1, 1, 10, 100], ["none", "0.1", "1", "10", "100"])
     axes.minorticks_off()
-
-
-def lost(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
-    """Triangles of the ball without an entry."""
-    draw(axes, table, looks, floored(table.faces_missed / table.faces))
-    ticks(axes)
-    axes.set(ylabel="of the ball's triangles, %", title="Triangles that no entry samples")
-
-
-def wrong(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
-    """Poses with a wrong answer."""
-    draw(axes, table, looks, floored((table.false_touches + table.missed_touches) / table.poses))
-    ticks(axes)
-    axes.set(ylabel="of the poses, %", title="Wrong answers near a contact")
-
-
-def errors(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:
-    """Root mean square of those that answer by interpolation."""
-    draw(axes, table, looks, table.rms_error_mm.where(table.rms_error_mm > 1e-9))
-    axes.set(ylabel="root mean square, mm", title="Error of a distance")
 
 
 def building(axes: plt.Axes, table: pd.DataFrame, looks: dict) -> None:

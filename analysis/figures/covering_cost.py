@@ -29,9 +29,7 @@ def main(options) -> common.Figure:
         xlim=(0.7 * table.median_ns.min(), 2.2 * table.median_ns.max()),
         ylim=(scheme_plot.FLOOR - 0.55, top + 0.3),
     )
-    axes.vlines(
-        table.median_ns, table.constant_away.clip(upper=top), height, color=common.THESIS_GREY, linewidth=1
-    )
+    axes.vlines(table.median_ns, table.constant_away.clip(upper=top), height, color=common.THESIS_GREY, linewidth=1)
     common.marks(
         axes,
         table.median_ns,
@@ -54,9 +52,7 @@ def main(options) -> common.Figure:
         label="no other is better in both",
         zorder=1,
     )
-    axes.axhline(
-        scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT
-    )
+    axes.axhline(scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT)
     scheme_plot.name_points(axes, table.median_ns, height, names)
     ticks = [
         tick

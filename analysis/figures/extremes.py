@@ -37,9 +37,7 @@ def main(options) -> common.Figure:
         below = grid[line + 1][column]
         below.clear()
         box = below.get_position()
-        below.set_position(
-            [box.x0, box.y0 + 0.55 * (grid[line][column].get_position().y0 - box.y1), *box.size]
-        )
+        below.set_position([box.x0, box.y0 + 0.55 * (grid[line][column].get_position().y0 - box.y1), *box.size])
         socket_map.draw(below, unrolled.image(joint.socket.properties["gap"], shades), joint)
     gap_colours.add_legend(figure, joints[0].summary, ("socket",))
     return figure

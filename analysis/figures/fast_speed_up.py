@@ -22,12 +22,7 @@ def main(options) -> common.Figure:
     figure, axes = plt.subplots(figsize=(8.2, 0.34 * len(order) + 1.2))
     for k, (direction, title) in enumerate(fast.DIRECTIONS.items()):
         own = rows[rows.direction == direction].set_index("line").reindex(order)
-        draw(
-            axes,
-            own,
-            np.arange(len(order)) + (0.5 - k) * HEIGHT,
-            {"color": common.COLOURS[k], "label": title},
-        )
+        draw(axes, own, np.arange(len(order)) + (0.5 - k) * HEIGHT, {"color": common.COLOURS[k], "label": title})
     axes.axvline(1.0, color="black", linewidth=1.0)
     axes.set_yticks(range(len(order)), order)
     ends = (rows.times_embree.min() / 4, rows.times_embree.max() * 3)  # room for numbers
@@ -54,13 +49,7 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, places: np.ndarray, look: dict) -> 
     spread = 0.5 * (rows.iqr_ns / rows.ns_vertex).to_numpy()
     ends = np.vstack([ratio - ratio / (1 + spread), ratio / np.maximum(1 - spread, 0.05) - ratio])
     axes.barh(
-        places,
-        ratio - 1.0,
-        height=HEIGHT,
-        left=1.0,
-        xerr=ends,
-        error_kw={"elinewidth": 1.0, "capsize": 2},
-        **look,
+        places, ratio - 1.0, height=HEIGHT, left=1.0, xerr=ends, error_kw={"elinewidth": 1.0, "capsize": 2}, **look
     )
     for place, value, low, high in zip(places, ratio, *ends):
         end, side = (value + high, "left") if value >= 1 else (value - low, "right")

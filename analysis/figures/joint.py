@@ -61,9 +61,7 @@ def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figu
     gap = f": smallest gap {smallest['gap_mm']:.2f} mm" if smallest else ""
     pose = f", {summary['pose'].replace('=', ' ')}°" if "=" in summary["pose"] else ""
     figure.suptitle(f"{name.replace('_', ' ')}{pose}{gap}", fontsize=12, y=0.97)
-    figure.legend(
-        handles=gap_colours.legend(summary), loc="lower center", ncol=3, title="gap, mm", fontsize=9
-    )
+    figure.legend(handles=gap_colours.legend(summary), loc="lower center", ncol=3, title="gap, mm", fontsize=9)
     figure.subplots_adjust(left=0.02, right=0.98, top=0.90, bottom=0.14, wspace=0.02, hspace=0.10)
     return figure
 

@@ -105,9 +105,7 @@ def write(path, shown: dict[float, Image.Image], frames: list, colours: np.ndarr
     shades = np.array(sample.getpalette()).reshape(-1, 3)[:COLOURS]
     shades = shades[shades.min(axis=1) < 240]  # paler ones would stand for the white of the ground
     palette = Image.new("P", (1, 1))
-    palette.putpalette(
-        np.vstack([shades, np.round(255 * colours), [[255, 255, 255]]]).astype(int).ravel().tolist()
-    )
+    palette.putpalette(np.vstack([shades, np.round(255 * colours), [[255, 255, 255]]]).astype(int).ravel().tolist())
     sheets = [shown[k].quantize(palette=palette, dither=Image.Dither.NONE) for k in order]
     sheets[0].save(path, save_all=True, append_images=sheets[1:], duration=times, loop=0, optimize=False)
 

@@ -42,10 +42,7 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
     looks = common.look(joints)
     for j, joint in enumerate(joints):
         rows = limits[limits.joint == joint]
-        y = [
-            list(motion_limits.MOTIONS).index(m) + SPREAD * ((j + 0.5) / len(joints) - 0.5)
-            for m in rows.motion
-        ]
+        y = [list(motion_limits.MOTIONS).index(m) + SPREAD * ((j + 0.5) / len(joints) - 0.5) for m in rows.motion]
         axes.errorbar(
             rows.limit_low_deg,
             y,

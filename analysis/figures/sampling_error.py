@@ -38,9 +38,7 @@ def main(options) -> common.Figure:
         axes.set_visible(False)
     label_axes(grid, len(schemes), sorted(errors.precision_deg.unique()))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=1)
-    figure.suptitle(
-        "What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11
-    )
+    figure.suptitle("What Eq. 7 of the thesis gives, and how wrong a radius is", x=0.02, ha="left", fontsize=11)
     figure.tight_layout(rect=(0, 0, 1, 0.99))
     return figure
 
@@ -50,20 +48,12 @@ def draw(axes: plt.Axes, errors: pd.DataFrame, surfaces: pd.DataFrame, looks: di
     smooth = surfaces[surfaces.interpolant == "smooth"]
     lines = {
         "tangential": (smooth[smooth.surface == ROUND], "tangential_max_mm"),
-        "nearest": (
-            surfaces[(surfaces.surface == HEAD) & (surfaces.interpolant == "nearest")],
-            "radial_max_mm",
-        ),
+        "nearest": (surfaces[(surfaces.surface == HEAD) & (surfaces.interpolant == "nearest")], "radial_max_mm"),
         "smooth": (errors, "measured_max_mm"),
         "rms": (errors, "measured_rms_mm"),
     }
     axes.plot(
-        errors.precision_deg,
-        errors.formula_max_mm,
-        color=common.THESIS_GREY,
-        linewidth=4,
-        alpha=0.6,
-        label="Eq. 7",
+        errors.precision_deg, errors.formula_max_mm, color=common.THESIS_GREY, linewidth=4, alpha=0.6, label="Eq. 7"
     )
     for name, (table, column) in lines.items():
         axes.plot(table.precision_deg, table[column], label=LINES[name], **{**looks[name], "markersize": 4})

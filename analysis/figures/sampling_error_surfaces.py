@@ -54,9 +54,7 @@ def draw(axes: plt.Axes, table: pd.DataFrame, looks: dict, labels: dict[str, str
     axes.set(xscale="log", yscale="log")
     if table.radial_max_mm.max() < 10 * table.radial_max_mm.min():
         axes.set_ylim(table.radial_max_mm.min() / 4, table.radial_max_mm.max() * 4)
-        axes.text(
-            0.5, 0.66, "the faces stay what they are", ha="center", transform=axes.transAxes, fontsize=8
-        )
+        axes.text(0.5, 0.66, "the faces stay what they are", ha="center", transform=axes.transAxes, fontsize=8)
     axes.minorticks_off()
 
 

@@ -54,9 +54,7 @@ def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, l
                 markerfacecolor=colour if name == "plan" else "white",
                 label=text if row == 0 else None,
             )
-            axes.plot(
-                [values.median()] * 2, [row + shift - 0.1, row + shift + 0.1], color=colour, linewidth=2
-            )
+            axes.plot([values.median()] * 2, [row + shift - 0.1, row + shift + 0.1], color=colour, linewidth=2)
     for row, question in enumerate(shown):
         ratio = totals[totals.question == question]["bytes_ratio" if unit == "bytes" else "time_ratio"]
         axes.annotate(

@@ -28,9 +28,7 @@ def main(options) -> common.Figure:
         nearest = nearest_entries(points[["x", "y", "z"]].to_numpy(), directions)
         ratio[inside] = points.area_sr.to_numpy()[nearest] * len(points) / (4 * np.pi)
         images.append(
-            axes.imshow(
-                np.log2(ratio), cmap="PuOr", norm=norm, extent=(-2, 2, -1, 1), interpolation="nearest"
-            )
+            axes.imshow(np.log2(ratio), cmap="PuOr", norm=norm, extent=(-2, 2, -1, 1), interpolation="nearest")
         )
         theta = np.linspace(0, 2 * np.pi, 361)
         axes.plot(2 * np.cos(theta), np.sin(theta), color="#777777", linewidth=0.6)
@@ -65,9 +63,7 @@ def main(options) -> common.Figure:
 
 def mollweide(width: int) -> tuple[np.ndarray, np.ndarray]:
     """Directions of the pixels of an equal-area map, x in [-2, 2], y in [-1, 1], and which are on it."""
-    x, y = np.meshgrid(
-        (np.arange(width) + 0.5) / width * 4 - 2, 1 - (np.arange(width // 2) + 0.5) / (width // 2) * 2
-    )
+    x, y = np.meshgrid((np.arange(width) + 0.5) / width * 4 - 2, 1 - (np.arange(width // 2) + 0.5) / (width // 2) * 2)
     inside = (x / 2) ** 2 + y**2 < 1
     angle = np.arcsin(y[inside])
     z = (2 * angle + np.sin(2 * angle)) / np.pi

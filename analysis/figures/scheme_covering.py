@@ -38,9 +38,7 @@ def main(options) -> common.Figure:
         markeredgecolor="black",
         label="away from the poles, $|z|$ ≤ 0.98, where that is less",
     )
-    axes.axvline(
-        scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT
-    )
+    axes.axvline(scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT)
     axes.set(
         xlim=(0, end),
         xlabel=r"covering constant $N\rho^2$: entries × (radius of the widest gap)²",

@@ -8,9 +8,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import common
-from common import scheme_plot
+from common import scheme_plot, sphere_view
 
-VIEW = scheme_plot.turn(azimuth_deg=20, elevation_deg=38)
+VIEW = sphere_view.view(elevation_deg=38, azimuth_deg=20)
 
 
 def main(options) -> common.Figure:
@@ -34,21 +34,15 @@ def main(options) -> common.Figure:
 def draw_line(axes: plt.Axes, phi: float) -> None:
     """The part of a parallel in front."""
     theta = np.linspace(0, 2 * np.pi, 721)
-    circle = np.stack(
-        [np.sin(phi) * np.cos(theta), np.sin(phi) * np.sin(theta), np.full_like(theta, np.cos(phi))]
-    )
+    circle = np.stack([np.sin(phi) * np.cos(theta), np.sin(phi) * np.sin(theta), np.full_like(theta, np.cos(phi))])
     x, y, towards = VIEW @ circle
-    axes.plot(
-        np.where(towards > 0, x, np.nan), np.where(towards > 0, y, np.nan), color="#888888", linewidth=0.7
-    )
+    axes.plot(np.where(towards > 0, x, np.nan), np.where(towards > 0, y, np.nan), color="#888888", linewidth=0.7)
 
 
 def draw_pole(axes: plt.Axes) -> None:
     """A ring round the north pole."""
     x, y, _ = VIEW @ np.array([0.0, 0.0, 1.0])
-    axes.plot(
-        x, y, marker="o", markersize=11, markerfacecolor="none", markeredgecolor=common.COLOURS[1], zorder=4
-    )
+    axes.plot(x, y, marker="o", markersize=11, markerfacecolor="none", markeredgecolor=common.COLOURS[1], zorder=4)
 
 
 common.run(main)

@@ -26,17 +26,12 @@ def main(options) -> common.Figure:
         mine = table[table.stage == stage]
         axes.plot(mine.slice_mm, 1e3 * mine.added_rms_mm, label=label, **looks[stage])
     final = table[table.stage == "table"]
-    axes.plot(
-        final.slice_mm, 1e3 * final.rms_mm, label="all together", color="black", linewidth=2.0, zorder=1
-    )
+    axes.plot(final.slice_mm, 1e3 * final.rms_mm, label="all together", color="black", linewidth=2.0, zorder=1)
     axes.axvline(1.25, color=common.THESIS_GREY, linestyle=":", linewidth=1.2)
     axes.set(xscale="log", yscale="log", xlabel="distance of the slices, mm")
     axes.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
     axes.xaxis.set_minor_locator(plt.NullLocator())
-    axes.set(
-        ylabel="rms error of a gap, µm",
-        title="What each stage adds (dotted: the thesis' slices)",
-    )
+    axes.set(ylabel="rms error of a gap, µm", title="What each stage adds (dotted: the thesis' slices)")
     axes.set_ylim(top=5 * axes.get_ylim()[1])
     axes.legend(ncol=2, loc="upper left")
     figure.tight_layout()

@@ -46,16 +46,12 @@ def draw(left: plt.Axes, right: plt.Axes, lines: pd.DataFrame, look: dict) -> No
 
 def mark_limits(axes: plt.Axes, spectrum: pd.DataFrame, limits: pd.DataFrame, looks: dict) -> None:
     """A marker where the band limit of each surface lies on its curve."""
-    chosen = limits[
-        (limits.asked == "power_share") & (limits.value == SHARE) & (limits.filling != "membrane")
-    ]
+    chosen = limits[(limits.asked == "power_share") & (limits.value == SHARE) & (limits.filling != "membrane")]
     for line in chosen.itertuples():
         on = spectrum[(spectrum.surface == line.surface) & (spectrum.filling == line.filling)]
         power = on[on.degree == min(line.band_limit, on.degree.max())].power.iloc[0]
         look = looks[line.surface]
-        axes.plot(
-            line.band_limit, power, look["marker"], color=look["color"], markersize=9, markeredgecolor="black"
-        )
+        axes.plot(line.band_limit, power, look["marker"], color=look["color"], markersize=9, markeredgecolor="black")
 
 
 def mark_slices(left: plt.Axes, right: plt.Axes, slices: pd.DataFrame) -> None:
@@ -84,10 +80,7 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
         axes.minorticks_off()
     left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
     right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
-    handles = [
-        common.key(surface.replace("_", " "), markeredgecolor="black", **look)
-        for surface, look in looks
-    ]
+    handles = [common.key(surface.replace("_", " "), markeredgecolor="black", **look) for surface, look in looks]
     right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.05, 0.0), ncols=3)
     figure.tight_layout()

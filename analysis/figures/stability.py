@@ -41,9 +41,7 @@ def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
     """A panel a family, the same scale in all; what is turned, and how far, is in the figure of each."""
     of_all = stability_plot.looks(cases)
     rows = -(-len(families) // COLUMNS)
-    figure, grid = plt.subplots(
-        rows, COLUMNS, figsize=(common.WIDTH, 1.42 * rows), sharey=True, squeeze=False
-    )
+    figure, grid = plt.subplots(rows, COLUMNS, figsize=(common.WIDTH, 1.42 * rows), sharey=True, squeeze=False)
     high = min(stability_plot.ceiling(cases), TOP)
     for axes, (name, family) in zip(grid.flat, families.iterrows()):
         of_family = cases[cases.family == name]

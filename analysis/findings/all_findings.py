@@ -58,9 +58,7 @@ def mathematical(text: str) -> str:
     }.items():
         text = text.replace(plain, latex_text)
     text = re.sub(r"(?<![\w-])-(?=\d)", "$-$", text)
-    return re.sub(
-        r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text
-    )
+    return re.sub(r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text)
 
 
 def latex(rows: pd.DataFrame) -> str:
@@ -72,9 +70,7 @@ def latex(rows: pd.DataFrame) -> str:
             f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & "
             f"{mathematical(row.computed)}{source} & {row.verdict} \\\\"
         )
-    return "\n".join(
-        [HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""]
-    )
+    return "\n".join([HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""])
 
 
 common.run(main)

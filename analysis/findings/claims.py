@@ -37,9 +37,7 @@ def deforming(results: Path) -> Finding:
 def same_distance(results: Path) -> Finding:
     """Chapter 6."""
     found = values(results, "self-collision found while sampling")
-    share = {
-        setting: value for (setting, quantity), value in found.items() if quantity == "crossing pairs found"
-    }
+    share = {setting: value for (setting, quantity), value in found.items() if quantity == "crossing pairs found"}
     tight = [value for setting, value in share.items() if setting.endswith("within 0.001 mm")]
     wide = [value for setting, value in share.items() if setting.endswith("within 0.1 mm")]
     return finding(

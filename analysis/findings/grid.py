@@ -58,13 +58,9 @@ def linear_in_the_angles(results: Path) -> Finding:
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
     centred = table[table.shifted == "none"]
     shifted = table[table.shifted != "none"].groupby("faces").largest_mm.max()
-    listed = " and ".join(
-        f"{rounded(row.largest_mm, 2)} mm ({row.faces:,} faces)" for row in centred.itertuples()
-    )
+    listed = " and ".join(f"{rounded(row.largest_mm, 2)} mm ({row.faces:,} faces)" for row in centred.itertuples())
     moved = " and ".join(f"{rounded(value, 2)} mm" for value in shifted)
-    to_sphere = load(
-        results, "finding_interpolation", radius_of="thesis_raster", against="sphere", shifted="none"
-    )
+    to_sphere = load(results, "finding_interpolation", radius_of="thesis_raster", against="sphere", shifted="none")
     return finding(
         "3.2",
         "A triangle is sampled exactly by distances that are linear in the two angles.",
@@ -94,13 +90,8 @@ def linear_time(results: Path) -> Finding:
     lines = timing.compare(results, timing.TABLE_9)
     lines = lines[lines.method == common.counterparts("table-9")["rsid"]]
     queries = common.load(results, timing.TABLE_9.data).attrs["parameters"]["queries"]
-    thesis = {
-        int(key): 1e6 * one(lines, "thesis_ms", triangles=int(key)) / value for key, value in queries.items()
-    }
-    ours = {
-        int(key): 1e6 * one(lines, "measured_ms", triangles=int(key)) / value
-        for key, value in queries.items()
-    }
+    thesis = {int(key): 1e6 * one(lines, "thesis_ms", triangles=int(key)) / value for key, value in queries.items()}
+    ours = {int(key): 1e6 * one(lines, "measured_ms", triangles=int(key)) / value for key, value in queries.items()}
     large, small = max(thesis), sorted(thesis)[-2]
     doubtful = bool(lines.inconclusive[lines.triangles.isin([small, large])].any())
     return finding(

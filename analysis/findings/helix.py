@@ -88,9 +88,7 @@ def index(results: Path) -> Finding:
 
 def first_turn(results: Path) -> Finding:
     """Section 4.3."""
-    usid, rsid = (
-        common.load(results, "scheme_errors").set_index("scheme").loc[name] for name in ("usid", "rsid")
-    )
+    usid, rsid = (common.load(results, "scheme_errors").set_index("scheme").loc[name] for name in ("usid", "rsid"))
     return finding(
         "4.3",
         "Inside the first and the last turn, three neighbours are enough.",
@@ -105,9 +103,7 @@ def first_turn(results: Path) -> Finding:
 
 def saving(results: Path) -> Finding:
     """Section 4.4."""
-    saved = (
-        load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
-    )
+    saved = load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
     filled = load(results, "lut_memory", precision_deg=1.0).set_index("scheme").filled_bytes
     return finding(
         "4.4",

@@ -116,9 +116,7 @@ def fibonacci(results: Path) -> Finding:
 
 def octahedron(results: Path) -> Finding:
     """Section B, at equal error."""
-    saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index(
-        "scheme"
-    )
+    saved = load(results, "scheme_savings", precision_deg=1.0, meaning="interpolation_p9999").set_index("scheme")
     solid = saved.saved_percent.octahedral_equal_area
     return finding(
         "note, B",
@@ -195,7 +193,7 @@ def face_bound(results: Path) -> Finding:
 
 def misprints(results: Path) -> list[Finding]:
     """One for each number that verdicts.csv calls a misprint of the thesis."""
-    verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = common.as_text(results / "verdicts.csv")
     return [
         finding(
             row.artefact.replace("table-", "Table ").replace("section-", ""),

@@ -35,9 +35,7 @@ def baselines(results: Path) -> dict[str, str]:
             "false": 100 * row.false_touches / row.poses,
             "missed": 100 * row.missed_touches / row.poses,
         }
-        found |= {
-            f"{key}:{name}": common.digits(value, 2) for name, value in values.items() if not pd.isna(value)
-        }
+        found |= {f"{key}:{name}": common.digits(value, 2) for name, value in values.items() if not pd.isna(value)}
         found[f"{key}:within"] = f"{row.wrong_within_mm:g}"
     return found
 

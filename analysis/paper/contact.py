@@ -26,11 +26,6 @@ def facts(results: Path) -> dict[str, str]:
         found[f"contact:{method}:um"] = common.digits(rows.error_um.max(), 2)
     agreed = common.load(results, "contact_agreement").iloc[0]
     wrong = agreed.culled_wrong + agreed.coherent_wrong + agreed.least_gap_wrong
-    counts = {
-        "poses": agreed.poses,
-        "impinged": agreed.impinged,
-        "wrong": wrong,
-        "between": agreed.between_vertices,
-    }
+    counts = {"poses": agreed.poses, "impinged": agreed.impinged, "wrong": wrong, "between": agreed.between_vertices}
     counts |= {"beyond": agreed.beyond, "unexplained": agreed.unexplained}
     return found | {f"contact:{name}": str(int(count)) for name, count in counts.items()}

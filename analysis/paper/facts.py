@@ -85,9 +85,7 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     facts = {}
     for method in lines.method.unique():
         mine = (lines.method == method) & ~lines.extrapolated
-        facts[
-            f"exponent:{table.data}:{method}"
-        ] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
+        facts[f"exponent:{table.data}:{method}"] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
         every = lines.method == method
         if lines.thesis_ms[every].notna().any():
             facts[
@@ -110,9 +108,7 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
 def ratio_facts(lines: pd.DataFrame, table: timing.TimingTable) -> dict[str, str]:
     """Every time of ours over every other one of the same row."""
     return {
-        f"ratio:{table.data}:{key:g}:{one.method}/{other.method}": common.digits(
-            one.measured_ms / other.measured_ms
-        )
+        f"ratio:{table.data}:{key:g}:{one.method}/{other.method}": common.digits(one.measured_ms / other.measured_ms)
         for key, group in lines.groupby(table.key)
         for one in group.itertuples()
         for other in group.itertuples()
@@ -141,7 +137,7 @@ def finding_facts(results: Path) -> dict[str, str]:
 
 def main(options) -> None:
     """Writes paper/facts.tex."""
-    verdicts = pd.read_csv(options.results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = common.as_text(options.results / "verdicts.csv")
     record = common.sidecar(options.results / "data" / f"{timing.TABLE_4.data}.csv")
     facts = {key: str(record.get(key, "unknown")) for key in MACHINE}
     facts["commit"] = facts["commit"][:12]

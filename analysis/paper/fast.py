@@ -17,7 +17,7 @@ from common import fast, log_plot
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
     table = fast.load(results)
-    targets = pd.read_csv(results / "tables" / "fast-targets.csv", dtype=str, keep_default_na=False)
+    targets = common.as_text(results / "tables" / "fast-targets.csv")
     found = {f"fast:{row.key}": row.measured for row in targets.itertuples()}
     found |= {f"fast:{row.key}:met": row.met for row in targets.itertuples()}
     found |= {"fast:met": str((targets.met == "yes").sum()), "fast:missed": str((targets.met == "no").sum())}
@@ -27,18 +27,12 @@ def facts(results: Path) -> dict[str, str]:
         found[f"{name}:ns"] = common.digits(row.ns_vertex, 2)
         found[f"{name}:um"] = common.digits(row.error_um, 2)
         found[f"{name}:kib"] = common.digits(row.bytes / 1024)
-    return found | {
-        "fast:set": fast.set_name(table),
-        "fast:threads": gain(table, rows),
-        "fast:growth": growth(table),
-    }
+    return found | {"fast:set": fast.set_name(table), "fast:threads": gain(table, rows), "fast:growth": growth(table)}
 
 
 def gain(table: pd.DataFrame, rows: pd.DataFrame) -> str:
     """Vertices a second of two threads over those of one, cube in 16 bits."""
-    one = rows[
-        (rows.method == "cube_gnomonic_mesh_exact") & (rows.setting == "n=291") & (rows.storage == "uint16")
-    ]
+    one = rows[(rows.method == "cube_gnomonic_mesh_exact") & (rows.setting == "n=291") & (rows.storage == "uint16")]
     keys = ["method", "setting", "storage", "direction", "triangles"]
     pair = one.merge(table[table.threads == 2], on=keys)
     return common.digits((pair.ns_vertex_x / pair.ns_vertex_y).median(), 2)
@@ -51,8 +45,6 @@ def growth(table: pd.DataFrame) -> str:
         & (table.setting == "n=291")
         & (table.storage == "uint16")
     ]
-    own = own[
-        (own.instruction_set == fast.best_set(table)) & (own.threads == 1) & (own.direction == "socket->ball")
-    ]
+    own = own[(own.instruction_set == fast.best_set(table)) & (own.threads == 1) & (own.direction == "socket->ball")]
     exponent = log_plot.slope(own.triangles, own.ns_vertex * own.triangles)
     return common.digits(exponent, 2) or "---"

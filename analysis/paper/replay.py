@@ -15,10 +15,7 @@ def facts(results: Path) -> dict[str, str]:
     frames = common.load(results, "motion_frames")
     frames = frames[frames.motion != "forward"]
     overlapping = int((frames.smallest_gap_mm <= 0).sum())
-    found = {
-        "replay:poses": str(len(frames)),
-        "replay:overlapping": str(overlapping) if overlapping else "None",
-    }
+    found = {"replay:poses": str(len(frames)), "replay:overlapping": str(overlapping) if overlapping else "None"}
     for joint, group in frames.groupby("joint"):
         least = group.loc[group.smallest_gap_mm.idxmin()]
         found |= {

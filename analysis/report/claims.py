@@ -6,8 +6,8 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
+import common
 from common.jobs import Job
-from report import reference
 from report.artefacts import title_of
 from report.markup import element
 
@@ -25,7 +25,7 @@ def expected(job: Job, kept: Path) -> str:
     """What the reference run found; empty where it has no verdict on it."""
     if not (kept / "verdicts.csv").is_file():
         return ""
-    verdicts = reference.read(kept / "verdicts.csv")
+    verdicts = common.as_text(kept / "verdicts.csv")
     counts = verdicts[verdicts.artefact == job.name].verdict.value_counts()
     return ", ".join(f"{count} {name}" for name, count in counts.items())
 

@@ -19,10 +19,7 @@ def grid(table: pd.DataFrame, kept: pd.DataFrame | None) -> str:
     head = element("tr", "".join(element("th", name.replace("_", " "), scope="col") for name in table.columns))
     older = kept.itertuples(index=False) if kept is not None else [None] * len(table)
     body = "".join(
-        element(
-            "tr",
-            "".join(cell(value, shorten=True, kept=old) for value, old in zip(row, was or row)),
-        )
+        element("tr", "".join(cell(value, shorten=True, kept=old) for value, old in zip(row, was or row)))
         for row, was in zip(table.head(MOST).itertuples(index=False), older)
     )
     style = "scroll long" if len(table) > SCROLLED else "scroll"

@@ -5,7 +5,6 @@ of error and any cost on the axes. From data/error_against_time.csv and error_ag
 
 from __future__ import annotations
 
-import html
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +12,7 @@ import pandas as pd
 
 import common
 from common import pareto
-from report.markup import data_script
+from report.markup import choice, data_script
 
 # Columns that may stand on the axes, and what a reader calls them; the first is shown at first.
 ERRORS = {
@@ -50,28 +49,18 @@ def lines(table: pd.DataFrame) -> list[dict]:
     return found
 
 
-def choice(name: str, title: str, options: dict[str, str]) -> str:
-    """A list to choose from."""
-    inner = "".join(
-        f'<option value="{html.escape(key)}">{html.escape(text)}</option>' for key, text in options.items()
-    )
-    return f'<label>{title}<select id="explore-{name}">{inner}</select></label>'
-
-
 def section(results: Path) -> str:
     """The controls, the plot's place and its data."""
     table = pareto.load(results)
     first = pareto.main_scene(list(table.scene.unique()))
-    scenes = {
-        name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]
-    }
+    scenes = {name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]}
     shown = lines(table[pareto.competes(table)])
     return (
         '<h2 id="explore">Error against cost, to explore</h2>'
         "<p>Lower left is better. Click a name to hide its line, double-click to show it alone; point at a marker for its"
         " numbers; drag to zoom, double-click the plot to see everything, exact methods too."
         " Only methods that give the radius along a direction are shown.</p>"
-        f'<div class="filters">{choice("scene", "Scene", scenes)}{choice("error", "Horizontal axis", ERRORS)}'
-        f'{choice("cost", "Vertical axis", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
+        f'<div class="filters">{choice("explore-scene", "Scene", scenes)}{choice("explore-error", "Horizontal axis", ERRORS)}'
+        f'{choice("explore-cost", "Vertical axis", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
         ' of every method"></div>' + data_script("explore-data", shown)
     )

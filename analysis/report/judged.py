@@ -8,7 +8,7 @@ import html
 import pandas as pd
 
 from report.artefacts import row_label, title_of
-from report.markup import cell, element
+from report.markup import cell, choice, element
 from verdicts import verdict
 
 MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
@@ -58,18 +58,11 @@ def totals(verdicts: pd.DataFrame) -> str:
 
 def filters(verdicts: pd.DataFrame) -> str:
     """Choices that report.js reads."""
-
-    def choice(name: str, title: str, values: dict[str, str]) -> str:
-        options = "".join(
-            element("option", text, value=value) for value, text in {"": "all", **values}.items()
-        )
-        return element("label", title + element("select", options, id=f"filter-{name}"))
-
     found = set(verdicts.verdict)
     return element(
         "div",
-        choice("artefact", "Where", {name: title_of(name) for name in verdicts.artefact.unique()})
-        + choice("verdict", "Verdict", {name: name for name in MARKS if name in found})
+        choice("filter-artefact", "Where", {"": "all"} | {name: title_of(name) for name in verdicts.artefact.unique()})
+        + choice("filter-verdict", "Verdict", {"": "all"} | {name: name for name in MARKS if name in found})
         + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
         class_="filters",
     )

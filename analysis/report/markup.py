@@ -19,6 +19,12 @@ def element(tag: str, inner: str, **attributes: str) -> str:
     return f"<{tag}{words}>{inner}</{tag}>"
 
 
+def choice(name: str, title: str, options: dict[str, str]) -> str:
+    """A list to choose from, by what each value is called."""
+    inner = "".join(element("option", html.escape(text), value=value) for value, text in options.items())
+    return element("label", title + element("select", inner, id=name))
+
+
 def data_script(name: str, value: object) -> str:
     """A script element that holds the value as JSON, for the page's own scripts to read."""
     text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
@@ -39,9 +45,7 @@ def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:
     return (f"{number:.3g}" if abs(number) < 1e-5 else common.digits(number, 4)), True
 
 
-def cell(
-    value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None
-) -> str:
+def cell(value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None) -> str:
     """A table cell; numbers to the right unless they are names. kept: what the reference run has there."""
     text, number = written(value, shorten, name)
     attributes = {"data_title": title} if title else {}

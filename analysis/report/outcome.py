@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
+import common
 from report import data_table, picture
 from report.artefacts import row_label, title_of
 from report.markup import element
@@ -18,7 +19,7 @@ PLOT = "The largest error of every method against its time, one panel per questi
 
 def differing(results: Path) -> pd.DataFrame:
     """Numbers of the thesis that came out otherwise, each once."""
-    table = verdict.counted(pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False))
+    table = verdict.counted(common.as_text(results / "verdicts.csv"))
     table = table[table.verdict.isin(["differs", "thesis-misprint"])]
     table = table.assign(artefact=table.artefact.map(title_of), row=table.row.map(row_label))
     return table[["artefact", "row", "column", "thesis", "measured", "note"]].rename(columns={"artefact": "where"})
@@ -26,7 +27,7 @@ def differing(results: Path) -> pd.DataFrame:
 
 def statements(results: Path) -> pd.DataFrame:
     """Those of the thesis that do not hold come first."""
-    table = pd.read_csv(results / "tables" / "findings.csv", dtype=str, keep_default_na=False)
+    table = common.as_text(results / "tables" / "findings.csv")
     order = table.verdict.map({"wrong": 0, "misprint": 1, "imprecise": 2}).fillna(3)
     return table.assign(order=order).sort_values("order", kind="stable")[["number", "where", "claim", "computed", "verdict"]]
 

@@ -18,8 +18,6 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
-import pandas as pd
-
 import common
 from common.jobs import Job
 from report import claims, explore, judged, outcome, picture, reference, section, turn
@@ -132,7 +130,7 @@ def artefact(results: Path, job: Job, kept: Path, missing: set[str], names: set[
 
 def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:
     """The verdicts, beside those of the reference run."""
-    verdicts = pd.read_csv(results / "verdicts.csv", dtype=str, keep_default_na=False)
+    verdicts = common.as_text(results / "verdicts.csv")
     places = {job.name for job in jobs if job.kind in ("table", "figure")}
     return judged.section(reference.with_verdicts(verdicts, kept), places)
 

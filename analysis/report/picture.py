@@ -21,9 +21,7 @@ def lighter(path: Path) -> bytes:
     """A PNG as WebP, no wider than a screen shows: a tenth of the bytes. The file itself stays beside the report."""
     with PIL.Image.open(path) as picture:
         if picture.width > WIDEST:
-            picture = picture.resize(
-                (WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS
-            )
+            picture = picture.resize((WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS)
         webp = io.BytesIO()
         picture.convert("RGB").save(webp, "WEBP", quality=70, method=4)
     return webp.getvalue()

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pandas as pd
 
+import common
+
 KEYS = ["artefact", "row", "column"]
 
 
@@ -28,22 +30,17 @@ def with_verdicts(verdicts: pd.DataFrame, folder: Path) -> pd.DataFrame:
     path = folder / "verdicts.csv"
     if not path.is_file():
         return verdicts
-    kept = read(path)[[*KEYS, "measured", "verdict"]]
+    kept = common.as_text(path)[[*KEYS, "measured", "verdict"]]
     merged = verdicts.merge(kept, on=KEYS, how="left", suffixes=("", "_reference"), validate="one_to_one")
     merged = merged.rename(columns={"measured_reference": "reference"}).fillna("")
     other = (merged.verdict_reference != "") & (merged.verdict_reference != merged.verdict)
     return merged.assign(verdict_reference=merged.verdict_reference.where(other, ""))
 
 
-def read(path: Path) -> pd.DataFrame:
-    """A CSV as text, digit for digit."""
-    return pd.read_csv(path, dtype=str, keep_default_na=False)
-
-
 def beside(path: Path, folder: Path) -> tuple[pd.DataFrame, pd.DataFrame | None]:
     """A table of this run, and the reference's of the same name if there is one."""
     kept = folder / "tables" / path.name
-    return read(path), read(kept) if kept.is_file() else None
+    return common.as_text(path), common.as_text(kept) if kept.is_file() else None
 
 
 def varies(text: str) -> bool:

@@ -78,8 +78,7 @@ def section(results: Path, job: Job, kept: Path, linked: bool) -> str:
         body = element("p", html.escape(job.question)) + data_table.section(results / shown, kept)
     else:
         body = element(
-            "figure",
-            picture.image(results / shown, job.question) + element("figcaption", html.escape(job.question)),
+            "figure", picture.image(results / shown, job.question) + element("figcaption", html.escape(job.question))
         )
     again = f"experiments/reproduce --only {job.name}"
     source = element("a", shown, href=shown) + f" · {job.script} · " + element("code", again)

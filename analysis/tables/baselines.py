@@ -13,9 +13,7 @@ def main(options) -> common.Table:
     table = common.load(options.results, "baselines")
     rows = pd.DataFrame({"joint": table.joint, "method": table.method, "setting": table.setting})
     rows["kB"] = (table.bytes / 1e3).map(common.digits)
-    rows["build_ms"] = table.build_ms.map(common.digits) + table.build_extrapolated.map(
-        {True: "†", False: ""}
-    )
+    rows["build_ms"] = table.build_ms.map(common.digits) + table.build_extrapolated.map({True: "†", False: ""})
     rows["pose_us"] = table.pose_us.map(common.digits)
     rows["triangles_missed"] = share(table.faces_missed, table.faces)
     rows["vertices_missed"] = share(table.points_missed, table.points)
@@ -43,22 +41,13 @@ def latex(rows: pd.DataFrame) -> str:
         r" & & & fill & pose & \multicolumn{2}{c}{missed (\%)} & error & \multicolumn{2}{c}{wrong (\%)} & within \\",
         r"method & resolution & kB & (ms) & (µs) & triangles & vertices & (µm) & false & missed & (mm) \\",
     ]
-    lines, before = [], None
+    lines = []
     for row in rows.itertuples():
-        if row.method != before:
-            lines.append(r"\midrule")
-        name = common.label(row.method) if row.method != before else ""
-        before = row.method
-        cells = [
-            name,
-            row.setting.replace("x", r"$\times$"),
-            row.kB,
-            row.build_ms.replace("†", r"\textdagger"),
-        ]
-        cells += [row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
+        cells = [common.label(row.method), row.setting.replace("x", r"$\times$"), row.kB]
+        cells += [row.build_ms.replace("†", r"\textdagger"), row.pose_us, row.triangles_missed, row.vertices_missed, row.rms_error_um]
         cells += [row.false_touches, row.missed_touches, row.wrong_within_mm]
         lines.append(cells)
-    return common.tabular("@{}llrrrrrrrrr@{}", head, lines)
+    return common.tabular("@{}llrrrrrrrrr@{}", head, common.ruled(lines))
 
 
 common.run(main)

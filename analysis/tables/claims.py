@@ -32,18 +32,14 @@ def readable(row) -> str:
 
 def latex(rows: pd.DataFrame) -> str:
     """One line a claim and setting: what was measured there, one after the other."""
-    lines, before = [], None
+    lines = []
     for (claim, setting), group in rows.groupby(["claim", "setting"], sort=False):
-        if claim != before:
-            lines.append(r"\midrule")
         measured = "; ".join(
             f"{row.quantity} {row.value}" + (f" {row.unit}" if row.unit else "") for row in group.itertuples()
         )
-        name = claim if claim != before else ""
-        before = claim
-        lines.append(" & ".join(common.tex(text) for text in (name, setting, measured)) + r" \\")
+        lines.append([common.tex(text) for text in (claim, setting, measured)])
     layout = r"@{}p{0.23\textwidth}p{0.22\textwidth}p{0.5\textwidth}@{}"
-    return common.tabular(layout, [r"claim & setting & measured \\"], lines)
+    return common.tabular(layout, [r"claim & setting & measured \\"], common.ruled(lines))
 
 
 common.run(main)

@@ -7,7 +7,7 @@
 import pandas as pd
 
 import common
-from common import contact, counts, fast
+from common import counts, fast
 
 
 def main(options) -> common.Table:
@@ -31,7 +31,7 @@ def latex(table: pd.DataFrame) -> str:
         cells += [common.digits(row.instructions, 3)]
         cells += [common.digits(value, 2) or "---" for value in (row.over_floor, row.time_over_floor)]
         cells += [f"{value:,.2f}" for value in (row.l1_misses, row.l2_misses)]
-        lines.append(" & ".join(common.tex(cell) for cell in cells) + r" \\")
+        lines.append([common.tex(cell) for cell in cells])
     return common.tabular("@{}llrrrrr@{}", [head], lines)
 
 

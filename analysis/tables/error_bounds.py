@@ -21,9 +21,7 @@ PROMISES = {
 def main(options) -> common.Table:
     bounds = common.load(options.results, "sampling_error_bounds")
     bounds = bounds[(bounds.precision_deg == bounds.precision_deg.min()) & (bounds.reach != "stencil")]
-    shares = bounds.pivot_table(
-        index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False
-    )
+    shares = bounds.pivot_table(index="scheme", columns="promise", values="share_max", aggfunc="max", sort=False)
     table = shares[list(PROMISES)].reset_index()
     labels = common.scheme_labels(options.results)
     return table, latex(table, labels)

@@ -13,18 +13,12 @@ from common import fast
 def main(options) -> common.Table:
     warm = fast.load(options.results)
     table = pd.concat([fast.load(options.results, state, scenes="") for state in ("warm", "cold")])
-    rows = pd.DataFrame({name: table[name] for name in ("scene", "method", "setting", "storage", "triangles")})
-    rows["direction"] = table.direction
-    rows["instruction_set"] = table.instruction_set
-    rows["threads"] = table.threads
-    rows["state"] = table.state
+    cases = ["scene", "method", "setting", "storage", "triangles", "direction", "instruction_set", "threads", "state"]
+    rows = table[cases].copy()
     rows["KiB"] = (table.bytes / 1024).map(common.digits)
-    rows["build_ms"] = table.build_ms.map(lambda value: common.digits(value, 2))
-    rows["error_um"] = table.error_um.map(lambda value: common.digits(value, 2))
-    rows["bound_um"] = table.bound_um.map(lambda value: common.digits(value, 2))
-    rows["ns_vertex"] = table.ns_vertex.map(common.digits)
-    rows["iqr_ns"] = table.iqr_ns.map(lambda value: common.digits(value, 2))
-    rows["times_embree"] = table.times_embree.map(lambda value: common.digits(value, 2))
+    for name in ("build_ms", "error_um", "bound_um", "ns_vertex", "iqr_ns", "times_embree"):
+        significant = 3 if name == "ns_vertex" else 2
+        rows[name] = [common.digits(value, significant) for value in table[name]]
     return rows, latex(fast.plain_rows(warm))
 
 

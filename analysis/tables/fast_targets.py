@@ -251,7 +251,7 @@ def latex(rows: pd.DataFrame) -> str:
     lines = []
     for row in rows.itertuples():
         cells = (row.what, row.target, row.measured or "---", row.met)
-        lines.append(" & ".join(common.tex(cell) for cell in cells) + r" \\")
+        lines.append([common.tex(cell) for cell in cells])
     return common.tabular("@{}lrrl@{}", [r"ratio & target & measured & met \\"], lines)
 
 

@@ -25,20 +25,13 @@ def latex(table: pd.DataFrame) -> str:
     cells = sorted(shown.cells.unique())
     precisions = " & ".join(rf"\multicolumn{{2}}{{c}}{{{90 / n:.2g}\degrees{{}}}}" for n in cells)
     rules = "".join(rf"\cmidrule(l){{{3 + 2 * k}-{4 + 2 * k}}}" for k in range(len(cells)))
-    head = [
-        rf" & & {precisions} \\",
-        rules,
-        "filling & triangles" + r" & ms & $\times$" * len(cells) + r" \\",
-    ]
+    head = [rf" & & {precisions} \\", rules, "filling & triangles" + r" & ms & $\times$" * len(cells) + r" \\"]
     lines = []
     for line, own in shown.groupby("line", sort=False):
-        lines.append(r"\midrule")
         for triangles, rows in own.groupby("triangles"):
             values = rows.sort_values("cells")[["median_ms", "times_embree"]].to_numpy().ravel()
-            numbers = [common.digits(value, 2) for value in values]
-            lines.append(" & ".join([common.tex(line), f"{triangles:,}", *numbers]) + r" \\")
-            line = ""
-    return common.tabular("@{}lr" + "rr" * len(cells) + "@{}", head, lines)
+            lines.append([common.tex(line), f"{triangles:,}", *(common.digits(value, 2) for value in values)])
+    return common.tabular("@{}lr" + "rr" * len(cells) + "@{}", head, common.ruled(lines))
 
 
 common.run(main)

@@ -18,7 +18,7 @@ def main(options) -> common.Table:
     for fit in fits.itertuples():
         numbers = [common.digits(value, 2) for value in (fit.start_us, fit.triangle_ns, fit.entry_ns)]
         share = f"{100 * fit.largest_residual:.0f}" + r"\,\%"
-        lines.append(" & ".join([common.tex(f"{fit.line}, {fit.memory}"), *numbers, share]) + r" \\")
+        lines.append([common.tex(f"{fit.line}, {fit.memory}"), *numbers, share])
     return rows, common.tabular("@{}lrrrr@{}", head, lines)
 
 

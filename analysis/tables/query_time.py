@@ -23,9 +23,7 @@ def main(options) -> common.Table:
     lines["queries"] = lines.triangles.map(queries)
     lines["thesis_ns"] = 1e6 * lines.thesis_ms / lines.queries
     lines["measured_ns"] = 1e6 * lines.measured_ms / lines.queries
-    lines = lines[
-        ["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]
-    ]
+    lines = lines[["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]]
     return lines, latex(lines)
 
 

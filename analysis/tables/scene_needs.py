@@ -29,7 +29,7 @@ def latex(rows) -> str:
     lines = []
     for row in rows.itertuples():
         cells = [row.everything_MB, row.everything_ms, row.tables_MB, row.tables_ms, row.plan_MB, row.plan_ms]
-        lines.append(" & ".join([common.tex(row.scene), *cells, row.bytes_ratio, row.time_ratio]) + r" \\")
+        lines.append([common.tex(row.scene), *cells, row.bytes_ratio, row.time_ratio])
     return common.tabular("lrrrrrrrr", head, lines)
 
 

@@ -26,15 +26,11 @@ def latex(rows: pd.DataFrame) -> str:
         r"slices & stage & triangles & adds & \multicolumn{3}{c}{off in all (µm)} \\",
         r"(mm) & & of the ball & (µm) & rms & mean & largest \\",
     ]
-    lines, before = [], None
+    lines = []
     for row in rows.itertuples():
-        if row.slice_mm != before:
-            lines.append(r"\midrule")
-        slice_mm = f"{row.slice_mm:g}" if row.slice_mm != before else ""
-        before = row.slice_mm
-        cells = [slice_mm, row.stage, f"{row.ball_triangles:,}", row.added_rms_um, row.rms_um, row.mean_um]
-        lines.append(" & ".join([*cells, row.largest_um]) + r" \\")
-    return common.tabular("@{}rlrrrrr@{}", head, lines)
+        cells = [f"{row.slice_mm:g}", row.stage, f"{row.ball_triangles:,}", row.added_rms_um]
+        lines.append([*cells, row.rms_um, row.mean_um, row.largest_um])
+    return common.tabular("@{}rlrrrrr@{}", head, common.ruled(lines))
 
 
 common.run(main)

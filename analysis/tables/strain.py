@@ -25,14 +25,12 @@ def latex(layers: pd.DataFrame) -> str:
         r"$\nu$ & $h/a$ & area & pressure & force & at the bone & at the surface & shear & beside \\",
     ]
     lines = []
-    for poisson, group in layers[layers.thickness.isin(strain.SHOWN)].groupby("poisson"):
-        lines.append(r"\midrule")
-        for k, row in enumerate(group.itertuples()):
-            cells = [f"{poisson:g}" if k == 0 else "", f"{row.thickness:g}", f"{row.area:.2f}"]
-            cells += [f"{value:.2f}" if pd.notna(value) else r"$\infty$" for value in (row.pressure, row.force)]
-            values = (row.bone_strain, row.surface_strain, row.bone_shear, row.edge_strain)
-            lines.append(" & ".join(cells + [f"${value:.2f}$" for value in values]) + r" \\")
-    return common.tabular("@{}rrrrrrrrr@{}", head, lines)
+    for row in layers[layers.thickness.isin(strain.SHOWN)].sort_values("poisson", kind="stable").itertuples():
+        cells = [f"{row.poisson:g}", f"{row.thickness:g}", f"{row.area:.2f}"]
+        cells += [f"{value:.2f}" if pd.notna(value) else r"$\infty$" for value in (row.pressure, row.force)]
+        values = (row.bone_strain, row.surface_strain, row.bone_shear, row.edge_strain)
+        lines.append(cells + [f"${value:.2f}$" for value in values])
+    return common.tabular("@{}rrrrrrrrr@{}", head, common.ruled(lines))
 
 
 common.run(main)

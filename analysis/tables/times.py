@@ -36,9 +36,7 @@ def main(options) -> common.Table:
 def latex(table: pd.DataFrame) -> str:
     """All columns: times rounded for reading, the rest as it is."""
     heads = [common.tex(column.replace("_", " ")) for column in table.columns]
-    rows = [
-        [cell(name, value) for name, value in zip(table.columns, row)] for row in table.itertuples(index=False)
-    ]
+    rows = [[cell(name, value) for name, value in zip(table.columns, row)] for row in table.itertuples(index=False)]
     return common.tabular(f"@{{}}{'l' * len(heads)}@{{}}", [heads], rows)
 
 

@@ -18,9 +18,7 @@ MODULES = (conchoid, hip, memory, sampling_error, saving, timing)
 
 def main(options) -> None:
     """Writes verdicts.csv, in the order of thesis_values.csv."""
-    rows = pd.DataFrame(
-        [row for module in MODULES for row in module.rows(options.results)], columns=verdict.COLUMNS
-    )
+    rows = pd.DataFrame([row for module in MODULES for row in module.rows(options.results)], columns=verdict.COLUMNS)
     order = list(common.thesis().artefact.unique())
     rows = rows.sort_values("artefact", key=lambda names: names.map(order.index), kind="stable")
     common.write(options.out / "verdicts.csv", rows.to_csv(index=False, lineterminator="\n"))

@@ -48,10 +48,7 @@ def slice_rows(results: Path) -> list[dict]:
     smallest = gaps.min()
     computed = {
         "count": (2 * slices.slice.max() + 1, "the middle slice, and as many above it as below"),
-        "smallest_gap": (
-            smallest,
-            f"all {len(gaps)} gaps run from {smallest:.2f} to {gaps.max():.2f} degrees",
-        ),
+        "smallest_gap": (smallest, f"all {len(gaps)} gaps run from {smallest:.2f} to {gaps.max():.2f} degrees"),
         "required_precision": (
             smallest / 2,
             f"half of the gap rounded to 3; half of {smallest:.2f} is {smallest / 2:.2f}, so 1.5 is on the safe "
