@@ -35,22 +35,35 @@ def without(member: str) -> str:
     )
 
 
-def compiled(source: str) -> subprocess.CompletedProcess:
+def compiler(*words) -> subprocess.CompletedProcess:
+    command = [os.environ["CXX"], "-std=c++20", *FOLDERS, *map(str, words)]
+    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
+
+
+def compiled(source: str, *words) -> subprocess.CompletedProcess:
     """The compiler's answer to a header, which is checked and not translated."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "scheme.hpp").write_text(source)
         main = Path(folder) / "main.cpp"
         main.write_text('#include "scheme.hpp"\n')
-        words = [os.environ["CXX"], "-std=c++20", "-fsyntax-only", *FOLDERS, str(main)]
-        return subprocess.run(words, capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
+        return compiler("-fsyntax-only", *words, main)
 
 
 class Concept(unittest.TestCase):
     """SamplingScheme, as the author of a scheme meets it."""
 
+    @classmethod
+    def setUpClass(cls):
+        """What every scheme includes is read once for all that are refused."""
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.concept = Path(folder.name) / "concept.hpp"
+        cls.concept.write_text('#include "sphere/scheme.hpp"\n')
+        compiler("-x", "c++-header", cls.concept, "-o", f"{cls.concept}.gch").check_returncode()
+
     def refused(self, source: str, *named: str) -> None:
         """Fails at the concept, where it names what is wrong, and nowhere else."""
-        done = compiled(source)
+        done = compiled(source, "-include", self.concept)
         self.assertNotEqual(done.returncode, 0)
         errors = [line for line in done.stderr.splitlines() if "error:" in line]
         self.assertEqual(len(errors), 1, done.stderr)

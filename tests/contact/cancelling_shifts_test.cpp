@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "contact/coherent_contact.hpp"
 #include "contact/gap_bounds.hpp"
 #include "support/cap_nodes.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -18,21 +18,17 @@ namespace {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
-class CancellingShiftsAttack : public testing::TestWithParam<Surface> {
+class CancellingShiftsAttack : public testing::TestWithParam<Surface>, protected test::Dice {
  protected:
-  double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(random_); }
+  CancellingShiftsAttack() : Dice(7) {}
   // Each power of ten as often as any other.
-  double length(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
-  Eigen::Matrix3d rotation() { return Eigen::AngleAxisd(uniform(-kPi, kPi), direction()).toRotationMatrix(); }
+  double length(double from, double to) { return std::exp(between(std::log(from), std::log(to))); }
+  Eigen::Matrix3d turn() { return Eigen::AngleAxisd(between(-kPi, kPi), direction()).toRotationMatrix(); }
   bool ball() const { return GetParam() == Surface::ball; }
 
   // That takes vertex v of the surface to x, but for rounding.
   Pose pose_that_takes(const Vec3& v, const Vec3& x) {
-    const Eigen::Matrix3d r = rotation();
+    const Eigen::Matrix3d r = turn();
     return ball() ? Pose{r, x - r * v} : Pose{r, v - r * x};
   }
   // Where the pose takes a vertex.
@@ -42,9 +38,6 @@ class CancellingShiftsAttack : public testing::TestWithParam<Surface> {
     const Long3 from = v.cast<long double>();
     return ball() ? Long3(r * from + t) : Long3(r.transpose() * (from - t));
   }
-
- private:
-  std::mt19937_64 random_{7};
 };
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, CancellingShiftsAttack, testing::Values(Surface::ball, Surface::socket),
@@ -59,8 +52,8 @@ TEST_P(CancellingShiftsAttack, BoundsHoldTheirVertices) {
     std::vector<Vec3> vertices(1 + n % 8);
     std::vector<CapItem> items;
     for (Vec3& v : vertices) {
-      v = 30.0 * (1.0 + thick * uniform(-0.5, 0.5)) *
-          (axis + wide * uniform(0.0, 1.0) * direction()).normalized();
+      v = 30.0 * (1.0 + thick * between(-0.5, 0.5)) *
+          (axis + wide * between(0.0, 1.0) * direction()).normalized();
       items.push_back({{v.normalized(), 0.0}, {v.norm(), v.norm()}});
     }
     const CapTree tree(items);
@@ -87,8 +80,8 @@ TEST_P(CancellingShiftsAttack, BoundsHoldTheEdgeOfACapAgainstTheShift) {
     const Vec3 aside = axis.cross(direction()).normalized();
     const double angle = length(1e-4, 1.0);
     const double off = length(1e-6, 0.1);
-    const double radius = uniform(20.0, 24.0);
-    const Vec3 shift = radius * uniform(0.999, 1.001) * (off * aside - axis).normalized();
+    const double radius = between(20.0, 24.0);
+    const Vec3 shift = radius * between(0.999, 1.001) * (off * aside - axis).normalized();
     const double against = ball() ? 1.0 : -1.0;  // the ball's farthest vertex, the socket's nearest
     const Vec3 v = radius * (std::cos(angle) * axis + against * std::sin(angle) * aside);
     const CapTree tree(std::vector<CapItem>{{{axis, angle}, {radius, radius}}});
@@ -124,9 +117,9 @@ TEST_P(CancellingShiftsAttack, NoTouchIsMissed) {
   const std::size_t count = random_cases();
   for (std::size_t n = 0; n < count; ++n) {
     const double near = length(1e-7, 20.0);
-    const Vec3 v = uniform(25.0, 35.0) * direction();
+    const Vec3 v = between(25.0, 35.0) * direction();
     const Vec3 x = near * direction();
-    const Vec3 at = uniform(0.5, 1.5) * x;
+    const Vec3 at = between(0.5, 1.5) * x;
     const TriangleMesh moved{{v, beside(1.03 * v, 0.3, 0.0), beside(1.03 * v, 0.0, 0.3)}, {{0, 1, 2}}};
     const TriangleMesh other{
         {beside(at, 2 * near, 0), beside(at, -near, 2 * near), beside(at, -near, -2 * near)}, {{0, 1, 2}}};

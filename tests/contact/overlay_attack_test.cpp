@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -20,6 +19,8 @@
 #include "gap/overlay.hpp"
 #include "mesh/bodies.hpp"
 #include "reference/shadow.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
 #include "support/poses.hpp"
 #include "support/random_cases.hpp"
 
@@ -29,14 +30,9 @@ namespace {
 constexpr std::size_t kPosesPerJoint = 20;  // making a joint costs as much as asking it so often
 constexpr std::size_t kPosesPerOracle = 8;  // the oracle costs as much again
 
-class OverlayAttack : public testing::Test {
+class OverlayAttack : public testing::Test, protected test::Dice {
  protected:
-  int whole(int from, int to) { return std::uniform_int_distribution(from, to)(random_); }
-  double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(random_); }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
+  OverlayAttack() : Dice(11) {}
   // On a grid of 8 mm: corners of different faces and of poses by whole steps and quarter turns coincide.
   Vec3 on_grid() {
     Vec3 v = Vec3::Zero();
@@ -44,30 +40,24 @@ class OverlayAttack : public testing::Test {
     return v;
   }
 
-  void add_face(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
-    mesh.faces.push_back({first, first + 1, first + 2});
-  }
-
   void add_any_face(TriangleMesh& mesh, double radius) {
-    const Vec3 a = whole(0, 1) == 0 ? on_grid() : Vec3(radius * uniform(0.5, 1.5) * direction());
-    const Vec3 b = whole(0, 1) == 0 ? on_grid() : Vec3(radius * uniform(0.5, 1.5) * direction());
+    const Vec3 a = whole(0, 1) == 0 ? on_grid() : Vec3(radius * between(0.5, 1.5) * direction());
+    const Vec3 b = whole(0, 1) == 0 ? on_grid() : Vec3(radius * between(0.5, 1.5) * direction());
     switch (whole(0, 5)) {
       case 0:  // a flange: in a plane through the centre, exactly on the grid and else but for rounding
-        return add_face(mesh, a, b, whole(-2, 2) * a + whole(-2, 2) * b);
+        return test::add_face(mesh, a, b, whole(-2, 2) * a + whole(-2, 2) * b);
       case 1:
-        return add_face(mesh, a, b, uniform(-1, 2) * a + uniform(-1, 2) * b);
+        return test::add_face(mesh, a, b, between(-1, 2) * a + between(-1, 2) * b);
       case 2:  // a sliver, or none
-        return add_face(mesh, a, b, a + std::ldexp(whole(0, 8), -3) * (b - a));
+        return test::add_face(mesh, a, b, a + std::ldexp(whole(0, 8), -3) * (b - a));
       case 3: {  // two bars of a cross
         const Vec3 along = a.unitOrthogonal();
         const Vec3 up = 0.04 * a;
-        return add_face(mesh, a - 9 * along, a + 9 * along,
-                        whole(0, 1) == 0 ? Vec3(2 * a) : Vec3(0.5 * a + up));
+        return test::add_face(mesh, a - 9 * along, a + 9 * along,
+                              whole(0, 1) == 0 ? Vec3(2 * a) : Vec3(0.5 * a + up));
       }
       default:
-        return add_face(mesh, a, b, whole(0, 1) == 0 ? on_grid() : Vec3(radius * direction()));
+        return test::add_face(mesh, a, b, whole(0, 1) == 0 ? on_grid() : Vec3(radius * direction()));
     }
   }
 
@@ -82,16 +72,16 @@ class OverlayAttack : public testing::Test {
   }
 
   Eigen::Matrix3d generic_rotation() {
-    return Eigen::AngleAxisd(uniform(-kPi, kPi), direction()).toRotationMatrix();
+    return Eigen::AngleAxisd(between(-kPi, kPi), direction()).toRotationMatrix();
   }
 
   // A face as thin as a needle from an end, `length` radians from x towards a unit vector across, to its tip,
   // which is a thousandth of that past x.
   void add_needle(TriangleMesh& mesh, const Vec3& x, const Vec3& towards, double length) {
-    const double radius = x.norm() * uniform(0.8, 1.25);
+    const double radius = x.norm() * between(0.8, 1.25);
     const Vec3 end = radius * (std::cos(length) * x.normalized() + std::sin(length) * towards);
     const Vec3 beside = 1e-5 * length * x.cross(towards);
-    add_face(mesh, x - 1e-3 * (end - x), end - beside, end + beside);
+    test::add_face(mesh, x - 1e-3 * (end - x), end - beside, end + beside);
   }
 
   // Two needles that point at each other but for 3 to 10 degrees, and pass each other with their tips about
@@ -100,10 +90,10 @@ class OverlayAttack : public testing::Test {
   BallSocketPair needles(const Vec3& u) {
     BallSocketPair joint{octahedron(2.0), octahedron(90.0)};
     const Vec3 towards = u.cross(direction()).normalized();
-    const double length = std::pow(10.0, uniform(-2.0, -0.3));
-    const double turn = (whole(0, 1) == 0 ? 1.0 : -1.0) * uniform(3.0, 10.0) * kDegree;
-    const Vec3 x = uniform(18.0, 24.0) * u;
-    add_needle(joint.ball, (1.0 + std::pow(10.0, uniform(-5.0, -1.0))) * x, towards, length);
+    const double length = power(-2.0, -0.3);
+    const double turn = (whole(0, 1) == 0 ? 1.0 : -1.0) * between(3.0, 10.0) * kDegree;
+    const Vec3 x = between(18.0, 24.0) * u;
+    add_needle(joint.ball, (1.0 + power(-5.0, -1.0)) * x, towards, length);
     add_needle(joint.socket, x, -(std::cos(turn) * towards + std::sin(turn) * u.cross(towards)), length);
     return joint;
   }
@@ -142,16 +132,13 @@ class OverlayAttack : public testing::Test {
         pose.translation = on_grid();
         break;
       case 4:
-        pose.translation = uniform(0.0, 30.0) * direction();
+        pose.translation = between(0.0, 30.0) * direction();
         break;
       default:  // none
         break;
     }
     return pose;
   }
-
- private:
-  std::mt19937_64 random_{11};
 };
 
 TriangleMesh counted(TriangleMesh mesh) {
@@ -200,7 +187,7 @@ TEST_F(OverlayAttack, NeedlesThatMeetTipOnTipAreFound) {
   std::size_t between_vertices = 0;
   const std::size_t cases = random_cases() / 10;
   for (std::size_t n = 0; n < cases; ++n) {
-    const Pose pose{generic_rotation(), (whole(0, 1) == 0 ? 0.0 : uniform(0.0, 5.0)) * direction()};
+    const Pose pose{generic_rotation(), (whole(0, 1) == 0 ? 0.0 : between(0.0, 5.0)) * direction()};
     BallSocketPair joint = needles(direction());
     if (whole(0, 1) == 0)  // they meet as seen from the centre of the socket, or of the ball
       joint.ball = test::socket_in_ball_frame(joint.ball, pose);

@@ -48,6 +48,7 @@ class CoreOnly(unittest.TestCase):
             options = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=TRUE" for package in HIDDEN]
             if shutil.which("ccache"):
                 options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+                os.environ |= {"CCACHE_BASEDIR": name, "CCACHE_NOHASHDIR": "1"}  # whatever the folder is called
             build = folder / "build"
             run(
                 "cmake",

@@ -3,7 +3,6 @@
 // within half a millimetre of the one that the joint is described with. Needs the folder that IMPINGE_BONES
 // names; without it there is nothing to test.
 #include <cstdlib>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 #include "harness/real_joints.hpp"
 #include "hip/sphere_fit.hpp"
 #include "motion/told_limit.hpp"
-#include "support/random_vector.hpp"
+#include "support/dice.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -23,17 +22,16 @@ struct JumpingLimit {
   const char* motion;
 };
 
-Vec3 random_centre(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  const Vec3 way = test::random_vector(normal, random);
-  return std::uniform_real_distribution<double>(0.3, 0.99)(random) * kErrorOfInput * way.normalized();
+Vec3 random_centre(test::Dice& dice) {
+  const Vec3 way = dice.direction();
+  return dice.between(0.3, 0.99) * kErrorOfInput * way;
 }
 
 TEST(CentreIntervalBones, HoldsForOtherCentres) {
   const char* bones = std::getenv("IMPINGE_BONES");  // NOLINT(concurrency-mt-unsafe)
   if (bones == nullptr) GTEST_SKIP() << "no real joints: set IMPINGE_BONES";
   Progress progress("test", nullptr);
-  std::mt19937_64 random(18);
+  test::Dice dice(18);
   for (const RealJoint& joint : read_real_joints(bones, progress)) {
     for (const JumpingLimit& jumping :
          {JumpingLimit{"cargen_left", "internal_rotation"}, JumpingLimit{"libhip_m4_left", "flexion"}}) {
@@ -48,7 +46,7 @@ TEST(CentreIntervalBones, HoldsForOtherCentres) {
       for (int k = 0; k < kCentres; ++k) {
         // The last is the centre of a sphere fitted to the ball, 0.1 mm away, about which the limit is
         // another.
-        const Vec3 at = k + 1 < kCentres ? random_centre(random) : fit_ball(meshes.ball).centre;
+        const Vec3 at = k + 1 < kCentres ? random_centre(dice) : fit_ball(meshes.ball).centre;
         const TurnLimit limit = TurnLimits({relative_to(meshes.ball, at), relative_to(meshes.socket, at)})
                                     .first_contact(turn, 180.0);
         ASSERT_EQ(limit.state, LimitState::limited);

@@ -16,6 +16,7 @@
 #include "methods/error_range.hpp"
 #include "support/bits.hpp"
 #include "support/bound_probes.hpp"
+#include "support/joined.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 #include "table/table_bound.hpp"
@@ -134,11 +135,7 @@ TEST(CentredTable, KnowsTheRangeOfAQuadratic) {
 
 // A wall has two sides, one of which the layer hides: its edges do not count.
 TEST(CentredTable, IsThatOfTheLayer) {
-  TriangleMesh wall = sphere(22.0, 300);
-  const TriangleMesh outside = sphere(25.0, 500);
-  const auto first = static_cast<VertexIndex>(wall.vertices.size());
-  wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
-  for (const Face& f : outside.faces) wall.faces.push_back({first + f[0], first + f[1], first + f[2]});
+  const TriangleMesh wall = test::joined(sphere(22.0, 300), sphere(25.0, 500));
   const Gnomonic both(wall, 5.0, Layer::nearest);
   const Gnomonic one(sphere(22.0, 300), 5.0, Layer::nearest);
   for (std::size_t i = 0; i < one.table.values().size(); ++i)

@@ -17,6 +17,7 @@
 #include "mesh/generated_pair.hpp"
 #include "reference/closest_point.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/soup.hpp"
 
@@ -154,17 +155,12 @@ TEST(GapBracket, TheRatioOfRadiiCountsInAFunnel) {
 // The gap of the layer that a table keeps says nothing here: another layer is nearer, a wall without any
 // direction, or the other side of a rim.
 TEST(GapBracket, SeesOtherLayersWallsAndRims) {
-  TriangleMesh shells = sphere(20.0, 2000);
-  const TriangleMesh outer = sphere(30.0, 2000);
-  const auto first = static_cast<VertexIndex>(shells.vertices.size());
-  for (const Vec3& v : outer.vertices) shells.vertices.push_back(v);
-  for (const Face& f : outer.faces) shells.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+  const TriangleMesh shells = test::joined(sphere(20.0, 2000), sphere(30.0, 2000));
   for (const DistanceEnds& b : look_at(shells, points_between(28.0, 28.0, 50, 3)).bracket)
     EXPECT_NEAR(b.lower_mm, 2.0, 0.1);
 
   TriangleMesh wall = sphere(20.0, 2000);
-  wall.vertices.insert(wall.vertices.end(), {{0, 0, 25}, {0, 0, 35}, {0, 10, 30}});
-  wall.faces.push_back({first, first + 1, first + 2});
+  test::add_face(wall, {0, 0, 25}, {0, 0, 35}, {0, 10, 30});
   const std::vector<Vec3> beside{{0.1, 3.0, 30.0}, {-0.1, 1.0, 26.0}};
   for (const double distance : look_at(wall, beside).distance) EXPECT_LT(distance, 0.11);
 

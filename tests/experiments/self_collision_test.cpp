@@ -7,16 +7,11 @@
 
 #include "mesh/icosphere.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "support/joined.hpp"
+#include "support/turned.hpp"
 
 namespace impinge::lab {
 namespace {
-
-TriangleMesh with_second_layer(TriangleMesh mesh, const TriangleMesh& other) {
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-  return mesh;
-}
 
 // Brute force over entries and pairs.
 std::vector<FacePair> collisions_by_force(const TriangleMesh& mesh, const Rsid& scheme, double tolerance) {
@@ -39,9 +34,8 @@ std::vector<FacePair> collisions_by_force(const TriangleMesh& mesh, const Rsid& 
 }
 
 TEST(SelfCollisions, AreThoseOfBruteForce) {
-  TriangleMesh other = icosphere(22.0, 0);
-  for (Vec3& v : other.vertices) v += Vec3(1.5, 0.7, -0.4);
-  const TriangleMesh mesh = with_second_layer(icosphere(22.0, 0), other);
+  const TriangleMesh mesh =
+      test::joined(icosphere(22.0, 0), test::moved(icosphere(22.0, 0), {1.5, 0.7, -0.4}));
   const Rsid scheme = Rsid::with_precision(6.0);
   for (const double tolerance : {0.2, 10.0}) {
     const auto expected = collisions_by_force(mesh, scheme, tolerance);
@@ -53,7 +47,7 @@ TEST(SelfCollisions, AreThoseOfBruteForce) {
 TEST(SelfCollisions, NeitherNeighboursNorLayersApartAreAny) {
   const TriangleMesh one = icosphere(22.0, 1);
   EXPECT_TRUE(self_collisions(one, Rsid::with_precision(5.0), 100.0).empty()) << "one layer";
-  const TriangleMesh two = with_second_layer(one, icosphere(24.0, 1));
+  const TriangleMesh two = test::joined(one, icosphere(24.0, 1));
   EXPECT_TRUE(self_collisions(two, Rsid::with_precision(5.0), 1.0).empty()) << "2 mm apart";
   EXPECT_FALSE(self_collisions(two, Rsid::with_precision(5.0), 2.5).empty());
 }

@@ -11,6 +11,7 @@
 #include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/soup.hpp"
 #include "support/turned.hpp"
@@ -26,19 +27,6 @@ std::size_t first_entry(const CubeGnomonic& scheme, const Vec3& x) {
   const std::size_t cell = scheme.plane_stencil(x).cell;
   const std::size_t row = cell / n;
   return (row + row / n) * (n + 1) + cell % n;
-}
-
-TriangleMesh together(TriangleMesh all, const TriangleMesh& more) {
-  const auto first = static_cast<VertexIndex>(all.vertices.size());
-  all.vertices.insert(all.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Face& face : more.faces)
-    all.faces.push_back({first + face[0], first + face[1], first + face[2]});
-  return all;
-}
-
-TriangleMesh moved(TriangleMesh mesh, const Vec3& by) {
-  for (Vec3& v : mesh.vertices) v += by;
-  return mesh;
 }
 
 struct Bounded {
@@ -99,7 +87,7 @@ TEST(CellBoundsTest, HoldOnBallsAndSockets) {
 // Two spheres that cross, so that the layer changes from one to the other within cells, off all edges.
 TEST(CellBoundsTest, HoldWhereSheetsCross) {
   const TriangleMesh mesh =
-      together(test::askew(icosphere(20.0, 2)), moved(icosphere(20.5, 2), {3.0, 1.0, 0.5}));
+      test::joined(test::askew(icosphere(20.0, 2)), test::moved(icosphere(20.5, 2), {3.0, 1.0, 0.5}));
   for (const Layer layer : {Layer::nearest, Layer::farthest}) {
     const Tried tried = expect_bounds(Bounded(mesh, layer, 25), all_directions(mesh));
     EXPECT_GT(tried.decided, 2000U);
@@ -121,7 +109,7 @@ TEST(CellBoundsTest, HoldAmongFacesAtRandom) {
 TEST(CellBoundsTest, DoNotCountWhatIsHidden) {
   const TriangleMesh inner = test::askew(icosphere(20.0, 2));
   const TriangleMesh outer = icosphere(21.5, 2);
-  const TriangleMesh shell = together(inner, outer);
+  const TriangleMesh shell = test::joined(inner, outer);
   const auto largest = [](const TriangleMesh& mesh, Layer layer) {
     double mm = 0.0;
     for (const CellBound& bound : Bounded(mesh, layer, 25).bounds) mm = std::max(mm, bound.mm);

@@ -15,6 +15,7 @@
 #include "mesh/generated_pair.hpp"
 #include "reference/exact_radius.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_vector.hpp"
 #include "support/soup.hpp"
@@ -70,11 +71,7 @@ TEST(MeasuredGap, ThereIsNoneAtTheCentreAndWhereNoFaceIsMet) {
 
 // A sphere within a sphere: neither end is that of the other layer.
 TEST(MeasuredGap, OfTwoLayersIsThatOfTheOneThatCounts) {
-  TriangleMesh mesh = sphere(20.0, 300);
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  const TriangleMesh outer = sphere(30.0, 300);
-  mesh.vertices.insert(mesh.vertices.end(), outer.vertices.begin(), outer.vertices.end());
-  for (const Face& f : outer.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  const TriangleMesh mesh = test::joined(sphere(20.0, 300), sphere(30.0, 300));
   const NearFaces faces(mesh, 0.0);
   for (const Vec3& u : test::random_directions(300, 36)) expect_holds(mesh, faces, 25.0 * u, 1e-9);
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -17,6 +16,7 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/star_shape.hpp"
+#include "support/dice.hpp"
 #include "support/poses.hpp"
 #include "support/random_cases.hpp"
 
@@ -25,37 +25,29 @@ namespace {
 
 constexpr double kReach = 200.0;  // mm, beyond all vertices in all poses
 
-class MeetingSurfacesAttack : public testing::Test {
+class MeetingSurfacesAttack : public testing::Test, protected test::Dice {
  protected:
-  double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(random_); }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
-
+  MeetingSurfacesAttack() : Dice(17) {}
   // A bumpy closed ball, and a bumpy cup or a closed socket.
   BallSocketPair any_joint() {
     const auto bumps = [this](TriangleMesh mesh, double height) {
-      for (Vec3& v : mesh.vertices) v *= 1.0 + height * uniform(-1.0, 1.0);
+      for (Vec3& v : mesh.vertices) v *= 1.0 + height * between(-1.0, 1.0);
       return mesh;
     };
-    const auto faces = [this](int most) { return 2 * static_cast<std::size_t>(uniform(4.0, most)); };
-    const double opening = uniform(30.0, 170.0);
+    const auto faces = [this](int most) { return 2 * static_cast<std::size_t>(between(4.0, most)); };
+    const double opening = between(30.0, 170.0);
     const TriangleMesh ball = bumps(sphere(20.0, faces(20)), 0.2);
-    const TriangleMesh socket = uniform(0.0, 1.0) < 0.2 ? bumps(sphere(30.0, faces(20)), 0.2)
+    const TriangleMesh socket = between(0.0, 1.0) < 0.2 ? bumps(sphere(30.0, faces(20)), 0.2)
                                                         : bumps(cup(28.0, opening, faces(20)), 0.1);
     return {ball, socket};
   }
 
   Pose any_pose() {
-    Pose pose{Eigen::AngleAxisd(uniform(0.0, kPi), direction()).toRotationMatrix(), Vec3::Zero()};
-    const double kind = uniform(0.0, 1.0);
-    if (kind > 0.3) pose.translation = (kind > 0.7 ? 90.0 : 15.0) * uniform(0.0, 1.0) * direction();
+    Pose pose{Eigen::AngleAxisd(between(0.0, kPi), direction()).toRotationMatrix(), Vec3::Zero()};
+    const double kind = between(0.0, 1.0);
+    if (kind > 0.3) pose.translation = (kind > 0.7 ? 90.0 : 15.0) * between(0.0, 1.0) * direction();
     return pose;
   }
-
- private:
-  std::mt19937_64 random_{17};
 };
 
 // What CGAL says of a pose.
@@ -112,7 +104,7 @@ TEST_F(MeetingSurfacesAttack, ImpingedIsToMeetOrToHaveSlippedPast) {
     for (int k = 0; k < 50; ++k) {
       const Pose pose = any_pose();
       ask(pose);
-      const Vec3 way = uniform(0.0, 20.0) * direction();
+      const Vec3 way = between(0.0, 20.0) * direction();
       const auto contact = change(overlay, pose, way);
       if (!contact) continue;
       ++tangent;

@@ -12,6 +12,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "reference/shadow.hpp"
+#include "support/joined.hpp"
 #include "support/poses.hpp"
 
 namespace impinge {
@@ -113,12 +114,10 @@ TEST(Overlay, KnowsTheRim) {
 TEST(Overlay, FacesInAPlaneThroughTheirCentreTakeNoPart) {
   for (const double off : {0.0, 0x1p-40}) {
     TriangleMesh ball = octahedron(20.0);
-    ball.vertices.insert(ball.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
-    ball.faces.push_back({6, 7, 8});
+    test::add_face(ball, {12, 0, 4}, {4, off, 12}, {50, 0, 50});
     const SurfaceOverlay of_ball(ball, octahedron(60.0));
     TriangleMesh socket = octahedron(60.0);
-    socket.vertices.insert(socket.vertices.end(), {{12, 0, 4}, {4, off, 12}, {50, 0, 50}});
-    socket.faces.push_back({6, 7, 8});
+    test::add_face(socket, {12, 0, 4}, {4, off, 12}, {50, 0, 50});
     const SurfaceOverlay of_socket(octahedron(20.0), socket);
     for (const Pose& pose : test::random_poses(100, 3.0, 0.0, 6)) {
       EXPECT_EQ(of_ball.impinged(pose), off > 0.0);

@@ -15,17 +15,14 @@
 #include "hip/sphere_fit.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/joined.hpp"
 #include "support/random_vector.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
 
 const Vec3 kElsewhere(-86.0, -20.0, -580.0);
-
-TriangleMesh moved(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v += kElsewhere;
-  return mesh;
-}
 
 class PresetFit : public testing::TestWithParam<std::string_view> {};
 
@@ -34,10 +31,10 @@ TEST_P(PresetFit, FindsHeadAndSocket) {
   p.side = Side::right;
   const HipSurface surface = hip_surface(p);
   const Hip hip = make_hip(p, 6000);
-  const SphereFit head = fit_ball(moved(hip.ball));
+  const SphereFit head = fit_ball(test::moved(hip.ball, kElsewhere));
   EXPECT_LT((head.centre - kElsewhere).norm(), 0.002);
   EXPECT_NEAR(head.radius, p.head_radius, 0.002);
-  const SphereFit socket = fit_ball(moved(hip.socket));
+  const SphereFit socket = fit_ball(test::moved(hip.socket, kElsewhere));
   EXPECT_LT((socket.centre - kElsewhere - surface.socket_centre).norm(), 0.002);
   EXPECT_NEAR(socket.radius, surface.socket_radius, 0.002);
 }
@@ -66,12 +63,7 @@ TEST(BallFit, FindsTheHeadOfALongBone) {
   const Hip hip = make_hip({.shaft_length = 200.0}, 6000);
   TriangleMesh parameter = sphere(30.0, 2000);
   for (Vec3& v : parameter.vertices) v = Vec3(1.3 * v.x(), v.y(), 0.8 * v.z()) + Vec3(40.0, 0.0, -250.0);
-  TriangleMesh bone = hip.ball;
-  const auto first = static_cast<VertexIndex>(bone.vertices.size());
-  bone.vertices.insert(bone.vertices.end(), parameter.vertices.begin(), parameter.vertices.end());
-  for (const Face& face : parameter.faces)
-    bone.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
-  const SphereFit fit = fit_ball(bone);
+  const SphereFit fit = fit_ball(test::joined(hip.ball, parameter));
   EXPECT_LT(fit.centre.norm(), 0.002);
   EXPECT_NEAR(fit.radius, 24.0, 0.002);
 }

@@ -16,6 +16,7 @@
 #include "hip/hip_presets.hpp"
 #include "hip/hip_surface.hpp"
 #include "mesh/bodies.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -23,11 +24,6 @@ namespace {
 constexpr double kAngle = 0.5;    // degrees
 constexpr double kLength = 0.05;  // mm
 const Vec3 kFarAway(40.0, -70.0, 900.0);
-
-TriangleMesh far_away(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices) v += kFarAway;
-  return mesh;
-}
 
 // Over the time that a measured alpha is the median of: on top of a narrow cam it is up to a degree below
 // alpha at that place.
@@ -44,7 +40,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   HipParameters right = p;
   right.side = Side::right;
   const HipSurface surface = hip_surface(right);
-  const FemurMeasures femur = measure_femur(far_away(hip.ball), p.side);
+  const FemurMeasures femur = measure_femur(test::moved(hip.ball, kFarAway), p.side);
   EXPECT_LT((femur.head.centre - kFarAway).norm(), kLength);
   EXPECT_NEAR(femur.head.radius, p.head_radius, kLength);
   EXPECT_NEAR(femur.head_neck_offset, p.head_neck_offset, kLength);
@@ -54,7 +50,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
   EXPECT_NEAR(femur.alpha_at_1_30, median_alpha(surface, 1.5), kAngle);
 
-  const AcetabulumMeasures socket = measure_acetabulum(far_away(hip.socket), femur.head, p.side);
+  const AcetabulumMeasures socket = measure_acetabulum(test::moved(hip.socket, kFarAway), femur.head, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
   Vec3 shift = socket.socket.centre - femur.head.centre;
   if (p.side == Side::left) shift.x() = -shift.x();

@@ -13,6 +13,7 @@
 
 #include "hip/hip.hpp"
 #include "mesh/bodies.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/thrown.hpp"
 
@@ -27,18 +28,10 @@ TriangleMesh moved(TriangleMesh mesh, const Vec3& by, double scale = 1.0) {
   return mesh;
 }
 
-void add(TriangleMesh& mesh, const TriangleMesh& other, bool turned) {
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces)
-    mesh.faces.push_back({f[0] + first, f[turned ? 2 : 1] + first, f[turned ? 1 : 2] + first});
-}
-
 // Cartilage of a head: two layers that end at an angle from the pole, as thin as a segmentation has them.
 TriangleMesh shell(double half_opening_deg, std::size_t faces = 1200) {
-  TriangleMesh mesh = cup(kRadius - 2.0, half_opening_deg, faces);
-  add(mesh, cup(kRadius, half_opening_deg, faces), true);
-  return mesh;
+  return test::joined(cup(kRadius - 2.0, half_opening_deg, faces),
+                      test::inside_out(cup(kRadius, half_opening_deg, faces)));
 }
 
 double share_of(double half_opening_deg) { return 50.0 * (1.0 - std::cos(half_opening_deg * kDegree)); }

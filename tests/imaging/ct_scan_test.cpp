@@ -11,6 +11,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/validation.hpp"
+#include "support/joined.hpp"
 
 namespace impinge {
 namespace {
@@ -75,10 +76,7 @@ TEST(BoneShares, MeetEdgesAndVerticesOnce) {
 }
 
 TEST(BoneShares, OfTwoWallsLeaveTheCavityOut) {
-  TriangleMesh shell = sphere(6.0, 400);
-  const TriangleMesh inner = sphere(4.0, 400);
-  for (const Vec3& v : inner.vertices) shell.vertices.push_back(v);
-  for (const Face& f : inner.faces) shell.faces.push_back({f[0] + 202, f[2] + 202, f[1] + 202});
+  const TriangleMesh shell = test::joined(sphere(6.0, 400), test::inside_out(sphere(4.0, 400)));
   const VoxelImage image = bone_shares(shell, {0.5, 0.5, 1.0});
   EXPECT_NEAR(volume_of(image) / *validate(shell).volume, 1.0, 0.005);
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -15,7 +14,7 @@
 
 #include "mesh/rings.hpp"
 #include "mesh/validation.hpp"
-#include "support/random_vector.hpp"
+#include "support/directions.hpp"
 
 namespace impinge {
 namespace {
@@ -58,16 +57,6 @@ double mesh_radius(const TriangleMesh& mesh, const Vec3& u) {
     radius = n.dot(a) / n.dot(u);
   }
   return radius;
-}
-
-std::vector<Vec3> random_directions(std::size_t n) {
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> normal;
-  std::vector<Vec3> directions;
-  while (directions.size() < n) {
-    directions.push_back(test::random_vector(normal, random).normalized());
-  }
-  return directions;
 }
 
 TEST(UnitSphere, AnyEvenCountIsAClosedStarShapedSphere) {
@@ -145,7 +134,7 @@ TEST(Sphere, VerticesLieOnItWhereverItIs) {
 
 TEST(Sphere, EccentricRadiusIsWhereTheRayLeavesTheSphere) {
   const Vec3 centre(3.0, -2.0, 1.0);
-  for (const Vec3& u : random_directions(200)) {
+  for (const Vec3& u : test::random_directions(200, 7)) {
     const double r = eccentric_sphere_radius(u, 22.0, centre);
     EXPECT_GT(r, 0.0);
     EXPECT_NEAR((r * u - centre).norm(), 22.0, 1e-13);
@@ -163,7 +152,7 @@ TEST(RadialBody, VerticesAreAtTheirRadius) {
 TEST(Octahedron, MeshRadiusIsExact) {
   const TriangleMesh mesh = octahedron(25.0);
   EXPECT_EQ(validate(mesh).volume, 4.0 / 3.0 * 25.0 * 25.0 * 25.0);
-  for (const Vec3& u : random_directions(200)) {
+  for (const Vec3& u : test::random_directions(200, 7)) {
     EXPECT_NEAR(octahedron_mesh_radius(u, 25.0), mesh_radius(mesh, u), 1e-12);
   }
 }
@@ -173,7 +162,7 @@ TEST(Cone, MeshRadiusIsExact) {
     const ConeShape shape{12.0, 30.0, 7.0, sides};
     const TriangleMesh mesh = cone(shape);
     EXPECT_EQ(mesh.faces.size(), 2 * sides);
-    for (const Vec3& u : random_directions(200)) {
+    for (const Vec3& u : test::random_directions(200, 7)) {
       const double r = mesh_radius(mesh, u);
       EXPECT_NEAR(cone_mesh_radius(u, shape), r, 1e-12 * r);
     }

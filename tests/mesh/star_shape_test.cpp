@@ -9,18 +9,12 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/joined.hpp"
 
 namespace impinge {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-
-TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const auto shift = static_cast<VertexIndex>(a.vertices.size());
-  for (const Face& f : b.faces) a.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  return a;
-}
 
 TEST(StarShape, SolidAngles) {
   EXPECT_NEAR(solid_angle({1, 0, 0}, {0, 2, 0}, {0, 0, 3}), kPi / 2.0, 1e-15);  // an octant
@@ -58,7 +52,7 @@ TEST(StarShape, ViolationsAreFoundAndMeasured) {
   const StarShapeReport beside = star_shape(sphere(20.0, 2000, {30.0, 0.0, 0.0}));
   EXPECT_FALSE(beside.star_shaped);
   EXPECT_NEAR(beside.violating, 0.5 * (1.0 - std::sqrt(5.0) / 3.0), 0.003);  // sin of the half angle is 2/3
-  const StarShapeReport nested = star_shape(joined(cup(20.0, 40.0, 500), cup(26.0, 80.0, 500)));
+  const StarShapeReport nested = star_shape(test::joined(cup(20.0, 40.0, 500), cup(26.0, 80.0, 500)));
   EXPECT_FALSE(nested.star_shaped);
   EXPECT_GT(nested.overlapping_pairs, 500U);
   EXPECT_NEAR(nested.violating, 0.5 * (1.0 - std::cos(40.0 * kDegree)), 0.003);

@@ -12,6 +12,8 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/disjoint_sets.hpp"
+#include "support/joined.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -19,13 +21,6 @@ namespace {
 std::size_t flaws(const MeshReport& r) {
   return r.unreferenced_vertices + r.non_finite_vertices + r.invalid_faces + r.degenerate_faces +
          r.duplicate_faces + r.flipped_faces + r.non_manifold_edges + (r.orientable ? 0 : 1);
-}
-
-TriangleMesh merged(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<VertexIndex>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& [i, j, k] : b.faces) a.faces.push_back({i + first, j + first, k + first});
-  return a;
 }
 
 TEST(Validate, EmptyMesh) {
@@ -48,8 +43,7 @@ TEST(Validate, SoundBodies) {
 }
 
 TEST(Validate, VolumeFarFromTheOrigin) {
-  TriangleMesh mesh = octahedron(1.0);
-  for (Vec3& v : mesh.vertices) v += Vec3(4096.0, -4096.0, 65536.0);
+  const TriangleMesh mesh = test::moved(octahedron(1.0), {4096.0, -4096.0, 65536.0});
   EXPECT_NEAR(*validate(mesh).volume, 4.0 / 3.0, 1e-10);
 }
 
@@ -122,7 +116,7 @@ TEST(Validate, FlippedFacesAreTheMinority) {
 }
 
 TEST(Validate, FlipsAreCountedInEachPart) {
-  TriangleMesh mesh = merged(octahedron(1.0), sphere(9.0, 300));
+  TriangleMesh mesh = test::joined(octahedron(1.0), sphere(9.0, 300));
   for (std::size_t f = 0; f < 6; ++f) std::swap(mesh.faces[f][0], mesh.faces[f][1]);  // 6 of 8: 2 differ
   const MeshReport report = validate(mesh);
   EXPECT_EQ(report.components, 2U);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "support/joined.hpp"
 
 namespace impinge {
 namespace {
@@ -16,11 +17,8 @@ namespace {
 TEST(Weld, RestoresASharedMeshFromItsSoup) {
   const TriangleMesh mesh = sphere(25.0, 1000);
   TriangleMesh soup;  // three vertices of its own for every face, as in STL
-  for (const Face& face : mesh.faces) {
-    const auto first = static_cast<VertexIndex>(soup.vertices.size());
-    for (std::size_t k = 0; k < 3; ++k) soup.vertices.push_back(corner(mesh, face, k));
-    soup.faces.push_back({first, first + 1, first + 2});
-  }
+  for (const Face& face : mesh.faces)
+    test::add_face(soup, corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
   for (const TriangleMesh& given : {soup, mesh}) {
     EXPECT_EQ(weld(given).faces, mesh.faces);
     EXPECT_EQ(weld(given).vertices, mesh.vertices);

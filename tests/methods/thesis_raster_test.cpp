@@ -16,6 +16,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/chart.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
 #include "table/pairwise.hpp"
@@ -112,12 +113,10 @@ TEST(ThesisRaster, ChartOfAClosedBodyCoversTheGridOnce) {
 TEST(ThesisRaster, EdgesBesideThePoleAreUnrolledTheRightWay) {
   const Rsid scheme = Rsid::with_precision(5.0);
   for (int k = 1; k <= 100; ++k) {
-    TriangleMesh mesh = octahedron(20.0);
     const Eigen::Matrix3d turn =
         (Eigen::AngleAxisd(0.0617 * k, Vec3::UnitZ()) * Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitX()))
             .toRotationMatrix();
-    for (Vec3& v : mesh.vertices) v = turn * v;
-    const auto table = fill_thesis(mesh, scheme, Layer::farthest);
+    const auto table = fill_thesis(test::turned(octahedron(20.0), turn), scheme, Layer::farthest);
     for (const double radius : table.radii()) ASSERT_FALSE(std::isnan(radius)) << k;
   }
 }
@@ -187,11 +186,8 @@ TEST(ThesisRaster, HasTheBitsOfOneColumnAfterTheOther) {
       expect_the_bits_drawn_one_by_one(pair.socket, precision, layer);
     }
   }
-  TriangleMesh shells = sphere(22.0, 100);  // one inside of the other: each entry is drawn twice
-  const TriangleMesh inner = sphere(15.0, 80, {2.0, -3.0, 1.0});
-  const auto first = static_cast<VertexIndex>(shells.vertices.size());
-  shells.vertices.insert(shells.vertices.end(), inner.vertices.begin(), inner.vertices.end());
-  for (const Face& f : inner.faces) shells.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+  // One inside of the other: each entry is drawn twice.
+  const TriangleMesh shells = test::joined(sphere(22.0, 100), sphere(15.0, 80, {2.0, -3.0, 1.0}));
   for (const Layer layer : {Layer::farthest, Layer::nearest})
     expect_the_bits_drawn_one_by_one(shells, 1.0, layer);
 }

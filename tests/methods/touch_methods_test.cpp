@@ -9,7 +9,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -22,7 +21,7 @@
 #include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
-#include "support/random_vector.hpp"
+#include "support/dice.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -52,14 +51,9 @@ bool is_exact(const TouchCase& method) {
 }
 
 // A rotation and a translation of the given length, both random.
-Pose random_pose(std::mt19937_64& random, double length) {
-  std::normal_distribution<double> normal;
-  Pose pose;
-  pose.rotation = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
-                      .normalized()
-                      .toRotationMatrix();
-  pose.translation = length * test::random_vector(normal, random).normalized();
-  return pose;
+Pose random_pose(test::Dice& dice, double length) {
+  const Eigen::Matrix3d rotation = dice.rotation();
+  return {rotation, length * dice.direction()};
 }
 
 // Largest distance of a face of the body from the sphere through its vertices.
@@ -80,12 +74,12 @@ TEST(TouchMethods, AgreeWithTheKnownAnswerOfConcentricSpheres) {
                             radial_body(1000, [](const Vec3&) { return kShell; })};
   const double margin = sag(pair.ball) + sag(pair.socket);
   ASSERT_LT(margin, 1.0) << "too coarse to tell";
-  std::mt19937_64 random(11);
+  test::Dice dice(11);
   const Answers answers(pair, 0.5);
   for (const TouchCase& method : answers.methods) {
     for (int i = 0; i < 12; ++i) {
-      const Pose free = random_pose(random, kShell - kBall - margin);
-      const Pose touching = random_pose(random, kShell - kBall + margin);
+      const Pose free = random_pose(dice, kShell - kBall - margin);
+      const Pose touching = random_pose(dice, kShell - kBall + margin);
       EXPECT_FALSE(method.touches(free)) << method.name << " in pose " << i;
       EXPECT_TRUE(method.touches(touching)) << method.name << " in pose " << i;
     }
@@ -115,12 +109,11 @@ TEST(TouchMethods, AgreeOverManyPosesOfTheGeneratedPair) {
   const Touch oracle = make_cgal_tree(pair.ball, pair.socket);
   TableScan<Rsid> rsid(pair.ball, pair.socket, make_tables<Rsid>(pair, 0.5));
   TableScan<Usid> usid(pair.ball, pair.socket, make_tables<Usid>(pair, 0.5));
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> length(0.0, 6.0);
+  test::Dice dice(5);
   int touching = 0;
   int compared = 0;
   for (int i = 0; i < 60; ++i) {
-    const Pose pose = random_pose(random, length(random));
+    const Pose pose = random_pose(dice, dice.between(0.0, 6.0));
     const bool truth = oracle(pose);
     touching += truth ? 1 : 0;
     for (const TouchCase& method : answers.methods) {

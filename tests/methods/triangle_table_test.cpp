@@ -13,6 +13,7 @@
 #include "mesh/icosphere.hpp"
 #include "methods/maciel_triangles.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {
@@ -49,20 +50,18 @@ TEST(TriangleTable, RadiusOnAFaceIsThatOfTheRayCaster) {
 
 TEST(TriangleTable, TheRasterFillsAsAllPairsDo) {
   const BallSocketPair pair = make_ball_socket_pair(300, impinging_cam());
-  TriangleMesh wall = pair.socket;  // two layers
-  for (const Vec3& v : pair.socket.vertices) wall.vertices.emplace_back(1.1 * v);
-  for (const Face& f : pair.socket.faces) {
-    const auto n = static_cast<VertexIndex>(pair.socket.vertices.size());
-    wall.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
-  }
-  for (const TriangleMesh* mesh : {&pair.ball, &pair.socket, &static_cast<const TriangleMesh&>(wall)}) {
+  TriangleMesh outer = pair.socket;
+  for (Vec3& v : outer.vertices) v *= 1.1;
+  const TriangleMesh two_layers = test::joined(pair.socket, outer);
+  for (const TriangleMesh* mesh : {&pair.ball, &pair.socket, &two_layers}) {
     for (const Layer layer : {Layer::nearest, Layer::farthest}) {
       for (const std::size_t side : {1U, 2U, 10U, 37U})
         EXPECT_EQ(fill_triangles(*mesh, side, layer).face, fill_triangles_pairwise(*mesh, side, layer).face);
     }
   }
-  EXPECT_NE(fill_triangles(wall, 37, Layer::nearest).face, fill_triangles(wall, 37, Layer::farthest).face);
-  EXPECT_THROW(fill_triangles(wall, 0, Layer::nearest), std::invalid_argument);
+  EXPECT_NE(fill_triangles(two_layers, 37, Layer::nearest).face,
+            fill_triangles(two_layers, 37, Layer::farthest).face);
+  EXPECT_THROW(fill_triangles(two_layers, 0, Layer::nearest), std::invalid_argument);
 }
 
 TEST(TriangleTable, LosesFacesUntilEachHasARay) {

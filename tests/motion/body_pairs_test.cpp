@@ -19,8 +19,10 @@
 #include "reference/closest_point.hpp"
 #include "reference/kernel_point.hpp"
 #include "reference/meeting_surfaces.hpp"
+#include "support/dice.hpp"
 #include "support/hip_with_parts.hpp"
 #include "support/random_cases.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -75,16 +77,13 @@ struct Hips {
 TEST(BodyPairs, MeetWhereCgalSays) {
   const Hips hips;
   const BodyPairs pairs(hips.main, hips.beside);
-  std::mt19937_64 random(2);
-  std::normal_distribution<double> normal;
+  test::Dice dice(2);
   std::size_t met = 0;
   std::size_t inside = 0;
   std::size_t apart = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases() / 10, 400); ++k) {
-    const Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
     const double far = k % 2 == 0 ? 0.0 : 12.0;
-    const Pose pose{turn.normalized().toRotationMatrix(),
-                    far * Vec3(normal(random), normal(random), normal(random))};
+    const Pose pose{dice.rotation(), far * dice.vector()};
     bool meet = false;
     bool holds = false;
     const auto compare = [&](const TriangleMesh& ball, const TriangleMesh& socket, bool closed) {
@@ -117,11 +116,7 @@ TEST(BodyPairs, MeetWhereCgalSays) {
 
 // A sphere in another one, of which either may be the larger, and beside it.
 TEST(BodyPairs, OneInsideTheOtherIsContact) {
-  const auto at = [](double radius, double x) {
-    TriangleMesh mesh = icosphere(radius, 2);
-    for (Vec3& v : mesh.vertices) v += x * Vec3::UnitX();
-    return mesh;
-  };
+  const auto at = [](double radius, double x) { return test::moved(icosphere(radius, 2), {x, 0.0, 0.0}); };
   const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
   for (const auto& [ball, socket] : {std::pair{5.0, 9.0}, std::pair{9.0, 5.0}}) {
     EXPECT_TRUE(BodyPairs(main, {{at(ball, 60.0)}, {at(socket, 61.0)}}).impinged({}));
@@ -145,32 +140,27 @@ TEST_P(ManyRotations, HoldInEveryOne) {
       return std::ranges::any_of(face, [&](VertexIndex v) { return hips.main.ball.vertices[v].z() < -45.0; });
     });
     ASSERT_FALSE(boundary_edges(hips.main.ball).empty());
-    TriangleMesh far = icosphere(6.0, 1);  // to come behind the cut
-    for (Vec3& x : far.vertices) x += Vec3(30.0, 40.0, 95.0);
-    hips.beside.socket.push_back(far);
+    hips.beside.socket.push_back(
+        test::moved(icosphere(6.0, 1), {30.0, 40.0, 95.0}));  // to come behind the cut
   }
   const BodyPairs pairs(hips.main, hips.beside);
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> even;
-  const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+  test::Dice dice(3);
   std::size_t apart = 0;
   std::size_t overlap = 0;
   const std::size_t draws = std::min<std::size_t>(2 * random_cases(), 20'000);
   for (std::size_t k = 0; k < draws; ++k) {
-    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
-    const Eigen::Matrix3d rotation = at.normalized().toRotationMatrix();
-    const double turn = std::pow(10.0, -3.0 * even(random)) * 0.6;
-    const double shift = k % 3 == 0 ? 2.0 * even(random) : 0.0;
+    const Eigen::Matrix3d rotation = dice.rotation();
+    const double turn = dice.power(-3.0, 0.0) * 0.6;
+    const double shift = k % 3 == 0 ? dice.between(0.0, 2.0) : 0.0;
     const bool clear = !pairs.may_meet({rotation, turn, shift});
     const bool within = pairs.overlap({rotation, turn, shift});
     ASSERT_FALSE(clear && within);
     apart += clear ? 1 : 0;
     overlap += within ? 1 : 0;
     for (int j = 0; (clear || within) && j < 3; ++j) {
-      const double angle = turn * (j == 0 ? 1.0 : even(random));
-      const Pose pose{Eigen::AngleAxisd(angle, unit()).toRotationMatrix() * rotation,
-                      shift * (j == 0 ? 1.0 : even(random)) * unit()};
+      const double angle = turn * (j == 0 ? 1.0 : dice.between(0.0, 1.0));
+      const Pose pose{Eigen::AngleAxisd(angle, dice.direction()).toRotationMatrix() * rotation,
+                      shift * (j == 0 ? 1.0 : dice.between(0.0, 1.0)) * dice.direction()};
       ASSERT_EQ(pairs.impinged(pose), within) << k << ": " << turn << " rad, " << shift << " mm";
     }
   }
@@ -180,10 +170,8 @@ TEST_P(ManyRotations, HoldInEveryOne) {
 
 // A face that is there twice changes nothing, and one that hangs on an edge of two others makes no inside.
 TEST(BodyPairs, CountAFaceOnce) {
-  TriangleMesh spine = icosphere(6.0, 1);
-  for (Vec3& x : spine.vertices) x += 60.0 * Vec3::UnitX();
-  TriangleMesh part = icosphere(2.0, 1);
-  for (Vec3& x : part.vertices) x += 60.0 * Vec3::UnitX();
+  const TriangleMesh spine = test::moved(icosphere(6.0, 1), {60.0, 0.0, 0.0});
+  const TriangleMesh part = test::moved(icosphere(2.0, 1), {60.0, 0.0, 0.0});
   const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
   for (std::size_t k = 0; k < spine.faces.size(); ++k) {
     TriangleMesh twice = spine;
@@ -202,9 +190,7 @@ TEST(BodyPairs, CountAFaceOnce) {
 // inside the other for all that leave it there.
 TEST(BodyPairs, AreToldApartUntilTheyAreNear) {
   const auto at = [](double radius, double turned) {
-    TriangleMesh mesh = icosphere(radius, 3);
-    for (Vec3& v : mesh.vertices) v += 50.0 * Vec3(std::cos(turned), std::sin(turned), 0.0);
-    return mesh;
+    return test::moved(icosphere(radius, 3), 50.0 * Vec3(std::cos(turned), std::sin(turned), 0.0));
   };
   const BallSocketPair main{icosphere(20.0, 2), icosphere(300.0, 2)};
   for (const double turned : {0.5, 1.0, 2.0}) {
@@ -230,14 +216,13 @@ TEST(BodyPairs, AreToldApartUntilTheyAreNear) {
 // within their spheres, by no more than a sagitta.
 TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
   const BallSocketPair main{icosphere(5.0, 2), icosphere(300.0, 2)};
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> even;
+  test::Dice dice(7);
   std::size_t clear = 0;
   std::size_t within = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 2000); ++k) {
-    const std::array<double, 2> radius{1.0 + 5.0 * even(random), 1.0 + 5.0 * even(random)};
-    const std::array<double, 2> far{30.0 + 20.0 * even(random), 30.0 + 20.0 * even(random)};
-    const double between = 0.6 * even(random);
+    const std::array<double, 2> radius{dice.between(1.0, 6.0), dice.between(1.0, 6.0)};
+    const std::array<double, 2> far{dice.between(30.0, 50.0), dice.between(30.0, 50.0)};
+    const double between = dice.between(0.0, 0.6);
     double sagitta = 0.0;
     std::array<TriangleMesh, 2> part;
     for (std::size_t n = 0; n < 2; ++n) {
@@ -247,10 +232,10 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
         sagitta = std::max(sagitta, radius[n] - ((a + b + c) / 3.0).norm());
       }
       const double at = n == 0 ? 0.0 : between;
-      for (Vec3& x : part[n].vertices) x += far[n] * Vec3(std::cos(at), std::sin(at), 0.0);
+      part[n] = test::moved(part[n], far[n] * Vec3(std::cos(at), std::sin(at), 0.0));
     }
-    const double gap = 6.0 * even(random);
-    const double turn = std::pow(10.0, -3.0 * even(random)) * 0.5;
+    const double gap = dice.between(0.0, 6.0);
+    const double turn = dice.power(-3.0, 0.0) * 0.5;
     const auto distance = [&](double angle) {
       const double squared = far[0] * far[0] + far[1] * far[1] - 2.0 * far[0] * far[1] * std::cos(angle);
       return std::sqrt(squared) - radius[0] - radius[1];
@@ -280,20 +265,14 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
 
 // The nearest of several bodies, and how near it is.
 TEST(BodyPairs, AreNearestInClosedForm) {
-  const auto sphere = [](double radius, const Vec3& at) {
-    TriangleMesh mesh = icosphere(radius, 3);
-    for (Vec3& x : mesh.vertices) x += at;
-    return mesh;
-  };
+  const auto sphere = [](double radius, const Vec3& at) { return test::moved(icosphere(radius, 3), at); };
   const BallSocketPair main{icosphere(5.0, 3), icosphere(300.0, 2)};
   EXPECT_FALSE(BodyPairs(main, {}).nearest({}));
   const BodyPairs pairs(main, {{sphere(3.0, {40, 0, 0}), sphere(6.0, {0, 40, 0})},
                                {sphere(4.0, {0, 0, 60}), sphere(2.0, {0, 47, 20})}});
-  std::mt19937_64 random(13);
-  std::normal_distribution<double> normal;
+  test::Dice dice(13);
   for (std::size_t k = 0; k < 20; ++k) {
-    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
-    const Pose pose{at.normalized().toRotationMatrix(), Vec3(normal(random), normal(random), normal(random))};
+    const Pose pose{dice.rotation(), dice.vector()};
     double least = HUGE_VAL;
     std::array<std::size_t, 2> bodies{};
     const std::array<std::pair<double, Vec3>, 3> ball{
@@ -323,24 +302,20 @@ TEST(BodyPairs, AreNearestInClosedForm) {
 TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
   const Hips hips;
   const BodyPairs pairs(hips.main, hips.beside);
-  std::mt19937_64 random(11);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> even;
-  const auto unit = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+  test::Dice dice(11);
   std::size_t clear = 0;
   std::size_t within = 0;
   for (std::size_t k = 0; clear + within < 24 && k < 10'000; ++k) {
-    const Eigen::Quaterniond at(normal(random), normal(random), normal(random), normal(random));
-    const Eigen::Matrix3d rotation = at.normalized().toRotationMatrix();
-    const double gap = 2.0 + 10.0 * even(random);
-    const double turn = 0.05 * even(random);
+    const Eigen::Matrix3d rotation = dice.rotation();
+    const double gap = dice.between(2.0, 12.0);
+    const double turn = dice.between(0.0, 0.05);
     const NearPoses poses{.rotation = rotation, .turn = turn, .gap_mm = gap};
     const bool apart = !pairs.may_meet(poses) && clear < 12;
     const bool touch =
         !apart && within < 12 && !pairs.overlap({.rotation = rotation, .turn = turn}) && pairs.overlap(poses);
     if (!apart && !touch) continue;
     ++(apart ? clear : within);
-    const Pose pose{Eigen::AngleAxisd(turn, unit()).toRotationMatrix() * rotation, Vec3::Zero()};
+    const Pose pose{Eigen::AngleAxisd(turn, dice.direction()).toRotationMatrix() * rotation, Vec3::Zero()};
     double least = HUGE_VAL;
     const auto compare = [&](const TriangleMesh& ball, const TriangleMesh& socket) {
       const TriangleMesh moved = posed(ball, pose);
@@ -363,10 +338,8 @@ TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
 
 // Vertices at a known distance along the ray.
 TEST(BodyPairs, AVertexIsNearAlongItsRay) {
-  TriangleMesh near = icosphere(5.0, 2);
-  TriangleMesh far = near;
-  for (Vec3& v : near.vertices) v += 50.0 * Vec3::UnitZ();
-  for (Vec3& v : far.vertices) v += 64.0 * Vec3::UnitZ();
+  const TriangleMesh near = test::moved(icosphere(5.0, 2), {0.0, 0.0, 50.0});
+  const TriangleMesh far = test::moved(icosphere(5.0, 2), {0.0, 0.0, 64.0});
   const BodyPairs pairs({icosphere(20.0, 2), icosphere(300.0, 2)}, {{near}, {far}});
   double least = HUGE_VAL;  // of a vertex of either along its ray, by all faces
   const auto measure = [&least](const TriangleMesh& of, const TriangleMesh& met) {

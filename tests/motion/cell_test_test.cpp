@@ -15,6 +15,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/exact_touch.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -77,12 +78,6 @@ TEST(CellTest, IsNeverWrongOfAPair) {
   EXPECT_GT(asked.blocked, 0U);
 }
 
-void add_face(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
-  mesh.faces.push_back({first, first + 1, first + 2});
-}
-
 // Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
 // the turn of its direction is that of its own length, whatever a gap adds to that.
 TEST(CellTest, AGapMakesNoDirectionTurnLess) {
@@ -93,12 +88,12 @@ TEST(CellTest, AGapMakesNoDirectionTurnLess) {
     constexpr double kLength = 20.0;
     const double small = 1e-3 * within;
     TriangleMesh ball = sphere(0.5 * kLength, 8);
-    add_face(ball, {-small, 0, -kLength}, {small, 0, -kLength}, {0, small, -kLength});
+    test::add_face(ball, {-small, 0, -kLength}, {small, 0, -kLength}, {0, small, -kLength});
     const Vec3 off(0.0, 0.998 * within, 0.0);
     const Vec3 to = Vec3(0, 0, kLength) + 2.0 * off;
     TriangleMesh socket;
-    add_face(socket, to + Vec3(-small, -0.1 * small, -1e-9), to + Vec3(small, -0.1 * small, -1e-9),
-             to + Vec3(0, small, -1e-9));
+    test::add_face(socket, to + Vec3(-small, -0.1 * small, -1e-9), to + Vec3(small, -0.1 * small, -1e-9),
+                   to + Vec3(0, small, -1e-9));
     const Eigen::Matrix3d half = Vec3(1.0, -1.0, -1.0).asDiagonal();
     ASSERT_TRUE(
         SurfaceOverlay(relative_to(ball, off), relative_to(socket, off)).impinged({half, Vec3::Zero()}));
@@ -113,7 +108,7 @@ TEST(CellTest, AGapMakesNoDirectionTurnLess) {
 TEST(CellTest, AFaceThatTheGapMakesEdgeOnCounts) {
   for (const double place : {7.9, 7.901, 7.902, 7.95}) {
     TriangleMesh ball = sphere(3.0, 8);
-    add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
+    test::add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
     const TriangleMesh socket = sphere(15.0, 200);
     ASSERT_TRUE(SurfaceOverlay(ball, socket).impinged({Eigen::Matrix3d::Identity(), Vec3::Zero()}));
     const CellTest test({ball, socket}, {1.0, 0.0});

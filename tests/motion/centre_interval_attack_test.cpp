@@ -7,15 +7,16 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
-#include "motion/random_joint.hpp"
 #include "motion/turn_limit.hpp"
 #include "motion/turn_oracle.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
 
-using test::RandomJoint;
+using test::Dice;
 
 constexpr int kCentres = 4;
 
@@ -31,7 +32,7 @@ struct CentreCounts {
   std::size_t lower = 0;    // with a lower end above 0
 };
 
-test::OracleCentre centre_within(const CentreQuestion& question, RandomJoint& random) {
+test::OracleCentre centre_within(const CentreQuestion& question, Dice& random) {
   const double length =
       question.within_mm * (random.between(0.0, 1.0) < 0.7 ? 1.0 : random.between(0.0, 1.0));
   const Vec3 by = random.rotation() * Vec3(0, 0, 0.999999 * length);
@@ -40,7 +41,7 @@ test::OracleCentre centre_within(const CentreQuestion& question, RandomJoint& ra
 }
 
 // Before a turn the inner and the outer rotation move what the oracle knows as the joint at rest.
-void check_interval(const CentreCase& given, RandomJoint& random, std::size_t number, CentreCounts& counts) {
+void check_interval(const CentreCase& given, Dice& random, std::size_t number, CentreCounts& counts) {
   const TurnLimits limits(given.joint);
   const TurnLimit limit = limits.first_contact(given.motion, given.question.largest_deg);
   if (limit.state == LimitState::blocked) return;
@@ -60,7 +61,7 @@ void check_interval(const CentreCase& given, RandomJoint& random, std::size_t nu
   }
 }
 
-CentreQuestion random_question(CentreDoubt doubt, RandomJoint& random) {
+CentreQuestion random_question(CentreDoubt doubt, Dice& random) {
   CentreQuestion question;
   question.doubt = doubt;
   question.within_mm = random.power(-2.0, 0.3);
@@ -76,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Doubts, CentreIntervalAttack,
                          [](const auto& of) { return of.param == CentreDoubt::common ? "Common" : "Play"; });
 
 TEST_P(CentreIntervalAttack, OfLooseTriangles) {
-  RandomJoint random(11);
+  Dice random(11);
   CentreCounts counts;
   const std::size_t cases = random_cases() / 2;
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
@@ -86,7 +87,7 @@ TEST_P(CentreIntervalAttack, OfLooseTriangles) {
         const Vec3 middle = random.rotation() * Vec3(0, 0, random.between(4.0, 25.0));
         const double size = random.power(0.0, 1.2);
         const auto corner = [&] { return Vec3(middle + random.rotation() * Vec3(0, 0, size)); };
-        test::add(*mesh, corner(), corner(), corner());
+        test::add_face(*mesh, corner(), corner(), corner());
       }
     }
     given.motion.axis = random.rotation() * Vec3::UnitX();
@@ -99,7 +100,7 @@ TEST_P(CentreIntervalAttack, OfLooseTriangles) {
 
 // A ball with a spike below a roof of four faces: the spike turns into the roof, or behind its rim.
 TEST_P(CentreIntervalAttack, OfASpikeBelowARoof) {
-  RandomJoint random(12);
+  Dice random(12);
   CentreCounts counts;
   const std::size_t cases = random_cases() / 2;
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {

@@ -13,20 +13,20 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/jump_edges.hpp"
-#include "motion/random_joint.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
 
-using test::RandomJoint;
+using test::Dice;
 
 constexpr double kMeshRadius = 10.0;       // mm
 constexpr double kShareInside = 0.999999;  // of r
 constexpr int kOtherCentres = 5;           // besides those next to planes
 
 // Folded, with holes, and with some faces turned round.
-TriangleMesh random_surface(RandomJoint& random) {
+TriangleMesh random_surface(Dice& random) {
   TriangleMesh mesh = octahedron(kMeshRadius);
   const double moved = random.between(0.0, kMeshRadius);
   for (Vec3& x : mesh.vertices) x += random.rotation() * Vec3(0, 0, moved);
@@ -38,7 +38,7 @@ TriangleMesh random_surface(RandomJoint& random) {
 }
 
 // On both sides towards every face, whose plane they pass if any centre within r does; and anywhere.
-std::vector<Vec3> centres_within(const TriangleMesh& mesh, double r, RandomJoint& random) {
+std::vector<Vec3> centres_within(const TriangleMesh& mesh, double r, Dice& random) {
   std::vector<Vec3> centres{Vec3::Zero()};
   for (const Face& face : mesh.faces) {
     const Vec3 way = kShareInside * r * area_vector(mesh, face).normalized();
@@ -70,7 +70,7 @@ std::set<Edge> edges_near(const TriangleMesh& mesh, double r) {
 }
 
 TEST(CentreWalls, AreOfTheEdgesThatMayJump) {
-  RandomJoint random(22);
+  Dice random(22);
   std::size_t edges = 0;
   std::size_t listed = 0;
   const std::size_t cases = random_cases();

@@ -12,9 +12,9 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/icosphere.hpp"
-#include "motion/random_joint.hpp"
 #include "motion/turn_limit.hpp"
 #include "reference/exact_radius.hpp"
+#include "support/dice.hpp"
 #include "support/directions.hpp"
 #include "support/poses.hpp"
 #include "support/soup.hpp"
@@ -183,7 +183,7 @@ TEST(ClearanceProof, OfATurnHoldsForEveryAngle) {
   ASSERT_FALSE(proof.open);
   EXPECT_NEAR(proof.end_deg(), last, 1e-4);
   EXPECT_LT(proof.rounded_deg, 2e-4);
-  test::RandomJoint random(3);
+  test::Dice random(3);
   HalfAngle end{1, 0};
   for (const ProofCell& cell : proof.cells) {
     EXPECT_EQ(cell.from, end);

@@ -11,13 +11,13 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/random_joint.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
 
-using test::RandomJoint;
+using test::Dice;
 
 constexpr std::size_t kPoints = 4;
 constexpr double kFarthestEnd = 2.5;  // radians: no patch comes round again before
@@ -42,7 +42,7 @@ Vec3 direction(double azimuth, double latitude) {
 }
 
 // Borders may be at any radius.
-void add_border(const Patch& patch, RandomJoint& random, MeshEnd& end) {
+void add_border(const Patch& patch, Dice& random, MeshEnd& end) {
   const auto first = static_cast<VertexIndex>(end.ball.size());
   for (const auto& [x, y] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
     end.ball.emplace_back(random.between(10.0, 30.0) *
@@ -56,7 +56,7 @@ struct EndCase {
   std::vector<std::vector<AngleSpan>> covered;  // of each point, by each patch
 };
 
-EndCase random_end(RandomJoint& random) {
+EndCase random_end(Dice& random) {
   EndCase made;
   std::vector<Patch> patches(random.between(0.0, 1.0) < 0.5 ? 1 : 2);
   for (Patch& patch : patches) {
@@ -91,7 +91,7 @@ std::optional<double> known_end(const EndCase& given, double largest) {
 }
 
 TEST(MeshEnd, IsWhereTheCoverOfADirectionEnds) {
-  RandomJoint random(23);
+  Dice random(23);
   std::size_t ended = 0;
   const std::size_t cases = random_cases();
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {

@@ -15,6 +15,7 @@
 #include "motion/phantom_meshes.hpp"
 #include "motion/turn_limit.hpp"
 #include "support/random_cases.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -119,9 +120,7 @@ TEST(Orientation, AgreesWithSocketsThatAreTurned) {
                            cell.middle.anteversion_deg + share(engine) * cell.half_deg};
     const Eigen::Matrix3d turned = pelvic_tilt(question.tilt_deg) * cup_rotation(angles, Side::right) *
                                    cup_rotation(question.at_rest, Side::right).transpose();
-    TriangleMesh socket = hip.socket;
-    for (Vec3& x : socket.vertices) x = turned * x;
-    const TurnLimits limits({hip.ball, socket});
+    const TurnLimits limits({hip.ball, test::turned(hip.socket, turned)});
     bool free = true;
     for (const RequiredLeg& leg : question.legs) {
       for (int i = 0; i <= 20; ++i) free = free && !limits.impinged(leg.turn, leg.largest_deg * i / 20.0);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -18,9 +17,11 @@
 #include "motion/turn_limit.hpp"
 #include "motion/volume.hpp"
 #include "reference/meeting_surfaces.hpp"
+#include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/hip_with_parts.hpp"
 #include "support/random_cases.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -35,10 +36,9 @@ struct Beside {
 };
 
 TriangleMesh mesh_of(const Beside& part, std::size_t halvings = 4) {
-  TriangleMesh mesh = icosphere(part.radius, halvings);
   const double turn = part.turned_deg * kDegree;
-  for (Vec3& x : mesh.vertices) x += part.from_centre * Vec3(std::cos(turn), std::sin(turn), 0.0);
-  return mesh;
+  return test::moved(icosphere(part.radius, halvings),
+                     part.from_centre * Vec3(std::cos(turn), std::sin(turn), 0.0));
 }
 
 // A ball in a cup about +z, each with a part.
@@ -136,9 +136,7 @@ TEST(Parts, OfHipsTouchWhereCgalSays) {
         turn.outer * Eigen::AngleAxisd(degrees * kDegree, turn.axis).toRotationMatrix() * turn.inner;
     std::vector<TriangleMesh> ball = beside.ball;
     ball.insert(ball.begin(), main.ball);
-    for (TriangleMesh& mesh : ball) {
-      for (Vec3& x : mesh.vertices) x = at * x;
-    }
+    for (TriangleMesh& mesh : ball) mesh = test::turned(mesh, at);
     for (std::size_t k = 0; k < ball.size(); ++k) {
       for (const TriangleMesh& spine : beside.socket) {
         if (surfaces_meet(ball[k], spine)) return true;
@@ -212,12 +210,10 @@ TEST(Parts, OfAHipAreInItsVolume) {
   EXPECT_LT(volume.shares().high(), without.shares().high());
   test::ExactTouch overlay(main);
   const BodyPairs pairs(main, beside);
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal;
+  test::Dice dice(5);
   std::size_t by_parts = 0;
   for (std::size_t k = 0; k < 2 * random_cases(); ++k) {
-    Quaternion4 q;
-    for (double& x : q) x = normal(engine);
+    const Quaternion4 q = dice.quaternion();
     const Pose pose{rotation_of(q), Vec3::Zero()};
     const bool joint = overlay.impinged(pose);
     const bool impinged = joint || pairs.impinged(pose);

@@ -13,6 +13,7 @@
 #include "hip/hip_presets.hpp"
 #include "motion/bump_under_a_cup.hpp"
 #include "motion/turn_limit.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -214,16 +215,13 @@ TEST(BoneOverCap, HoldsWhatEveryRayMeets) {
   parameters.wall_thickness = 5.0;
   const TriangleMesh mesh = make_hip(parameters, 600).socket;
   const BoneOverCap bone(mesh);
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  test::Dice dice(5);
   std::size_t certain = 0;
   for (std::size_t k = 0; k < random_cases(); ++k) {
-    const DirectionCap cap{Vec3(normal(engine), normal(engine), normal(engine)).normalized(),
-                           std::pow(10.0, -4.0 + 3.5 * share(engine))};
+    const DirectionCap cap{dice.direction(), dice.power(-4.0, -0.5)};
     const SpansOverCap found = bone.over(cap);
-    const Vec3 across = Eigen::AngleAxisd(2.0 * kPi * share(engine), cap.axis) * cap.axis.unitOrthogonal();
-    const Vec3 u = Eigen::AngleAxisd(share(engine) * cap.radius, across) * cap.axis;
+    const Vec3 across = Eigen::AngleAxisd(dice.between(0.0, 2.0 * kPi), cap.axis) * cap.axis.unitOrthogonal();
+    const Vec3 u = Eigen::AngleAxisd(dice.between(0.0, cap.radius), across) * cap.axis;
     const std::vector<double> radii = crossings_along(mesh, u);
     ASSERT_EQ(radii.size() % 2, 0U);
     RaySpans bone_here;
@@ -244,16 +242,13 @@ TEST(SweptRadius, HoldsWhatEveryPoseMeets) {
   const std::vector<RequiredLeg> legs =
       required_legs(parse_motion("flexion=100,abduction=-15,internal_rotation=40"), Side::right);
   const SweptRadius swept(hip.socket, legs);
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> share(0.0, 1.0);
-  const auto direction = [&] { return Vec3(normal(engine), normal(engine), normal(engine)).normalized(); };
+  test::Dice dice(5);
   std::size_t met = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 20'000) / 20; ++k) {
-    const DirectionCap cap{direction(), std::pow(10.0, -4.0 + 3.5 * share(engine))};
+    const DirectionCap cap{dice.direction(), dice.power(-4.0, -0.5)};
     const Ends ends = swept.over(cap, 1e3);
     EXPECT_LE(ends.low, ends.high);
-    const Vec3 u = Eigen::AngleAxisd(share(engine) * cap.radius, cap.axis.unitOrthogonal()) * cap.axis;
+    const Vec3 u = Eigen::AngleAxisd(dice.between(0.0, cap.radius), cap.axis.unitOrthogonal()) * cap.axis;
     double least = HUGE_VAL;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       for (int i = 0; i <= 64; ++i) {

@@ -12,6 +12,8 @@
 #include "motion/bump_under_a_cup.hpp"
 #include "motion/resection.hpp"
 #include "motion/turn_limit.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/thrown.hpp"
 
@@ -168,10 +170,9 @@ TEST(RimResection, OfAWallInsideOutIsTheSame) {
   const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
   CutQuestion question = kEnoughForATest;
   question.most_new_faces = 1000;
-  TriangleMesh socket = cup_with_a_wall();
+  const TriangleMesh socket = cup_with_a_wall();
   const Resection cut = least_radial_cut(socket, swept, question);
-  for (Face& face : socket.faces) std::swap(face[1], face[2]);
-  const Resection turned = least_radial_cut(socket, swept, question);
+  const Resection turned = least_radial_cut(test::inside_out(socket), swept, question);
   EXPECT_GT(cut.volume_mm3.low, 100.0);
   EXPECT_NEAR(turned.volume_mm3.low, cut.volume_mm3.low, 0.05 * cut.volume_mm3.low);
   EXPECT_NEAR(turned.volume_mm3.high, cut.volume_mm3.high, 0.05 * cut.volume_mm3.high);
@@ -312,17 +313,14 @@ TEST(RimResection, EndsOfTheFarthestRadiusHoldEveryPose) {
   const auto legs =
       required_legs(parse_motion("flexion=100,abduction=-15,internal_rotation=40"), Side::right);
   const SweptRadius swept(hip.ball, legs, Surface::socket);
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  test::Dice dice(5);
   std::size_t close = 0;
   std::size_t beyond = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 20'000) / 10; ++k) {
-    const DirectionCap cap{Vec3(normal(engine), normal(engine), normal(engine)).normalized(),
-                           std::pow(10.0, -4.0 + 3.5 * share(engine))};
+    const DirectionCap cap{dice.direction(), dice.power(-4.0, -0.5)};
     const Ends ends = swept.over(cap, 0.0);
     EXPECT_LE(ends.low, ends.high);
-    const Vec3 u = Eigen::AngleAxisd(share(engine) * cap.radius, cap.axis.unitOrthogonal()) * cap.axis;
+    const Vec3 u = Eigen::AngleAxisd(dice.between(0.0, cap.radius), cap.axis.unitOrthogonal()) * cap.axis;
     double farthest = -HUGE_VAL;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       for (int i = 0; i <= 64; ++i) {

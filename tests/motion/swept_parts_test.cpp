@@ -11,13 +11,13 @@
 #include <gtest/gtest.h>
 
 #include "mesh/triangle_distance.hpp"
-#include "motion/random_joint.hpp"
+#include "support/dice.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
 
-using test::RandomJoint;
+using test::Dice;
 
 constexpr std::size_t kParts = 2;
 constexpr int kSamples = 30;          // of each kind
@@ -37,10 +37,10 @@ struct SweptCase {
   double arm = 0.0;  // mm, of the farthest corner that turns
 };
 
-Vec3 random_way(RandomJoint& random, double length) { return random.rotation() * Vec3(0, 0, length); }
+Vec3 random_way(Dice& random, double length) { return random.rotation() * Vec3(0, 0, length); }
 
 // A point as often as a triangle.
-TurnFace random_part(RandomJoint& random, const Vec3& middle) {
+TurnFace random_part(Dice& random, const Vec3& middle) {
   const double size = random.between(0.0, 1.0) < 0.5 ? 0.0 : random.power(-2.0, 1.0);
   const auto corner = [&] { return Vec3(middle + random_way(random, size)); };
   TurnFace face = turn_face(corner(), corner(), corner());
@@ -50,7 +50,7 @@ TurnFace random_part(RandomJoint& random, const Vec3& middle) {
 
 // Parts at rest are about the threshold from where one that turns comes by: all at nearly one angle, which
 // may be that of the start, so that some come first by little and some at the end of the turn.
-SweptCase random_case(RandomJoint& random) {
+SweptCase random_case(Dice& random) {
   SweptCase made;
   made.within = {random.power(-2.0, 0.3), random.between(0.0, 0.2)};
   const double about = random.between(0.0, 1.0) < 0.5 ? random.between(0.0, kWholeTurn) : 0.0;
@@ -78,7 +78,7 @@ double surplus(const SweptCase& given, double angle) {
 }
 
 // Everywhere before the angle, and next to it.
-void expect_nothing_before(const SweptCase& given, double angle, RandomJoint& random) {
+void expect_nothing_before(const SweptCase& given, double angle, Dice& random) {
   for (int k = 0; k < kSamples; ++k) {
     for (const double t : {random.between(0.0, 1.0) * angle, angle - random.power(-6.0, 0.0)}) {
       if (t < 0.0 || t >= angle) continue;
@@ -88,7 +88,7 @@ void expect_nothing_before(const SweptCase& given, double angle, RandomJoint& ra
 }
 
 TEST(SweptParts, AreFirstWithinWhereBruteForceHasThem) {
-  RandomJoint random(21);
+  Dice random(21);
   std::size_t met = 0;
   const std::size_t cases = random_cases();
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {

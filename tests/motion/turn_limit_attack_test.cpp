@@ -9,16 +9,17 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "motion/random_joint.hpp"
 #include "motion/turn_limit.hpp"
 #include "motion/turn_oracle.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
 
-using test::add;
-using test::RandomJoint;
+using test::add_face;
+using test::Dice;
 
 Vec3 at(double radius, double azimuth, double z) {
   return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
@@ -39,7 +40,7 @@ struct Case {
 };
 
 // Angles up to low: everywhere, and next to it.
-std::vector<double> angles_up_to(double low, RandomJoint& random) {
+std::vector<double> angles_up_to(double low, Dice& random) {
   std::vector<double> angles{low, std::max(0.0, low - 1e-6)};
   for (int k = 0; k < 6; ++k) angles.push_back(low * random.between(0.0, 1.0));
   for (int k = 0; k < 2; ++k) angles.push_back(low * (1.0 - random.power(-6.0, -1.0)));
@@ -47,7 +48,7 @@ std::vector<double> angles_up_to(double low, RandomJoint& random) {
 }
 
 // The limit of the case, held against the oracle.
-TurnLimit checked(const Case& given, RandomJoint& random, std::size_t number) {
+TurnLimit checked(const Case& given, Dice& random, std::size_t number) {
   const TurnLimits limits(given.joint);
   const TurnLimit limit = limits.first_contact(given.motion, given.largest);
   const test::TurnOracle oracle(given.joint, given.motion.axis);
@@ -72,15 +73,15 @@ INSTANTIATE_TEST_SUITE_P(Quarters, LongGrazeAttack, testing::Range(0U, 4U));
 
 // The faces z = 2 of both slide over each other; a wall that stands later in the way.
 TEST_P(LongGrazeAttack, OfFacesThatSlideInOnePlane) {
-  RandomJoint random(10 + GetParam());
+  Dice random(10 + GetParam());
   for (std::size_t k = 0; k < random_cases() / 4; ++k) {
     Case given;
     const double z = random.between(1.0, 3.0);
-    add(given.joint.ball, {4, 0, z}, {3.5, -1, z}, {2.6, -1, z});
-    add(given.joint.socket, {2, 3, z}, {2, 4, z}, {-1, 3.5, z});
+    add_face(given.joint.ball, {4, 0, z}, {3.5, -1, z}, {2.6, -1, z});
+    add_face(given.joint.socket, {2, 3, z}, {2, 4, z}, {-1, 3.5, z});
     const double from = random.between(130.0, 150.0) * kDegree;
     const double to = from + random.between(3.0, 10.0) * kDegree;
-    add(given.joint.socket, at(3, from, 0.6 * z), at(3, to, 0.6 * z), at(3, from, 0.95 * z));
+    add_face(given.joint.socket, at(3, from, 0.6 * z), at(3, to, 0.6 * z), at(3, from, 0.95 * z));
     given.turn(random.rotation());
     const TurnLimit limit = checked(given, random, k);
     ASSERT_EQ(limit.state, LimitState::limited) << k;
@@ -92,18 +93,18 @@ TEST_P(LongGrazeAttack, OfFacesThatSlideInOnePlane) {
 // A corner at 25 mm passes another within some billionths, or meets it; right behind it, or farther, is a
 // pair of small faces that it runs into.
 TEST_P(LongGrazeAttack, OfAGrazeBeforeAContact) {
-  RandomJoint random(20 + GetParam());
+  Dice random(20 + GetParam());
   for (std::size_t k = 0; k < random_cases() / 4; ++k) {
     Case given;
     const double passes = random.between(20.0, 90.0) * kDegree;
     const double width = random.power(-3.5, -2.0);
     const double behind = passes + random.power(-3.7, -0.5);
     const double tip = 25.0 + (random.between(0.0, 1.0) < 0.8 ? 1.0 : -1.0) * random.power(-13.0, -6.0);
-    add(given.joint.ball, at(25, 0, 0), at(25, -1e-4, 1e-3), at(25, -1e-4, -1e-3));
-    add(given.joint.socket, at(tip, passes, 0), at(27, passes + 1e-5, 1), at(27, passes + 1e-5, -1));
+    add_face(given.joint.ball, at(25, 0, 0), at(25, -1e-4, 1e-3), at(25, -1e-4, -1e-3));
+    add_face(given.joint.socket, at(tip, passes, 0), at(27, passes + 1e-5, 1), at(27, passes + 1e-5, -1));
     for (const double z : {3.0, -3.0})
-      add(given.joint.socket, at(24.9, behind, z), at(24.9, behind + width, z),
-          at(24.9, behind + 0.5 * width, -1.2 * z));
+      add_face(given.joint.socket, at(24.9, behind, z), at(24.9, behind + width, z),
+               at(24.9, behind + 0.5 * width, -1.2 * z));
     given.largest = (behind + 0.5) / kDegree;
     given.turn(random.rotation());
     const TurnLimit limit = checked(given, random, k);
@@ -116,15 +117,15 @@ TEST_P(LongGrazeAttack, OfAGrazeBeforeAContact) {
 // A side of the socket that passes the centre at h, and a small face of the ball that turns into the view of
 // it.
 TEST(TurnLimitAttack, OfAJumpEdgeNextToTheCentre) {
-  RandomJoint random(3);
+  Dice random(3);
   for (std::size_t k = 0; k < random_cases(); ++k) {
     Case given;
     const double h = random.power(-6.0, 0.0);
     const double long_way = random.power(-0.5, 1.5);
     const double tilt = random.between(-0.5, 0.5) * h;
-    add(given.joint.socket, {h, -long_way, h + tilt}, {h, long_way, h}, {8, 0, h});
+    add_face(given.joint.socket, {h, -long_way, h + tilt}, {h, long_way, h}, {8, 0, h});
     const double y = random.between(-0.5, 0.5);
-    add(given.joint.ball, {4, y - 0.5, 25}, {4, y + 0.5, 25}, {5, y, 25});
+    add_face(given.joint.ball, {4, y - 0.5, 25}, {4, y + 0.5, 25}, {5, y, 25});
     given.motion.axis = Vec3::UnitY();
     given.largest = 60.0;
     given.margin = 1e-11L + 1e-14L * long_way / h;  // what rounding of its ends does to the side's direction
@@ -138,7 +139,7 @@ TEST(TurnLimitAttack, OfAJumpEdgeNextToTheCentre) {
 
 // A patch of the ball that turns over a small face of the socket, at distances below the threshold and above.
 TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
-  RandomJoint random(4);
+  Dice random(4);
   std::size_t limited = 0;
   for (std::size_t k = 0; k < random_cases(); ++k) {
     Case given;
@@ -146,8 +147,8 @@ TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
     const double r = random.between(0.3, 3.0);
     const double out = r + random.between(0.2, 4.0);
     const double at_z = random.between(-0.5, 0.5);
-    add(given.joint.ball, at(r, 0, 2.0 * r), at(0.6 * r, 0.7, -0.3 * r), at(0.6 * r, -0.7, -0.3 * r));
-    add(given.joint.socket, at(out, 1.4, at_z), at(out, 1.45, at_z), at(out, 1.42, at_z + 0.1));
+    add_face(given.joint.ball, at(r, 0, 2.0 * r), at(0.6 * r, 0.7, -0.3 * r), at(0.6 * r, -0.7, -0.3 * r));
+    add_face(given.joint.socket, at(out, 1.4, at_z), at(out, 1.45, at_z), at(out, 1.42, at_z + 0.1));
     given.largest = 120.0;
     given.turn(random.rotation());
     const TurnLimits limits(given.joint);
@@ -167,7 +168,7 @@ TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
 }
 
 TEST(TurnLimitAttack, OfLooseTriangles) {
-  RandomJoint random(5);
+  Dice random(5);
   std::size_t limited = 0;
   for (std::size_t k = 0; k < random_cases(); ++k) {
     Case given;
@@ -176,7 +177,7 @@ TEST(TurnLimitAttack, OfLooseTriangles) {
         const Vec3 middle = random.rotation() * Vec3(0, 0, random.between(2.0, 25.0));
         const double size = random.power(-1.0, 1.0);
         const auto corner = [&] { return Vec3(middle + random.rotation() * Vec3(0, 0, size)); };
-        add(*mesh, corner(), corner(), corner());
+        add_face(*mesh, corner(), corner(), corner());
       }
     }
     given.motion.axis = random.rotation() * Vec3::UnitX();

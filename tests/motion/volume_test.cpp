@@ -17,6 +17,7 @@
 #include "motion/named_motion.hpp"
 #include "motion/phantom_meshes.hpp"
 #include "motion/turn_limit.hpp"
+#include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/random_cases.hpp"
 
@@ -73,13 +74,11 @@ TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
   const BallSocketPair joint{hip.ball, hip.socket};
   const MotionVolume volume(CellTest(joint), up_to(0.06));
   test::ExactTouch overlay(joint);
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal;
+  test::Dice dice(5);
   std::size_t free = 0;
   const std::size_t draws = 3 * random_cases();
   for (std::size_t k = 0; k < draws; ++k) {
-    Quaternion4 q;
-    for (double& x : q) x = normal(engine);
+    const Quaternion4 q = dice.quaternion();
     const bool impinged = overlay.impinged({rotation_of(q), Vec3::Zero()});
     const VolumeCell cell = volume.at(q);
     EXPECT_FALSE(cell.state == CellState::free && impinged);
@@ -211,11 +210,9 @@ TEST(MotionVolume, OfAGapIsThatOfTheVertices) {
   for (const double gap : {0.0, 1.0, 2.0}) {
     const MotionVolume volume(CellTest(joint, {gap, 0.0}), up_to(0.08));
     const CulledJoint vertices(joint);
-    std::mt19937_64 engine(15);
-    std::normal_distribution<double> normal;
+    test::Dice dice(15);
     for (std::size_t k = 0; k < random_cases(); ++k) {
-      Quaternion4 q;
-      for (double& x : q) x = normal(engine);
+      const Quaternion4 q = dice.quaternion();
       const VolumeCell at = volume.at(q);
       const auto least = vertices.least_gap({rotation_of(q), Vec3::Zero()});
       const bool touches = least && least->gap_mm <= gap;

@@ -17,8 +17,10 @@
 #include "reference/exact_ratio.hpp"
 #include "support/bits.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/precise.hpp"
 #include "support/soup.hpp"
+#include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
@@ -64,8 +66,7 @@ TEST(ExactRadius, LastBitIsThatOfTwoHundredBitsInTenThousandCases) {
 
 // At vertices and on edges, where several faces share the ray, and beyond the rim.
 TEST(ExactRadius, FeaturesOfAnOpenSocketAreThoseOfBruteForce) {
-  TriangleMesh socket = make_ball_socket_pair(60).socket;
-  for (Vec3& v : socket.vertices) v += Vec3(1.25, -0.5, 3.0);
+  const TriangleMesh socket = test::moved(make_ball_socket_pair(60).socket, {1.25, -0.5, 3.0});
   std::vector<Vec3> directions = test::feature_directions(socket);
   for (const Vec3& v : socket.vertices) directions.push_back(v);  // exactly through it
   for (const Vec3& u : test::random_directions(300, 3)) directions.push_back(u);
@@ -100,8 +101,7 @@ TEST(ExactRadius, HugeAndGrazingFacesAreThoseOfBruteForce) {
 
 TEST(ExactRadius, EdgeOnFacesCoverNoDirection) {
   TriangleMesh mesh = octahedron(10.0);
-  mesh.vertices.insert(mesh.vertices.end(), {{2, 0, 0}, {4, 0, 0}, {3, 1, 0}});
-  mesh.faces.push_back({6, 7, 8});
+  test::add_face(mesh, {2, 0, 0}, {4, 0, 0}, {3, 1, 0});
   const std::vector<Vec3> directions{{3, 0.25, 0}, {1, 0, 0}};
   EXPECT_EQ(exact_radii(mesh, {.directions = directions})[1], 10.0);
   expect_same(exact_radii(mesh, {.directions = directions}),

@@ -17,6 +17,7 @@
 #include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -160,9 +161,7 @@ TEST_F(Cartilage, BonesThatOverlapAsScannedAreWarnedOf) {
   EXPECT_EQ(test::run_scene(sound)["warnings"].dump().find("overlap as scanned"), std::string::npos);
   SceneOptions options = sound;
   options.centre = Vec3::Zero();
-  TriangleMesh ball = read_mesh(options.ball);
-  for (Vec3& v : ball.vertices) v += Vec3(-3.0, 0.0, 0.0);
-  write_mesh(options.ball, ball);
+  write_mesh(options.ball, test::moved(read_mesh(options.ball), {-3.0, 0.0, 0.0}));
   EXPECT_NE(test::run_scene(options)["warnings"].dump().find("overlap as scanned"), std::string::npos);
 }
 

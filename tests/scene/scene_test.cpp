@@ -13,9 +13,11 @@
 #include "mesh/io.hpp"
 #include "reference/closest_point.hpp"
 #include "scene/report.hpp"
+#include "support/joined.hpp"
 #include "support/scene_run.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
+#include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {
@@ -26,15 +28,13 @@ const Vec3 kScanned(-86.0, 20.5, -580.25);  // where the scanner saw the joint
 class Scene : public ::testing::Test {
  protected:
   // Writes both meshes about kScanned and asks for the default scene.
-  SceneOptions joint_of(TriangleMesh ball, TriangleMesh socket) {
-    for (Vec3& v : ball.vertices) v += kScanned;
-    for (Vec3& v : socket.vertices) v += kScanned;
+  SceneOptions joint_of(const TriangleMesh& ball, const TriangleMesh& socket) {
     SceneOptions options;
     options.ball = folder_.path() / "ball.ply";
     options.socket = folder_.path() / "socket.ply";
     options.out = folder_.path() / "out";
-    write_mesh(options.ball, ball);
-    write_mesh(options.socket, socket);
+    write_mesh(options.ball, test::moved(ball, kScanned));
+    write_mesh(options.socket, test::moved(socket, kScanned));
     return options;
   }
 
@@ -258,11 +258,7 @@ TEST_F(Scene, WhatCannotWorkIsSaidInOneLine) {
 
 // Both sides of the wall: the near one counts, and the share that is met twice is reported.
 TEST_F(Scene, AThickSocketIsReportedAndItsNearLayerUsed) {
-  TriangleMesh wall = cup(25.0, 80.0, 2000);
-  const TriangleMesh outside = cup(29.0, 80.0, 2000);
-  const auto shift = static_cast<VertexIndex>(wall.vertices.size());
-  for (const Face& f : outside.faces) wall.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
-  wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
+  const TriangleMesh wall = test::joined(cup(25.0, 80.0, 2000), test::inside_out(cup(29.0, 80.0, 2000)));
   SceneOptions options = joint_of(sphere(22.0, 2000), opened_to_the_right(wall));
   const auto report = test::run_scene(options);
   EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.1);

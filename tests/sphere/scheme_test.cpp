@@ -23,6 +23,7 @@
 #include "support/covering.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -304,12 +305,8 @@ TEST(SchemeChoice, FindsEachNameAndNamesAllWhenItDoesNot) {
     EXPECT_EQ(found, S::name);
     EXPECT_NE(scheme_names().find(S::name), std::string::npos);
   });
-  try {
-    with_scheme("rside", []<class>() { FAIL(); });
-    FAIL() << "no such scheme";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "unknown scheme 'rside'; there are " + scheme_names());
-  }
+  EXPECT_EQ(test::thrown<std::invalid_argument>([] { with_scheme("rside", []<class>() { FAIL(); }); }),
+            "unknown scheme 'rside'; there are " + scheme_names());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "sphere/radial_table.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -21,16 +22,11 @@ TEST(TableSize, UpToTheMostIsTaken) {
 
 TEST(TableSize, TheRefusalSaysWhatTheTableWouldTake) {
   const Rsid scheme = Rsid::with_precision(1e-6);  // 1.8e8 + 1 rows of 3.6e8: 6.5e16 entries
-  try {
-    const RadialTable<Rsid> table(scheme);
-    FAIL() << "a table of " << scheme.size() << " entries";
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("64800000360000000 entries"), std::string::npos) << text;
-    EXPECT_NE(text.find("5.18e+17 bytes"), std::string::npos) << text;
-    EXPECT_NE(text.find("rsid"), std::string::npos) << text;
-    EXPECT_EQ(text.find('\n'), std::string::npos);
-  }
+  const std::string text = test::thrown<std::invalid_argument>([&] { RadialTable<Rsid>{scheme}; });
+  EXPECT_NE(text.find("64800000360000000 entries"), std::string::npos) << text;
+  EXPECT_NE(text.find("5.18e+17 bytes"), std::string::npos) << text;
+  EXPECT_NE(text.find("rsid"), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
 // The scheme itself has directions and stencils all the same, and its numbers pass 2^31 and 2^32.

@@ -9,6 +9,7 @@
 #include "mesh/bodies.hpp"
 #include "reference/exact_radius.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -40,9 +41,7 @@ TEST(Conditions, AtAnEdgeTheSteeperFaceCounts) {
 TEST(Conditions, AScenesStiffnessIsThatOfItsSteepestFace) {
   TriangleMesh mesh = sphere(20.0, 500, {2.0, 0.0, 0.0});
   EXPECT_LT(stiffness(mesh), 10.0);
-  mesh.vertices.insert(mesh.vertices.end(), {{10.0, 0.0, 1e-6}, {12.0, 1.0, 1e-6}, {12.0, -1.0, 1e-6}});
-  const auto v = static_cast<VertexIndex>(mesh.vertices.size() - 3);
-  mesh.faces.push_back({v, v + 1, v + 2});
+  test::add_face(mesh, {10.0, 0.0, 1e-6}, {12.0, 1.0, 1e-6}, {12.0, -1.0, 1e-6});
   EXPECT_GT(stiffness(mesh), 1e6);
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mesh/triangle_mesh.hpp"
+#include "support/joined.hpp"
 #include "support/random_vector.hpp"
 
 namespace impinge::test {
@@ -16,9 +17,9 @@ inline TriangleMesh soup(std::size_t faces, unsigned seed) {
   std::uniform_real_distribution<double> place(-30.0, 30.0);
   TriangleMesh mesh;
   for (std::size_t f = 0; f < faces; ++f) {
-    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(random_vector(place, random));
-    mesh.faces.push_back({first, first + 1, first + 2});
+    const Vec3 a = random_vector(place, random);
+    const Vec3 b = random_vector(place, random);
+    add_face(mesh, a, b, random_vector(place, random));
   }
   return mesh;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes turned about the centre.
+// Meshes turned about the centre, and moved.
 #pragma once
 
 #include <utility>
@@ -16,6 +16,11 @@ inline TriangleMesh turned(TriangleMesh mesh, const Eigen::Matrix3d& rotation) {
 }
 inline TriangleMesh turned(TriangleMesh mesh, double angle, const Vec3& axis) {
   return turned(std::move(mesh), Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+}
+
+inline TriangleMesh moved(TriangleMesh mesh, const Vec3& by) {
+  for (Vec3& v : mesh.vertices) v += by;
+  return mesh;
 }
 
 // Off every axis and grid line.

@@ -7,6 +7,7 @@
 
 #include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/turned.hpp"
 #include "table/fill/cube_fill.hpp"
 
 namespace impinge {
@@ -37,8 +38,7 @@ struct Filling {
 std::vector<Filling> fillings() {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   const CubeGnomonic scheme = CubeGnomonic::with_precision(90.0 / 100.0);
-  TriangleMesh socket = pair.socket;
-  for (Vec3& v : socket.vertices) v = Eigen::AngleAxisd(0.4, Vec3(0.6, 0.0, 0.8)) * v;
+  const TriangleMesh socket = test::turned(pair.socket, 0.4, Vec3(0.6, 0.0, 0.8));
   return {{pair.ball, {scheme, Layer::farthest, 1}}, {socket, {scheme, Layer::nearest, 1}}};
 }
 

@@ -13,6 +13,7 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/joined.hpp"
 #include "support/soup.hpp"
 #include "support/turned.hpp"
 #include "table/exact_raster.hpp"
@@ -63,12 +64,6 @@ void expect_as_exact(const TriangleMesh& mesh, std::size_t n, Layer layer) {
   EXPECT_EQ(filled<std::uint16_t>(mesh, fill).none, none);
 }
 
-void append_inside_out(const TriangleMesh& other, TriangleMesh& mesh) {
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  for (const Face& f : other.faces) mesh.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-}
-
 // Poles and meridians of the pair lie on entries and grid lines; 63 and 64 cells end a tile.
 TEST(CubeFill, GeneratedJoint) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
@@ -94,8 +89,7 @@ TEST(CubeFill, OffCentreBody) {
 }
 
 TEST(CubeFill, LayersOfAThickSocket) {
-  TriangleMesh wall = cup(26.0, 70.0, 600);
-  append_inside_out(cup(29.0, 75.0, 600), wall);
+  const TriangleMesh wall = test::joined(cup(26.0, 70.0, 600), test::inside_out(cup(29.0, 75.0, 600)));
   expect_as_exact(wall, 64, Layer::nearest);
   expect_as_exact(wall, 64, Layer::farthest);
 }
@@ -130,11 +124,8 @@ TEST(CubeFill, Slivers) {
   TriangleMesh mesh;
   for (const double width : {1e-1, 1e-4, 1e-8, 1e-13, 0.0}) {
     for (const Vec3& from : {Vec3(20, 1, 2), Vec3(2, 20, 1), Vec3(20, -20, 3), Vec3(-15, 0, 0)}) {
-      const auto first = static_cast<VertexIndex>(mesh.vertices.size());
       const Vec3 along(-3.0, 7.0, 5.0);
-      mesh.vertices.insert(mesh.vertices.end(),
-                           {from, from + along, from + 0.5 * along + width * Vec3(1, 2, 3)});
-      mesh.faces.push_back({first, first + 1, first + 2});
+      test::add_face(mesh, from, from + along, from + 0.5 * along + width * Vec3(1, 2, 3));
     }
   }
   const CubeFill fill{cells(200), Layer::farthest, 1};
@@ -147,11 +138,8 @@ TEST(CubeFill, Slivers) {
 TEST(CubeFill, SteepFaces) {
   TriangleMesh mesh;
   for (const double far : {5.0, 50.0, 5e3, 5e5}) {
-    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
     const double z = std::round(std::log(far));
-    mesh.vertices.insert(mesh.vertices.end(), {Vec3(25.0, -3.0, z), Vec3(25.0, 3.0, z)});
-    mesh.vertices.push_back(far * Vec3(25.0, 0.0, z - 3.0));
-    mesh.faces.push_back({first, first + 1, first + 2});
+    test::add_face(mesh, {25.0, -3.0, z}, {25.0, 3.0, z}, far * Vec3(25.0, 0.0, z - 3.0));
   }
   const CubeFill fill{cells(200), Layer::farthest, 1};
   const InverseDepthTable<CubeGnomonic> exact(fill_exact(mesh, fill.scheme, fill.layer));

@@ -9,6 +9,7 @@
 
 #include "mesh/bodies.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 #include "table/fill/cube_fill.hpp"
@@ -22,10 +23,8 @@ const Vec3 kPlate(0.12, 0.14, 1.0);  // in the middle of a cell
 // A plate smaller than a cell, so far from the centre (mm), and an octahedron that lies any way.
 TriangleMesh with_plate(const Vec3& turn, double depth) {
   TriangleMesh mesh = test::turned(octahedron(20.0), 1.0, turn);
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  for (const Vec3& aside : {Vec3(0.0, 0.0, 0.0), Vec3(0.03, 0.0, 0.0), Vec3(0.0, 0.03, 0.0)})
-    mesh.vertices.push_back(depth * (kPlate + aside));
-  mesh.faces.push_back({first, first + 1, first + 2});
+  test::add_face(mesh, depth * kPlate, depth * (kPlate + Vec3(0.03, 0.0, 0.0)),
+                 depth * (kPlate + Vec3(0.0, 0.03, 0.0)));
   return mesh;
 }
 

@@ -16,6 +16,7 @@
 #include "mesh/generated_pair.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/joined.hpp"
 #include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
@@ -112,9 +113,7 @@ TEST(ErrorBound, FallsWithThePrecision) {
 
 TEST(ErrorBound, IsInfiniteNearAnEdgeOnFace) {
   TriangleMesh mesh = sphere(22.0, 500);
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), {{25, 0, 0}, {30, 0, 0}, {27, 1, 0}});
-  mesh.faces.push_back({first, first + 1, first + 2});
+  test::add_face(mesh, {25, 0, 0}, {30, 0, 0}, {27, 1, 0});
   const Rsid scheme = Rsid::with_precision(2.0);
   const auto slopes = largest_slopes(mesh, scheme);
   const auto table = fill_exact(mesh, scheme, Layer::farthest);

@@ -10,6 +10,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/every_scheme.hpp"
+#include "support/joined.hpp"
 #include "support/turned.hpp"
 #include "table/pairwise.hpp"
 
@@ -74,11 +75,7 @@ TEST(ExactRaster, OffCentreBodyAndCone) {
 }
 
 TEST(ExactRaster, LayersOfAThickSocket) {
-  TriangleMesh wall = cup(26.0, 70.0, 600);
-  const TriangleMesh outside = cup(29.0, 75.0, 600);
-  const auto shift = static_cast<VertexIndex>(wall.vertices.size());
-  for (const Face& f : outside.faces) wall.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
-  wall.vertices.insert(wall.vertices.end(), outside.vertices.begin(), outside.vertices.end());
+  const TriangleMesh wall = test::joined(cup(26.0, 70.0, 600), test::inside_out(cup(29.0, 75.0, 600)));
   expect_same_everywhere(wall, 1.0, Layer::nearest);
   expect_same_everywhere(wall, 1.0, Layer::farthest);
 }
@@ -89,8 +86,7 @@ TEST(ExactRaster, OrderOfFacesDoesNotMatter) {
   const Rsid scheme = Rsid::with_precision(1.0);
   const auto before = fill_exact(mesh, scheme, Layer::farthest);
   std::reverse(mesh.faces.begin(), mesh.faces.end());
-  for (Face& face : mesh.faces) std::swap(face[1], face[2]);  // and turn them inside out
-  const auto after = fill_exact(mesh, scheme, Layer::farthest);
+  const auto after = fill_exact(test::inside_out(mesh), scheme, Layer::farthest);
   for (std::size_t i = 0; i < scheme.size(); ++i) {
     EXPECT_NEAR(after.radii()[i], before.radii()[i], 1e-13 * before.radii()[i]);
   }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "support/joined.hpp"
 #include "table/exact_raster.hpp"
 #include "table/fill/cube_fill.hpp"
 
@@ -40,9 +41,7 @@ Vec3 at(const GridPlace& place) {
 }
 
 void add_triangle(const std::array<GridPlace, 3>& corners, TriangleMesh& mesh) {
-  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-  for (const GridPlace& corner : corners) mesh.vertices.push_back(at(corner));
-  mesh.faces.push_back({first, first + 1, first + 2});
+  test::add_face(mesh, at(corners[0]), at(corners[1]), at(corners[2]));
 }
 
 // Returns how many entries have a surface.

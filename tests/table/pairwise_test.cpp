@@ -11,6 +11,7 @@
 #include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 
 namespace impinge {
 namespace {
@@ -42,13 +43,10 @@ TEST(Pairwise, NoRaySlipsThroughAClosedSurface) {
 }
 
 TEST(Pairwise, KeepsTheLayerAskedFor) {
-  TriangleMesh shell = sphere(20.0, 500);
+  const TriangleMesh inner = sphere(20.0, 500);
   const TriangleMesh outer = sphere(25.0, 500);
-  for (const Face& f : outer.faces) shell.faces.push_back({f[0] + 252, f[1] + 252, f[2] + 252});
-  ASSERT_EQ(shell.vertices.size(), 252U);
-  shell.vertices.insert(shell.vertices.end(), outer.vertices.begin(), outer.vertices.end());
-  const RayCaster both(shell);
-  const RayCaster inner_only(sphere(20.0, 500));
+  const RayCaster both(test::joined(inner, outer));
+  const RayCaster inner_only(inner);
   const RayCaster outer_only(outer);
   for (const Vec3& u : test::random_directions(500, 21)) {
     EXPECT_EQ(both.cast(u, Layer::nearest), inner_only.cast(u, Layer::nearest));

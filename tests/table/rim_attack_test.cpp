@@ -9,13 +9,13 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
 #include "sphere/scheme_list.hpp"
+#include "support/dice.hpp"
 #include "support/directions.hpp"
 #include "support/random_cases.hpp"
 #include "support/wrapped_scheme.hpp"
@@ -25,21 +25,8 @@
 namespace impinge {
 namespace {
 
+using test::Dice;
 using LongVec3 = Eigen::Matrix<long double, 3, 1>;
-
-// Of one case after the other.
-class Chance {
- public:
-  double between(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-  double sign() { return between(0.0, 1.0) < 0.5 ? -1.0 : 1.0; }
-  Vec3 direction() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(engine_), normal(engine_), normal(engine_)).normalized();
-  }
-
- private:
-  std::mt19937_64 engine_{18};
-};
 
 // Radius of the nearest face along u, NaN where there is none; nothing beside an edge, where it is uncertain.
 std::optional<double> true_radius(const TriangleMesh& mesh, const Vec3& u) {
@@ -86,11 +73,11 @@ struct Tangent {
 };
 
 template <class S>
-Tangent random_tangent(const S& scheme, Chance& chance) {
+Tangent random_tangent(const S& scheme, Dice& dice) {
   const double near = 1e-5;
   while (true) {
-    const Vec3 inside = chance.direction();
-    const Vec3 outside = (inside + 1.5 * scheme.covering_radius() * chance.direction()).normalized();
+    const Vec3 inside = dice.direction();
+    const Vec3 outside = (inside + 1.5 * scheme.covering_radius() * dice.direction()).normalized();
     if (scheme.stencil(inside).cell == scheme.stencil(outside).cell) continue;
     const Vec3 place = border_between(scheme, inside, outside);
     const Vec3 way = (outside - inside).normalized();
@@ -111,23 +98,23 @@ struct TangentialEdge {
   double aside;  // radians
 };
 
-TangentialEdge random_edge(const Tangent& tangent, Chance& chance) {
-  const double aside = std::pow(10.0, chance.between(-9.0, -2.5));
-  const Vec3 across = chance.sign() * tangent.place.cross(tangent.along);
-  const Vec3 middle = (tangent.place + chance.sign() * aside * across).normalized();
+TangentialEdge random_edge(const Tangent& tangent, Dice& dice) {
+  const double aside = std::pow(10.0, dice.between(-9.0, -2.5));
+  const Vec3 across = dice.sign() * tangent.place.cross(tangent.along);
+  const Vec3 middle = (tangent.place + dice.sign() * aside * across).normalized();
   return {middle, tangent.along, middle.cross(tangent.along.cross(middle)).cross(tangent.along).normalized(),
           aside};
 }
 
 // The edge reaches up to `widest` degrees to either side of its middle.
-TriangleMesh before_octahedron(const TangentialEdge& edge, double widest, Chance& chance) {
+TriangleMesh before_octahedron(const TangentialEdge& edge, double widest, Dice& dice) {
   constexpr double kNear = 10.0;
   const auto reach = [&](double least, double most) {
-    return kNear * std::tan(chance.between(least, most) * kDegree);
+    return kNear * std::tan(dice.between(least, most) * kDegree);
   };
-  const bool wide = chance.sign() > 0.0;
+  const bool wide = dice.sign() > 0.0;
   TriangleMesh mesh = octahedron(1000.0);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), chance.direction());
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), dice.direction());
   for (Vec3& v : mesh.vertices) v = turn * v;
   const auto first = static_cast<VertexIndex>(mesh.vertices.size());
   const Vec3 foot = kNear * edge.middle;
@@ -147,10 +134,10 @@ struct RimScene {
 
   // Calls visit(x, radius, truth) along so many directions, so far to both sides of the edge, that have both.
   template <class Visit>
-  void for_each_answer(double along, double across, Chance& chance, Visit&& visit) const {
+  void for_each_answer(double along, double across, Dice& dice, Visit&& visit) const {
     for (int k = 0; k < 16; ++k) {
-      const Vec3 x = (edge.middle + along * chance.between(-1.5, 1.5) * edge.along +
-                      across * chance.between(-1.2, 1.2) * edge.across)
+      const Vec3 x = (edge.middle + along * dice.between(-1.5, 1.5) * edge.along +
+                      across * dice.between(-1.2, 1.2) * edge.across)
                          .normalized();
       const double radius = table.radius_at(x);
       if (std::isnan(radius)) continue;
@@ -160,22 +147,22 @@ struct RimScene {
 };
 
 template <class S>
-RimScene<S> random_scene(const S& scheme, double widest, Chance& chance) {
-  const TangentialEdge edge = random_edge(random_tangent(scheme, chance), chance);
-  const TriangleMesh mesh = before_octahedron(edge, widest, chance);
+RimScene<S> random_scene(const S& scheme, double widest, Dice& dice) {
+  const TangentialEdge edge = random_edge(random_tangent(scheme, dice), dice);
+  const TriangleMesh mesh = before_octahedron(edge, widest, dice);
   return {edge, mesh, fill_exact(mesh, scheme, Layer::nearest)};
 }
 
 // Looks for an answer of a wrong layer in the slivers between edge and border, as long and as high as they
 // are for borders of any bend. Says how many answers there were.
 template <class S>
-std::size_t attack(const S& scheme, Chance& chance) {
+std::size_t attack(const S& scheme, Dice& dice) {
   constexpr double kMixed = 50.0;  // mm, above what an octahedron costs almost everywhere
-  const RimScene<S> scene = random_scene(scheme, 89.0, chance);
+  const RimScene<S> scene = random_scene(scheme, 89.0, dice);
   std::optional<DirectionBounds<S>> bounds;
   std::size_t answers = 0;
   const double aside = scene.edge.aside;
-  scene.for_each_answer(std::sqrt(aside), aside, chance, [&](const Vec3& x, double radius, double truth) {
+  scene.for_each_answer(std::sqrt(aside), aside, dice, [&](const Vec3& x, double radius, double truth) {
     ++answers;
     const double error = std::abs(radius - truth);
     if (error < kMixed) return;
@@ -198,10 +185,10 @@ TEST_P(RimAttack, NoTangentialEdgePokesIntoACellThatAnswers) {
   std::size_t answers = 0;
   for_each_scheme([&]<class S>() {
     if (number++ % 2 != GetParam()) return;
-    Chance chance;
+    Dice dice(18);
     const S scheme = S::with_precision(10.0);
     for (std::size_t k = 0; k < random_cases() / schemes + 1 && !HasFailure(); ++k)
-      answers += attack(scheme, chance);
+      answers += attack(scheme, dice);
   });
   EXPECT_GT(answers, schemes);
 }
@@ -223,18 +210,18 @@ template <class S>
 void attack_silent(std::size_t cases) {
   constexpr double kAlike = 8.0;
   static_assert(SamplingScheme<Silent<S>> && !HasKnownBorders<Silent<S>>);
-  Chance chance;
+  Dice dice(18);
   const auto scheme = Silent<S>::with_precision(10.0);
   const double reach = scheme.stencil_radius();
   std::size_t answers = 0;
   for (std::size_t k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
-    const auto scene = random_scene(scheme, 75.0, chance);
+    const auto scene = random_scene(scheme, 75.0, dice);
     const auto expect_one_layer = [&](const Vec3& x, double radius, double truth) {
       ++answers;
       EXPECT_LT(std::max(radius / truth, truth / radius), kAlike) << S::name << " along " << x.transpose();
     };
-    scene.for_each_answer(std::sqrt(scene.edge.aside), scene.edge.aside, chance, expect_one_layer);
-    scene.for_each_answer(3.0 * reach, 3.0 * reach, chance, expect_one_layer);
+    scene.for_each_answer(std::sqrt(scene.edge.aside), scene.edge.aside, dice, expect_one_layer);
+    scene.for_each_answer(3.0 * reach, 3.0 * reach, dice, expect_one_layer);
   }
   EXPECT_GT(answers, cases) << S::name;
 }

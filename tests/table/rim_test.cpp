@@ -16,6 +16,7 @@
 #include "sphere/stored_table.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/joined.hpp"
 #include "support/turned.hpp"
 #include "table/error_bound.hpp"
 #include "table/exact_raster.hpp"
@@ -134,11 +135,7 @@ TEST(Rim, AClosedBodyHasNone) {
 TEST(Rim, AFoldIsAJump) {
   // A cup inside a larger one, joined by nothing: seen from the centre the near rim hides part of the far
   // cup.
-  TriangleMesh mesh = cup(20.0, 40.0, 400);
-  const TriangleMesh far = cup(26.0, 80.0, 800);
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  for (const Face& f : far.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-  mesh.vertices.insert(mesh.vertices.end(), far.vertices.begin(), far.vertices.end());
+  TriangleMesh mesh = test::joined(cup(20.0, 40.0, 400), cup(26.0, 80.0, 800));
   for (const double turn : {0.0, 0.7}) {  // along the rows of a grid, and across them
     for (Vec3& v : mesh.vertices) v = Eigen::AngleAxisd(turn, Vec3(1, 2, 3).normalized()) * v;
     const auto directions = test::random_directions(5000, 30);
@@ -190,11 +187,7 @@ TEST(Rim, ARimThatIsSeenBetweenEntriesOnAnObliqueMeshIsMasked) {
 
 // A rim that is hidden behind the layer asked for takes nothing away from it.
 TEST(Rim, AHiddenRimIsNotMasked) {
-  TriangleMesh mesh = cup(26.0, 40.0, 400);  // its rim lies behind the sphere of 20 mm
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  const TriangleMesh near = sphere(20.0, 2000);
-  for (const Face& f : near.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-  mesh.vertices.insert(mesh.vertices.end(), near.vertices.begin(), near.vertices.end());
+  const TriangleMesh mesh = test::joined(cup(26.0, 40.0, 400), sphere(20.0, 2000));
   const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::nearest);
   for (const Vec3& u : test::random_directions(5000, 31)) EXPECT_NEAR(table.radius_at(u), 20.0, 0.1);
 }
@@ -202,11 +195,7 @@ TEST(Rim, AHiddenRimIsNotMasked) {
 // The same of the outer layer, whose rims may lie nearer to the centre; and one farther out is a jump.
 TEST(Rim, OfTheFarthestLayerOnesNearerToTheCentreAreHidden) {
   for (const bool hidden : {true, false}) {
-    TriangleMesh mesh = cup(hidden ? 16.0 : 26.0, 40.0, 400);
-    const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-    const TriangleMesh ball = sphere(20.0, 2000);
-    for (const Face& f : ball.faces) mesh.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-    mesh.vertices.insert(mesh.vertices.end(), ball.vertices.begin(), ball.vertices.end());
+    const TriangleMesh mesh = test::joined(cup(hidden ? 16.0 : 26.0, 40.0, 400), sphere(20.0, 2000));
     const RayCaster oracle(mesh);
     const auto table = fill_exact(mesh, Rsid::with_precision(2.0), Layer::farthest);
     std::size_t masked = 0;
@@ -260,9 +249,7 @@ TEST(Rim, AnEdgeThatIsSeenOnlyAtItsLeastRadiusIsMasked) {
   const Vec3 aside = to.norm() * (tap[1] + 0.5 * (tap[1] - peak) - 0.4 * kDegree * towards).normalized();
   for (const bool back : {false, true}) {
     TriangleMesh mesh = surface;
-    const auto first = static_cast<VertexIndex>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), {back ? to : from, back ? from : to, aside});
-    mesh.faces.push_back({first, first + 1, first + 2});
+    test::add_face(mesh, back ? to : from, back ? from : to, aside);
     ASSERT_LT(RayCaster(mesh).cast(on_edge(0.0) + 1e-3 * (tap[1] - peak), Layer::nearest),
               RayCaster(surface).cast(peak, Layer::nearest) - 0.02)
         << "the surface jumps at the edge";
@@ -273,9 +260,7 @@ TEST(Rim, AnEdgeThatIsSeenOnlyAtItsLeastRadiusIsMasked) {
 // A rim along grid lines parts the cells on both of its sides.
 TEST(Rim, AnEdgeOnAGridLineMasksBothSides) {
   TriangleMesh mesh = sphere(26.0, 2000);
-  const auto shift = static_cast<VertexIndex>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), {{20, 0, 0}, {0, 20, 0}, {0, 0, 20}});
-  mesh.faces.push_back({shift, shift + 1, shift + 2});
+  test::add_face(mesh, {20, 0, 0}, {0, 20, 0}, {0, 0, 20});
   const RayCaster oracle(mesh);
   const auto table = fill_exact(mesh, Rsid::with_precision(5.0), Layer::nearest);
   for (const double phi : {22.5, 47.5, 72.5}) {

@@ -16,6 +16,7 @@
 #include "support/bound_probes.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
+#include "support/turned.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 
@@ -83,9 +84,7 @@ Scene roof(double off) {
   TriangleMesh mesh;
   mesh.vertices = {{20, 0, 15}, {-20, 0, 15}, {0, 20, -15}, {0, -20, -15}};
   mesh.faces = {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}};
-  const Eigen::AngleAxisd tilt(off, Vec3::UnitX());
-  for (Vec3& x : mesh.vertices) x = tilt * x;
-  return {"roof", mesh, Layer::farthest};
+  return {"roof", test::turned(mesh, off, Vec3::UnitX()), Layer::farthest};
 }
 
 // Before any patch is halved the bound holds as well, and may be used so.
