@@ -13,6 +13,7 @@
 #include "hip/hip_measures.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "motion/body_pairs.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
@@ -28,14 +29,24 @@ std::string at_place(const SessionJoint& joint, const Vec3& place) {
   return formatted("at (%.1f, %.1f, %.1f)", x.x(), x.y(), x.z());
 }
 
+// "the ball meets the socket", or the parts that these bodies are.
+std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
+  return body_name(joint.ball.parts, ball, "the ball") + " meets " +
+         body_name(joint.socket.parts, socket, "the socket");
+}
+
 // The pose of the scan must be one that is kept.
-void require_free_start(const TurnLimits& limits, const RequiredLeg& leg, double clearance) {
+void require_free_start(const Joint& joint, const BodyPairs& bodies, const TurnLimits& limits,
+                        const RequiredLeg& leg, double clearance) {
   JointTurn still = leg.turn;
   still.inner = still.outer = Eigen::Matrix3d::Identity();
-  if (limits.impinged(still, 0.0))
+  if (limits.impinged(still, 0.0)) {
+    const auto part = bodies.nearest({});
+    const auto [ball, socket] = part && part->touch ? part->pair : BodyPairs::Pair{0, 0};
     throw std::runtime_error(
-        "the bones touch in the pose of the scan, before any required motion; check the meshes and the "
-        "centre");
+        meet(joint, ball, socket) +
+        " in the pose of the scan, before any required motion; check the meshes and the centre");
+  }
   const auto gap = limits.smallest_gap(still, 0.0);
   if (gap && gap->gap_mm < clearance)
     throw std::runtime_error("the pose of the scan has a gap of " + rounded_up(gap->gap_mm, 3) +
@@ -185,13 +196,10 @@ BoneParts beside_in_joint_frame(const SessionJoint& joint) {
 // Parts are not cut.
 void require_no_part_in_the_way(const Joint& joint, const ReachedLeg& reached) {
   if (!reached.after.contact) return;
-  const auto [of_ball, of_socket] = reached.after.contact->body;
-  const std::string ball = body_name(joint.ball.parts, of_ball);
-  const std::string socket = body_name(joint.socket.parts, of_socket);
-  if (ball.empty() && socket.empty()) return;
-  throw std::runtime_error((ball.empty() ? "the ball" : ball) + " meets " +
-                           (socket.empty() ? "the socket" : socket) + " " +
-                           rounded_down(reached.after.low_deg, 1) + " degrees into " + describe(reached.leg) +
+  const auto [ball, socket] = reached.after.contact->body;
+  if (ball == 0 && socket == 0) return;
+  throw std::runtime_error(meet(joint, ball, socket) + " " + rounded_down(reached.after.low_deg, 1) +
+                           " degrees into " + describe(reached.leg) +
                            ", and bone beside the joint is not cut; require less");
 }
 
@@ -235,7 +243,7 @@ ResectionAnswer answer_resection(Session& session, const ResectionRequest& reque
   const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
   const BoneParts beside = beside_in_joint_frame(joint);
   const TurnLimits limits({ball, socket}, beside);
-  require_free_start(limits, legs.front(), request.clearance_mm);
+  require_free_start(joint.joint, {{ball, socket}, beside}, limits, legs.front(), request.clearance_mm);
   const TriangleMesh& other = of_ball ? socket : ball;
   const SweptRadius swept(other, legs, request.cut);
   CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;

@@ -285,6 +285,17 @@ ResectionRequest requiring(const std::string& motion, bool least = false) {
   return request;
 }
 
+TEST(Parts, AreNamedWhereTheyTouchBeforeACut) {
+  Hip hip = make_hip({}, 2000);
+  TriangleMesh shifted = hip.ball;
+  for (Vec3& x : shifted.vertices) x.x() += 1.0;
+  append_part(hip.socket, hip.socket_parts, "plate", shifted);
+  Session session = session_of(std::move(hip));
+  EXPECT_EQ(test::thrown<std::runtime_error>([&] { answer_resection(session, requiring("flexion=10")); }),
+            "the ball meets plate in the pose of the scan, before any required motion; check the meshes and "
+            "the centre");
+}
+
 // A cam is cut so that the path is clear, parts and all, pose by pose by the exact test; what only a part
 // stops is no matter of a cut.
 TEST(Parts, AreLookedAtAfterACut) {

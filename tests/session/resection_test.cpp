@@ -179,8 +179,8 @@ TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
   Joint joint = scanned_hip(hip_preset("normal")).joint->joint;
   for (Vec3& x : joint.ball.mesh.vertices) x *= 1.25;
   Session session(std::move(joint), Side::right, "LPS");
-  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=30")); }).substr(0, 39),
-            "the bones touch in the pose of the scan");
+  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=30")); }).substr(0, 49),
+            "the ball meets the socket in the pose of the scan");
 }
 
 TEST(SessionResection, SaysWhereTheBallsMeshEnds) {
