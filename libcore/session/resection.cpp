@@ -36,12 +36,12 @@ std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
 }
 
 // The pose of the scan must be one that is kept.
-void require_free_start(const Joint& joint, const BodyPairs& bodies, const TurnLimits& limits,
-                        const RequiredLeg& leg, double clearance) {
+void require_free_start(const Joint& joint, const BallSocketPair& main, const BoneParts& beside,
+                        const TurnLimits& limits, const RequiredLeg& leg, double clearance) {
   JointTurn still = leg.turn;
   still.inner = still.outer = Eigen::Matrix3d::Identity();
   if (limits.impinged(still, 0.0)) {
-    const auto part = bodies.nearest({});
+    const auto part = BodyPairs(main, beside).nearest({});
     const auto [ball, socket] = part && part->touch ? part->pair : BodyPairs::Pair{0, 0};
     throw std::runtime_error(
         meet(joint, ball, socket) +
@@ -242,8 +242,9 @@ ResectionAnswer answer_resection(Session& session, const ResectionRequest& reque
   const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
   const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
   const BoneParts beside = beside_in_joint_frame(joint);
-  const TurnLimits limits({ball, socket}, beside);
-  require_free_start(joint.joint, {{ball, socket}, beside}, limits, legs.front(), request.clearance_mm);
+  const BallSocketPair meshes{ball, socket};
+  const TurnLimits limits(meshes, beside);
+  require_free_start(joint.joint, meshes, beside, limits, legs.front(), request.clearance_mm);
   const TriangleMesh& other = of_ball ? socket : ball;
   const SweptRadius swept(other, legs, request.cut);
   CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;
