@@ -38,11 +38,7 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
 }
 
 std::string body_name(std::span<const MeshPart> parts, std::size_t body) {
-  return body_name(parts, body, "");
-}
-
-std::string body_name(std::span<const MeshPart> parts, std::size_t body, const std::string& main) {
-  return body == 0 ? main : parts[body - 1].name;
+  return body == 0 ? "" : parts[body - 1].name;
 }
 
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts) {

@@ -31,8 +31,6 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
 
 /// The name of a body of a mesh: empty for body 0, the main surface; body k + 1 is part k.
 std::string body_name(std::span<const MeshPart> parts, std::size_t body);
-/// The same in a sentence: "the ball" or "the socket", which `main` is, for body 0.
-std::string body_name(std::span<const MeshPart> parts, std::size_t body, const std::string& main);
 
 /// Parts alone, each a surface of its own, mm.
 struct BoneParts {

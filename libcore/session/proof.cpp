@@ -49,9 +49,10 @@ void require_no_contact(const Joint& joint, const Joint& main, const Pose& pose)
                           part_surfaces(joint.socket.mesh, joint.socket.parts)});
   const auto found = bodies.nearest(pose);
   if (!found || !found->touch) return;
+  const std::string ball = body_name(joint.ball.parts, found->pair.ball);
+  const std::string socket = body_name(joint.socket.parts, found->pair.socket);
   throw std::runtime_error(
-      body_name(joint.ball.parts, found->pair.ball, "the ball") + " is in contact with " +
-      body_name(joint.socket.parts, found->pair.socket, "the socket") +
+      (ball.empty() ? "the ball" : ball) + " is in contact with " + (socket.empty() ? "the socket" : socket) +
       ": a certificate of contact is a ray between the two main surfaces, and these are clear");
 }
 

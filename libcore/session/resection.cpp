@@ -31,8 +31,8 @@ std::string at_place(const SessionJoint& joint, const Vec3& place) {
 
 // "the ball meets the socket", or the parts that these bodies are.
 std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
-  return body_name(joint.ball.parts, ball, "the ball") + " meets " +
-         body_name(joint.socket.parts, socket, "the socket");
+  return (ball == 0 ? "the ball" : body_name(joint.ball.parts, ball)) + " meets " +
+         (socket == 0 ? "the socket" : body_name(joint.socket.parts, socket));
 }
 
 // The pose of the scan must be one that is kept.
