@@ -185,25 +185,21 @@ TEST(RimResection, KnowsNoVolumeOfShellsThatAreNotOfOneOrientation) {
   const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
   CutQuestion question = kEnoughForATest;
   question.most_new_faces = 500;
-  const auto volume = [&](double share, bool turned) {  // of the block and a copy of it, elsewhere or within
-    TriangleMesh socket = block_with_edge_on_walls();
-    const TriangleMesh copy = socket;
-    const Vec3 middle(17.0 * 1.125, 0.0, 17.0 * 1.125);
-    for (const Vec3& x : copy.vertices)
-      socket.vertices.emplace_back(share < 1.0 ? Vec3(middle + share * (x - middle)) : Vec3(-1.25 * x));
-    for (const Face& face : copy.faces) {
-      const bool as_it_is = share < 1.0 ? !turned : turned;  // the copy elsewhere is a mirror image
-      const VertexIndex n = static_cast<VertexIndex>(copy.vertices.size());
-      socket.faces.push_back(as_it_is ? Face{face[0] + n, face[1] + n, face[2] + n}
-                                      : Face{face[0] + n, face[2] + n, face[1] + n});
-    }
-    return least_radial_cut(socket, swept, question).volume_mm3;
+  const TriangleMesh block = block_with_edge_on_walls();
+  const auto volume = [&](const TriangleMesh& other) {
+    return least_radial_cut(test::joined(block, other), swept, question).volume_mm3;
   };
-  for (const Ends& known : {volume(2.0, false), volume(0.5, true), volume(0.5, false)}) {
+  TriangleMesh within = block;
+  const Vec3 middle(17.0 * 1.125, 0.0, 17.0 * 1.125);
+  for (Vec3& x : within.vertices) x = 0.5 * (middle + x);
+  TriangleMesh mirrored = block;
+  for (Vec3& x : mirrored.vertices) x *= -1.25;
+  for (const Ends& known :
+       {volume(test::inside_out(mirrored)), volume(test::inside_out(within)), volume(within)}) {
     EXPECT_LE(known.low, known.high);
     EXPECT_NEAR(known.high, 200.0, 100.0);
   }
-  EXPECT_EQ(volume(2.0, true).high, HUGE_VAL);
+  EXPECT_EQ(volume(mirrored).high, HUGE_VAL);
 }
 
 // A pincer that is to reach more than it does, with or without a wall.
