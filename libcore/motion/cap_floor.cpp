@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "sphere/cube_faces.hpp"
-
 namespace impinge {
 namespace {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "motion/seen_surface.hpp"
+#include "sphere/cube_faces.hpp"
 
 namespace impinge {
 
@@ -21,6 +22,10 @@ class CapFloor {
 
   /// The value over about `angle` radians round x, mm; -infinity where a part of that meets no face.
   float within(const Vec3& x, double angle) const;
+  /// Has the sample nearest to x no face?
+  bool uncovered(const Vec3& x) const {
+    return face_[cube_entry(x, levels_.front().cells)] == DirectionFace::kNone;
+  }
   /// A face that holds the direction of unit u, found across sides from the nearest sample; kNone if none is
   /// found.
   std::uint32_t face_along(const Vec3& u) const;

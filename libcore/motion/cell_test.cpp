@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "mesh/surface_vertices.hpp"
-#include "motion/mesh_holes.hpp"
 #include "table/fill/thread_team.hpp"
 
 namespace impinge {
@@ -131,7 +130,7 @@ RotationBall ball_about(const RotationCell& cell) {
 CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question)
     : seen(mesh, layer, layer == Layer::nearest && edge_on(question)),
       limits(without_edge_on(layer == Layer::farthest ? moved_out(mesh, question) : mesh), layer),
-      holes(layer == Layer::farthest ? mesh_holes(seen) : CapTree({})),
+      holes(layer == Layer::farthest ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
       floor(seen) {
   if (layer == Layer::farthest && (question.gap_mm > 0.0 || edge_on(question)))
     moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
@@ -343,33 +342,49 @@ bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, doub
 }
 
 bool CellSearch::may_leave(const Asked& asked) const {
-  const std::vector<CapBlock>& holes = test_.side(Surface::ball).holes.blocks();
-  const std::vector<CapBlock>& socket = test_.surface(Surface::socket).face_tree().blocks();
+  const MeshHoles& holes = test_.side(Surface::ball).holes;
+  const SeenSurface& socket = test_.surface(Surface::socket);
+  const auto meet = [&](std::uint32_t hole, std::uint32_t face) {
+    const DirectionCap& cap = holes.caps[hole];
+    return socket.near(face, {asked.rotation * cap.axis, cap.radius + asked.angle.radius});
+  };
   const auto visit = [&](const auto& self, std::uint32_t hole, std::size_t lane, std::uint32_t at) -> bool {
-    const CapBlock& of = holes[hole];
-    const CapBlock& block = socket[at];
+    const CapBlock& of = holes.tree.blocks()[hole];
+    const CapBlock& block = socket.face_tree().blocks()[at];
     const Vec3 axis = asked.rotation * axis_of(of, lane);
     for (std::size_t k = 0; k < block.nodes; ++k) {
       if ((axis - axis_of(block, k)).norm() > of.angle[lane] + block.angle[k] + asked.angle.radius) continue;
       if (!of.leaf(lane)) {
-        for (std::size_t l = 0; l < holes[of.first[lane]].nodes; ++l)
+        for (std::size_t l = 0; l < holes.tree.blocks()[of.first[lane]].nodes; ++l)
           if (self(self, of.first[lane], l, at)) return true;
         return false;  // all of the block was asked
       }
-      if (block.leaf(k) || self(self, hole, lane, block.first[k])) return true;
+      if (!block.leaf(k) && self(self, hole, lane, block.first[k])) return true;
+      for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f)
+        for (std::uint32_t h = of.first[lane]; h < of.first[lane] + of.items[lane]; ++h)
+          if (meet(h, f)) return true;
     }
     return false;
   };
-  for (std::size_t lane = 0; lane < holes[0].nodes; ++lane)
+  for (std::size_t lane = 0; lane < holes.tree.blocks()[0].nodes; ++lane)
     if (visit(visit, 0, lane, 0)) return true;
   return false;
 }
 
 bool CellSearch::leaves(const Asked& asked) const {
-  const auto angle = static_cast<float>(asked.angle.radius + kTurnSlack);
-  return std::ranges::any_of(test_.surface(Surface::socket).vertices(), [&](const Vec3& y) {
-    return std::isinf(test_.side(Surface::ball).limits.within(asked.inverse * y, angle).radius);
-  });
+  const CellTest::Side& ball = test_.side(Surface::ball);
+  const CellTest::Side& socket = test_.side(Surface::socket);
+  const double turn = asked.angle.radius + kTurnSlack;
+  return std::ranges::any_of(ball.holes.empty,
+                             [&](const DirectionCap& hole) {
+                               return hole.radius >= turn &&
+                                      socket.floor.face_along(asked.rotation * hole.axis) !=
+                                          DirectionFace::kNone;
+                             }) ||
+         std::ranges::any_of(socket.seen.vertices(), [&](const Vec3& y) {
+           const Vec3 x = asked.inverse * y;
+           return ball.floor.uncovered(x) && !ball.seen.any_near({x.stableNormalized(), turn});
+         });
 }
 
 CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
@@ -402,7 +417,7 @@ CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
     if (blocks(reach, of)) return verdict;
   }
   if (!find_pair(asked, verdict.hint)) {
-    const bool whole = test_.side(Surface::ball).holes.blocks().empty() || !may_leave(asked);
+    const bool whole = test_.side(Surface::ball).holes.tree.blocks().empty() || !may_leave(asked);
     verdict.state = whole ? CellState::free : leaves(asked) ? CellState::unknown : CellState::open;
     return verdict;
   }

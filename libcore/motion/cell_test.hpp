@@ -13,8 +13,9 @@
 ///            linear one, whose largest value over a polygon is at a corner of it.
 ///   blocked  some vertex of the ball, moved out by the gap, reaches the socket in all directions within rho
 ///            of its own, and socket faces cover these without a hole; or the same of a vertex of the socket
-///   unknown  no pair touches, but some vertex of the socket is within a hole of the ball's mesh in all of
-///            them
+///   unknown  no pair touches, but some direction of the socket, of a vertex or along the middle of a hole,
+///   is
+///            within a hole of the ball's mesh in all of them
 ///   open     none of these could be shown
 /// A gap above 0 adds to B. Along a face of the ball whose corners are moved out by gap / c, c the cosine of
 /// its cap, 1 / (1 / r + gap / c) is concave in 1 / r, so that its radius is nowhere below B + gap.
@@ -47,6 +48,7 @@
 #include "mesh/ball_socket_pair.hpp"
 #include "motion/body_pairs.hpp"
 #include "motion/cap_floor.hpp"
+#include "motion/mesh_holes.hpp"
 #include "motion/rotation_cells.hpp"
 #include "motion/seen_surface.hpp"
 
@@ -113,7 +115,7 @@ class CellTest {
     std::unique_ptr<const SeenSurface>
         moved;         // its corners moved out by the gap; none where that is the same
     CapLimits limits;  // of that
-    CapTree holes;     // caps that hold all directions in which the ball has no surface
+    MeshHoles holes;   // of the ball
     CapFloor floor;    // of what is seen
     const SeenSurface& grown() const { return moved ? *moved : seen; }
   };

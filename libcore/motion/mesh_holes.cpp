@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sphere/cube_faces.hpp"
@@ -10,7 +12,7 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kFinest = 6;  // halvings
+constexpr std::size_t kFinest = 8;  // halvings
 
 // A cell of a face of the cube: its middle, and half of its side.
 struct HoleCell {
@@ -42,7 +44,9 @@ class HoleFinder {
       return surface_.covers(cap, from, memory_, [](const DirectionFace&) { return true; });
     });
     if (covered) return;
-    if (level == kFinest || !surface_.any_near(cap)) {
+    const bool empty = !surface_.any_near(cap);
+    if (empty) clear.push_back(cap);
+    if (empty || level == kFinest) {
       holes.push_back({cap, {0.0, 1.0}});
       return;
     }
@@ -53,6 +57,7 @@ class HoleFinder {
   }
 
   std::vector<CapItem> holes;
+  std::vector<DirectionCap> clear;  // of them, without a face
 
  private:
   const SeenSurface& surface_;
@@ -61,10 +66,12 @@ class HoleFinder {
 
 }  // namespace
 
-CapTree mesh_holes(const SeenSurface& surface) {
+MeshHoles mesh_holes(const SeenSurface& surface) {
   HoleFinder finder(surface);
   for (std::size_t face = 0; face < 6; ++face) finder.look_at({face, 0.0, 0.0, 1.0}, 0);
-  return CapTree(finder.holes);
+  MeshHoles holes{CapTree(finder.holes), {}, std::move(finder.clear)};
+  for (const std::uint32_t k : holes.tree.order()) holes.caps.push_back(finder.holes[k].cap);
+  return holes;
 }
 
 }  // namespace impinge

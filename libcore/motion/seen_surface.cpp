@@ -165,10 +165,16 @@ bool SeenSurface::any_along(const Vec3& u, const std::function<bool(std::uint32_
   });
 }
 
+bool SeenSurface::near(std::uint32_t f, const DirectionCap& cap) const {
+  const DirectionFace& face = faces_[f];
+  if ((face.cap.axis - cap.axis).norm() > face.cap.radius + cap.radius) return false;
+  if (cap.radius >= 0.5 * kPi) return true;
+  const double beyond = -std::sin(cap.radius) - kSideSlack;
+  return std::ranges::all_of(face.inward, [&](const Vec3& n) { return n.dot(cap.axis) >= beyond; });
+}
+
 bool SeenSurface::any_near(const DirectionCap& cap) const {
-  return any_of(cap, [&](std::uint32_t f) {
-    return (faces_[f].cap.axis - cap.axis).norm() <= faces_[f].cap.radius + cap.radius;
-  });
+  return any_of(cap, [&](std::uint32_t f) { return near(f, cap); });
 }
 
 std::uint32_t SeenSurface::face_along(const Vec3& u) const {

@@ -101,7 +101,8 @@ class SeenSurface {
   /// whether it did. Along a side itself no face is found.
   bool any_along(const Vec3& u, const std::function<bool(std::uint32_t)>& visit) const;
 
-  /// May a face have a direction in the cap?
+  /// May that face, or any, have a direction in the cap? Not if the cap is wholly beyond one of its sides.
+  bool near(std::uint32_t f, const DirectionCap& cap) const;
   bool any_near(const DirectionCap& cap) const;
 
   /// Do the faces that are reached from `from` across sides within the cap cover all of it, and does

@@ -4,7 +4,9 @@
 // (support/exact_touch.hpp).
 #include "motion/cell_test.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -17,6 +19,7 @@
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {
@@ -76,6 +79,47 @@ TEST(CellTest, IsNeverWrongOfAHip) {
 TEST(CellTest, IsNeverWrongOfAPair) {
   const Asked asked = attack(make_ball_socket_pair(600, impinging_cam()), random_cases());
   EXPECT_GT(asked.blocked, 0U);
+}
+
+// A ball with a wide hole and narrow ones under a socket that it never touches. In every rotation of a free
+// cell each direction of the socket meets the ball, in every one of an unknown cell some direction does not:
+// by rays against all faces of the ball, along vertices and random points of the socket.
+TEST(CellTest, IsNeverWrongWhereTheBallEnds) {
+  BallSocketPair joint{sphere(20.0, 1000), cup(26.0, 30.0, 300)};
+  std::mt19937_64 engine(23);
+  std::erase_if(joint.ball.faces, [&](const Face& face) {
+    const auto corners = corners_of(joint.ball, face);
+    return angle_between(corners[0] + corners[1] + corners[2], {0.3, -0.4, 0.7}) < 0.2 || engine() % 200 == 0;
+  });
+  const CellTest test(joint);
+  const RayCaster ball(joint.ball);
+  const auto misses = [&](const Eigen::Matrix3d& rotation, const Vec3& y) {
+    return std::isnan(ball.cast((rotation.transpose() * y).normalized(), Layer::farthest));
+  };
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const auto some_point = [&] {
+    const auto corners = corners_of(joint.socket, joint.socket.faces[engine() % joint.socket.faces.size()]);
+    const double a = part(engine);
+    const double b = (1.0 - a) * part(engine);
+    return Vec3(a * corners[0] + b * corners[1] + (1.0 - a - b) * corners[2]);
+  };
+  std::map<CellState, std::size_t> asked;
+  CellSearch search(test);
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const RotationCell cell = any_cell(engine, 2 + static_cast<std::uint32_t>(round % 7));
+    const CellState state = search.decide(cell).state;
+    ++asked[state];
+    const Eigen::Matrix3d rotation = rotation_of(any_of(cell, engine));
+    bool missed =
+        std::ranges::any_of(joint.socket.vertices, [&](const Vec3& y) { return misses(rotation, y); });
+    const std::size_t points = state == CellState::free ? 100 : state == CellState::unknown ? 30000 : 0;
+    for (std::size_t k = 0; k < points && !missed; ++k) missed = misses(rotation, some_point());
+    if (points == 0) continue;
+    EXPECT_EQ(missed, state == CellState::unknown) << cell.level << " " << cell.number;
+  }
+  EXPECT_GT(asked[CellState::free], random_cases() / 20);
+  EXPECT_GT(asked[CellState::unknown], random_cases() / 20);
+  EXPECT_EQ(asked[CellState::blocked], 0U);
 }
 
 // Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
