@@ -30,7 +30,7 @@ def times(axes: plt.Axes, own: pd.DataFrame, beside: pd.DataFrame) -> None:
     for line, rows in beside.groupby("line", sort=False):
         axes.plot(rows.needed_s, rows.proven, label=line, markerfacecolor="white", **looks[line])
     axes.set(xscale="log", yscale="log", xlabel="time, s (hollow: extrapolated)", ylabel="upper minus lower bound")
-    widths = sorted(own.width.unique())
+    widths = sorted({*own.width, *([0.5, 1] if own.proven.max() > 0.3 else [])})
     axes.set_yticks(widths, [f"{width:g}" for width in widths])
     axes.minorticks_off()
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.19), ncol=2, columnspacing=1.0, handlelength=1.6)
@@ -49,10 +49,10 @@ def rotations(axes: plt.Axes, table: pd.DataFrame) -> None:
     low = generated.set_index(["joint", "flexion_deg"]).low_deg
     start, end = low["normal", 70], low["normal", 90]
     axes.plot([70, 90], [start, start - 2 * volume.SLOPE], color="black", linewidth=2.5, alpha=0.4, label="published slope")
-    said = f"For 10° of flexion normal loses {(start - end) / 2:.1f}° (published {volume.SLOPE:g}).\n"
-    said += f"At 90° cam has {end - low['cam', 90]:.0f}° less than normal (published {volume.CAM_LOSS})."
+    said = f"For 10° of flexion normal loses\n{(start - end) / 2:.1f}° (published {volume.SLOPE:g}). At 90° cam\n"
+    said += f"has {end - low['cam', 90]:.0f}° less (published {volume.CAM_LOSS})."
     axes.text(1, 1, said, transform=axes.transAxes, ha="right", va="top", fontsize=common.SMALL)
-    axes.set(xlabel="flexion, degrees", ylabel="internal rotation, degrees", xticks=[70, 80, 90], ylim=(0, 115))
+    axes.set(xlabel="flexion, degrees", ylabel="internal rotation, degrees", xticks=[70, 80, 90], ylim=(0, 125))
     axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.19), ncol=2, columnspacing=1.0, handlelength=1.6)
     axes.set_title("Internal rotation left in flexion (bars: proven bounds)")
 
