@@ -13,7 +13,7 @@ from report.artefacts import row_label, title_of
 from report.markup import element
 from verdicts import verdict
 
-WORDS = {"holds": "hold", "misprint": "are misprints", "wrong": "are wrong", "imprecise": "are imprecise"}
+WORDS = {"holds": "hold", "misprint": "misprints"}
 PLOT = "The largest error of every method against its time, one panel per question; lower left is better."
 
 
@@ -35,7 +35,7 @@ def statements(results: Path) -> pd.DataFrame:
 def section(results: Path) -> str:
     """Counts, the main plot, and two tables."""
     said, numbers = statements(results), differing(results)
-    counts = ", ".join(f"{count} {WORDS.get(name, 'are ' + name)}" for name, count in said.verdict.value_counts().items())
+    counts = ", ".join(f"{count} {WORDS.get(name, name)}" for name, count in said.verdict.value_counts().items())
     plot = results / "figures" / "error-against-time.svg"
     return (
         element("h2", "What came out", id="outcome")
