@@ -6,7 +6,7 @@
 // @bones     yes
 // @cache     yes
 // @timing    yes
-// @seconds   97 3000
+// @seconds   97 3600
 // @links     harness hip real_joints reference_cache contact_poses contact motion benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods fill_methods gap_simd
 //

@@ -3,7 +3,7 @@
 // @writes    motion_volume motion_volume_methods motion_volume_rotations
 // @bones     yes
 // @timing    yes
-// @seconds   7 280
+// @seconds   7 800
 // @links     harness real_joints contact_methods 17_motion
 //
 // Every generated hip and real joint: the share of all rotations that is free of contact, between proven
