@@ -13,9 +13,9 @@
 ///            linear one, whose largest value over a polygon is at a corner of it.
 ///   blocked  some vertex of the ball, moved out by the gap, reaches the socket in all directions within rho
 ///            of its own, and socket faces cover these without a hole; or the same of a vertex of the socket
-///   unknown  no pair touches, but some direction of the socket, of a vertex or along the middle of a hole,
-///   is
-///            within a hole of the ball's mesh in all of them
+///   unknown  no pair touches, but some direction of the socket is within a hole of the ball's mesh in all
+///            of them: that of a vertex, or one along the middle of a part of the hole that no face is
+///            near
 ///   open     none of these could be shown
 /// A gap above 0 adds to B. Along a face of the ball whose corners are moved out by gap / c, c the cosine of
 /// its cap, 1 / (1 / r + gap / c) is concave in 1 / r, so that its radius is nowhere below B + gap.

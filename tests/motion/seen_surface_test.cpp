@@ -36,7 +36,7 @@ TEST(SeenSurface, IsNearWhatTouchesTheCap) {
     const SeenSurface surface(mesh, Layer::farthest);
     ASSERT_EQ(surface.faces().size(), 1U);
     Vec3 shares(dice.between(0.0, 1.0), dice.between(0.0, 1.0), dice.between(0.0, 1.0));
-    if (round % 3 > 0) shares[dice.whole(0, 2)] = 0.0;
+    for (std::size_t k = 0; k < round % 3; ++k) shares[dice.whole(0, 2)] = 0.0;
     Vec3 point = shares[0] * mesh.vertices[0] + shares[1] * mesh.vertices[1] + shares[2] * mesh.vertices[2];
     if (point.norm() < 1e-3) continue;
     const double radius = dice.power(-4.0, 0.2);
