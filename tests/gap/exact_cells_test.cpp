@@ -14,9 +14,12 @@
 #include "gap/simd/seen_planes.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "mesh/jump_edges.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"
+#include "support/joined.hpp"
 #include "support/soup.hpp"
+#include "support/turned.hpp"
 #include "table/packed_fixture.hpp"
 #include "table/pairwise.hpp"
 
@@ -75,6 +78,59 @@ TEST(ExactCellsTest, AnswerAsAllTrianglesDo) {
   }
 }
 
+// Two layers with a wall between their rims, as of a bone: turned against each other, so that the wall is
+// steep and not edge-on. `thickness` mm, less than 0 for a second layer within the first.
+TriangleMesh shell(std::size_t faces, double thickness) {
+  const TriangleMesh layer = cup(20.0, 80.0, faces);
+  TriangleMesh both = test::joined(
+      layer, test::turned(test::inside_out(cup(20.0 + thickness, 80.0, faces)), 0.05, Vec3::UnitZ()));
+  const auto other = static_cast<VertexIndex>(layer.vertices.size());
+  for (const JumpEdge& rim : jump_edges(layer)) {
+    both.faces.push_back({rim.from, rim.to, rim.to + other});
+    both.faces.push_back({rim.from, rim.to + other, rim.from + other});
+  }
+  return both;
+}
+
+TEST(ExactCellsTest, LayersBehindAnother) {
+  const TriangleMesh bumpy =
+      radial_body(800, [](const Vec3& u) { return 20.0 + 3.0 * std::sin(8.0 * u.x()); });
+  for (const TriangleMesh& mesh :
+       {shell(800, 2.0), shell(800, 0.1), shell(800, -3.0), test::joined(bumpy, sphere(20.0, 700)),
+        test::joined(shell(300, 2.0), sphere(20.5, 500)),
+        test::joined(cup(20.0, 80.0, 800), sphere(24.0, 500)),
+        test::joined(cup(24.0, 80.0, 800), sphere(20.0, 500)),
+        test::joined(test::joined(sphere(20.0, 300), sphere(20.4, 500)), sphere(24.0, 900))}) {
+    expect_exact(mesh, Layer::nearest, probes(mesh, 2000));
+    expect_exact(mesh, Layer::farthest, probes(mesh, 2000));
+  }
+}
+
+// Cells that a face may be met in, and those of them that are not smooth.
+struct CellCount {
+  std::size_t met = 0;
+  std::size_t rough = 0;
+};
+CellCount count_cells(const TriangleMesh& mesh, Layer layer) {
+  CellCount count;
+  for (const ExactCell& cell : exact_cells(mesh, layer).cells) {
+    count.met += std::isnan(cell.turn) ? 0U : 1U;
+    count.rough += cell.count > 0 ? 1U : 0U;
+  }
+  return count;
+}
+
+TEST(ExactCellsTest, ALayerBehindAnotherMakesNoCellRough) {
+  const TriangleMesh layer = sphere(20.0, 3000);
+  const TriangleMesh beyond = test::joined(layer, sphere(22.0, 300));
+  const TriangleMesh within = test::joined(layer, sphere(18.0, 300));
+  const CellCount one = count_cells(layer, Layer::nearest);
+  EXPECT_LE(count_cells(beyond, Layer::nearest).rough, one.rough + one.rough / 10);
+  EXPECT_LE(count_cells(within, Layer::farthest).rough, one.rough + one.rough / 10);
+  EXPECT_GT(count_cells(test::joined(layer, sphere(20.0, 300, {1, 2, 2})), Layer::nearest).rough,
+            2 * one.rough);
+}
+
 TEST(ExactCellsTest, MeshesOfNoFaceOrOne) {
   expect_exact({{}, {}}, Layer::nearest, test::random_directions(50, 1));
   const TriangleMesh one{{Vec3(20, 0, 0), Vec3(0, 20, 0), Vec3(0, 0, 20)}, {{0, 1, 2}}};
@@ -86,12 +142,7 @@ TEST(ExactCellsTest, MeshesOfNoFaceOrOne) {
 TEST(ExactCellsTest, MostCellsOfASmoothSurfaceNeedNoEdges) {
   const BallSocketPair pair = make_ball_socket_pair(3000);
   for (const TriangleMesh& mesh : {pair.ball, pair.socket}) {
-    std::size_t met = 0;
-    std::size_t rough = 0;
-    for (const ExactCell& cell : exact_cells(mesh, Layer::nearest).cells) {
-      met += std::isnan(cell.turn) ? 0U : 1U;
-      rough += cell.count > 0 ? 1U : 0U;
-    }
+    const auto [met, rough] = count_cells(mesh, Layer::nearest);
     EXPECT_GT(rough, 100U);
     EXPECT_LT(4 * rough, met);
   }

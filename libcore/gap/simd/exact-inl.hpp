@@ -9,6 +9,7 @@
 #endif
 
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -26,6 +27,7 @@ inline constexpr float kNoFace = std::numeric_limits<float>::lowest();
 // Vertices that are worked on together: moved, then looked up one by one, then turned into gaps.
 inline constexpr std::size_t kChunk = 64;
 inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
+inline constexpr std::size_t kLanes = hn::MaxLanes(hn::ScalableTag<float>());
 
 struct Chunk {
   HWY_ALIGN float x[kChunk];
@@ -37,8 +39,9 @@ struct Chunk {
   HWY_ALIGN float turn[kChunk];
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
-  std::size_t rough[kChunk];  // vertices in cells that are not smooth
-  std::size_t doubt[kChunk];
+  std::uint32_t met[kChunk + kLanes];  // in cells with faces, and what a vector is longer
+  std::uint32_t rough[kChunk];         // in cells that are not smooth
+  std::uint32_t doubt[kChunk];
 };
 
 template <class D>
@@ -62,14 +65,13 @@ HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
 }
 
 // All faces of a cell that is not smooth. Is the vertex in doubt?
-HWY_INLINE bool look_up_blocks(const ExactCells& cells, std::size_t i, Chunk& chunk) {
+HWY_INLINE bool look_up_blocks(const ExactCells& cells, const ExactCell& cell, std::size_t i, Chunk& chunk) {
   const hn::CappedTag<float, FaceBlock::kFaces> d;
   const auto p = vertex(d, chunk, i);
   const auto doubtful = hn::Set(d, 5.0F * 0x1p-24F * chunk.size[i]);
   const auto none = hn::Set(d, kNoFace);
   auto best = none;
-  auto closest = hn::Set(d, std::numeric_limits<float>::infinity());  // to the plane of an edge
-  const ExactCell& cell = cells.cells[static_cast<std::size_t>(chunk.cell[i])];
+  auto doubt = hn::Gt(none, none);
   for (std::uint32_t at = cell.first; at < cell.first + cell.count; ++at) {
     const FaceBlock& block = cells.blocks[cells.listed[at]];
     const auto row = [&](const std::array<FaceBlock::Row, 3>& rows, std::size_t k)
@@ -77,13 +79,14 @@ HWY_INLINE bool look_up_blocks(const ExactCells& cells, std::size_t i, Chunk& ch
     for (std::size_t k = 0; k < FaceBlock::kFaces; k += hn::Lanes(d)) {
       const auto least =
           hn::Min(row(block.edge[0], k), hn::Min(row(block.edge[1], k), row(block.edge[2], k)));
-      closest = hn::Min(closest, hn::Abs(least));
-      best = hn::Max(best, hn::IfThenElse(hn::Gt(least, doubtful), row(block.plane, k), none));
+      const auto s = hn::IfThenElse(hn::Gt(least, doubtful), row(block.plane, k), none);
+      doubt = hn::Or(doubt, hn::Or(hn::Le(hn::Abs(least), doubtful), hn::Eq(s, hn::Zero(d))));
+      best = hn::Max(best, s);
     }
   }
   const float hit = hn::GetLane(hn::MaxOfLanes(d, best));
   for (std::size_t k = 0; k < kPlanes; ++k) chunk.s[kPlanes * i + k] = hit;
-  return !hn::AllFalse(d, hn::Le(closest, doubtful));
+  return !hn::AllFalse(d, doubt);
 }
 
 }  // namespace impinge::HWY_NAMESPACE

@@ -12,6 +12,7 @@
 #include "gap/simd/open_cells.hpp"
 #include "gap/simd/seen_planes.hpp"
 #include "mesh/lengths.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 namespace {
@@ -35,6 +36,36 @@ std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
   const double cells = cells_a_face * static_cast<double>(mesh.faces.size()) / covered_share(mesh);
   return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
 }
+
+// In a cell that each layer of a mesh covers or leaves alone, the faces of the layer that counts.
+class FrontFaces {
+ public:
+  FrontFaces(const TriangleMesh& mesh, std::span<const std::uint32_t> order, Layer layer) {
+    for (const std::uint32_t f : order) {
+      const RadiusRange range = face_cap(corners_of(mesh, mesh.faces[f])).range;
+      depth_.push_back(layer == Layer::nearest ? range : RadiusRange{-range.high, -range.low});
+    }
+  }
+
+  // Those of these places, one or more, both in rising order; until the next call.
+  std::span<const std::uint32_t> among(std::span<const std::uint32_t> places) {
+    kept_.assign(places.begin(), places.end());
+    std::ranges::sort(kept_, {}, [&](std::uint32_t place) { return depth_[place].low; });
+    double end = depth_[kept_.front()].high;
+    const auto beyond = std::ranges::find_if(kept_, [&](std::uint32_t place) {
+      const bool linked = depth_[place].low <= end;
+      end = std::max(end, depth_[place].high);
+      return !linked;
+    });
+    kept_.erase(beyond, kept_.end());
+    std::ranges::sort(kept_);
+    return kept_;
+  }
+
+ private:
+  std::vector<RadiusRange> depth_;  // of each place, mm: less is nearer to the layer that counts
+  std::vector<std::uint32_t> kept_;
+};
 
 void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
                 ExactCell& cell) {
@@ -61,7 +92,7 @@ void list_blocks(std::span<const std::uint32_t> places, ExactCell& cell, ExactCe
 
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face) {
   require_float_lengths(mesh);
-  ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, faces_along_curve(mesh)};
+  ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, {}, faces_along_curve(mesh)};
   const std::size_t lines = made.divisions + 1;
   made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
   const std::vector<Vec3> planes = seen_planes(mesh);
@@ -69,10 +100,15 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
   const CellGrid grid = float_grid(made.divisions);
   const Lists faces = faces_of_cells(mesh, made.face, grid);
   const std::vector<bool> open = open_cells(mesh, grid);
+  FrontFaces front(mesh, made.face, layer);
+  made.none.resize(made.cells.size() / 32 + 1);
   std::vector<std::uint32_t> few;
   for (std::size_t c = 0; c < made.cells.size(); ++c) {
-    const auto places = faces[c];
-    if (places.empty()) continue;
+    if (faces[c].empty()) {
+      made.none[c / 32] |= 1U << (c % 32);
+      continue;
+    }
+    const auto places = open[c] ? faces[c] : front.among(faces[c]);
     few.clear();
     if (places.size() <= ExactCell::kPlanes && !open[c])
       for (const std::uint32_t place : places) few.push_back(made.face[place]);

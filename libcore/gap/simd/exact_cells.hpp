@@ -6,7 +6,12 @@
 ///   gap = +- |x| (1 / s - 1).
 /// A grid on a cube lists the faces that may be met in each of its cells. Two kinds of cells answer:
 ///
-/// Smooth cells hold at most four faces, cover all of their directions, and bend one way: no corner of a face
+/// Where no edge of a cell is one at which the surface ends or folds (mesh/jump_edges.hpp), each of its
+/// layers covers the whole cell. Faces of one layer that share an edge or a corner share a radius there. So
+/// those that overlapping ranges of radii link to the nearest face are whole layers, all others lie behind
+/// them, and only they are kept; for the farthest layer likewise.
+///
+/// Smooth cells keep at most four faces, cover all of their directions, and bend one way: no corner of a face
 /// lies beyond the plane of another (m . v <= 1 for all of them), or none lies within it. Then the face that
 /// is met is the one of largest s (of least s), whatever the edges are: a direction is a sum of the corners
 /// of its face with shares that are not negative, so that m_g . x <= m_f . x for all others g. Nothing is
@@ -23,11 +28,11 @@
 /// that of the mesh by at most
 ///   u (18 r + 8 |gap|)
 /// m . x has 4 roundings of |m_i x_i| each, together at most 4 u |m| |x| = 4 u s / cos psi, and r = |x| / s
-/// takes over what s is off by, relative. Faces that are seen more steeply than 1 / cos psi = 4 are answered
-/// by exact_gap(), in double: beyond tan psi = 1e8 that leaves 84 2^-53 (1 + tan psi) r instead of 18 u r. In
-/// smooth cells no plane is that steep at any corner of the others either, so that it cannot win by more than
-/// such roundings where it is not met. The rest is what a smooth cell allows, |x| (2.5 u) and three roundings
-/// of the gap.
+/// takes over what s is off by, relative. Where a face is met that is seen more steeply than 1 / cos psi = 4,
+/// exact_gap() answers, in double: beyond tan psi = 1e8 that leaves 84 2^-53 (1 + tan psi) r instead of 18 u
+/// r. In smooth cells no plane is that steep at any corner of the others either, so that it cannot win by
+/// more than such roundings where it is not met. The rest is what a smooth cell allows, |x| (2.5 u) and three
+/// roundings of the gap.
 #pragma once
 
 #include <array>
@@ -58,7 +63,7 @@ struct FaceBlock {
   using Row = std::array<float, kFaces>;    // a number of each face
 
   std::array<std::array<Row, 3>, 3> edge;  // inner unit normal of the plane through the centre and edge k
-  std::array<Row, 3> plane;                // m, 1 / mm; -m where the farthest layer is asked for
+  std::array<Row, 3> plane;  // m, 1 / mm; -m for the farthest layer; 0 of a face that is too steep
 };
 
 /// Plain data; make it with exact_cells().
@@ -69,14 +74,15 @@ struct ExactCells {
   Layer layer;                        // that counts where faces overlap
   std::size_t divisions = 0;          // cells along an edge of the cube
   std::vector<ExactCell> cells;       // each at the entry of `cube_gnomonic` that it begins at
+  std::vector<std::uint32_t> none;    // one bit a cell: no face is met there
   std::vector<std::uint32_t> listed;  // numbers of blocks, cell by cell
   std::vector<FaceBlock> blocks;      // of neighbouring faces
   std::vector<std::uint32_t> face;    // of the mesh, that place 8 b + k of the blocks holds
 
   /// Beside the mesh.
   std::size_t bytes() const {
-    return sizeof(ExactCell) * cells.size() + sizeof(std::uint32_t) * (listed.size() + face.size()) +
-           sizeof(FaceBlock) * blocks.size();
+    return sizeof(ExactCell) * cells.size() + sizeof(FaceBlock) * blocks.size() +
+           sizeof(std::uint32_t) * (none.size() + listed.size() + face.size());
   }
 };
 

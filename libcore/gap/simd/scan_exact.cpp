@@ -22,8 +22,8 @@ class ExactScan {
     for (std::size_t begin = 0; begin < scan_.count; begin += kChunk) {
       const std::size_t count = std::min(kChunk, scan_.count - begin);
       load(begin, count, chunk);
-      move(count, chunk);
-      const std::size_t doubtful = look_up_all(count, chunk);
+      const std::size_t met = move(count, chunk);
+      const std::size_t doubtful = look_up_all(met, chunk);
       finish(count, chunk);
       for (std::size_t j = 0; j < doubtful; ++j) answer_exactly(chunk.doubt[j], chunk);
       std::memcpy(scan_.gap + begin, chunk.gap, count * sizeof(float));
@@ -41,36 +41,52 @@ class ExactScan {
     for (std::size_t i = count; i < kChunk; ++i) chunk.x[i] = chunk.y[i] = chunk.z[i] = 0.0F;
   }
 
-  HWY_ATTR void move(std::size_t count, Chunk& chunk) const {
+  // Into how many cells that a face may be met in. The others have no gap.
+  HWY_ATTR std::size_t move(std::size_t count, Chunk& chunk) const {
     const D d;
+    const Bits<D> bits;
+    const std::uint32_t* const none = cells_.none.data();
+    std::size_t met = 0;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       const Point<D> v{hn::Load(d, chunk.x + i), hn::Load(d, chunk.y + i), hn::Load(d, chunk.z + i)};
       const Point<D> p = transformed(d, scan_.transform, v);
+      const auto entry = cube_.place(d, p).entry;
       hn::Store(p.x, d, chunk.x + i);
       hn::Store(p.y, d, chunk.y + i);
       hn::Store(p.z, d, chunk.z + i);
       hn::Store(length(p), d, chunk.size + i);
-      hn::Store(cube_.place(d, p).entry, Whole<D>(), chunk.cell + i);
+      hn::Store(entry, Whole<D>(), chunk.cell + i);
+      hn::Store(no_gap(d), d, chunk.turn + i);
+      const auto vertex = hn::Iota(bits, static_cast<std::uint32_t>(i));
+      met += hn::CompressStore(vertex, hn::RebindMask(bits, hn::Not(has_none(d, none, entry))), bits,
+                               chunk.met + met);
     }
+    while (met > 0 && chunk.met[met - 1] >= count) --met;  // of those that filled up the last vector
+    return met;
   }
 
   // How many are in doubt. No branch of a vertex of its own but in cells that are not smooth.
-  HWY_ATTR std::size_t look_up_all(std::size_t count, Chunk& chunk) const {
+  HWY_ATTR std::size_t look_up_all(std::size_t met, Chunk& chunk) const {
     std::size_t rough = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      hwy::Prefetch(&cells_.cells[static_cast<std::size_t>(chunk.cell[i])]);
-    for (std::size_t i = 0; i < count; ++i) {
-      const ExactCell& cell = cells_.cells[static_cast<std::size_t>(chunk.cell[i])];
+    for (std::size_t j = 0; j < met; ++j) hwy::Prefetch(&cell_of(chunk.met[j], chunk));
+    for (std::size_t j = 0; j < met; ++j) {
+      const std::size_t i = chunk.met[j];
+      const ExactCell& cell = cell_of(i, chunk);
       look_up(cell, i, chunk);
-      chunk.rough[rough] = i;
+      chunk.rough[rough] = chunk.met[j];
       rough += cell.count > 0 ? 1U : 0U;
     }
     std::size_t doubtful = 0;
     for (std::size_t j = 0; j < rough; ++j) {
+      const std::size_t i = chunk.rough[j];
       chunk.doubt[doubtful] = chunk.rough[j];
-      doubtful += look_up_blocks(cells_, chunk.rough[j], chunk) ? 1U : 0U;
+      doubtful += look_up_blocks(cells_, cell_of(i, chunk), i, chunk) ? 1U : 0U;
     }
     return doubtful;
+  }
+
+  const ExactCell& cell_of(std::size_t i, const Chunk& chunk) const {
+    return cells_.cells[static_cast<std::size_t>(chunk.cell[i])];
   }
 
   HWY_ATTR void finish(std::size_t count, Chunk& chunk) const {
