@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "files/csv.hpp"
@@ -19,6 +20,7 @@
 #include "scene/asked.hpp"
 #include "session/pose_answer.hpp"
 #include "session/pose_series.hpp"
+#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {
@@ -176,10 +178,10 @@ Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
 json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
   Stopwatch watch;
   const PoseList list = list_of(options, joint.joint);
-  PoseSeries series(joint.joint, {.touch = options.question != Question::first_contact,
-                                  .smallest_gap = options.question != Question::touch,
-                                  .areas = options.areas,
-                                  .cartilage_mm = options.cartilage_mm});
+  const PoseSeries series(joint.joint, {.touch = options.question != Question::first_contact,
+                                        .smallest_gap = options.question != Question::touch,
+                                        .areas = options.areas,
+                                        .cartilage_mm = options.cartilage_mm});
   Part part(options.out / ("poses-" + key_of(options, joint.joint, list) + ".part"),
             head_of(list, options.areas));
   const double ready_ms = watch.lap_ms();
@@ -188,18 +190,24 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
     log << "scene: " << kept << " of " << list.size() << " poses were answered before" << std::endl;
   double answer_ms = 0.0;
   double said_ms = 0.0;
-  for (std::size_t pose = kept; pose < list.size(); ++pose) {
-    part.add(row_of(joint, list, pose, series.answer(pose_in(joint, list, pose))));
-    constexpr std::size_t kRowsAtOnce = 64;
-    if (pose % kRowsAtOnce != 0) continue;
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  for (std::size_t pose = kept; pose < list.size();) {
+    constexpr std::size_t kRowsOfAThread = 64;  // between two writes
+    std::vector<std::string> rows(std::min(threads * kRowsOfAThread, list.size() - pose));
+    on_threads(threads, [&](std::size_t thread) {
+      for (std::size_t k = thread; k < rows.size(); k += threads)
+        rows[k] = row_of(joint, list, pose + k, series.answer(pose_in(joint, list, pose + k)));
+    });
+    for (const std::string& row : rows) part.add(row);
     part.flush();
+    pose += rows.size();
     answer_ms += watch.lap_ms();
     constexpr double kSilence = 2000.0;  // ms
-    if (answer_ms < said_ms + kSilence) continue;
+    if (answer_ms < said_ms + kSilence || pose == list.size()) continue;
     said_ms = answer_ms;
     const double left =
-        answer_ms * static_cast<double>(list.size() - pose - 1) / static_cast<double>(pose + 1 - kept);
-    log << "scene: pose " << pose + 1 << " of " << list.size() << formatted(", %.0f s left", left / 1e3)
+        answer_ms * static_cast<double>(list.size() - pose) / static_cast<double>(pose - kept);
+    log << "scene: pose " << pose << " of " << list.size() << formatted(", %.0f s left", left / 1e3)
         << std::endl;
   }
   part.become(options.out / "poses.csv");

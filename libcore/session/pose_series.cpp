@@ -23,21 +23,21 @@ PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
 PoseSeries::Scan::Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer)
     : cells(exact_cells(facing, layer)),
       vertices(packed_vertices<float>(scanned.vertices)),
-      areas(vertex_areas(scanned)),
-      gap(scanned.vertices.size()) {}
+      areas(vertex_areas(scanned)) {}
 
-SeriesArea PoseSeries::Scan::area(const Pose& pose, Surface of, double cartilage_mm) {
+SeriesArea PoseSeries::Scan::area(const Pose& pose, Surface of, double cartilage_mm) const {
+  std::vector<float> gap(vertices.size());
   scan_gaps(cells, vertices, pose, of, gap);
   const auto touching = static_cast<float>(cartilage_mm);
   SeriesArea found;
   for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (gap[i] <= touching) found.cartilage += areas[i];
-    if (gap[i] <= 0.0F) found.bone += areas[i];
+    found.cartilage += gap[i] <= touching ? areas[i] : 0.0;
+    found.bone += gap[i] <= 0.0F ? areas[i] : 0.0;
   }
   return found;
 }
 
-SeriesAnswer PoseSeries::answer(const Pose& pose) {
+SeriesAnswer PoseSeries::answer(const Pose& pose) const {
   SeriesAnswer answer;
   if (overlay_) answer.touch = overlay_->impinged(pose) || beside_.impinged(pose);
   if (outputs_.areas) {

@@ -52,18 +52,18 @@ class PoseSeries {
   PoseSeries(const PoseSeries&) = delete;
   PoseSeries& operator=(const PoseSeries&) = delete;
 
-  SeriesAnswer answer(const Pose& pose);
+  /// Several threads may ask at the same time.
+  SeriesAnswer answer(const Pose& pose) const;
 
  private:
-  /// One surface's vertices, the faces that they meet, and what becomes of them in a pose.
+  /// One surface's vertices, and the faces that they meet.
   struct Scan {
     Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer);
-    SeriesArea area(const Pose& pose, Surface of, double cartilage_mm);
+    SeriesArea area(const Pose& pose, Surface of, double cartilage_mm) const;
 
     ExactCells cells;  // of the other surface
     PackedVertices<float> vertices;
     std::vector<double> areas;  // mm^2
-    std::vector<float> gap;     // mm
   };
 
   SeriesOutputs outputs_;
