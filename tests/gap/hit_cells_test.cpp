@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "gap/simd/face_order.hpp"
 #include "gap/simd/seen_planes.hpp"
 #include "mesh/bodies.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
@@ -65,19 +64,6 @@ TEST(CellsMet, WiderByTheMargin) {
   cells.clear();
   add_hit_cells({20, 0.6}, TriangleCone(x, x, x), cells);
   EXPECT_EQ(cells.size(), 9U);
-}
-
-TEST(FaceOrder, HoldsEveryFaceThatCoversADirection) {
-  TriangleMesh mesh = sphere(20.0, 500);
-  mesh.faces.push_back({0, 1, 1});
-  auto order = faces_along_curve(mesh);
-  double way = 0.0;
-  for (std::size_t k = 1; k < order.size(); ++k)
-    way += (corner(mesh, mesh.faces[order[k]], 0) - corner(mesh, mesh.faces[order[k - 1]], 0)).norm();
-  EXPECT_LT(way / static_cast<double>(order.size()), 5.0);  // faces are 3 mm long
-  std::ranges::sort(order);
-  ASSERT_EQ(order.size(), 500U);
-  for (std::uint32_t f = 0; f < 500; ++f) EXPECT_EQ(order[f], f);
 }
 
 // Two faces over one edge, the far corner of the second above or below the plane of the first.

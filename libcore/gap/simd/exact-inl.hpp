@@ -9,7 +9,6 @@
 #endif
 
 #include <array>
-#include <cstdint>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -24,10 +23,10 @@ namespace impinge::HWY_NAMESPACE {
 // No face: what hn::MaxOfLanes() never is below where lanes are emulated.
 inline constexpr float kNoFace = std::numeric_limits<float>::lowest();
 
-// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps.
+// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps. A bit of a
+// word each.
 inline constexpr std::size_t kChunk = 64;
 inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
-inline constexpr std::size_t kLanes = hn::MaxLanes(hn::ScalableTag<float>());
 
 struct Chunk {
   HWY_ALIGN float x[kChunk];
@@ -39,15 +38,15 @@ struct Chunk {
   HWY_ALIGN float turn[kChunk];
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
-  std::uint32_t met[kChunk + kLanes];  // in cells with faces, and what a vector is longer
-  std::uint32_t rough[kChunk];         // in cells that are not smooth
-  std::uint32_t doubt[kChunk];
+  std::size_t wide[kChunk];   // vertices in smooth cells of more planes than kPlanes
+  std::size_t rough[kChunk];  // vertices in cells that are not smooth
+  std::size_t doubt[kChunk];
 };
 
 template <class D>
 HWY_INLINE hn::Vec<D> along(D d, const float* x, const float* y, const float* z, const Point<D>& p) {
-  const auto xy = hn::Add(hn::Mul(hn::Load(d, x), p.x), hn::Mul(hn::Load(d, y), p.y));
-  return hn::Add(xy, hn::Mul(hn::Load(d, z), p.z));
+  const auto xy = hn::Add(hn::Mul(hn::LoadU(d, x), p.x), hn::Mul(hn::LoadU(d, y), p.y));
+  return hn::Add(xy, hn::Mul(hn::LoadU(d, z), p.z));
 }
 
 template <class D>
@@ -64,6 +63,18 @@ HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
   chunk.turn[i] = cell.turn;
 }
 
+// s of these eight planes, or the larger of two.
+HWY_INLINE void look_up(const WidePlanes& planes, std::size_t i, Chunk& chunk) {
+  const hn::CappedTag<float, kPlanes> d;
+  const auto p = vertex(d, chunk, i);
+  const auto& [x, y, z] = planes.plane;
+  for (std::size_t k = 0; k < kPlanes; k += hn::Lanes(d)) {
+    const auto s = along(d, &x[k], &y[k], &z[k], p);
+    const auto other = along(d, &x[k + kPlanes], &y[k + kPlanes], &z[k + kPlanes], p);
+    hn::Store(hn::Max(s, other), d, chunk.s + kPlanes * i + k);
+  }
+}
+
 // All faces of a cell that is not smooth. Is the vertex in doubt?
 HWY_INLINE bool look_up_blocks(const ExactCells& cells, const ExactCell& cell, std::size_t i, Chunk& chunk) {
   const hn::CappedTag<float, FaceBlock::kFaces> d;
@@ -71,22 +82,24 @@ HWY_INLINE bool look_up_blocks(const ExactCells& cells, const ExactCell& cell, s
   const auto doubtful = hn::Set(d, 5.0F * 0x1p-24F * chunk.size[i]);
   const auto none = hn::Set(d, kNoFace);
   auto best = none;
-  auto doubt = hn::Gt(none, none);
+  auto closest = hn::Neg(none);     // to the plane of an edge
+  auto least_size = hn::Neg(none);  // of s where a face is met; 0 of one that is too steep
   for (std::uint32_t at = cell.first; at < cell.first + cell.count; ++at) {
-    const FaceBlock& block = cells.blocks[cells.listed[at]];
+    const FaceBlock& block = cells.blocks[at];
     const auto row = [&](const std::array<FaceBlock::Row, 3>& rows, std::size_t k)
                          HWY_ATTR { return along(d, &rows[0][k], &rows[1][k], &rows[2][k], p); };
     for (std::size_t k = 0; k < FaceBlock::kFaces; k += hn::Lanes(d)) {
       const auto least =
           hn::Min(row(block.edge[0], k), hn::Min(row(block.edge[1], k), row(block.edge[2], k)));
       const auto s = hn::IfThenElse(hn::Gt(least, doubtful), row(block.plane, k), none);
-      doubt = hn::Or(doubt, hn::Or(hn::Le(hn::Abs(least), doubtful), hn::Eq(s, hn::Zero(d))));
+      closest = hn::Min(closest, hn::Abs(least));
+      least_size = hn::Min(least_size, hn::Abs(s));
       best = hn::Max(best, s);
     }
   }
   const float hit = hn::GetLane(hn::MaxOfLanes(d, best));
   for (std::size_t k = 0; k < kPlanes; ++k) chunk.s[kPlanes * i + k] = hit;
-  return !hn::AllFalse(d, doubt);
+  return !hn::AllFalse(d, hn::Or(hn::Le(closest, doubtful), hn::Eq(least_size, hn::Zero(d))));
 }
 
 }  // namespace impinge::HWY_NAMESPACE

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "gap/simd/face_block.hpp"
-#include "gap/simd/face_order.hpp"
 #include "gap/simd/hit_cells.hpp"
 #include "gap/simd/open_cells.hpp"
 #include "gap/simd/seen_planes.hpp"
@@ -40,83 +39,103 @@ std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
 // In a cell that each layer of a mesh covers or leaves alone, the faces of the layer that counts.
 class FrontFaces {
  public:
-  FrontFaces(const TriangleMesh& mesh, std::span<const std::uint32_t> order, Layer layer) {
-    for (const std::uint32_t f : order) {
-      const RadiusRange range = face_cap(corners_of(mesh, mesh.faces[f])).range;
+  FrontFaces(const TriangleMesh& mesh, Layer layer) {
+    for (const Face& face : mesh.faces) {
+      const RadiusRange range = face_cap(corners_of(mesh, face)).range;
       depth_.push_back(layer == Layer::nearest ? range : RadiusRange{-range.high, -range.low});
     }
   }
 
-  // Those of these places, one or more, both in rising order; until the next call.
-  std::span<const std::uint32_t> among(std::span<const std::uint32_t> places) {
-    kept_.assign(places.begin(), places.end());
-    std::ranges::sort(kept_, {}, [&](std::uint32_t place) { return depth_[place].low; });
+  // Those of these, one or more; until the next call.
+  std::span<const std::uint32_t> among(std::span<const std::uint32_t> faces) {
+    kept_.assign(faces.begin(), faces.end());
+    std::ranges::sort(kept_, {}, [&](std::uint32_t f) { return depth_[f].low; });
     double end = depth_[kept_.front()].high;
-    const auto beyond = std::ranges::find_if(kept_, [&](std::uint32_t place) {
-      const bool linked = depth_[place].low <= end;
-      end = std::max(end, depth_[place].high);
+    const auto beyond = std::ranges::find_if(kept_, [&](std::uint32_t f) {
+      const bool linked = depth_[f].low <= end;
+      end = std::max(end, depth_[f].high);
       return !linked;
     });
     kept_.erase(beyond, kept_.end());
-    std::ranges::sort(kept_);
     return kept_;
   }
 
  private:
-  std::vector<RadiusRange> depth_;  // of each place, mm: less is nearer to the layer that counts
+  std::vector<RadiusRange> depth_;  // of each face, mm: less is nearer to the layer that counts
   std::vector<std::uint32_t> kept_;
 };
 
-void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
-                ExactCell& cell) {
-  cell.turn = static_cast<float>(turn);
-  for (std::size_t k = 0; k < ExactCell::kPlanes; ++k) {
+// turn m of these faces, coordinate by coordinate.
+template <std::size_t n>
+std::array<std::array<float, n>, 3> rows_of(const std::vector<Vec3>& planes,
+                                            std::span<const std::uint32_t> faces, int turn) {
+  std::array<std::array<float, n>, 3> rows;
+  for (std::size_t k = 0; k < n; ++k) {
     const Vec3& plane = planes[faces[std::min(k, faces.size() - 1)]];
     for (std::size_t i = 0; i < 3; ++i)
-      cell.plane[i][k] = static_cast<float>(turn * plane[static_cast<Eigen::Index>(i)]);
+      rows[i][k] = static_cast<float>(turn * plane[static_cast<Eigen::Index>(i)]);
   }
+  return rows;
 }
 
-// The blocks of these places.
-void list_blocks(std::span<const std::uint32_t> places, ExactCell& cell, ExactCells& made) {
-  cell.turn = made.layer == Layer::nearest ? 1.0F : -1.0F;
-  cell.first = static_cast<std::uint32_t>(made.listed.size());
-  for (const std::uint32_t place : places) {
-    const auto block = static_cast<std::uint32_t>(place / FaceBlock::kFaces);
-    if (made.listed.size() == cell.first || made.listed.back() != block) made.listed.push_back(block);
+void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
+                ExactCell& cell, ExactCells& made) {
+  cell.turn = static_cast<float>(turn);
+  if (faces.size() <= ExactCell::kPlanes) {
+    cell.plane = rows_of<ExactCell::kPlanes>(planes, faces, turn);
+    return;
   }
-  cell.count = static_cast<std::uint32_t>(made.listed.size()) - cell.first;
+  made.wide.push_back({rows_of<WidePlanes::kPlanes>(planes, faces, turn)});
+  cell.wide = static_cast<std::uint32_t>(made.wide.size());
+}
+
+// A block of each eight of these faces.
+void add_blocks(std::span<const SeenFace> all, std::span<const std::uint32_t> faces, ExactCell& cell,
+                ExactCells& made) {
+  cell.turn = made.layer == Layer::nearest ? 1.0F : -1.0F;
+  cell.first = static_cast<std::uint32_t>(made.blocks.size());
+  for (std::size_t k = 0; k < faces.size(); k += FaceBlock::kFaces) {
+    const auto some = faces.subspan(k, std::min(FaceBlock::kFaces, faces.size() - k));
+    made.blocks.push_back(face_block(all, some));
+    for (std::size_t lane = 0; lane < FaceBlock::kFaces; ++lane)
+      made.face.push_back(some[std::min(lane, some.size() - 1)]);
+  }
+  cell.count = static_cast<std::uint32_t>(made.blocks.size()) - cell.first;
+}
+
+// Faces that cover directions.
+std::vector<std::uint32_t> covering_faces(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    if (!cone_of(mesh, mesh.faces[f]).edge_on()) faces.push_back(f);
+  return faces;
 }
 
 }  // namespace
 
 ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_face) {
   require_float_lengths(mesh);
-  ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, {}, faces_along_curve(mesh)};
+  ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, {}, {}};
   const std::size_t lines = made.divisions + 1;
   made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
-  const std::vector<Vec3> planes = seen_planes(mesh);
-  made.blocks = face_blocks({mesh, planes}, made.face, layer);
-  const CellGrid grid = float_grid(made.divisions);
-  const Lists faces = faces_of_cells(mesh, made.face, grid);
-  const std::vector<bool> open = open_cells(mesh, grid);
-  FrontFaces front(mesh, made.face, layer);
   made.none.resize(made.cells.size() / 32 + 1);
-  std::vector<std::uint32_t> few;
+  const std::vector<Vec3> planes = seen_planes(mesh);
+  const std::vector<SeenFace> all = seen_faces({mesh, planes}, layer);
+  const CellGrid grid = float_grid(made.divisions);
+  const Lists faces = faces_of_cells(mesh, covering_faces(mesh), grid);
+  const std::vector<bool> open = open_cells(mesh, grid);
+  FrontFaces front(mesh, layer);
   for (std::size_t c = 0; c < made.cells.size(); ++c) {
     if (faces[c].empty()) {
       made.none[c / 32] |= 1U << (c % 32);
       continue;
     }
-    const auto places = open[c] ? faces[c] : front.among(faces[c]);
-    few.clear();
-    if (places.size() <= ExactCell::kPlanes && !open[c])
-      for (const std::uint32_t place : places) few.push_back(made.face[place]);
-    const auto bend = bend_of({mesh, planes}, few);
-    if (!few.empty() && bend) {
-      set_planes(planes, few, *bend, made.cells[c]);
+    const auto kept = open[c] ? faces[c] : front.among(faces[c]);
+    const bool few = kept.size() <= WidePlanes::kPlanes && !open[c];
+    if (const auto bend = few ? bend_of({mesh, planes}, kept) : std::nullopt) {
+      set_planes(planes, kept, *bend, made.cells[c], made);
     } else {
-      list_blocks(places, made.cells[c], made);
+      add_blocks(all, kept, made.cells[c], made);
     }
   }
   return made;

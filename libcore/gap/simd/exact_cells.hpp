@@ -4,25 +4,26 @@
 ///
 /// A face in the plane m . p = 1 has the inverse depth s = m . x in the direction of x, and the gap there is
 ///   gap = +- |x| (1 / s - 1).
-/// A grid on a cube lists the faces that may be met in each of its cells. Two kinds of cells answer:
+/// A grid on a cube lists the faces that may be met in each of its cells.
 ///
 /// Where no edge of a cell is one at which the surface ends or folds (mesh/jump_edges.hpp), each of its
 /// layers covers the whole cell. Faces of one layer that share an edge or a corner share a radius there. So
 /// those that overlapping ranges of radii link to the nearest face are whole layers, all others lie behind
-/// them, and only they are kept; for the farthest layer likewise.
+/// them, and only they are kept; for the farthest layer likewise. Then two kinds of cells answer:
 ///
-/// Smooth cells keep at most four faces, cover all of their directions, and bend one way: no corner of a face
-/// lies beyond the plane of another (m . v <= 1 for all of them), or none lies within it. Then the face that
-/// is met is the one of largest s (of least s), whatever the edges are: a direction is a sum of the corners
-/// of its face with shares that are not negative, so that m_g . x <= m_f . x for all others g. Nothing is
-/// decided, and no vertex slips through an edge. The test allows 1 + 2^-26, for faces in one plane.
+/// Smooth cells keep at most eight faces, cover all of their directions, and bend one way: no corner of a
+/// face lies beyond the plane of another (m . v <= 1 for all of them), or none lies within it. Then the face
+/// that is met is the one of largest s (of least s), whatever the edges are: a direction is a sum of the
+/// corners of its face with shares that are not negative, so that m_g . x <= m_f . x for all others g.
+/// Nothing is decided, and no vertex slips through an edge. The test allows 1 + 2^-26, for faces in one
+/// plane. Up to four planes are in the cell itself.
 ///
-/// Other cells (at a rim, a saddle, a fold, between layers) test all faces of their blocks, eight neighbours
-/// each, at once: a face is met if the three planes through the centre and its edges have x on the inner
-/// side. Their unit normals e are floats, so that |fl(e . x) - e . x| is below 4.1 u |x|, u = 2^-24. Beyond
-/// 5 u |x| the sign is that of exact arithmetic; within it the vertex is in doubt and exact_gap() answers,
-/// whose signs are exact. No face answers in the place of its neighbour, and slivers, which are all doubt,
-/// are met or missed as they should be. Where faces overlap, the layer decides.
+/// Other cells (at a rim, a saddle, a fold) test all of their faces, eight at once: a face is met if the
+/// three planes through the centre and its edges have x on the inner side. Their unit normals e are floats,
+/// so that |fl(e . x) - e . x| is below 4.1 u |x|, u = 2^-24. Beyond 5 u |x| the sign is that of exact
+/// arithmetic; within it the vertex is in doubt and exact_gap() answers, whose signs are exact. No face
+/// answers in the place of its neighbour, and slivers, which are all doubt, are met or missed as they should
+/// be. Where faces overlap, the layer decides.
 ///
 /// Rounding. At the moved vertex x (see gap_kernels.hpp for how far from its place that is) a gap is off from
 /// that of the mesh by at most
@@ -49,18 +50,27 @@ namespace impinge {
 
 /// One cell, a cache line. Planes coordinate by coordinate, 1 / mm; one that is left over is a copy.
 struct alignas(64) ExactCell {
-  static constexpr std::size_t kPlanes = 4;  // faces of a smooth cell at most
+  static constexpr std::size_t kPlanes = 4;  // of a smooth cell that needs no more memory
 
-  std::array<std::array<float, kPlanes>, 3> plane{};  // turn m
+  std::array<std::array<float, kPlanes>, 3> plane{};  // turn m, of four faces or fewer
   float turn;               // +1 the largest s counts, -1 the least; NaN where no face is met
-  std::uint32_t first = 0;  // blocks of a cell that is not smooth: listed[first] ...
-  std::uint32_t count = 0;  // ... listed[first + count - 1]; none of a smooth one
+  std::uint32_t first = 0;  // of a cell that is not smooth, blocks[first] ... blocks[first + count - 1]
+  std::uint32_t count = 0;  // none of a smooth one
+  std::uint32_t wide = 0;   // of a smooth cell with more planes: wide[wide - 1] has them
 };
 
-/// Eight faces coordinate by coordinate. Places that are left over hold the last face once more.
-struct FaceBlock {
-  static constexpr std::size_t kFaces = 8;  // faces of a block
-  using Row = std::array<float, kFaces>;    // a number of each face
+/// Eight planes coordinate by coordinate, turn m. Places that are left over hold the last one once more.
+struct WidePlanes {
+  static constexpr std::size_t kPlanes = 8;
+  using Row = std::array<float, kPlanes>;  // a number of each
+
+  std::array<Row, 3> plane;
+};
+
+/// Eight faces, likewise.
+struct alignas(64) FaceBlock {
+  static constexpr std::size_t kFaces = WidePlanes::kPlanes;  // faces of a block
+  using Row = WidePlanes::Row;
 
   std::array<std::array<Row, 3>, 3> edge;  // inner unit normal of the plane through the centre and edge k
   std::array<Row, 3> plane;  // m, 1 / mm; -m for the farthest layer; 0 of a face that is too steep
@@ -70,19 +80,19 @@ struct FaceBlock {
 struct ExactCells {
   using Real = float;  // that a kernel works in
 
-  const TriangleMesh& mesh;           // centre frame
-  Layer layer;                        // that counts where faces overlap
-  std::size_t divisions = 0;          // cells along an edge of the cube
-  std::vector<ExactCell> cells;       // each at the entry of `cube_gnomonic` that it begins at
-  std::vector<std::uint32_t> none;    // one bit a cell: no face is met there
-  std::vector<std::uint32_t> listed;  // numbers of blocks, cell by cell
-  std::vector<FaceBlock> blocks;      // of neighbouring faces
-  std::vector<std::uint32_t> face;    // of the mesh, that place 8 b + k of the blocks holds
+  const TriangleMesh& mesh;         // centre frame
+  Layer layer;                      // that counts where faces overlap
+  std::size_t divisions = 0;        // cells along an edge of the cube
+  std::vector<ExactCell> cells;     // each at the entry of `cube_gnomonic` that it begins at
+  std::vector<std::uint32_t> none;  // one bit a cell: no face is met there
+  std::vector<WidePlanes> wide;     // of smooth cells
+  std::vector<FaceBlock> blocks;    // of others, cell by cell
+  std::vector<std::uint32_t> face;  // of the mesh, that place 8 b + k of the blocks holds
 
   /// Beside the mesh.
   std::size_t bytes() const {
-    return sizeof(ExactCell) * cells.size() + sizeof(FaceBlock) * blocks.size() +
-           sizeof(std::uint32_t) * (none.size() + listed.size() + face.size());
+    return sizeof(ExactCell) * cells.size() + sizeof(WidePlanes) * wide.size() +
+           sizeof(FaceBlock) * blocks.size() + sizeof(std::uint32_t) * (none.size() + face.size());
   }
 };
 

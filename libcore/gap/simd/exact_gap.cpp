@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 
 #include "gap/simd/exact_cells.hpp"
@@ -31,15 +30,12 @@ double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surfa
   const double length = x.norm();
   const ExactCell& asked = cells.cells[cell];
   double radius = kNoSurface;
-  for (std::size_t k = asked.first; k < asked.first + asked.count; ++k) {
-    const std::size_t begin = FaceBlock::kFaces * cells.listed[k];
-    const std::size_t end = std::min(begin + FaceBlock::kFaces, cells.face.size());
-    for (std::size_t place = begin; place < end; ++place) {
-      const Face& face = cells.mesh.faces[cells.face[place]];
-      if (clearly_outside(corners_of(cells.mesh, face), x, length)) continue;
-      const TriangleCone cone = cone_of(cells.mesh, face);
-      if (place_in_cone(cone.corners(), cone.side(), x) >= 0) keep(radius, cone.radius(u), cells.layer);
-    }
+  const std::size_t begin = FaceBlock::kFaces * asked.first;
+  for (std::size_t place = begin; place < begin + FaceBlock::kFaces * asked.count; ++place) {
+    const Face& face = cells.mesh.faces[cells.face[place]];
+    if (clearly_outside(corners_of(cells.mesh, face), x, length)) continue;
+    const TriangleCone cone = cone_of(cells.mesh, face);
+    if (place_in_cone(cone.corners(), cone.side(), x) >= 0) keep(radius, cone.radius(u), cells.layer);
   }
   return signed_gap(scanned, radius, length);
 }

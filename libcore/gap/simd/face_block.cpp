@@ -9,37 +9,43 @@ namespace {
 // What the normal of an edge may be off by in double, next to the 2^-24 of its float.
 constexpr double kCertainEdge = 0x1p-28;
 
-// Lane k of rows of coordinates.
-void set_lane(std::array<FaceBlock::Row, 3>& rows, std::size_t k, const Vec3& x) {
-  for (std::size_t i = 0; i < 3; ++i) rows[i][k] = static_cast<float>(x[static_cast<Eigen::Index>(i)]);
-}
-
 // A normal of zero, of an edge without certain digits, leaves every direction in doubt that the other edges
 // do not exclude.
-void set_edges(const TriangleCone& cone, std::size_t lane, FaceBlock& block) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& from = cone.corners()[k];
-    const Vec3& to = cone.corners()[(k + 1) % 3];
-    const Vec3 normal = cone.side() * from.cross(to);
-    const double doubt = kPlaneTestError * from.norm() * to.norm();
-    const bool certain = doubt <= kCertainEdge * normal.norm();
-    set_lane(block.edge[k], lane, certain ? Vec3(normal.stableNormalized()) : Vec3(Vec3::Zero()));
-  }
+Eigen::Vector3f edge_normal(const TriangleCone& cone, std::size_t k) {
+  const Vec3& from = cone.corners()[k];
+  const Vec3& to = cone.corners()[(k + 1) % 3];
+  const Vec3 normal = cone.side() * from.cross(to);
+  const double doubt = kPlaneTestError * from.norm() * to.norm();
+  if (doubt > kCertainEdge * normal.norm()) return Eigen::Vector3f::Zero();
+  return normal.stableNormalized().cast<float>();
+}
+
+// Lane k of rows of coordinates.
+void set_lane(std::array<FaceBlock::Row, 3>& rows, std::size_t k, const Eigen::Vector3f& x) {
+  for (std::size_t i = 0; i < 3; ++i) rows[i][k] = x[static_cast<Eigen::Index>(i)];
 }
 
 }  // namespace
 
-std::vector<FaceBlock> face_blocks(const SeenMesh& seen, std::span<const std::uint32_t> order, Layer layer) {
-  constexpr std::size_t kFaces = FaceBlock::kFaces;
+std::vector<SeenFace> seen_faces(const SeenMesh& seen, Layer layer) {
   const double turn = layer == Layer::nearest ? 1.0 : -1.0;
-  std::vector<FaceBlock> blocks((order.size() + kFaces - 1) / kFaces);
-  for (std::size_t place = 0; place < kFaces * blocks.size(); ++place) {
-    const std::uint32_t f = order[std::min(place, order.size() - 1)];
-    FaceBlock& block = blocks[place / kFaces];
-    set_edges(cone_of(seen.mesh, seen.mesh.faces[f]), place % kFaces, block);
-    set_lane(block.plane, place % kFaces, turn * seen.planes[f]);
+  std::vector<SeenFace> faces(seen.mesh.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const TriangleCone cone = cone_of(seen.mesh, seen.mesh.faces[f]);
+    for (std::size_t k = 0; k < 3; ++k) faces[f].edge[k] = edge_normal(cone, k);
+    faces[f].plane = (turn * seen.planes[f]).cast<float>();
   }
-  return blocks;
+  return faces;
+}
+
+FaceBlock face_block(std::span<const SeenFace> all, std::span<const std::uint32_t> faces) {
+  FaceBlock block;
+  for (std::size_t k = 0; k < FaceBlock::kFaces; ++k) {
+    const SeenFace& face = all[faces[std::min(k, faces.size() - 1)]];
+    for (std::size_t e = 0; e < 3; ++e) set_lane(block.edge[e], k, face.edge[e]);
+    set_lane(block.plane, k, face.plane);
+  }
+  return block;
 }
 
 }  // namespace impinge

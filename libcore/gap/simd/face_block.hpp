@@ -7,7 +7,14 @@
 
 namespace impinge {
 
-/// Block after block of the faces in this order.
-std::vector<FaceBlock> face_blocks(const SeenMesh& seen, std::span<const std::uint32_t> order, Layer layer);
+/// A face as a lane of a block.
+struct SeenFace {
+  std::array<Eigen::Vector3f, 3> edge;  // see FaceBlock
+  Eigen::Vector3f plane;
+};
+std::vector<SeenFace> seen_faces(const SeenMesh& seen, Layer layer);  // of all faces
+
+/// These of all faces, one to eight.
+FaceBlock face_block(std::span<const SeenFace> all, std::span<const std::uint32_t> faces);
 
 }  // namespace impinge

@@ -98,13 +98,13 @@ void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<s
   }
 }
 
-Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> order, const CellGrid& grid) {
+Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> faces, const CellGrid& grid) {
   std::vector<std::uint32_t> cells;
   std::vector<Lists::Pair> pairs;
-  for (std::uint32_t place = 0; place < order.size(); ++place) {
+  for (const std::uint32_t f : faces) {
     cells.clear();
-    add_hit_cells(grid, cone_of(mesh, mesh.faces[order[place]]), cells);
-    for (const std::uint32_t cell : cells) pairs.push_back({cell, place});
+    add_hit_cells(grid, cone_of(mesh, mesh.faces[f]), cells);
+    for (const std::uint32_t cell : cells) pairs.push_back({cell, f});
   }
   const std::size_t lines = grid.divisions + 1;
   return Lists(6 * lines * lines, pairs);

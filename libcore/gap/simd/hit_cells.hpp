@@ -32,8 +32,8 @@ inline CellGrid float_grid(std::size_t divisions) {
 /// margin, and few others; in order of the rows, each once.
 void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
 
-/// For the entry that each cell begins at: the places in `order`, rising, of the faces that the cell may
-/// meet. mesh in the centre frame, `order` numbers of its faces.
-Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> order, const CellGrid& grid);
+/// For the entry that each cell begins at: those of these faces, by number and in their order, that the cell
+/// may meet. mesh in the centre frame.
+Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> faces, const CellGrid& grid);
 
 }  // namespace impinge

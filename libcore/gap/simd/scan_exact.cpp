@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+
 #include "gap/simd/exact_cells.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,7 +24,11 @@ class ExactScan {
     for (std::size_t begin = 0; begin < scan_.count; begin += kChunk) {
       const std::size_t count = std::min(kChunk, scan_.count - begin);
       load(begin, count, chunk);
-      const std::size_t met = move(count, chunk);
+      const std::uint64_t met = move(count, chunk);
+      if (met == 0) {
+        std::fill_n(scan_.gap + begin, count, std::numeric_limits<float>::quiet_NaN());
+        continue;
+      }
       const std::size_t doubtful = look_up_all(met, chunk);
       finish(count, chunk);
       for (std::size_t j = 0; j < doubtful; ++j) answer_exactly(chunk.doubt[j], chunk);
@@ -41,12 +47,11 @@ class ExactScan {
     for (std::size_t i = count; i < kChunk; ++i) chunk.x[i] = chunk.y[i] = chunk.z[i] = 0.0F;
   }
 
-  // Into how many cells that a face may be met in. The others have no gap.
-  HWY_ATTR std::size_t move(std::size_t count, Chunk& chunk) const {
+  // A bit for each that comes into a cell in which a face may be met. The others have no gap.
+  HWY_ATTR std::uint64_t move(std::size_t count, Chunk& chunk) const {
     const D d;
-    const Bits<D> bits;
     const std::uint32_t* const none = cells_.none.data();
-    std::size_t met = 0;
+    std::uint64_t missed = 0;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       const Point<D> v{hn::Load(d, chunk.x + i), hn::Load(d, chunk.y + i), hn::Load(d, chunk.z + i)};
       const Point<D> p = transformed(d, scan_.transform, v);
@@ -57,34 +62,56 @@ class ExactScan {
       hn::Store(length(p), d, chunk.size + i);
       hn::Store(entry, Whole<D>(), chunk.cell + i);
       hn::Store(no_gap(d), d, chunk.turn + i);
-      const auto vertex = hn::Iota(bits, static_cast<std::uint32_t>(i));
-      met += hn::CompressStore(vertex, hn::RebindMask(bits, hn::Not(has_none(d, none, entry))), bits,
-                               chunk.met + met);
+      std::uint64_t bits = 0;  // little-endian, as all instruction sets of vectors here are
+      hn::StoreMaskBits(d, has_none(d, none, entry), reinterpret_cast<std::uint8_t*>(&bits));
+      missed |= bits << i;
     }
-    while (met > 0 && chunk.met[met - 1] >= count) --met;  // of those that filled up the last vector
-    return met;
+    return ~missed & (kAll >> (kChunk - count));
   }
 
   // How many are in doubt. No branch of a vertex of its own but in cells that are not smooth.
-  HWY_ATTR std::size_t look_up_all(std::size_t met, Chunk& chunk) const {
+  HWY_ATTR std::size_t look_up_all(std::uint64_t met, Chunk& chunk) const {
+    std::size_t wide = 0;
     std::size_t rough = 0;
-    for (std::size_t j = 0; j < met; ++j) hwy::Prefetch(&cell_of(chunk.met[j], chunk));
-    for (std::size_t j = 0; j < met; ++j) {
-      const std::size_t i = chunk.met[j];
+    const auto visit = [&](std::size_t i) HWY_ATTR {
       const ExactCell& cell = cell_of(i, chunk);
       look_up(cell, i, chunk);
-      chunk.rough[rough] = chunk.met[j];
+      chunk.wide[wide] = i;
+      wide += cell.wide > 0 ? 1U : 0U;
+      chunk.rough[rough] = i;
       rough += cell.count > 0 ? 1U : 0U;
+    };
+    if (met == kAll) {
+      for (std::size_t i = 0; i < kChunk; ++i) hwy::Prefetch(&cell_of(i, chunk));
+      for (std::size_t i = 0; i < kChunk; ++i) visit(i);
+    } else {
+      for (std::uint64_t left = met; left != 0; left &= left - 1)
+        hwy::Prefetch(&cell_of(first_of(left), chunk));
+      for (std::uint64_t left = met; left != 0; left &= left - 1) visit(first_of(left));
+    }
+    for (std::size_t j = 0; j < wide; ++j) prefetch(cells_.wide[cell_of(chunk.wide[j], chunk).wide - 1]);
+    for (std::size_t j = 0; j < rough; ++j) prefetch(cells_.blocks[cell_of(chunk.rough[j], chunk).first]);
+    for (std::size_t j = 0; j < wide; ++j) {
+      const std::size_t i = chunk.wide[j];
+      look_up(cells_.wide[cell_of(i, chunk).wide - 1], i, chunk);
     }
     std::size_t doubtful = 0;
     for (std::size_t j = 0; j < rough; ++j) {
       const std::size_t i = chunk.rough[j];
-      chunk.doubt[doubtful] = chunk.rough[j];
+      chunk.doubt[doubtful] = i;
       doubtful += look_up_blocks(cells_, cell_of(i, chunk), i, chunk) ? 1U : 0U;
     }
     return doubtful;
   }
 
+  template <class T>
+  static void prefetch(const T& what) {
+    const auto* const bytes = reinterpret_cast<const char*>(&what);
+    for (std::size_t line = 0; line < sizeof(T); line += 64) hwy::Prefetch(bytes + line);
+  }
+
+  static constexpr std::uint64_t kAll = ~std::uint64_t{0};  // vertices of a chunk
+  static std::size_t first_of(std::uint64_t bits) { return static_cast<std::size_t>(std::countr_zero(bits)); }
   const ExactCell& cell_of(std::size_t i, const Chunk& chunk) const {
     return cells_.cells[static_cast<std::size_t>(chunk.cell[i])];
   }
