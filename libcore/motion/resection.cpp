@@ -98,15 +98,15 @@ struct Bone {
 };
 
 // Where a ray from the centre crosses a closed surface.
-struct Crossing {
+struct WallCrossing {
   double radius = 0.0;  // mm; of crossings at one place those into bone come first
   int into_bone = 0;    // 1, or -1 out of it
 };
 
 // Along unit u; none where it passes an edge within rounding.
-std::vector<Crossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
+std::vector<WallCrossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
   constexpr double kOnePlace = 1e-6;
-  std::vector<Crossing> crossings;
+  std::vector<WallCrossing> crossings;
   const bool doubtful = faces.any_hit(u, [&](std::uint32_t f, int side) {
     const TriangleCone cone = cone_of(faces.mesh(), faces.mesh().faces[f]);
     const double inside = cone.least_edge_distance(u.x(), u.y(), u.z());
@@ -117,7 +117,7 @@ std::vector<Crossing> crossings_along(const NearFaces& faces, const Vec3& u, boo
     return false;
   });
   if (doubtful) crossings.clear();
-  std::ranges::sort(crossings, {}, &Crossing::radius);
+  std::ranges::sort(crossings, {}, &WallCrossing::radius);
   return crossings;
 }
 
@@ -128,7 +128,7 @@ bool of_one_orientation(const TriangleMesh& socket, bool inside_out) {
   return std::ranges::none_of(socket.faces, [&](const Face& face) {
     const Vec3 middle = corner(socket, face, 0) + corner(socket, face, 1) + corner(socket, face, 2);
     int in_bone = 0;
-    for (const Crossing& crossing : crossings_along(faces, middle.stableNormalized(), inside_out)) {
+    for (const WallCrossing& crossing : crossings_along(faces, middle.stableNormalized(), inside_out)) {
       in_bone += crossing.into_bone;
       if (in_bone < 0) return true;
     }

@@ -4,7 +4,7 @@
 lint.py BUILD CLANG_TIDY [--dry-run] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
 includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
 library and give no name twice outside of functions. A name that this does not see is an error of the compiler, and then the
-files of that unit are looked at one by one.
+unit is halved.
 """
 
 from __future__ import annotations
@@ -123,10 +123,10 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode and len(unit.files) > 1 and "clang-diagnostic-error" in done.stdout:
         print(f"{at.name} does not compile as one:\n" + "\n".join(re.findall(".*clang-diagnostic-error.*", done.stdout)))
-        parts = [Unit("alone") for _ in unit.files]
-        for part, file in zip(parts, unit.files):
-            part.files, part.flags = [file], unit.flags
-        return all([is_clean(part, at.with_name(f"{at.stem}_{k}.cpp"), clang_tidy) for k, part in enumerate(parts)])
+        halves = [Unit(unit.kind), Unit(unit.kind)]
+        for k, file in enumerate(unit.files):
+            halves[2 * k // len(unit.files)].add(file, list(unit.flags.values()), set())
+        return all([is_clean(half, at.with_name(f"{at.stem}_{k}.cpp"), clang_tidy) for k, half in enumerate(halves)])
     print(done.stdout, end="", flush=True)
     return done.returncode == 0
 
