@@ -47,7 +47,8 @@ Timing scaled(Timing timing, double factor);
 const Timing& find(const TimingRun& run, const std::vector<Cell>& key);
 
 // Verifies, warms up, times, and repeats what is inconclusive. Throws std::invalid_argument for bad cases
-// (see check_cases); whatever verify or run throws ends the measurement.
+// (see check_cases); whatever verify or run throws ends the measurement. IMPINGE_ROUNDS of the environment is
+// the largest number of rounds, without repeats: for tests of all but the times.
 TimingRun run_interleaved(const std::vector<TimedCase>& cases, const TimingOptions& options,
                           Progress& progress);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -55,6 +56,19 @@ TEST(Timing, RunsEachCaseOnceARoundAndTheControlTwice) {
   EXPECT_EQ(control_rounds, a_is_control ? 7 : 4);
   EXPECT_EQ(log.count("a"), 7 + (a_is_control ? control_rounds : 0));
   EXPECT_EQ(log.count("b"), 4 + (a_is_control ? 0 : control_rounds));
+}
+
+TEST(Timing, HasTheRoundsOfTheEnvironmentAtMostAndNoRepeats) {
+  Log log;
+  ASSERT_EQ(setenv("IMPINGE_ROUNDS", "2", 1), 0);
+  const TimingRun run = time_all({log.make("a", 7), log.make("b", 1)}, {});
+  ASSERT_EQ(unsetenv("IMPINGE_ROUNDS"), 0);
+  ASSERT_EQ(run.timings.size(), 2U);
+  EXPECT_EQ(run.timings[0].samples_ms.size(), 2U);
+  EXPECT_EQ(run.timings[1].samples_ms.size(), 1U);
+  EXPECT_EQ(run.timings[1].repeats, 0);
+  EXPECT_EQ(run.options.most_repeats, 0);
+  EXPECT_EQ(time_all({log.make("c", 3)}).timings[0].samples_ms.size(), 3U);
 }
 
 TEST(Timing, InterleavesTheRounds) {
