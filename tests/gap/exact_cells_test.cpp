@@ -5,6 +5,7 @@
 #include "gap/simd/exact_cells.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -113,10 +114,10 @@ struct CellCount {
 };
 CellCount count_cells(const TriangleMesh& mesh, Layer layer) {
   CellCount count;
-  for (const ExactCell& cell : exact_cells(mesh, layer).cells) {
-    count.met += std::isnan(cell.turn) ? 0U : 1U;
-    count.rough += cell.count > 0 ? 1U : 0U;
-  }
+  const ExactCells made = exact_cells(mesh, layer);
+  for (const ExactCell& cell : made.cells) count.rough += cell.count > 0 ? 1U : 0U;
+  count.met = made.cells.size();
+  for (const std::uint32_t bits : made.none) count.met -= static_cast<std::size_t>(std::popcount(bits));
   return count;
 }
 

@@ -35,11 +35,11 @@ struct Chunk {
   HWY_ALIGN float size[kChunk];
   HWY_ALIGN float
       s[kPlanes * kChunk];  // turn m . x of the faces of a smooth cell, or of the face that is met
-  HWY_ALIGN float turn[kChunk];
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
-  std::size_t wide[kChunk];   // vertices in smooth cells of more planes than kPlanes
-  std::size_t rough[kChunk];  // vertices in cells that are not smooth
+  std::size_t others[kChunk];  // vertices in cells that need more memory: smooth ones and others
+  std::size_t wide[kChunk];
+  std::size_t rough[kChunk];
   std::size_t doubt[kChunk];
 };
 
@@ -60,7 +60,6 @@ HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
   const auto& [x, y, z] = cell.plane;
   for (std::size_t k = 0; k < kPlanes; k += hn::Lanes(d))
     hn::Store(along(d, &x[k], &y[k], &z[k], p), d, chunk.s + kPlanes * i + k);
-  chunk.turn[i] = cell.turn;
 }
 
 // s of these eight planes, or the larger of two.
@@ -84,8 +83,8 @@ HWY_INLINE bool look_up_blocks(const ExactCells& cells, const ExactCell& cell, s
   auto best = none;
   auto closest = hn::Neg(none);     // to the plane of an edge
   auto least_size = hn::Neg(none);  // of s where a face is met; 0 of one that is too steep
-  for (std::uint32_t at = cell.first; at < cell.first + cell.count; ++at) {
-    const FaceBlock& block = cells.blocks[at];
+  for (std::uint32_t at = 0; at < cell.count; ++at) {
+    const FaceBlock& block = cells.blocks[cell.first - 1 + at];
     const auto row = [&](const std::array<FaceBlock::Row, 3>& rows, std::size_t k)
                          HWY_ATTR { return along(d, &rows[0][k], &rows[1][k], &rows[2][k], p); };
     for (std::size_t k = 0; k < FaceBlock::kFaces; k += hn::Lanes(d)) {

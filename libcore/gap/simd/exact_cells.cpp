@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "gap/simd/face_block.hpp"
@@ -80,27 +79,26 @@ std::array<std::array<float, n>, 3> rows_of(const std::vector<Vec3>& planes,
 
 void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> faces, int turn,
                 ExactCell& cell, ExactCells& made) {
-  cell.turn = static_cast<float>(turn);
   if (faces.size() <= ExactCell::kPlanes) {
     cell.plane = rows_of<ExactCell::kPlanes>(planes, faces, turn);
     return;
   }
   made.wide.push_back({rows_of<WidePlanes::kPlanes>(planes, faces, turn)});
-  cell.wide = static_cast<std::uint32_t>(made.wide.size());
+  cell.first = static_cast<std::uint32_t>(made.wide.size());
 }
 
 // A block of each eight of these faces.
 void add_blocks(std::span<const SeenFace> all, std::span<const std::uint32_t> faces, ExactCell& cell,
                 ExactCells& made) {
-  cell.turn = made.layer == Layer::nearest ? 1.0F : -1.0F;
-  cell.first = static_cast<std::uint32_t>(made.blocks.size());
+  const std::size_t before = made.blocks.size();
+  cell.first = static_cast<std::uint32_t>(before + 1);
   for (std::size_t k = 0; k < faces.size(); k += FaceBlock::kFaces) {
     const auto some = faces.subspan(k, std::min(FaceBlock::kFaces, faces.size() - k));
     made.blocks.push_back(face_block(all, some));
     for (std::size_t lane = 0; lane < FaceBlock::kFaces; ++lane)
       made.face.push_back(some[std::min(lane, some.size() - 1)]);
   }
-  cell.count = static_cast<std::uint32_t>(made.blocks.size()) - cell.first;
+  cell.count = static_cast<std::uint32_t>(made.blocks.size() - before);
 }
 
 // Faces that cover directions.
@@ -117,7 +115,7 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
   require_float_lengths(mesh);
   ExactCells made{mesh, layer, divisions_for(mesh, cells_a_face), {}, {}, {}, {}, {}};
   const std::size_t lines = made.divisions + 1;
-  made.cells.resize(6 * lines * lines, ExactCell{{}, std::numeric_limits<float>::quiet_NaN()});
+  made.cells.resize(6 * lines * lines);
   made.none.resize(made.cells.size() / 32 + 1);
   const std::vector<Vec3> planes = seen_planes(mesh);
   const std::vector<SeenFace> all = seen_faces({mesh, planes}, layer);

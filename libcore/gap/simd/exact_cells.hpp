@@ -52,14 +52,13 @@ namespace impinge {
 struct alignas(64) ExactCell {
   static constexpr std::size_t kPlanes = 4;  // of a smooth cell that needs no more memory
 
-  std::array<std::array<float, kPlanes>, 3> plane{};  // turn m, of four faces or fewer
-  float turn;               // +1 the largest s counts, -1 the least; NaN where no face is met
-  std::uint32_t first = 0;  // of a cell that is not smooth, blocks[first] ... blocks[first + count - 1]
-  std::uint32_t count = 0;  // none of a smooth one
-  std::uint32_t wide = 0;   // of a smooth cell with more planes: wide[wide - 1] has them
+  std::array<std::array<float, kPlanes>, 3> plane{};  // m of a smooth cell, or -m where the least s counts
+  std::uint32_t first = 0;  // from 1, what a cell needs more: of a smooth one wide[first - 1] ...
+  std::uint32_t count = 0;  // ... and of others blocks[first - 1] ... blocks[first - 2 + count]
 };
 
-/// Eight planes coordinate by coordinate, turn m. Places that are left over hold the last one once more.
+/// Eight planes coordinate by coordinate, as in a cell. Places that are left over hold the last one once
+/// more.
 struct WidePlanes {
   static constexpr std::size_t kPlanes = 8;
   using Row = std::array<float, kPlanes>;  // a number of each

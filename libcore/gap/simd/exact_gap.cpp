@@ -30,9 +30,8 @@ double exact_gap(const ExactCells& cells, std::size_t cell, const Vec3& x, Surfa
   const double length = x.norm();
   const ExactCell& asked = cells.cells[cell];
   double radius = kNoSurface;
-  const std::size_t begin = FaceBlock::kFaces * asked.first;
-  for (std::size_t place = begin; place < begin + FaceBlock::kFaces * asked.count; ++place) {
-    const Face& face = cells.mesh.faces[cells.face[place]];
+  for (std::size_t k = 0; k < FaceBlock::kFaces * asked.count; ++k) {
+    const Face& face = cells.mesh.faces[cells.face[FaceBlock::kFaces * (asked.first - 1) + k]];
     if (clearly_outside(corners_of(cells.mesh, face), x, length)) continue;
     const TriangleCone cone = cone_of(cells.mesh, face);
     if (place_in_cone(cone.corners(), cone.side(), x) >= 0) keep(radius, cone.radius(u), cells.layer);

@@ -30,7 +30,7 @@ class ExactScan {
         continue;
       }
       const std::size_t doubtful = look_up_all(met, chunk);
-      finish(count, chunk);
+      finish(count, met, chunk);
       for (std::size_t j = 0; j < doubtful; ++j) answer_exactly(chunk.doubt[j], chunk);
       std::memcpy(scan_.gap + begin, chunk.gap, count * sizeof(float));
     }
@@ -61,7 +61,6 @@ class ExactScan {
       hn::Store(p.z, d, chunk.z + i);
       hn::Store(length(p), d, chunk.size + i);
       hn::Store(entry, Whole<D>(), chunk.cell + i);
-      hn::Store(no_gap(d), d, chunk.turn + i);
       std::uint64_t bits = 0;  // little-endian, as all instruction sets of vectors here are
       hn::StoreMaskBits(d, has_none(d, none, entry), reinterpret_cast<std::uint8_t*>(&bits));
       missed |= bits << i;
@@ -69,17 +68,14 @@ class ExactScan {
     return ~missed & (kAll >> (kChunk - count));
   }
 
-  // How many are in doubt. No branch of a vertex of its own but in cells that are not smooth.
+  // How many are in doubt. No branch of a vertex of its own but in cells that need more memory.
   HWY_ATTR std::size_t look_up_all(std::uint64_t met, Chunk& chunk) const {
-    std::size_t wide = 0;
-    std::size_t rough = 0;
+    std::size_t others = 0;
     const auto visit = [&](std::size_t i) HWY_ATTR {
       const ExactCell& cell = cell_of(i, chunk);
       look_up(cell, i, chunk);
-      chunk.wide[wide] = i;
-      wide += cell.wide > 0 ? 1U : 0U;
-      chunk.rough[rough] = i;
-      rough += cell.count > 0 ? 1U : 0U;
+      chunk.others[others] = i;
+      others += cell.first > 0 ? 1U : 0U;
     };
     if (met == kAll) {
       for (std::size_t i = 0; i < kChunk; ++i) hwy::Prefetch(&cell_of(i, chunk));
@@ -89,11 +85,20 @@ class ExactScan {
         hwy::Prefetch(&cell_of(first_of(left), chunk));
       for (std::uint64_t left = met; left != 0; left &= left - 1) visit(first_of(left));
     }
-    for (std::size_t j = 0; j < wide; ++j) prefetch(cells_.wide[cell_of(chunk.wide[j], chunk).wide - 1]);
-    for (std::size_t j = 0; j < rough; ++j) prefetch(cells_.blocks[cell_of(chunk.rough[j], chunk).first]);
+    std::size_t wide = 0;
+    std::size_t rough = 0;
+    for (std::size_t j = 0; j < others; ++j) {
+      const std::size_t i = chunk.others[j];
+      const ExactCell& cell = cell_of(i, chunk);
+      cell.count > 0 ? prefetch(cells_.blocks[cell.first - 1]) : prefetch(cells_.wide[cell.first - 1]);
+      chunk.wide[wide] = i;
+      wide += cell.count > 0 ? 0U : 1U;
+      chunk.rough[rough] = i;
+      rough += cell.count > 0 ? 1U : 0U;
+    }
     for (std::size_t j = 0; j < wide; ++j) {
       const std::size_t i = chunk.wide[j];
-      look_up(cells_.wide[cell_of(i, chunk).wide - 1], i, chunk);
+      look_up(cells_.wide[cell_of(i, chunk).first - 1], i, chunk);
     }
     std::size_t doubtful = 0;
     for (std::size_t j = 0; j < rough; ++j) {
@@ -116,19 +121,20 @@ class ExactScan {
     return cells_.cells[static_cast<std::size_t>(chunk.cell[i])];
   }
 
-  HWY_ATTR void finish(std::size_t count, Chunk& chunk) const {
+  HWY_ATTR void finish(std::size_t count, std::uint64_t met, Chunk& chunk) const {
     const D d;
     const auto one = hn::Set(d, 1.0F);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       hn::Vec<D> s0, s1, s2, s3;
       hn::LoadInterleaved4(d, chunk.s + kPlanes * i, s0, s1, s2, s3);
       const auto best = hn::Max(hn::Max(s0, s1), hn::Max(s2, s3));
-      const auto s = hn::Mul(hn::Load(d, chunk.turn + i), best);
+      const auto s = hn::Abs(best);  // of a face that is met it is above 0
       const auto size = hn::Load(d, chunk.size + i);
       const auto gap = hn::Mul(hn::Mul(hn::Set(d, scan_.sign), size), hn::Div(hn::Sub(one, s), s));
+      const std::uint64_t bits = met >> i;
+      const auto looked_up = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
       const auto hit = hn::And(hn::Gt(best, hn::Set(d, kNoFace)), hn::Gt(size, hn::Zero(d)));
-      hn::Store(hn::IfThenElse(hit, gap, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d,
-                chunk.gap + i);
+      hn::Store(hn::IfThenElse(hn::And(looked_up, hit), gap, no_gap(d)), d, chunk.gap + i);
     }
   }
 
