@@ -42,8 +42,10 @@ void body(DriverRun& run) {
              std::move(tables.families), parameters});
   if (tables.broken.empty()) return;
   for (std::size_t k = 0; k < tables.broken.size() && k < kMostLines; ++k) run.progress.say(tables.broken[k]);
-  throw std::runtime_error(std::to_string(tables.broken.size()) +
-                           " cases of ours failed outside of what they refuse: see stability_detail.csv");
+  throw std::runtime_error(
+      std::to_string(tables.broken.size()) +
+      " cases of ours failed outside of what they refuse; stability_detail.csv of the same program, "
+      "run with --out FOLDER, has them all");
 }
 
 }  // namespace

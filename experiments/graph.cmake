@@ -77,15 +77,6 @@ function(impinge_job)
   if(job_TALKS)
     list(APPEND options --talks)
   endif()
-  add_custom_command(
-    OUTPUT ${outputs}
-    COMMAND "${Python3_EXECUTABLE}" "${IMPINGE_JOB_RUNNER}" ${options} --outputs ${job_OUTPUTS} -- ${job_COMMAND}
-    DEPENDS ${depends}
-    COMMENT "job ${job_NAME}"
-    VERBATIM)
-  add_custom_target(result-${job_NAME} DEPENDS ${outputs})
-  add_dependencies(results result-${job_NAME})
-
   # --only and --why take the name of an artefact: it must say which one.
   get_property(artefacts GLOBAL PROPERTY IMPINGE_ARTEFACTS)
   foreach(artefact IN LISTS job_ARTEFACTS)
@@ -94,6 +85,15 @@ function(impinge_job)
     endif()
   endforeach()
   set_property(GLOBAL APPEND PROPERTY IMPINGE_ARTEFACTS ${job_ARTEFACTS})
+
+  add_custom_command(
+    OUTPUT ${outputs}
+    COMMAND "${Python3_EXECUTABLE}" "${IMPINGE_JOB_RUNNER}" ${options} --outputs ${job_OUTPUTS} -- ${job_COMMAND}
+    DEPENDS ${depends}
+    COMMENT "job ${job_NAME}"
+    VERBATIM)
+  add_custom_target(result-${job_NAME} DEPENDS ${outputs})
+  add_dependencies(results result-${job_NAME})
 
   list(JOIN job_SECONDS ", " budget)
   string(TOLOWER ${job_TIMING} timing)

@@ -168,11 +168,11 @@ def why(build: Path, results: Path, job: Job) -> None:
             if match and reason and "phony" not in text and "CMakeFiles/result" not in text:
                 causes[shorten(match.expand(reason), build, results)] = None
                 break
-    if "no work to do" in run.stdout or not causes:
+    if "no work to do" in run.stdout:
         print(f"{job.name} is up to date.")
         return
     print(f"{job.name} would be made again, because:")
-    for cause in causes:
+    for cause in causes or ["a program behind it is not built"]:
         print(f"  {cause}")
 
 

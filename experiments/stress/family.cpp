@@ -68,7 +68,7 @@ std::vector<std::string> broken(const StabilityFamily& family, const std::vector
          << name_of(c.scalar) << ": " << c.nan << " no numbers, " << c.false_hits << " false hits, "
          << c.missed_hits << " missed hits, " << c.wrong << " wrong (error " << c.error_over_condition_u
          << " of condition times unit roundoff, allowed " << c.threshold << ")";
-    if (grown) line << ", error above " << most << ", twice what was seen";
+    if (grown) line << ", error above " << most << ", twice `seen` of the family";
     if (!bound_holds) line << ", error " << c.error_um << " um above the bound " << c.bound_um << " um";
     lines.push_back(line.str());
   }

@@ -83,7 +83,7 @@ TEST(StabilityFamilies, SoDoesAnErrorOfMoreThanTwiceWhatWasSeen) {
   cases[1].error_over_condition_u = 1.001;
   const auto lines = broken(family_of(cases), cases);
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_NE(lines[0].find("error above 1, twice what was seen"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("error above 1, twice `seen` of the family"), std::string::npos) << lines[0];
   cases[1].scalar = Scalar::float32;
   cases[1].error_over_condition_u = 0.51;
   EXPECT_EQ(broken(family_of(cases), cases).size(), 1U);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """clang-tidy on every source of libcore/ and experiments/, once each, many in one translation unit.
 
-lint.py BUILD CLANG_TIDY [--dry-run] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
+lint.py BUILD CLANG_TIDY [FILE...] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
 includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
 library and give no name twice outside of functions. A name that this does not see is an error of the compiler, and then the
 unit is halved.
@@ -77,14 +77,14 @@ class Unit:
             self.flags.setdefault(flag.split("=")[0], flag)
 
 
-def units(build: Path) -> list[Unit]:
-    """Every file is in one of them."""
+def units(build: Path, only: set[Path]) -> list[Unit]:
+    """Every file is in one of them, or every one of these."""
     made: list[Unit] = []
     seen: set[Path] = set()
     folders = tuple(f"{top}/{name}/" for top in (ROOT, build) for name in ("libcore", "experiments", "analysis/joint3d/engine"))
     for entry in json.loads((build / "compile_commands.json").read_text()):
         for file in sources_of(entry):
-            if file in seen or not str(file).startswith(folders):
+            if file in seen or not str(file).startswith(folders) or (only and file not in only):
                 continue
             seen.add(file)
             text = file.read_text()
@@ -134,7 +134,8 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
 def main() -> None:
     """Exit code 1 for any warning."""
     build, clang_tidy = Path(sys.argv[1]).resolve(), sys.argv[2]
-    made = sorted(units(build), key=lambda unit: -len(unit.files))
+    only = {Path(name).resolve() for name in sys.argv[3:]}
+    made = sorted(units(build, only), key=lambda unit: -len(unit.files))
     folder = build / "lint"
     folder.mkdir(exist_ok=True)
     print(f"{sum(len(unit.files) for unit in made)} files in {len(made)} units")

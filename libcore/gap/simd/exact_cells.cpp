@@ -88,7 +88,7 @@ void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> 
 }
 
 // A block of each eight of these faces.
-void add_blocks(std::span<const SeenFace> all, std::span<const std::uint32_t> faces, ExactCell& cell,
+void add_blocks(std::span<const FaceLane> all, std::span<const std::uint32_t> faces, ExactCell& cell,
                 ExactCells& made) {
   const std::size_t before = made.blocks.size();
   cell.first = static_cast<std::uint32_t>(before + 1);
@@ -118,7 +118,7 @@ ExactCells exact_cells(const TriangleMesh& mesh, Layer layer, double cells_a_fac
   made.cells.resize(6 * lines * lines);
   made.none.resize(made.cells.size() / 32 + 1);
   const std::vector<Vec3> planes = seen_planes(mesh);
-  const std::vector<SeenFace> all = seen_faces({mesh, planes}, layer);
+  const std::vector<FaceLane> all = face_lanes({mesh, planes}, layer);
   const CellGrid grid = float_grid(made.divisions);
   const Lists faces = faces_of_cells(mesh, covering_faces(mesh), grid);
   const std::vector<bool> open = open_cells(mesh, grid);

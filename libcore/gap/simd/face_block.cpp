@@ -27,9 +27,9 @@ void set_lane(std::array<FaceBlock::Row, 3>& rows, std::size_t k, const Eigen::V
 
 }  // namespace
 
-std::vector<SeenFace> seen_faces(const SeenMesh& seen, Layer layer) {
+std::vector<FaceLane> face_lanes(const SeenMesh& seen, Layer layer) {
   const double turn = layer == Layer::nearest ? 1.0 : -1.0;
-  std::vector<SeenFace> faces(seen.mesh.faces.size());
+  std::vector<FaceLane> faces(seen.mesh.faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const TriangleCone cone = cone_of(seen.mesh, seen.mesh.faces[f]);
     for (std::size_t k = 0; k < 3; ++k) faces[f].edge[k] = edge_normal(cone, k);
@@ -38,10 +38,10 @@ std::vector<SeenFace> seen_faces(const SeenMesh& seen, Layer layer) {
   return faces;
 }
 
-FaceBlock face_block(std::span<const SeenFace> all, std::span<const std::uint32_t> faces) {
+FaceBlock face_block(std::span<const FaceLane> all, std::span<const std::uint32_t> faces) {
   FaceBlock block;
   for (std::size_t k = 0; k < FaceBlock::kFaces; ++k) {
-    const SeenFace& face = all[faces[std::min(k, faces.size() - 1)]];
+    const FaceLane& face = all[faces[std::min(k, faces.size() - 1)]];
     for (std::size_t e = 0; e < 3; ++e) set_lane(block.edge[e], k, face.edge[e]);
     set_lane(block.plane, k, face.plane);
   }

@@ -8,13 +8,13 @@
 namespace impinge {
 
 /// A face as a lane of a block.
-struct SeenFace {
+struct FaceLane {
   std::array<Eigen::Vector3f, 3> edge;  // see FaceBlock
   Eigen::Vector3f plane;
 };
-std::vector<SeenFace> seen_faces(const SeenMesh& seen, Layer layer);  // of all faces
+std::vector<FaceLane> face_lanes(const SeenMesh& seen, Layer layer);  // of all faces
 
 /// These of all faces, one to eight.
-FaceBlock face_block(std::span<const SeenFace> all, std::span<const std::uint32_t> faces);
+FaceBlock face_block(std::span<const FaceLane> all, std::span<const std::uint32_t> faces);
 
 }  // namespace impinge
