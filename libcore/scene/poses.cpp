@@ -192,7 +192,7 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
   double said_ms = 0.0;
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   for (std::size_t pose = kept; pose < list.size();) {
-    constexpr std::size_t kRowsOfAThread = 64;  // between two writes
+    constexpr std::size_t kRowsOfAThread = 512;  // between two writes
     std::vector<std::string> rows(std::min(threads * kRowsOfAThread, list.size() - pose));
     on_threads(threads, [&](std::size_t thread) {
       for (std::size_t k = thread; k < rows.size(); k += threads)

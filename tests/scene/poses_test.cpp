@@ -129,6 +129,18 @@ TEST_F(Poses, AnglesTurnAsInOnePose) {
   }
 }
 
+// More than are answered between two writes.
+TEST_F(Poses, ManyAreInTheirOrder) {
+  options_.path = "flexion=0..60/0.02";
+  options_.question = Question::touch;
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 3002U);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    ASSERT_EQ(rows[k].front(), std::to_string(k));
+    ASSERT_NEAR(std::stod(rows[k].back()), 0.02 * static_cast<double>(k - 1), 1e-9);
+  }
+}
+
 // Area of the vertices of a surface whose gap is `most` or less, by rays through all faces.
 double area_within(const BallSocketPair& joint, const Pose& pose, Surface of, double most) {
   const TriangleMesh& mesh = of == Surface::ball ? joint.ball : joint.socket;
