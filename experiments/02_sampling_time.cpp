@@ -2,7 +2,7 @@
 // @question  How long does filling the two tables of a joint take? (Tables 3 and 8)
 // @writes    sampling_time sampling_time_samples
 // @timing    yes
-// @seconds   100 320
+// @seconds   114 330
 // @links     harness methods
 //
 // The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.
@@ -30,7 +30,7 @@ using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 3000;                // of each model
-constexpr std::size_t kChecked = 1000;                  // entries of a table, before it is timed
+constexpr std::size_t kChecked = 2000;                  // entries of a table, before it is timed
 constexpr double kCheckedAt = 6.0;                      // degrees, of the table of a slow filling
 constexpr double kTestSeconds = 1e-9;  // a ray against a prepared triangle, for the time left alone
 constexpr double kLong = 5e9;  // tests of a filling that is not run once more to find out how long it takes

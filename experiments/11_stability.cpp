@@ -44,8 +44,8 @@ void body(DriverRun& run) {
   for (std::size_t k = 0; k < tables.broken.size() && k < kMostLines; ++k) run.progress.say(tables.broken[k]);
   throw std::runtime_error(
       std::to_string(tables.broken.size()) +
-      " cases of ours failed outside of what they refuse; stability_detail.csv of the same program, "
-      "run with --out FOLDER, has them all");
+      " cases of ours failed outside of what they refuse: 11_stability --out FOLDER lists all of them in "
+      "stability_detail.csv");
 }
 
 }  // namespace

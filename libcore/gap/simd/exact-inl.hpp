@@ -23,8 +23,8 @@ namespace impinge::HWY_NAMESPACE {
 // No face: what hn::MaxOfLanes() never is below where lanes are emulated.
 inline constexpr float kNoFace = std::numeric_limits<float>::lowest();
 
-// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps. A bit of a
-// word each.
+// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps. As
+// many as a word has bits.
 inline constexpr std::size_t kChunk = 64;
 inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
 
@@ -33,13 +33,12 @@ struct Chunk {
   HWY_ALIGN float y[kChunk];
   HWY_ALIGN float z[kChunk];
   HWY_ALIGN float size[kChunk];
-  HWY_ALIGN float
-      s[kPlanes * kChunk];  // turn m . x of the faces of a smooth cell, or of the face that is met
+  HWY_ALIGN float s[kPlanes * kChunk];  // of the planes of a smooth cell, or of the face that is met
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
-  std::size_t others[kChunk];  // vertices in cells that need more memory: smooth ones and others
-  std::size_t wide[kChunk];
-  std::size_t rough[kChunk];
+  std::size_t others[kChunk];  // vertices in cells that need more memory: those in ...
+  std::size_t wide[kChunk];    // ... smooth cells
+  std::size_t rough[kChunk];   // ... and those in others
   std::size_t doubt[kChunk];
 };
 
@@ -62,7 +61,7 @@ HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
     hn::Store(along(d, &x[k], &y[k], &z[k], p), d, chunk.s + kPlanes * i + k);
 }
 
-// s of these eight planes, or the larger of two.
+// The larger s of each of the first four planes and of that four places on.
 HWY_INLINE void look_up(const WidePlanes& planes, std::size_t i, Chunk& chunk) {
   const hn::CappedTag<float, kPlanes> d;
   const auto p = vertex(d, chunk, i);

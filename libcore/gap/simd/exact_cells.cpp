@@ -64,7 +64,7 @@ class FrontFaces {
   std::vector<std::uint32_t> kept_;
 };
 
-// turn m of these faces, coordinate by coordinate.
+// turn * m of these faces, coordinate by coordinate.
 template <std::size_t n>
 std::array<std::array<float, n>, 3> rows_of(const std::vector<Vec3>& planes,
                                             std::span<const std::uint32_t> faces, int turn) {

@@ -6,8 +6,8 @@
 ///   gap = +- |x| (1 / s - 1).
 /// A grid on a cube lists the faces that may be met in each of its cells.
 ///
-/// Where no edge of a cell is one at which the surface ends or folds (mesh/jump_edges.hpp), each of its
-/// layers covers the whole cell. Faces of one layer that share an edge or a corner share a radius there. So
+/// In a cell without an edge at which the surface ends or folds (mesh/jump_edges.hpp), each layer that is
+/// there covers the whole cell. Faces of one layer that share an edge or a corner share a radius there. So
 /// those that overlapping ranges of radii link to the nearest face are whole layers, all others lie behind
 /// them, and only they are kept; for the farthest layer likewise. Then two kinds of cells answer:
 ///

@@ -77,7 +77,7 @@ class ExactScan {
       chunk.others[others] = i;
       others += cell.first > 0 ? 1U : 0U;
     };
-    if (met == kAll) {
+    if (met == kAll) {  // the usual case of a closed surface, by the shorter loop
       for (std::size_t i = 0; i < kChunk; ++i) hwy::Prefetch(&cell_of(i, chunk));
       for (std::size_t i = 0; i < kChunk; ++i) visit(i);
     } else {
