@@ -8,8 +8,7 @@
 // which gives the angles at which their contents may be that near, whatever they are. No turn changes a
 // distance from the origin: where one is farther out than the other by more than that, as a socket is than
 // most of the head, they never are. The pair that may be first is opened next; two triangles in the end have
-// their span of angles halved, as in motion/turn_contact.hpp. The search ends when no pair can be earlier
-// than what was found.
+// their span of angles halved. The search ends when no pair can be earlier than what was found.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace impinge {
 namespace {
 
 constexpr double kTolerance = 1e-12;   // of the largest radius
-constexpr int kMostHalvings = 10'000;  // of a pair of parts
+constexpr int kMostAdvances = 10'000;  // of a pair of parts
 
 // What a pair of parts is asked with. f is near zero, by `bound` times a distance, whenever the parts are
 // within that distance of each other; the one that turns is within `arm` of the axis; `doubt` is added to the
@@ -35,14 +35,19 @@ class Search {
   bool improve(const Pair& pair, const Distance& distance) {
     const double tolerance = tolerance_ + pair.doubt;
     bool found = false;
-    int halvings = kMostHalvings;
+    int steps = kMostAdvances;
     for (const AngleSpan& span : near_zero(pair.f, 2.0 * pair.bound * tolerance)) {
       const AngleSpan part{std::max(span.from, angles_.from), std::min(span.to, angles_.to)};
-      if (part.from > part.to) continue;
-      const auto first = first_in(part, {pair.arm, tolerance, halvings}, distance);
-      if (!first) continue;
-      angles_.to = *first;
-      found = true;
+      // No point comes nearer by more than its arm times the angle: what is left of the distance is free.
+      for (double t = part.from; t <= part.to;) {
+        const double d = distance(t);
+        if (!(d > 2.0 * tolerance && --steps > 0)) {
+          angles_.to = t;
+          found = true;
+          break;
+        }
+        t += (d - tolerance) / pair.arm;
+      }
     }
     return found;
   }
@@ -50,23 +55,6 @@ class Search {
   double first() const { return angles_.to; }
 
  private:
-  struct Halving {
-    double arm;
-    double tolerance;
-    int& left;
-  };
-
-  template <class Distance>
-  static std::optional<double> first_in(const AngleSpan& span, const Halving& halving,
-                                        const Distance& distance) {
-    const double middle = 0.5 * (span.from + span.to);
-    const double way = halving.arm * 0.5 * (span.to - span.from);
-    if (distance(middle) > halving.tolerance + way) return std::nullopt;
-    if (way <= halving.tolerance || --halving.left <= 0) return span.from;
-    const auto first = first_in({span.from, middle}, halving, distance);
-    return first ? first : first_in({middle, span.to}, halving, distance);
-  }
-
   AngleSpan angles_;
   double tolerance_;
 };
