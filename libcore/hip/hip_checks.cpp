@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
+#include "gap/formatted.hpp"
 #include "hip/hip_parts.hpp"
 
 namespace impinge {
@@ -22,41 +21,40 @@ constexpr double kNarrowestRim = 20.0;
 constexpr int kRimSteps = 144;
 constexpr int kPolarSteps = 48;
 
-[[noreturn]] void refuse(const char* pattern, auto... values) {
-  char text[320];
-  std::snprintf(text, sizeof text, pattern, values...);
-  throw std::invalid_argument(text);
+[[noreturn]] void refuse_hip(const char* pattern, auto... values) {
+  throw std::invalid_argument(formatted(pattern, values...));
 }
 
 void require_neck(const HipSurface& hip) {
   const HipParameters& p = hip.parameters;
   const double share = hip.neck_radius / hip.head_radius;
   if (!(share >= kThinnestNeck && share <= kThickestNeck)) {
-    refuse(
+    refuse_hip(
         "parameter head_neck_offset = %g leaves a neck of %.1f mm radius on a head of %.1f mm; give %.1f to "
         "%.1f mm",
         p.head_neck_offset, hip.neck_radius, hip.head_radius, (1.0 - kThickestNeck) * hip.head_radius,
         (1.0 - kThinnestNeck) * hip.head_radius);
   }
   if (p.neck_fillet > kLargestFillet * hip.head_radius) {
-    refuse("parameter neck_fillet = %g would round off the neck itself; give at most %.1f mm", p.neck_fillet,
-           kLargestFillet * hip.head_radius);
+    refuse_hip("parameter neck_fillet = %g would round off the neck itself; give at most %.1f mm",
+               p.neck_fillet, kLargestFillet * hip.head_radius);
   }
   const double missing = kStraightNeck * hip.head_radius - neck_end(hip);
   if (missing > 0.0) {
-    refuse("parameter neck_length = %g leaves no neck between head and shaft; give at least %.1f mm",
-           p.neck_length, p.neck_length + missing);
+    refuse_hip("parameter neck_length = %g leaves no neck between head and shaft; give at least %.1f mm",
+               p.neck_length, p.neck_length + missing);
   }
 }
 
 void require_conchoid(const HipParameters& p) {
   if ((p.conchoid_a > 0.0) != (p.conchoid_b > 0.0)) {
-    refuse("parameter conchoid_%s is 0 and the other is not; give both a and b, or neither",
-           p.conchoid_a > 0.0 ? "b" : "a");
+    refuse_hip("parameter conchoid_%s is 0 and the other is not; give both a and b, or neither",
+               p.conchoid_a > 0.0 ? "b" : "a");
   }
   if (p.conchoid_b > 0.0 && !(p.conchoid_a > p.conchoid_b)) {
-    refuse("parameter conchoid_a = %g is not above conchoid_b = %g, and the curve crosses itself; raise a",
-           p.conchoid_a, p.conchoid_b);
+    refuse_hip(
+        "parameter conchoid_a = %g is not above conchoid_b = %g, and the curve crosses itself; raise a",
+        p.conchoid_a, p.conchoid_b);
   }
 }
 
@@ -66,7 +64,7 @@ void require_rim(const HipSurface& hip) {
     const double polar = rim_polar(hip, hours) / kDegree;
     if (polar >= kNarrowestRim && polar <= kWidestRim) continue;
     const bool pincer = hip.parameters.pincer_height > 0.0 && polar > kWidestRim;
-    refuse(
+    refuse_hip(
         "parameter %s puts the rim %.0f degrees from the pole of the socket at %s o'clock, where %.0f to "
         "%.0f are possible; %s",
         pincer ? "pincer_height" : "lateral_centre_edge", polar, clock_text(hours).c_str(), kNarrowestRim,
@@ -116,16 +114,16 @@ void require_free_parts(const HipSurface& hip) {
     const bool greater = part.name == femur.front().name && hip.parameters.greater_trochanter_width > 0.0;
     for (const Vec3& x : mesh_of(part, kStep).vertices) {
       if (x.norm() < socket_radius(hip, x.normalized()) || !within_rim(hip, x.normalized())) continue;
-      refuse("parameter %s lets the %s touch the socket at rest; %s",
-             greater ? "greater_trochanter_width" : "lesser_trochanter_height", part.name.c_str(), cure);
+      refuse_hip("parameter %s lets the %s touch the socket at rest; %s",
+                 greater ? "greater_trochanter_width" : "lesser_trochanter_height", part.name.c_str(), cure);
     }
   }
   for (const BonePart& part : acetabulum) {
     for (const Vec3& x : mesh_of(part, kStep).vertices) {
       const Vec3 u = x.normalized();
       if (x.norm() > ball_reach(hip, femur, u)) continue;
-      refuse("parameter aiis_height = %g lets the %s touch the ball at rest; %s", hip.parameters.aiis_height,
-             part.name.c_str(), cure);
+      refuse_hip("parameter aiis_height = %g lets the %s touch the ball at rest; %s",
+                 hip.parameters.aiis_height, part.name.c_str(), cure);
     }
   }
 }
@@ -149,11 +147,12 @@ void require_free_at_rest(const HipSurface& hip) {
   HipSurface without_cam = hip;
   without_cam.parameters.cam_height = 0.0;
   const bool cam = p.cam_height > 0.0 && smallest_at_rest(without_cam).gap > 0.0;
-  refuse("parameter %s = %g lets the ball penetrate the socket by %.2f mm at rest, at %s o'clock; %s",
-         cam ? "cam_height" : "joint_space", cam ? p.cam_height : p.joint_space, -rest.gap,
-         clock_text(rest.hours).c_str(),
-         cam ? "lower it, or move the cam from under the rim with cam_polar or cam_half_width"
-             : "raise it, or lower what brings the surfaces together: shifts, half_opening, pincer_height");
+  refuse_hip(
+      "parameter %s = %g lets the ball penetrate the socket by %.2f mm at rest, at %s o'clock; %s",
+      cam ? "cam_height" : "joint_space", cam ? p.cam_height : p.joint_space, -rest.gap,
+      clock_text(rest.hours).c_str(),
+      cam ? "lower it, or move the cam from under the rim with cam_polar or cam_half_width"
+          : "raise it, or lower what brings the surfaces together: shifts, half_opening, pincer_height");
 }
 
 }  // namespace impinge

@@ -8,12 +8,10 @@
 
 #include "mesh/surface_vertices.hpp"
 #include "mesh/validation.hpp"
+#include "motion/radii_over_cap.hpp"
 
 namespace impinge {
 namespace {
-
-constexpr double kIndexReach = 0.1;  // radians; wider caps are asked of the levels of limits
-constexpr double kOutwards = 1e-9;   // of a radius
 
 const TriangleMesh& closed(const TriangleMesh& mesh) {
   if (!validate(mesh).volume)

@@ -8,12 +8,6 @@
 #include "mesh/triangle_distance.hpp"
 
 namespace impinge {
-namespace {
-
-constexpr double kIndexReach = 0.1;  // radians; wider caps are asked of the levels of limits
-constexpr double kOutwards = 1e-9;   // of a radius
-
-}  // namespace
 
 RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh, Layer layer)
     : layer_(layer), index_(without_edge_on(mesh), layer, kIndexReach), wide_(mesh, layer) {

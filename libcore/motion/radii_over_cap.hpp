@@ -25,6 +25,11 @@
 
 namespace impinge {
 
+/// Of questions over caps: radians, of the widest that is asked of faces; wider ones are asked of CapLimits.
+inline constexpr double kIndexReach = 0.1;
+/// By what share of a radius their answers are rounded outwards.
+inline constexpr double kOutwards = 1e-9;
+
 /// Of one layer; numbers in double, rounded outwards. A direction without a surface has an infinite radius
 /// where the layer is the nearest, and -infinity where it is the farthest.
 class RadiiOverCap {

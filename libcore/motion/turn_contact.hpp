@@ -15,10 +15,10 @@
 //       of the socket, or an end of one of the socket into the wall { k x : 0 <= k <= 1 } within one of the
 //       ball.
 // Corner and plane, edge and edge, corner and wall each give a sinusoid (motion/sinusoid.hpp). Only pairs
-// whose boxes of height and radius overlap can meet (motion/profile_index.hpp). Where a sinusoid is near zero
-// the angle steps on by the distance of the two parts over the distance of the turning one from the axis: no
-// point comes nearer by more than that. The first angle at which they are within twice the tolerance counts as
-// touching, and so does the one that 10,000 such steps reach.
+// whose boxes of height and radius overlap can meet (motion/profile_index.hpp). Where a sinusoid is near
+// zero, the angle steps on by the distance of the two parts, less the tolerance, over that of the turning one
+// from the axis: no point comes nearer by more. The first angle at which they are within twice the tolerance
+// counts as touching, and so does the one that 10,000 steps reach.
 //
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
 // socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets

@@ -32,10 +32,10 @@ struct VolumeSettings {
   std::size_t threads = 2;             // the result is the same for any number
   /// Verdicts of an earlier run with the same joint and question, in the order in which they were reached:
   /// these are not worked out again.
-  std::span<const CellVerdict> known;
+  std::span<const CellVerdict> known{};
   /// Called after each batch, on the thread that made the volume: the verdicts of the batch, to be kept for
   /// `known`, and the share that is open now.
-  std::function<void(std::span<const CellVerdict>, double)> reached;
+  std::function<void(std::span<const CellVerdict>, double)> reached{};
 };
 
 /// Shares of all rotations; the first four sum to 1.

@@ -168,12 +168,6 @@ TEST(Parts, OfHipsTouchWhereCgalSays) {
   EXPECT_GE(by_parts, 1U);
 }
 
-VolumeSettings up_to(double width) {
-  VolumeSettings settings;
-  settings.width = width;
-  return settings;
-}
-
 // Spheres of 20 mm, 50 mm from the centre: rotations that bring the directions of their middles within
 // t = 2 asin((20 + gap / 2) / 50) of each other are blocked, a share of (1 - cos t) / 2. The meshes are
 // within their spheres, by no more than their sagittas.
@@ -182,7 +176,7 @@ TEST(Parts, OfSpheresBlockAShareInClosedForm) {
   for (const double gap : {0.0, 6.0}) {
     const CellTest test(main, {.gap_mm = gap},
                         {{mesh_of({50.0, 20.0, 0.0}, 2)}, {mesh_of({50.0, 20.0, 75.0}, 2)}});
-    const MotionVolume volume(test, up_to(0.1));
+    const MotionVolume volume(test, {.width = 0.1});
     const auto turned = [&](double radius) { return 2.0 * std::asin((radius + 0.5 * gap) / 50.0); };
     const auto free = [&](double radius) { return 0.5 * (1.0 + std::cos(turned(radius))); };
     EXPECT_LE(volume.shares().open, 0.1);
@@ -205,8 +199,8 @@ TEST(Parts, OfAHipAreInItsVolume) {
   const BallSocketPair main = main_surfaces(hip);
   const BoneParts beside{part_surfaces(hip.ball, hip.ball_parts),
                          part_surfaces(hip.socket, hip.socket_parts)};
-  const MotionVolume volume(CellTest(main, {}, beside), up_to(0.12));
-  const MotionVolume without(CellTest(main), up_to(0.12));
+  const MotionVolume volume(CellTest(main, {}, beside), {.width = 0.12});
+  const MotionVolume without(CellTest(main), {.width = 0.12});
   EXPECT_LT(volume.shares().high(), without.shares().high());
   test::ExactTouch overlay(main);
   const BodyPairs pairs(main, beside);

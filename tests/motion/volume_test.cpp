@@ -39,12 +39,6 @@ BallSocketPair cone_neck(double neck, double opening, std::size_t sides) {
   return {revolve(ball), revolve(socket)};
 }
 
-VolumeSettings up_to(double width) {
-  VolumeSettings settings;
-  settings.width = width;
-  return settings;
-}
-
 // The share of rotations that tilt +z by less than a is (1 - cos a) / 2. The wall of a cone is edge-on and no
 // surface of its own; its rims are. They have many sides, so that the angle of the meshes is larger by less
 // than their sagittas: by 1 - cos(pi / sides) of the tangents of neck and rim.
@@ -54,7 +48,7 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
     const double opening = 80.0 * kDegree;
     const std::size_t sides = 120;
     const BallSocketPair joint = cone_neck(neck, opening, sides);
-    const MotionVolume volume(CellTest(joint), up_to(0.12));
+    const MotionVolume volume(CellTest(joint), {.width = 0.12});
     const VolumeShares& found = volume.shares();
     const double tilt = opening - neck;
     const double narrow = std::atan(std::tan(neck) * std::cos(kPi / sides));
@@ -72,7 +66,7 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
 TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
   const Hip hip = make_hip(hip_preset("cam"), 1500);
   const BallSocketPair joint{hip.ball, hip.socket};
-  const MotionVolume volume(CellTest(joint), up_to(0.06));
+  const MotionVolume volume(CellTest(joint), {.width = 0.06});
   test::ExactTouch overlay(joint);
   test::Dice dice(5);
   std::size_t free = 0;
@@ -94,7 +88,7 @@ TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
 TEST(MotionVolume, LimitsAgreeWithThoseOfTurns) {
   const Hip hip = make_hip(hip_preset("cam"), 1500);
   const BallSocketPair joint{hip.ball, hip.socket};
-  const MotionVolume volume(CellTest(joint), up_to(0.05));
+  const MotionVolume volume(CellTest(joint), {.width = 0.05});
   const TurnLimits limits(joint);
   for (const NamedMotion& motion : named_motions()) {
     const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), Side::left);
@@ -116,7 +110,7 @@ TEST(MotionVolume, IsTheSameAgain) {
   const CellTest test({hip.ball, hip.socket});
   const auto cells = [&](std::size_t threads, std::span<const CellVerdict> known,
                          std::vector<CellVerdict>& reached) {
-    VolumeSettings settings = up_to(0.15);
+    VolumeSettings settings = {.width = 0.15};
     settings.threads = threads;
     settings.known = known;
     settings.reached = [&](std::span<const CellVerdict> batch, double) {
@@ -145,7 +139,7 @@ TEST(MotionVolume, IsTheSameAgain) {
 // 40 the socket sees beyond the mesh, where nothing touches.
 TEST(MotionVolume, SaysWhereTheMeshOfTheBallEnds) {
   const BallSocketPair joint{cup(20.0, 60.0, 4000), cup(26.0, 20.0, 1000)};
-  const MotionVolume volume(CellTest(joint), up_to(0.1));
+  const MotionVolume volume(CellTest(joint), {.width = 0.1});
   const VolumeShares& found = volume.shares();
   const double share = 0.5 * (1.0 - std::cos(40.0 * kDegree));
   EXPECT_EQ(found.blocked, 0.0);
@@ -156,7 +150,7 @@ TEST(MotionVolume, SaysWhereTheMeshOfTheBallEnds) {
 
 TEST(MotionVolume, OfABlockedJointReachesNothing) {
   const BallSocketPair joint{sphere(30.0, 2000), cup(26.0, 80.0, 500)};
-  const MotionVolume volume(CellTest(joint), up_to(0.01));
+  const MotionVolume volume(CellTest(joint), {.width = 0.01});
   EXPECT_NEAR(volume.shares().blocked, 1.0, 1e-12);
   EXPECT_EQ(volume.shares().reachable_high, 0.0);
 }
@@ -167,7 +161,7 @@ TEST(MotionVolume, OfABlockedJointReachesNothing) {
 void attack_centres(const BallSocketPair& joint, double gap_mm) {
   constexpr double kWithin = 1.0;
   const CellTest test(joint, {gap_mm, kWithin});
-  const MotionVolume volume(test, up_to(0.35));
+  const MotionVolume volume(test, {.width = 0.35});
   std::vector<VolumeCell> decided;
   volume.for_each([&](const VolumeCell& at) {
     if (at.state == CellState::free || at.state == CellState::blocked) decided.push_back(at);
@@ -208,7 +202,7 @@ TEST(MotionVolume, OfAGapIsThatOfTheVertices) {
   const BallSocketPair joint{hip.ball, hip.socket};
   double before = 1.0;
   for (const double gap : {0.0, 1.0, 2.0}) {
-    const MotionVolume volume(CellTest(joint, {gap, 0.0}), up_to(0.08));
+    const MotionVolume volume(CellTest(joint, {gap, 0.0}), {.width = 0.08});
     const CulledJoint vertices(joint);
     test::Dice dice(15);
     for (std::size_t k = 0; k < random_cases(); ++k) {
@@ -228,7 +222,7 @@ TEST(MotionVolume, RefusesWhatHasNoAnswer) {
   const BallSocketPair joint{cup(20.0, 60.0, 500), cup(26.0, 20.0, 500)};
   EXPECT_THROW(CellTest(joint, {-1.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(CellTest({TriangleMesh{}, joint.socket}), std::invalid_argument);
-  EXPECT_THROW(MotionVolume(CellTest(joint), up_to(0.0)), std::invalid_argument);
+  EXPECT_THROW(MotionVolume(CellTest(joint), {.width = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

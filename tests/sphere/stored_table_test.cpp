@@ -69,8 +69,8 @@ void expect_a_sharp_bound(const RadialTable<S>& filled) {
 
 template <class S>
 class StoredTables : public testing::Test {};
-using Schemes = testing::Types<Rsid, CubeGnomonic, IcosahedralSine>;
-TYPED_TEST_SUITE(StoredTables, Schemes);
+using StoredSchemes = testing::Types<Rsid, CubeGnomonic, IcosahedralSine>;
+TYPED_TEST_SUITE(StoredTables, StoredSchemes);
 
 TYPED_TEST(StoredTables, RadiiKeepTheirBound) {
   const auto table = bumpy_table(TypeParam::with_precision(2.0));
