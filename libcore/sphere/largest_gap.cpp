@@ -1,37 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sphere/largest_gap.hpp"
 
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace impinge {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+// Entries on the seam of a map may be one direction, up to rounding.
+bool is_same(const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() < 1e-24; }
+
+// Directions as far from a as from b: a circle, x = u p + v q. Those within 90 degrees of a and no farther
+// from it than from any other entry are an arc of it, from one ray of the plane of (p, q) counter-clockwise
+// to another, or none.
+class Bisector {
+ public:
+  Bisector(const Vec3& a, const Vec3& b) : a_(a), u_((a - b).unitOrthogonal()), v_((a - b).cross(u_)) {
+    const Vec2 inwards(a.dot(u_), a.dot(v_));
+    end_ = ends_of(inwards);
+    for (Vec2& end : end_) end += 1e-9 * inwards;  // not opposite to each other: what is between is certain
+  }
+
+  // Takes away what is nearer to c. Is there anything left?
+  bool cut(const Vec3& c) {
+    const Vec2 inwards((a_ - c).dot(u_), (a_ - c).dot(v_));
+    const std::array<bool, 2> off{inwards.dot(end_[0]) < 0.0, inwards.dot(end_[1]) < 0.0};
+    if (off[0] && off[1]) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec2 end = ends_of(inwards)[k];
+      // Where four entries lie on one circle, rounding decides what is off. No cut makes an arc longer.
+      if (!off[k] || (end_[0].dot(end_[1]) > 0.0 && end.dot(end_[1 - k]) < 0.0)) continue;
+      met_[k] = &c;
+      end_[k] = end;
+    }
+    return true;
+  }
+
+  // Calls found(c, x) for the ends of the arc that are as far from a and b as from c; x of any length.
+  template <class Found>
+  void visit_ends(const Found& found) const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (met_[k]) found(*met_[k], Vec3(u_ * end_[k].x() + v_ * end_[k].y()));
+    }
+  }
+
+ private:
+  // Of the half of the plane on that side.
+  static std::array<Vec2, 2> ends_of(const Vec2& inwards) {
+    return {Vec2(inwards.y(), -inwards.x()), Vec2(-inwards.y(), inwards.x())};
+  }
+
+  const Vec3& a_;
+  Vec3 u_;
+  Vec3 v_;
+  std::array<Vec2, 2> end_;
+  std::array<const Vec3*, 2> met_{};  // the entries that made the ends
+};
+
+}  // namespace
 
 double largest_gap(std::span<const Vec3> entries, double z_min, double reach) {
   // Angles are compared by the squares of their chords.
   const auto chord = [](double angle) { return 4.0 * std::pow(std::sin(0.5 * std::min(angle, kPi)), 2); };
   const double chord_reach = chord(reach);
   const double chord_around = chord(2.0 * reach);
-  constexpr double kEmpty = 1.0 - 2e-6;
   double largest = 0.0;
-  std::vector<Vec3> around;  // entries within 2 reach of one, those after it last
+  std::vector<std::pair<double, std::size_t>> around;  // entries within 2 reach of one, nearest first
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Vec3& a = entries[i];
     around.clear();
-    std::size_t after = 0;
     for (std::size_t j = 0; j < entries.size(); ++j) {
-      if (entries[j] != a && (entries[j] - a).squaredNorm() <= chord_around) around.push_back(entries[j]);
-      if (j <= i) after = around.size();
+      const double apart = (entries[j] - a).squaredNorm();
+      if (!is_same(entries[j], a) && apart <= chord_around) around.emplace_back(apart, j);
     }
-    for (std::size_t j = after; j < around.size(); ++j) {
-      for (std::size_t k = j + 1; k < around.size(); ++k) {
-        const Vec3 centre = circumcentre(a, around[j], around[k]);
-        if (centre.isZero() || centre.z() < z_min) continue;
+    std::ranges::sort(around);
+    for (const auto& [apart, j] : around) {
+      if (j < i) continue;
+      const Vec3& b = entries[j];
+      Bisector bisector(a, b);
+      const auto cut = [&](const auto& c) {
+        return is_same(entries[c.second], b) || bisector.cut(entries[c.second]);
+      };
+      if (!std::ranges::all_of(around, cut)) continue;
+      bisector.visit_ends([&](const Vec3& c, const Vec3& x) {
+        const Vec3 centre = circumcentre(a, b, c);
         const double radius = (centre - a).squaredNorm();
-        if (radius <= largest || radius > chord_reach) continue;
-        const bool empty = std::ranges::none_of(
-            around, [&](const Vec3& b) { return (centre - b).squaredNorm() < radius * kEmpty; });
-        if (empty) largest = radius;
-      }
+        if (centre.dot(x) > 0.0 && centre.z() >= z_min && radius <= chord_reach)
+          largest = std::max(largest, radius);
+      });
     }
   }
   return 2.0 * std::asin(std::min(0.5 * std::sqrt(largest), 1.0));

@@ -36,9 +36,9 @@ inline double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::atan2(axis.cross(a).norm(), std::abs(axis.dot(a)));
 }
 
-/// Largest radius of a circle with no entry inside whose centre has z >= z_min: what is farthest from all
-/// entries is the centre of a circle through three of them. `reach` is no smaller than the answer; `entries`
-/// hold all with z >= z_min and those within 2 reach of them. Radians.
+/// Largest radius, below 90 degrees, of a circle with no entry inside whose centre has z >= z_min: what is
+/// farthest from all entries is the centre of a circle through three of them. `reach` is no smaller than the
+/// answer; `entries` hold all with z >= z_min and those within 2 reach of them. Radians.
 double largest_gap(std::span<const Vec3> entries, double z_min, double reach);
 
 }  // namespace impinge
