@@ -31,22 +31,15 @@ class Bisector {
     const std::array<bool, 2> off{inwards.dot(end_[0]) < 0.0, inwards.dot(end_[1]) < 0.0};
     if (off[0] && off[1]) return false;
     for (std::size_t k = 0; k < 2; ++k) {
-      const Vec2 end = ends_of(inwards)[k];
-      // Where four entries lie on one circle, rounding decides what is off. No cut makes an arc longer.
-      if (!off[k] || (end_[0].dot(end_[1]) > 0.0 && end.dot(end_[1 - k]) < 0.0)) continue;
+      if (!off[k]) continue;
       met_[k] = &c;
-      end_[k] = end;
+      end_[k] = ends_of(inwards)[k];
     }
     return true;
   }
 
-  // Calls found(c, x) for the ends of the arc that are as far from a and b as from c; x of any length.
-  template <class Found>
-  void visit_ends(const Found& found) const {
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (met_[k]) found(*met_[k], Vec3(u_ * end_[k].x() + v_ * end_[k].y()));
-    }
-  }
+  // Those that made an end of the arc, as far from it as a and b; or nullptr.
+  const std::array<const Vec3*, 2>& met() const { return met_; }
 
  private:
   // Of the half of the plane on that side.
@@ -58,7 +51,7 @@ class Bisector {
   Vec3 u_;
   Vec3 v_;
   std::array<Vec2, 2> end_;
-  std::array<const Vec3*, 2> met_{};  // the entries that made the ends
+  std::array<const Vec3*, 2> met_{};
 };
 
 }  // namespace
@@ -86,12 +79,12 @@ double largest_gap(std::span<const Vec3> entries, double z_min, double reach) {
         return is_same(entries[c.second], b) || bisector.cut(entries[c.second]);
       };
       if (!std::ranges::all_of(around, cut)) continue;
-      bisector.visit_ends([&](const Vec3& c, const Vec3& x) {
-        const Vec3 centre = circumcentre(a, b, c);
+      for (const Vec3* c : bisector.met()) {
+        if (!c) continue;
+        const Vec3 centre = circumcentre(a, b, *c);
         const double radius = (centre - a).squaredNorm();
-        if (centre.dot(x) > 0.0 && centre.z() >= z_min && radius <= chord_reach)
-          largest = std::max(largest, radius);
-      });
+        if (centre.z() >= z_min && radius <= chord_reach) largest = std::max(largest, radius);
+      }
     }
   }
   return 2.0 * std::asin(std::min(0.5 * std::sqrt(largest), 1.0));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles through entries, and by them the covering radius near a pole, by brute force over the few entries
-// there.
+// Circles through entries, and by them the covering radius near a pole.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The oracles: closed forms of regular bodies, and brute force over all triples and over a fine set of
-// probes.
+// The oracles: closed forms of regular bodies, largest_gap(), which a test of its own compares with all
+// triples, and a fine set of probes.
 //   rho = max over u of min over entries of angle(u, entry),   sum of areas = 4 pi
 #include "reference/sphere_delaunay.hpp"
 
@@ -62,8 +62,8 @@ TEST(SphereDelaunay, IcosahedronIsTheClosedForm) {
   for (const double area : voronoi_areas(delaunay)) EXPECT_NEAR(area, 4.0 * kPi / 12.0, 1e-14);
 }
 
-// Every circle is empty and as wide as brute force over all triples finds the widest.
-TEST(SphereDelaunay, WidestGapIsThatOfBruteForce) {
+// Every circle is empty, and the widest is the largest gap.
+TEST(SphereDelaunay, WidestCircleIsTheLargestGap) {
   for (std::size_t count : {5U, 8U, 20U, 60U}) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       std::vector<Vec3> entries = octahedron();  // some all round
