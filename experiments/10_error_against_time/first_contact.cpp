@@ -21,13 +21,13 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kFarthest = 120.0;     // degrees
-constexpr std::size_t kTurns = 8;       // of a scene
-constexpr std::size_t kAxesTried = 40;  // axes that are drawn for them
-constexpr double kResolution = 1e-3;    // degrees, of the halvings
-constexpr std::size_t kSlowTurns = 2;   // of slow methods
-constexpr double kSlowStep = 1.0;       // degrees, of slow methods
-constexpr double kPassed = 1e-3;        // mm, deeper at once is behind a rim, without a common point
+constexpr double kFarthest = 120.0;    // degrees
+constexpr std::size_t kTurns = 8;      // of a scene
+constexpr std::size_t kTries = 40;     // axes that are drawn for them
+constexpr double kResolution = 1e-3;   // degrees, of the halvings
+constexpr std::size_t kSlowTurns = 2;  // of slow methods
+constexpr double kSlowStep = 1.0;      // degrees, of slow methods
+constexpr double kPassed = 1e-3;       // mm, deeper at once is behind a rim, without a common point
 
 const std::vector<double> kQuickSteps{5.0, 1.0};
 const std::vector<double> kFullSteps{5.0, 1.0, 0.2};
@@ -58,7 +58,7 @@ std::vector<TrueContact> motions_of(const BenchmarkScene& scene, const TurnLimit
   const SurfaceOverlay overlay(scene.pair.ball, scene.pair.socket);
   std::mt19937_64 random(seed);
   std::vector<TrueContact> motions;
-  for (std::size_t k = 0; k < kAxesTried && motions.size() < kTurns; ++k) {
+  for (std::size_t k = 0; k < kTries && motions.size() < kTurns; ++k) {
     const Vec3 axis = uniform_direction(random);
     const TurnLimit limit = limits.first_contact(turn_about(axis), kFarthest);
     if (limit.state == LimitState::blocked) break;

@@ -18,7 +18,7 @@ namespace {
 class TurningHip {
  public:
   TurningHip(const BallSocketPair& meshes, const std::optional<Side>& side)
-      : meshes_(meshes), side_(side), dial_(clock_face(meshes.socket)), limits_(meshes) {}
+      : side_(side), dial_(clock_face(meshes.socket)), limits_(meshes) {}
 
   // What all motions share that are asked for another centre: those of named_motions() may all grow as far.
   CentreIntervals for_centres() const {
@@ -41,7 +41,6 @@ class TurningHip {
   }
 
  private:
-  const BallSocketPair& meshes_;
   std::optional<Side> side_;
   std::optional<ClockFace> dial_;
   TurnLimits limits_;

@@ -30,7 +30,7 @@ constexpr std::size_t kMeridians = 180;
 constexpr double kFirst = 30.0 * kDegree;  // from the pole: within is the fossa
 constexpr double kFloor = 75.0 * kDegree;  // before that a meridian has met the sphere
 constexpr double kLast = 130.0 * kDegree;  // beyond is no rim
-constexpr double kPolarStep = 0.5 * kDegree;
+constexpr double kStep = 0.5 * kDegree;
 constexpr double kAtEnd = 0.5;           // mm
 constexpr double kDent = 3.0 * kDegree;  // of the rim, that is bridged
 
@@ -87,13 +87,13 @@ Vec3 pole_of(const Sphere& sphere) {
 std::optional<double> rim_on(const Sphere& sphere, const Vec3& pole, const Vec3& outward) {
   const auto at = [&](double polar) { return Vec3(std::cos(polar) * pole + std::sin(polar) * outward); };
   std::optional<double> last;
-  for (double polar = kFirst; polar < kLast; polar += kPolarStep) {
+  for (double polar = kFirst; polar < kLast; polar += kStep) {
     if (sphere.covers(at(polar))) last = polar;
     if (!last && polar > kFloor) return std::nullopt;
     if (last && polar > *last + kDent) break;
   }
-  if (!last || *last + kPolarStep >= kLast) return std::nullopt;
-  double high = *last + kPolarStep;
+  if (!last || *last + kStep >= kLast) return std::nullopt;
+  double high = *last + kStep;
   for (int k = 0; k < 12; ++k) {
     const double middle = 0.5 * (*last + high);
     (sphere.covers(at(middle)) ? *last : high) = middle;

@@ -17,9 +17,9 @@ constexpr double kLookingPrecision = 4.0;  // degrees
 constexpr double kMostOfThem = 0.7;        // of the common directions
 constexpr double kClearlyLateral = 0.25;   // of the length of the mean direction
 
-using WeightedValue = std::pair<double, double>;  // a value and its weight
+using Weighted = std::pair<double, double>;  // a value and its weight
 
-double median(std::vector<WeightedValue> values, double total) {
+double median(std::vector<Weighted> values, double total) {
   std::ranges::sort(values);
   double sum = 0.0;
   for (const auto& [value, weight] : values) {
@@ -37,8 +37,8 @@ Facing facing(const TriangleMesh& ball, const TriangleMesh& socket) {
   const RadialTable<Rsid> of_socket = fill_exact(socket, scheme, Layer::nearest);
   Facing found;
   found.nearest = std::numeric_limits<double>::infinity();
-  std::vector<WeightedValue> radii;
-  std::vector<WeightedValue> ratios;
+  std::vector<Weighted> radii;
+  std::vector<Weighted> ratios;
   for (std::size_t i = 0; i < scheme.size(); ++i) {
     const Vec3 u = scheme.direction(i);
     const double area = std::hypot(u.x(), u.y());  // of the entry's patch, up to a factor

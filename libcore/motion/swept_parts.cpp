@@ -20,8 +20,8 @@ constexpr double kWholeTurn = 2.0 * kPi;
 // Radians, of spans: azimuths and the arc sine are right to some 1e-15. What its argument is rounded by is
 // below what is added to the reach.
 constexpr double kSpanRounding = 1e-12;
-constexpr double kFinestSpan = 1e-5;  // radians
-constexpr int kMostHalvings = 2000;   // of a pair of parts
+constexpr double kFinest = 1e-5;  // radians
+constexpr int kMostSteps = 2000;  // of a pair of parts
 
 double arm_of(const TurnFace& face) {
   double squared = 0.0;
@@ -177,7 +177,7 @@ class SweptSearch {
     const TurnFace& resting = resting_.parts()[b.at];
     const double arm = arm_of(turning);
     const double doubt = turning.doubt + resting.doubt + rounding_;
-    int steps = kMostHalvings;
+    int steps = kMostSteps;
     const auto first_in = [&](const auto& again, double from, double to) -> std::optional<double> {
       const double middle = 0.5 * (from + to);
       const double half = 0.5 * (to - from);
@@ -185,7 +185,7 @@ class SweptSearch {
       const double spheres = (turned(a.centre, middle) - b.centre).norm() - a.radius - b.radius;
       if (spheres > near) return std::nullopt;
       if (farther_than(turned_face(turning, middle), resting, near)) return std::nullopt;
-      if (half <= kFinestSpan || --steps <= 0) return from;
+      if (half <= kFinest || --steps <= 0) return from;
       const auto early = again(again, from, middle);
       return early ? early : again(again, middle, to);
     };

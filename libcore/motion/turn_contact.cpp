@@ -12,8 +12,8 @@
 namespace impinge {
 namespace {
 
-constexpr double kContactTolerance = 1e-12;  // of the largest radius
-constexpr int kMostAdvances = 10'000;        // of a pair of parts
+constexpr double kTolerance = 1e-12;   // of the largest radius
+constexpr int kMostAdvances = 10'000;  // of a pair of parts
 
 // What a pair of parts is asked with. f is near zero, by `bound` times a distance, whenever the parts are
 // within that distance of each other; the one that turns is within `arm` of the axis; `doubt` is added to the
@@ -179,7 +179,7 @@ TurnContacts::TurnContacts(const TurnScene& scene)
                          {WallSide::within, 0.0})),
       socket_(turn_surface(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
                            {WallSide::beyond, ball_.largest_radius + scene.largest_gap})),
-      tolerance_(kContactTolerance * std::max(ball_.largest_radius, socket_.largest_radius)),
+      tolerance_(kTolerance * std::max(ball_.largest_radius, socket_.largest_radius)),
       body_(scene.body) {
   const double margin = scene.largest_gap + tolerance_;
   const ProfileBox ball_reach = bounds_of(boxes_of(ball_.faces, margin));

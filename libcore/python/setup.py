@@ -19,7 +19,7 @@ class CMakeBuild(build_ext):
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
         build = ROOT / "build" / "pip"  # beside the other builds: a compiler cache then finds their objects
         options = ["-DIMPINGE_PYTHON_ONLY=ON", "-DCMAKE_BUILD_TYPE=Release", f"-DPython3_EXECUTABLE={sys.executable}"]
-        unity = ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0"]
+        unity = ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=8"]
         subprocess.check_call(["cmake", "-G", "Ninja", "-S", ROOT, "-B", build, *options, *unity])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count())
         subprocess.check_call(["cmake", "--build", build, "--target", "impinge_python", "--parallel", jobs])

@@ -10,7 +10,7 @@
 namespace impinge {
 namespace {
 
-nlohmann::json number_json(const std::optional<double>& value) {
+nlohmann::json optional_json(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nullptr;
 }
 
@@ -66,15 +66,15 @@ nlohmann::json measures_summary(const SceneOptions& options, const SessionJoint&
   for (const Measure& m : measures) {
     const PublishedMeasure published = published_measure(m.name);
     report["measures"].push_back({{"measure", m.name},
-                                  {"value", number_json(m.value)},
-                                  {"uncertainty", number_json(m.uncertainty)},
+                                  {"value", optional_json(m.value)},
+                                  {"uncertainty", optional_json(m.uncertainty)},
                                   {"unit", m.unit},
                                   {"state", m.state},
-                                  {"published_mean", number_json(published.mean)},
-                                  {"published_sd", number_json(published.sd)},
-                                  {"published_median", number_json(published.median)},
-                                  {"published_lower_quartile", number_json(published.lower_quartile)},
-                                  {"published_upper_quartile", number_json(published.upper_quartile)},
+                                  {"published_mean", optional_json(published.mean)},
+                                  {"published_sd", optional_json(published.sd)},
+                                  {"published_median", optional_json(published.median)},
+                                  {"published_lower_quartile", optional_json(published.lower_quartile)},
+                                  {"published_upper_quartile", optional_json(published.upper_quartile)},
                                   {"published_of", text_json(published.of)},
                                   {"published_source", text_json(published.source)}});
   }

@@ -24,7 +24,7 @@ constexpr double kStart = -30.0 * kDegree;
 // is the error of the angle over its condition, r / |d gap / d angle| / angle; where the gap hardly crosses
 // nothing it is right still.
 constexpr double kStiffMotionThreshold = 76.0;
-constexpr double kStoredThreshold = 1.0 + kStiffMotionThreshold * 0x1p-29;
+constexpr double kStoredMotionThreshold = 1.0 + kStiffMotionThreshold * 0x1p-29;
 
 StabilityCase blank(const StabilityMethod& method, double magnitude) {
   StabilityCase row;
@@ -34,7 +34,7 @@ StabilityCase blank(const StabilityMethod& method, double magnitude) {
   row.scalar = method.scalar;
   row.refused = method.refused;
   row.threshold =
-      row.kind == "ours" && row.scalar == Scalar::float32 ? kStoredThreshold : kStiffMotionThreshold;
+      row.kind == "ours" && row.scalar == Scalar::float32 ? kStoredMotionThreshold : kStiffMotionThreshold;
   return row;
 }
 
