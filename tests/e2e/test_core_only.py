@@ -61,7 +61,6 @@ class CoreOnly(unittest.TestCase):
                 f"-DIMPINGE={SOURCE}",
                 "-DCMAKE_CXX_FLAGS=-O0 -g0",
                 "-DCMAKE_UNITY_BUILD=ON",  # in half the time
-                "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0",
                 *options,
             )
             run("cmake", "--build", build, "--target", "core_only")
