@@ -3,6 +3,7 @@
 // circle, on one great circle with two others, or in one place.
 #include "sphere/largest_gap.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -113,12 +113,13 @@ TEST_P(StiffJoints, AnswerAsEveryVertexAlongTinyAndHugeSteps) {
 // A vertex that slides along the face of an octahedron and is through it at `contact`: angles there and
 // beside it, down to neighbouring doubles.
 TEST(StiffCulling, AVertexThatSlidesThroughAFaceTouchesAtTheSameAngle) {
+  constexpr double kSocketRadius = 26.0;
   Touches seen;
   for (const double degrees : {10.0, 1e-1, 1e-3, 1e-5}) {
     SCOPED_TRACE(degrees);
     const double contact = -degrees * kDegree;
-    const Slide slide = slide_touching_at(contact, 26.0);
-    BallSocketPair joint{octahedron(1.0), octahedron(26.0)};
+    const Slide slide = slide_touching_at(contact, kSocketRadius);
+    BallSocketPair joint{octahedron(1.0), octahedron(kSocketRadius)};
     joint.ball.vertices[0] = slide.vertex(0.0);
     std::vector<Pose> poses;
     for (const double beside : {-1.0, -1e-3, -1e-6, -1e-9, -1e-14, 0.0, 1e-14, 1e-9, 1e-6, 1e-3, 0.5}) {
