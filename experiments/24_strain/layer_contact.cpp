@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 constexpr double kThinnest = 0.05;  // h / a
 constexpr double kThickest = 50.0;
 // Transforms fall as x^2 exp(-x) at the bone, and twice as fast in g.
-constexpr double kFarthest = 40.0;  // of x = xi h
+constexpr double kLargestArgument = 40.0;  // of x = xi h
 
 struct Rule {
   ArrayXd node;
@@ -97,10 +97,10 @@ void require_layer(const ElasticLayer& layer, double contact) {
 
 LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(layer), a_(contact) {
   require_layer(layer, contact);
-  // Enough for the cosines to turn: those of xi t up to kFarthest a / h, those of the product twice.
+  // Enough for the cosines to turn: those of xi t up to kLargestArgument a / h, those of the product twice.
   const double turns = contact / layer.thickness;
   const Rule in_circle = gauss(static_cast<Eigen::Index>(40.0 + 20.0 * turns), contact);
-  const Rule in_space = gauss(static_cast<Eigen::Index>(100.0 + 45.0 * turns), kFarthest / layer.thickness);
+  const Rule in_space = gauss(static_cast<Eigen::Index>(100.0 + 45.0 * turns), kLargestArgument / layer.thickness);
   t_ = in_circle.node;
   xi_ = in_space.node;
   xi_step_ = in_space.weight;

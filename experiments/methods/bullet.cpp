@@ -96,7 +96,7 @@ class Joint {
   btCollisionAlgorithm* algorithm_ = nullptr;
 };
 
-Touch collide(const BallSocketPair& pair) {
+Touch bullet_touch(const BallSocketPair& pair) {
   return [joint = std::make_shared<Joint>(pair)](const Pose& pose) { return joint->touches(pose); };
 }
 
@@ -105,7 +105,7 @@ Touch collide(const BallSocketPair& pair) {
 Method bullet_method() {
   Method method;
   method.contact = [](const BallSocketPair& pair) {
-    ContactCase one = touch_only("bullet_collide", "Bullet (GImpact), touch", 2, pair, collide);
+    ContactCase one = touch_only("bullet_collide", "Bullet (GImpact), touch", 2, pair, bullet_touch);
     one.few = true;
     return std::vector{one};
   };

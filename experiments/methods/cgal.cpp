@@ -20,10 +20,10 @@
 namespace impinge::lab {
 namespace {
 
-using Point = ExactPredicates::Point_3;
+using Point3 = ExactPredicates::Point_3;
 using Triangles = std::vector<ExactPredicates::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<ExactPredicates, Triangles::const_iterator>;
-using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<ExactPredicates, Primitive>>;
+using TreeTriangle = CGAL::AABB_triangle_primitive<ExactPredicates, Triangles::const_iterator>;
+using SurfaceTree = CGAL::AABB_tree<CGAL::AABB_traits<ExactPredicates, TreeTriangle>>;
 
 struct SurfaceTree {
   SurfaceTree(const TriangleMesh& mesh, bool for_distances)
@@ -40,15 +40,15 @@ struct SurfaceTree {
 
   double heap_before;
   Triangles triangles;
-  BoxTree tree;
+  SurfaceTree tree;
   double bytes = 0.0;
 };
 
 // A segment is met where a ray lies in the plane of a face: its end nearer to the centre.
 struct NearestPoint {
   using result_type = double;
-  double operator()(const Point& p) const {
-    return std::sqrt(CGAL::squared_distance(p, Point(CGAL::ORIGIN)));
+  double operator()(const Point3& p) const {
+    return std::sqrt(CGAL::squared_distance(p, Point3(CGAL::ORIGIN)));
   }
   double operator()(const ExactPredicates::Segment_3& s) const {
     return std::min((*this)(s.source()), (*this)(s.target()));
@@ -73,7 +73,7 @@ PointQuery make_cgal_first_hit(const TriangleMesh& mesh) {
   const auto surface = std::make_shared<const SurfaceTree>(mesh, /*for_distances=*/false);
   return one_by_one(
       [surface](const Vec3& x) {
-        const ExactPredicates::Ray_3 ray(Point(CGAL::ORIGIN), Point(x.x(), x.y(), x.z()));
+        const ExactPredicates::Ray_3 ray(Point3(CGAL::ORIGIN), Point3(x.x(), x.y(), x.z()));
         const auto hit = surface->tree.first_intersection(ray);
         return hit ? boost::apply_visitor(NearestPoint{}, hit->first) : kNoSurface;
       },
@@ -84,7 +84,7 @@ PointQuery make_cgal_closest(const TriangleMesh& mesh) {
   const auto surface = std::make_shared<const SurfaceTree>(mesh, /*for_distances=*/true);
   return one_by_one(
       [surface](const Vec3& x) {
-        return std::sqrt(surface->tree.squared_distance(Point(x.x(), x.y(), x.z())));
+        return std::sqrt(surface->tree.squared_distance(Point3(x.x(), x.y(), x.z())));
       },
       surface->bytes);
 }

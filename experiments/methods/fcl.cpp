@@ -49,7 +49,7 @@ fcl::Transform3<double> placed(const Pose& pose) {
   return transform;
 }
 
-Touch collide(const BallSocketPair& pair) {
+Touch fcl_touch(const BallSocketPair& pair) {
   return [trees = std::make_shared<const Trees<fcl::OBB<double>>>(pair)](const Pose& pose) {
     const fcl::CollisionRequest<double> request(1, /*enable_contact_=*/false);
     fcl::CollisionResult<double> result;
@@ -75,10 +75,10 @@ std::function<double(const Pose&)> smallest_distance(const BallSocketPair& pair)
 Method fcl_method() {
   Method method;
   method.touch = [](const BallSocketPair& pair, double /*precision_deg*/) {
-    return std::vector{TouchCase{{"fcl_obb", "OBB tree (FCL)", "", 1}, collide(pair)}};
+    return std::vector{TouchCase{{"fcl_obb", "OBB tree (FCL)", "", 1}, fcl_touch(pair)}};
   };
   method.contact = [](const BallSocketPair& pair) {
-    std::vector cases{touch_only("fcl_collide", "FCL, touch", 0, pair, collide),
+    std::vector cases{touch_only("fcl_collide", "FCL, touch", 0, pair, fcl_touch),
                       ContactCase{{"fcl_distance", "FCL, distance", "", 1}}};
     cases[0].counted = true;
     cases[1].measure = Measure::euclidean;

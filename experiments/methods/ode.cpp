@@ -53,7 +53,7 @@ class Mesh {
   dGeomID geometry_ = nullptr;
 };
 
-Touch collide(const BallSocketPair& pair) {
+Touch ode_touch(const BallSocketPair& pair) {
   return [ball = std::make_shared<const Mesh>(pair.ball),
           socket = std::make_shared<const Mesh>(pair.socket)](const Pose& pose) {
     dMatrix3 rotation = {};  // rows of four
@@ -73,7 +73,7 @@ Touch collide(const BallSocketPair& pair) {
 Method ode_method() {
   Method method;
   method.contact = [](const BallSocketPair& pair) {
-    ContactCase one = touch_only("ode_collide", "ODE (OPCODE), touch", 2, pair, collide);
+    ContactCase one = touch_only("ode_collide", "ODE (OPCODE), touch", 2, pair, ode_touch);
     one.few = true;
     return std::vector{one};
   };

@@ -109,7 +109,7 @@ struct Collision {
   vtkNew<vtkCollisionDetectionFilter> filter;
 };
 
-Touch collide(const BallSocketPair& pair) {
+Touch vtk_touch(const BallSocketPair& pair) {
   const auto collision = std::make_shared<Collision>(pair);
   collision->touches({});
   return [collision](const Pose& pose) { return collision->touches(pose); };
@@ -128,7 +128,7 @@ Method vtk_method() {
     return cases;
   };
   method.contact = [](const BallSocketPair& pair) {
-    ContactCase one = touch_only("vtk_collide", "VTK, touch", 2, pair, collide);
+    ContactCase one = touch_only("vtk_collide", "VTK, touch", 2, pair, vtk_touch);
     one.few = true;
     return std::vector{one};
   };

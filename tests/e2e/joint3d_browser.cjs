@@ -35,16 +35,18 @@ const smallest = (page) => text(page, "smallest-gap").then((words) => Number(wor
 /** Types a number into the field of a value. */
 const type = (page, key, number) => posed(page, () => page.fill(`#value-${key}`, String(number)));
 
-/** The picture, coarsely: [red, green, blue] of 160 by 100 places. */
-const picture = (page) => page.evaluate(async () => {
-  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [160, 100];
-  const pen = canvas.getContext("2d");
-  pen.drawImage(document.getElementById("view"), 0, 0, 160, 100);
-  const { data } = pen.getImageData(0, 0, 160, 100);
-  return Array.from({ length: 16000 }, (_, k) => [...data.slice(4 * k, 4 * k + 3)]);
-});
+/** The picture, coarsely: [red, green, blue] of 160 by 100 places. It leaves the page as one word, which is much faster than numbers. */
+async function picture(page) {
+  const bytes = Buffer.from(await page.evaluate(async () => {
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [160, 100];
+    const pen = canvas.getContext("2d");
+    pen.drawImage(document.getElementById("view"), 0, 0, 160, 100);
+    return Array.from(pen.getImageData(0, 0, 160, 100).data, (byte) => String.fromCharCode(byte)).join("");
+  }), "latin1");
+  return Array.from({ length: 16000 }, (_, k) => [...bytes.subarray(4 * k, 4 * k + 3)]);
+}
 
 /** The share of places at which two pictures differ. */
 function difference(one, other) {

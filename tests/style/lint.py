@@ -4,7 +4,7 @@
 lint.py BUILD CLANG_TIDY [FILE...] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
 includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
 library and give no name twice outside of functions. A name that this does not see is an error of the compiler, and then the
-unit is halved.
+unit is parted.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def names_in(text: str) -> set[str]:
 
     A function's name has its parameters, as others overload it. Members are defined once.
     """
-    lines = re.findall(r"^(?![#/}{]|(?:namespace|using namespace|template)\b|using [\w:]+;)\S.*", text, re.MULTILINE)
+    lines = re.findall(r"^(?![#/}{]|(?:namespace|using namespace|template)\b|using [\w:]+;|[\w:<> ]+\(\);)\S.*", text, re.MULTILINE)
     found = (re.match(r"[^(={;]*?((?:::)?\w+)(?: final)?(?: : .*)?(?:<.*>)?\s*(?:\[.*\])?\s*(?:[={;]|(\(.*))", line) for line in lines)
     names = (match.groups(default="") for match in found if match)
     return {name + parameters for name, parameters in names if not name.startswith("::")}
@@ -121,12 +121,15 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
     settings += f"  - {{ key: bugprone-exception-escape.FunctionsThatShouldNotThrow, value: '{mains}' }}\n"
     words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
-    if done.returncode and len(unit.files) > 1 and "clang-diagnostic-error" in done.stdout:
-        print(f"{at.name} does not compile as one:\n" + "\n".join(re.findall(".*clang-diagnostic-error.*", done.stdout)))
-        halves = [Unit(unit.kind), Unit(unit.kind)]
+    errors = re.findall(".*clang-diagnostic-error.*", done.stdout) if done.returncode and len(unit.files) > 1 else []
+    if errors:
+        print(f"{at.name} does not compile as one:\n" + "\n".join(errors))
+        named = {Path(error.split(":")[0]) for error in errors}
+        parts = [Unit(unit.kind), Unit(unit.kind)]  # those that it names, and the others; where that parts nothing, halves
+        parted = 0 < len(named & {*unit.files}) < len(unit.files)
         for k, file in enumerate(unit.files):
-            halves[2 * k // len(unit.files)].add(file, list(unit.flags.values()), set())
-        return all([is_clean(half, at.with_name(f"{at.stem}_{k}.cpp"), clang_tidy) for k, half in enumerate(halves)])
+            parts[file in named if parted else 2 * k // len(unit.files)].add(file, list(unit.flags.values()), set())
+        return all([is_clean(part, at.with_name(f"{at.stem}_{k}.cpp"), clang_tidy) for k, part in enumerate(parts)])
     print(done.stdout, end="", flush=True)
     return done.returncode == 0
 

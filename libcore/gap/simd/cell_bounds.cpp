@@ -52,9 +52,9 @@ bool share_an_edge(const Face& a, const Face& b) {
   return common >= 2;
 }
 
-class CellSearch {
+class CellBoundSearch {
  public:
-  CellSearch(const TriangleMesh& mesh, Layer layer, double margin)
+  CellBoundSearch(const TriangleMesh& mesh, Layer layer, double margin)
       : mesh_(mesh),
         planes_(sure_planes(mesh)),
         sign_(layer == Layer::nearest ? 1.0 : -1.0),
@@ -145,7 +145,7 @@ std::vector<CellBound> cell_bounds(const TriangleMesh& mesh, Layer layer,
   const auto at = [n](std::size_t line) {
     return -1.0 + 2.0 * static_cast<double>(line) / static_cast<double>(n);
   };
-  CellSearch search(mesh, layer, grid.margin);
+  CellBoundSearch search(mesh, layer, grid.margin);
   std::vector<CellBound> bounds(table.scheme().size());
   for (std::size_t e = 0; e + lines + 1 < bounds.size(); ++e) {
     const std::size_t i = e % lines;
