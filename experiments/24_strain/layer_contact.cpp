@@ -100,7 +100,8 @@ LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(l
   // Enough for the cosines to turn: those of xi t up to kLargestArgument a / h, those of the product twice.
   const double turns = contact / layer.thickness;
   const Rule in_circle = gauss(static_cast<Eigen::Index>(40.0 + 20.0 * turns), contact);
-  const Rule in_space = gauss(static_cast<Eigen::Index>(100.0 + 45.0 * turns), kLargestArgument / layer.thickness);
+  const Rule in_space =
+      gauss(static_cast<Eigen::Index>(100.0 + 45.0 * turns), kLargestArgument / layer.thickness);
   t_ = in_circle.node;
   xi_ = in_space.node;
   xi_step_ = in_space.weight;

@@ -21,9 +21,9 @@ namespace impinge::lab {
 namespace {
 
 using Point3 = ExactPredicates::Point_3;
-using Triangles = std::vector<ExactPredicates::Triangle_3>;
-using TreeTriangle = CGAL::AABB_triangle_primitive<ExactPredicates, Triangles::const_iterator>;
-using SurfaceTree = CGAL::AABB_tree<CGAL::AABB_traits<ExactPredicates, TreeTriangle>>;
+using TriangleList = std::vector<ExactPredicates::Triangle_3>;
+using TreeTriangle = CGAL::AABB_triangle_primitive<ExactPredicates, TriangleList::const_iterator>;
+using TriangleTree = CGAL::AABB_tree<CGAL::AABB_traits<ExactPredicates, TreeTriangle>>;
 
 struct SurfaceTree {
   SurfaceTree(const TriangleMesh& mesh, bool for_distances)
@@ -39,8 +39,8 @@ struct SurfaceTree {
   }
 
   double heap_before;
-  Triangles triangles;
-  SurfaceTree tree;
+  TriangleList triangles;
+  TriangleTree tree;
   double bytes = 0.0;
 };
 
