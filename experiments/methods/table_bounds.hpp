@@ -6,7 +6,7 @@
 
 #include "files/csv.hpp"
 #include "methods/points.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 
 namespace impinge::lab {
 

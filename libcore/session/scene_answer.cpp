@@ -8,6 +8,7 @@
 #include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "table/error_bound.hpp"
-#include "table/table_bound.hpp"
+#include "table/own_scheme.hpp"
 
 namespace impinge {
 

@@ -16,7 +16,6 @@
 // direction_doubt().
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -24,8 +23,6 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "sphere/radial_table.hpp"
-#include "sphere/scheme_list.hpp"
-#include "sphere/walker.hpp"
 
 namespace impinge {
 
@@ -46,27 +43,10 @@ inline double first_order_share(double slope, double angle) {
 }
 
 /// Largest tan psi within the stencil radius of each entry; infinite near a face whose plane holds the
-/// centre, 0 where there is no face. mesh in the centre frame.
+/// centre, 0 where there is no face. mesh in the centre frame. Of schemes of the library; for one of your own
+/// see own_scheme.hpp.
 template <SamplingScheme S>
-std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
-  std::vector<float> slopes(scheme.size(), 0.0F);
-  const auto& walker = walker_of(scheme);
-  for (const Face& face : mesh.faces) {
-    const TriangleCone cone = cone_of(mesh, face);
-    const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
-    // A float may round down; one step up keeps the bound.
-    const float safe = std::nextafter(static_cast<float>(slope), std::numeric_limits<float>::infinity());
-    for_each_entry_near(walker, cone, scheme.stencil_radius(), [&](std::size_t entry, const Vec3&) {
-      slopes[entry] = std::max(slopes[entry], safe);
-    });
-  }
-  return slopes;
-}
-
-/// Compiled once for the schemes of the library, in table/table_bound.cpp.
-#define IMPINGE_SLOPES(S) extern template std::vector<float> largest_slopes(const TriangleMesh&, const S&);
-IMPINGE_SCHEMES(IMPINGE_SLOPES)
-#undef IMPINGE_SLOPES
+std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme);
 
 /// Bound on |table.radius_at(x) - radius of the mesh along x|, mm, for a table filled exactly and its
 /// largest_slopes(). kNoSurface where the table has no surface; infinite where the

@@ -13,6 +13,7 @@
 #include "sphere/walker.hpp"
 #include "table/exact_raster.hpp"
 #include "table/face_cap.hpp"
+#include "table/rim.hpp"
 
 namespace impinge {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "table/exact_raster.hpp"
+#include "sphere/radial_table.hpp"
 
 namespace impinge {
 

@@ -17,9 +17,8 @@
 #include "support/bits.hpp"
 #include "support/bound_probes.hpp"
 #include "support/joined.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 #include "table/pairwise.hpp"
-#include "table/table_bound.hpp"
 
 namespace impinge::lab {
 namespace {

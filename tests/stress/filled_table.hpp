@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "gap/simd/gap_kernels.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 #include "table/packed_fixture.hpp"
-#include "table/table_bound.hpp"
 
 namespace impinge::test {
 

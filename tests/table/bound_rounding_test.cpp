@@ -17,13 +17,11 @@
 #include "support/every_scheme.hpp"
 #include "support/random_cases.hpp"
 #include "support/wrapped_scheme.hpp"
-#include "table/error_bound.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 #include "table/patch_error.hpp"
 #include "table/surface_index.hpp"
 #include "table/surface_kink.hpp"
 #include "table/surface_plane.hpp"
-#include "table/table_bound.hpp"
 
 namespace impinge {
 namespace {

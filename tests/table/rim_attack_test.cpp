@@ -20,7 +20,6 @@
 #include "support/random_cases.hpp"
 #include "support/wrapped_scheme.hpp"
 #include "table/direction_bounds.hpp"
-#include "table/exact_raster.hpp"
 
 namespace impinge {
 namespace {

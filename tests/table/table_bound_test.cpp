@@ -17,7 +17,7 @@
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
 #include "support/turned.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge {

@@ -20,7 +20,7 @@
 #include "sphere/schemes/usid.hpp"
 #include "sphere/stored_table.hpp"
 #include "sphere/uniform_directions.hpp"
-#include "table/exact_raster.hpp"
+#include "table/own_scheme.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of tables, compiled once for every scheme of the library.
-#include "table/table_bound.hpp"
+#include "table/own_scheme.hpp"
 
 namespace impinge {
 
-#define IMPINGE_BOUND(S)                                                     \
+#define IMPINGE_OF_SCHEME(S)                                                 \
+  template RadialTable<S> fill_exact(const TriangleMesh&, const S&, Layer);  \
   template std::vector<float> largest_slopes(const TriangleMesh&, const S&); \
   template TableBound table_bound(const TriangleMesh&, const RadialTable<S>&, Layer, const BoundOptions&);
-IMPINGE_SCHEMES(IMPINGE_BOUND)
+IMPINGE_SCHEMES(IMPINGE_OF_SCHEME)
 
 }  // namespace impinge
