@@ -117,7 +117,7 @@ def save_figure(figure: Figure, out: Path, name: str, kinds: list[str] = list(UN
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     figure.draw_without_rendering()
-    tight = figure.get_tightbbox().padded(plt.rcParams["savefig.pad_inches"])  # once for all kinds, a third of their time
+    tight = figure.get_tightbbox().padded(plt.rcParams["savefig.pad_inches"])  # once for all kinds: a sixth of a script
     for kind in kinds:
         figure.savefig(folder / f"{name}.{kind}", metadata=dict.fromkeys(UNSAID[kind]), bbox_inches=tight)
         if kind == "svg":
