@@ -23,6 +23,8 @@ import threading
 import time
 from pathlib import Path
 
+import script_server
+
 
 def parse() -> argparse.Namespace:
     """The command line; everything after -- is the job's own command."""
@@ -57,7 +59,7 @@ def tell(text: str) -> None:
         os.write(int(os.environ["IMPINGE_EVENTS"]), f"{text}\n".encode())
 
 
-def relay(name: str, talks: bool, child: subprocess.Popen) -> None:
+def relay(name: str, talks: bool, child: subprocess.Popen | script_server.Asked) -> None:
     """Passes on what the command prints."""
     for line in child.stdout:
         print(line, end="", flush=True)
@@ -68,7 +70,7 @@ def relay(name: str, talks: bool, child: subprocess.Popen) -> None:
 def run(options: argparse.Namespace, folder: Path) -> int:
     """Runs the command in the folder; ends it when the run that started this job is gone (killed, say)."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
-    child = subprocess.Popen(
+    child = script_server.ask(options.command, folder) or subprocess.Popen(
         options.command,
         cwd=folder,
         start_new_session=True,

@@ -29,6 +29,7 @@ SOURCE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(SOURCE / "analysis" / "common"))
 
 import archive  # noqa: E402
+import script_server  # noqa: E402
 from jobs import Job, load  # noqa: E402
 
 STATUS = "@@ "  # starts every status line of Ninja, see NINJA_STATUS
@@ -337,6 +338,9 @@ def run_jobs(build: Path, target: str, progress: Progress, parallel: int, draft:
     """Runs the graph and tells what the jobs tell; Ninja's own output is kept for a failure."""
     read, write = os.pipe()
     os.set_inheritable(write, True)
+    scripts = [job.command for job in progress.left.values() if script_server.parts(job.command)]
+    server, asks = script_server.start(scripts[0], SOURCE) if scripts else (None, None)
+    asking = {script_server.SOCKET: str(asks.fileno())} if asks else {}
     log = build / "graph" / "ninja.log"
     with log.open("w") as output:
         process = start(
@@ -345,8 +349,11 @@ def run_jobs(build: Path, target: str, progress: Progress, parallel: int, draft:
             output,
             IMPINGE_RUN_PID=str(os.getpid()),
             IMPINGE_EVENTS=str(write),
+            **asking,
         )
     os.close(write)
+    if asks:
+        asks.close()
     if draft:
         draft.thread.start()
     with os.fdopen(read, errors="replace") as events:
@@ -355,6 +362,8 @@ def run_jobs(build: Path, target: str, progress: Progress, parallel: int, draft:
                 draft.end()
             progress.hear(event)
     code = process.wait()
+    if server:
+        server.wait()
     if draft:
         draft.end()
         draft.thread.join(timeout=60)

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
+import signal
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -12,12 +15,13 @@ from pathlib import Path
 from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "analysis"))
+sys.path[:0] = [str(ROOT / "analysis"), str(ROOT / "experiments")]
 
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
+import script_server  # noqa: E402
 from common import heads, log_plot, measured, timing  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, markup, reference  # noqa: E402
@@ -448,6 +452,74 @@ class Memory(unittest.TestCase):
         for least, most, found in ((3600, 3601, "reproduced"), (3601, 3601, "reproduced"), (3599, 3600, "differs")):
             line = pd.Series({"equator_least": least, "equator_most": most, "equator_points": 3601})
             self.assertEqual(verdicts_memory.equator_row(value, line)["verdict"], found)
+
+
+class ScriptServer(unittest.TestCase):
+    """A script does the same as in a Python of its own: folder, words, exit code, and what it prints."""
+
+    SCRIPT = """
+import os, sys, time
+from pathlib import Path
+import common
+print(__name__, *sys.argv[1:], "in", Path.cwd().name, flush=True)
+if sys.argv[1] == "refused": sys.exit("a reason")
+if sys.argv[1] == "coded": sys.exit(3)
+if sys.argv[1] == "wrong": raise ValueError("what is wrong")
+if sys.argv[1] == "killed": os.kill(os.getpid(), 9)
+if sys.argv[1] == "waits": time.sleep(600)
+sys.exit(0)
+"""
+    CODES = {"refused": 1, "coded": 3, "wrong": 1, "killed": 1, "good": 0}
+    SAID = {"refused": "a reason", "wrong": "ValueError: what is wrong"}
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        script = self.folder / "script.py"
+        script.write_text(self.SCRIPT)
+        self.command = ["cmake", "-E", "env", f"PYTHONPATH={ROOT / 'analysis'}", sys.executable, "-B", str(script)]
+        self.server, self.asks = script_server.start(self.command, self.folder)
+        self.addCleanup(self.server.wait)
+        self.addCleanup(self.asks.close)
+        served = mock.patch.dict("os.environ", {script_server.SOCKET: str(self.asks.fileno())})
+        served.start()
+        self.addCleanup(served.stop)
+
+    def ask(self, *words: str) -> script_server.Asked:
+        """The script, begun by the server."""
+        asked = script_server.ask([*self.command, *words], self.folder)
+        self.addCleanup(asked.stdout.close)
+        return asked
+
+    def test_like_a_python_of_its_own(self):
+        for way, code in self.CODES.items():
+            with self.subTest(way):
+                asked = self.ask(way)
+                self.assertEqual(asked.wait(60), code)
+                first, *more = asked.stdout.read().splitlines()
+                self.assertEqual(first, f"__main__ {way} in {self.folder.name}")
+                self.assertEqual(more[-1:], [self.SAID[way]] if way in self.SAID else [])
+
+    def test_beside_each_other(self):
+        """Each in a process of its own, which ends alone."""
+        waits, good = self.ask("waits"), self.ask("good")
+        self.assertEqual(good.wait(60), 0)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            waits.wait(0.1)
+        os.killpg(waits.pid, signal.SIGKILL)
+        self.assertEqual(waits.wait(60), 1)
+        self.assertEqual(self.ask("good").wait(60), 0)
+
+    def test_nobody_serves(self):
+        self.server.kill()
+        self.server.wait()
+        self.assertIsNone(script_server.ask([*self.command, "good"], self.folder))
+        self.assertIsNone(script_server.ask(["ls"], self.folder))
+
+    def test_ends_with_who_asks(self):
+        self.asks.close()
+        self.assertEqual(self.server.wait(60), 0)
 
 
 if __name__ == "__main__":
