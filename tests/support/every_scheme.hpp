@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All schemes, or the one that IMPINGE_SCHEME names: how tests/check_scheme tries a new one alone.
+// All schemes, or the one for which tests/check_scheme compiles a test.
 #pragma once
 
-#include <cstdlib>
-#include <string_view>
+#include <utility>
 
 #include "sphere/scheme_list.hpp"
 
@@ -12,10 +11,11 @@ namespace impinge::test {
 // Calls visit.template operator()<S>() for each.
 template <class Visit>
 void every_scheme(Visit&& visit) {
-  const char* only = std::getenv("IMPINGE_SCHEME");
-  for_each_scheme([&]<class S>() {
-    if (only == nullptr || std::string_view(only) == S::name) visit.template operator()<S>();
-  });
+#ifdef IMPINGE_CHECKED_SCHEME
+  visit.template operator()<IMPINGE_CHECKED_SCHEME>();
+#else
+  for_each_scheme(std::forward<Visit>(visit));
+#endif
 }
 
 }  // namespace impinge::test
