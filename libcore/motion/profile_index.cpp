@@ -8,15 +8,6 @@
 #include "sphere/infinity.hpp"
 
 namespace impinge {
-namespace {
-
-std::size_t cell(double value, double low, double high, std::size_t cells) {
-  if (!(value > low) || !(high > low)) return 0;
-  const double share = (value - low) / (high - low) * static_cast<double>(cells);
-  return std::min(static_cast<std::size_t>(std::min(share, static_cast<double>(cells))), cells - 1);
-}
-
-}  // namespace
 
 ProfileBox profile_of(const Vec3& x, double margin) {
   const double r = x.norm();
@@ -50,6 +41,11 @@ ProfileIndex::ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& with
     : boxes_(std::move(boxes)), bounds_(bounds_of(boxes_)) {
   bounds_ = {std::max(bounds_.z_low, within.z_low), std::min(bounds_.z_high, within.z_high),
              std::max(bounds_.r_low, within.r_low), std::min(bounds_.r_high, within.r_high)};
+  const auto axis = [](double low, double high) {
+    return Axis{low, high > low ? static_cast<double>(kCells) / (high - low) : 0.0};
+  };
+  z_cells_ = axis(bounds_.z_low, bounds_.z_high);
+  r_cells_ = axis(bounds_.r_low, bounds_.r_high);
   std::vector<Lists::Pair> pairs;
   for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
     if (!bounds_.overlaps(boxes_[i])) continue;
@@ -63,10 +59,7 @@ ProfileIndex::ProfileIndex(std::vector<ProfileBox> boxes, const ProfileBox& with
 }
 
 ProfileIndex::Cells ProfileIndex::cells_of(const ProfileBox& box) const {
-  return {cell(box.z_low, bounds_.z_low, bounds_.z_high, kCells),
-          cell(box.z_high, bounds_.z_low, bounds_.z_high, kCells),
-          cell(box.r_low, bounds_.r_low, bounds_.r_high, kCells),
-          cell(box.r_high, bounds_.r_low, bounds_.r_high, kCells)};
+  return {z_cells_.of(box.z_low), z_cells_.of(box.z_high), r_cells_.of(box.r_low), r_cells_.of(box.r_high)};
 }
 
 }  // namespace impinge

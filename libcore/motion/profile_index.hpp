@@ -51,10 +51,11 @@ class ProfileIndex {
     for (std::size_t z = cells.z_low; z <= cells.z_high; ++z) {
       for (std::size_t r = cells.r_low; r <= cells.r_high; ++r) {
         for (const std::uint32_t i : in_cell_[z * kCells + r]) {
-          const Cells own = cells_of(boxes_[i]);
+          const ProfileBox& own = boxes_[i];
           // In the first cell that both are in, so that no pair comes twice.
-          if (z != std::max(own.z_low, cells.z_low) || r != std::max(own.r_low, cells.r_low)) continue;
-          if (boxes_[i].overlaps(box)) visit(i);
+          if (own.overlaps(box) && (z == cells.z_low || z == z_cells_.of(own.z_low)) &&
+              (r == cells.r_low || r == r_cells_.of(own.r_low)))
+            visit(i);
         }
       }
     }
@@ -65,10 +66,19 @@ class ProfileIndex {
   struct Cells {
     std::size_t z_low, z_high, r_low, r_high;
   };
+  struct Axis {
+    double low = 0.0, cells_per_mm = 0.0;
+    std::size_t of(double value) const {
+      if (!(value > low)) return 0;
+      return static_cast<std::size_t>(
+          std::min(static_cast<double>(kCells - 1), (value - low) * cells_per_mm));
+    }
+  };
   Cells cells_of(const ProfileBox& box) const;
 
   std::vector<ProfileBox> boxes_;
   ProfileBox bounds_;
+  Axis z_cells_, r_cells_;
   Lists in_cell_;  // boxes
 };
 
