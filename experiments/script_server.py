@@ -94,6 +94,7 @@ def serve(number: int) -> None:
             import common  # noqa: F401, PLC0415  # now: who asks holds the machine, so that no timing runs beside it
 
             if os.fork() == 0:
+                asked.close()
                 signal.signal(signal.SIGINT, signal.default_int_handler)
                 signal.signal(signal.SIGCHLD, signal.SIG_DFL)
                 os.setsid()
