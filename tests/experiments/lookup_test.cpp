@@ -30,7 +30,7 @@ TEST(Lookup, SmoothIsThatOfTheTable) {
 TEST(Lookup, PlaneExactIsThatOfTheInverseDepthTable) {
   const auto radius = [](const Vec3& u) { return ball_radius(u); };
   std::size_t checked = 0;
-  test::every_scheme([&]<class S>() {
+  for_each_scheme([&]<class S>() {  // of which some are plane exact
     if constexpr (PlaneExactScheme<S>) {
       ++checked;
       const S scheme = S::with_precision(3.0);
