@@ -22,7 +22,7 @@ import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
 import script_server  # noqa: E402
-from common import heads, log_plot, measured, timing  # noqa: E402
+from common import heads, jobs, log_plot, measured, timing  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
@@ -516,6 +516,14 @@ sys.exit(0)
         self.server.wait()
         self.assertIsNone(script_server.ask([*self.command, "good"], self.folder))
         self.assertIsNone(script_server.ask(["ls"], self.folder))
+
+    def test_knows_the_scripts_of_the_graph(self):
+        """Else each would get a Python of its own again, and nothing would say so."""
+        build = Path(os.environ.get("IMPINGE_BUILD_DIR", ROOT / "build" / "release"))
+        every = [job for job in jobs.load(build / "graph" / "jobs.json") if job.kind != "page"]
+        scripts = {job.name for job in every if job.script.endswith(".py")}
+        self.assertGreater(len(scripts), 100)
+        self.assertEqual({job.name for job in every if script_server.parts(job.command)}, scripts)
 
     def test_ends_with_who_asks(self):
         self.asks.close()
