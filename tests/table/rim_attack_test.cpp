@@ -180,7 +180,11 @@ INSTANTIATE_TEST_SUITE_P(Schemes, RimAttack, testing::Values(0, 1),
 
 TEST_P(RimAttack, NoTangentialEdgePokesIntoACellThatAnswers) {
   std::size_t schemes = 0;
-  test::every_scheme([&]<class S>() { ++schemes; });
+  bool borders_known = false;  // of any; a scheme that tells none answers nowhere near an edge
+  test::every_scheme([&]<class S>() {
+    ++schemes;
+    borders_known |= HasKnownBorders<S>;
+  });
   std::size_t number = 0;
   std::size_t answers = 0;
   test::every_scheme([&]<class S>() {
@@ -190,7 +194,9 @@ TEST_P(RimAttack, NoTangentialEdgePokesIntoACellThatAnswers) {
     for (std::size_t k = 0; k < random_cases() / schemes + 1 && !HasFailure(); ++k)
       answers += attack(scheme, dice);
   });
-  EXPECT_GT(answers, schemes);
+  if (schemes > 1 || borders_known) {
+    EXPECT_GT(answers, schemes);
+  }
 }
 
 // A scheme that says nothing about the borders of its cells.
