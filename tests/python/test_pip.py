@@ -20,10 +20,7 @@ def test_pip_builds_and_installs_the_module(tmp_path):
     clone = tmp_path / "clone"
     shutil.copytree(ROOT, clone, ignore=shutil.ignore_patterns(".git", "build", "results", "node_modules"))
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    if shutil.which("ccache"):
-        environment["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
-        environment["CCACHE_BASEDIR"] = str(clone)
-        environment["CCACHE_NOHASHDIR"] = "1"
+    environment["CCACHE_BASEDIR"] = str(clone)
     run(sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "venv")
     python = tmp_path / "venv/bin/python"
     run(python, "-m", "pip", "install", "--no-index", "--no-build-isolation", clone / "libcore/python", env=environment)
