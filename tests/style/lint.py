@@ -22,6 +22,8 @@ ROOT = Path(__file__).resolve().parents[2]
 OTHERS = re.compile(r"#include [<\"](?:python|CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"]  # of clang, beside its checks
 LARGEST = 100  # files in a unit
+# Highway's files, once for each set of instructions that they tell apart, whatever this machine has: none, AVX2, AVX-512.
+VECTORS = ["vectors", "vectors -march=haswell -maes -mpclmul", "vectors -march=skylake-avx512"]
 MIMALLOC = find_library("mimalloc")  # with which clang is faster
 ENVIRONMENT = {**os.environ, "LD_PRELOAD": MIMALLOC} if MIMALLOC else None
 
@@ -82,7 +84,7 @@ class Unit:
 
 
 def units(build: Path, only: set[Path]) -> list[Unit]:
-    """Every file is in one of them, or every one of these."""
+    """Every file is in one of them, those of Highway in one for each set; or every one of these files."""
     made: list[Unit] = []
     seen: set[Path] = set()
     folders = tuple(f"{top}/{name}/" for top in (ROOT, build) for name in ("libcore", "experiments", "analysis/joint3d/engine"))
@@ -93,26 +95,26 @@ def units(build: Path, only: set[Path]) -> list[Unit]:
             seen.add(file)
             text = file.read_text()
             names = names_in(text)
+            kinds = ["others" if OTHERS.search(text) else "ours"]
             if "no_schemes" in entry["command"]:  # the digests, which have other headers before the library's
-                kind = "alone"
+                kinds = ["alone"]
             elif "HWY_TARGET_INCLUDE" in text:
-                kind = "vectors"
+                kinds = VECTORS
             elif is_program(text):
-                kind, names = "programs", set()
-            else:
-                kind = "others" if OTHERS.search(text) else "ours"
-            unit = next((unit for unit in made if unit.takes(kind, names)), None)
-            if unit is None:
-                unit = Unit(kind)
-                made.append(unit)
-            unit.add(file, flags_of(entry), names)
+                kinds, names = ["programs"], set()
+            for kind in kinds:
+                unit = next((unit for unit in made if unit.takes(kind, names)), None)
+                if unit is None:
+                    unit = Unit(kind)
+                    made.append(unit)
+                unit.add(file, flags_of(entry), names)
     return made
 
 
 def text_of(unit: Unit) -> str:
-    """One translation unit. Programs get a namespace each, behind the headers of all; vectors are of this machine."""
+    """One translation unit. Programs get a namespace each, behind the headers of all."""
     if unit.kind != "programs":
-        before = "#define HWY_COMPILE_ONLY_STATIC\n" * (unit.kind == "vectors")
+        before = "#define HWY_COMPILE_ONLY_STATIC\n" * (unit.kind in VECTORS)
         return before + "".join(f'#include "{file}"\n' for file in unit.files)
     headers = [line for file in unit.files for line in re.findall("^#include .*", file.read_text(), re.MULTILINE)]
     programs = [f'namespace program_{k} {{\n#define main(...) main_{k}(__VA_ARGS__)\n#include "{file}"\n#undef main\n}}' for k, file in enumerate(unit.files)]
@@ -125,8 +127,7 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
     mains = ",".join(["main", *(f"main_{k}" for k in range(LARGEST))])
     settings = (ROOT / ".clang-tidy").read_text()
     settings += f"  - {{ key: bugprone-exception-escape.FunctionsThatShouldNotThrow, value: '{mains}' }}\n"
-    machine = ["-march=native"] * (unit.kind == "vectors")
-    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS, *machine]
+    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS, *unit.kind.split()[1:]]
     done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     errors = re.findall(".*clang-diagnostic-error.*", done.stdout) if done.returncode and len(unit.files) > 1 else []
     if errors:
@@ -148,7 +149,7 @@ def main() -> None:
     made = sorted(units(build, only), key=lambda unit: -len(unit.files))
     folder = build / "lint"
     folder.mkdir(exist_ok=True)
-    print(f"{sum(len(unit.files) for unit in made)} files in {len(made)} units")
+    print(f"{len({file for unit in made for file in unit.files})} files in {len(made)} units")
     sys.exit(not all([is_clean(unit, folder / f"unit_{k}.cpp", clang_tidy) for k, unit in enumerate(made)]))
 
 
