@@ -25,7 +25,7 @@ tell_missing() {
 # (5 MB and ten packages a second); nothing where apt-get does not know yet.
 tell_size() {
   # shellcheck disable=SC2086 # one word a package
-  LC_ALL=C apt-get install --assume-no --no-install-recommends -o Debug::NoLocking=1 $1 2>/dev/null | sed -nE '
+  LC_ALL=C apt-get install --print-uris --assume-no --no-install-recommends $1 2>/dev/null | sed -nE '
     s/.* ([0-9]+) newly installed.*/packages \1/p; s/^Need to get ([^ ]+ .?B).*/download \1/p
     s/^After this operation, ([^ ]+ .?B) of.*/disk \1/p' | {
     local packages=0 download="0 B" disk="0 B" what value mb

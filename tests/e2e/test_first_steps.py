@@ -81,10 +81,14 @@ class FirstSteps(unittest.TestCase):
                 done.stderr, f"Packages are missing. Install them{said} with:\n  {sudo}{line.format(sudo)}\n"
             )
         self.assertNotIn("apt-get", self.calls.read_text())
+        self.stand_in("apt-get")  # which installs without a question where it needs no more than what is named
+        self.assertEqual(self.reproduce("--list").returncode, 1)
+        asked = [call for call in self.calls.read_text().splitlines() if call.startswith("apt-get")]
+        self.assertEqual([call.split()[:3] for call in asked], [["apt-get", "install", "--print-uris"]])
 
     def test_what_is_installed_is_what_the_command_needs(self):
         """Its size and time are said before. Scripts of the pages are fetched once, for what needs them."""
-        self.stand_in("apt-get", f'[[ "$*" != *--assume-no* ]] || {{ {FOREWORD} exit 1; }}')
+        self.stand_in("apt-get", f'[[ "$*" != *--print-uris* ]] || {{ {FOREWORD} exit 1; }}')
         self.stand_in("sudo", 'shift; exec "$@"')
         cases = (
             (["--only", "figure-50"], PACKAGES[1:], PACKAGES[:1], 0),

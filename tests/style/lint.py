@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""clang-tidy on every source of libcore/ and experiments/, once each, many in one translation unit.
+"""clang-tidy on every source of libcore/ and experiments/, many in one translation unit.
 
 lint.py BUILD CLANG_TIDY [FILE...] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
 includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 OTHERS = re.compile(r"#include [<\"](?:python|CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"]  # of clang, beside its checks
 LARGEST = 100  # files in a unit
-# Highway's files, once for each set of instructions that they tell apart, whatever this machine has: none, AVX2, AVX-512.
+# Highway's files, once for each set of instructions that they tell apart on x86-64: none, AVX2, AVX-512.
 VECTORS = ["vectors", "vectors -march=haswell -maes -mpclmul", "vectors -march=skylake-avx512"]
 MIMALLOC = find_library("mimalloc")  # with which clang is faster
 ENVIRONMENT = {**os.environ, "LD_PRELOAD": MIMALLOC} if MIMALLOC else None
