@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """clang-tidy on every source of libcore/ and experiments/, many in one translation unit.
 
-lint.py BUILD CLANG_TIDY [FILE...] reads BUILD/compile_commands.json. Nine tenths of a unit's time go into the headers that it
+lint.py BUILD CLANG_TIDY [FILE...] reads BUILD/compile_commands.json. Most of a unit's time goes into the headers that it
 includes, which are the same again and again: so files of all targets share units, as long as they include the same kind of
 library and give no name twice outside of functions. A name that this does not see is an error of the compiler, and then the
 unit is parted.
@@ -121,13 +121,13 @@ def text_of(unit: Unit) -> str:
     return "\n".join([*dict.fromkeys(headers), *programs, ""])
 
 
-def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
+def is_clean(unit: Unit, at: Path, clang_tidy: list[str]) -> bool:
     """Prints what clang-tidy says."""
     at.write_text(text_of(unit))
     mains = ",".join(["main", *(f"main_{k}" for k in range(LARGEST))])
     settings = (ROOT / ".clang-tidy").read_text()
     settings += f"  - {{ key: bugprone-exception-escape.FunctionsThatShouldNotThrow, value: '{mains}' }}\n"
-    words = [clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS, *unit.kind.split()[1:]]
+    words = [*clang_tidy, "--quiet", f"--config={settings}", str(at), "--", *unit.flags.values(), *WARNINGS, *unit.kind.split()[1:]]
     done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     errors = re.findall(".*clang-diagnostic-error.*", done.stdout) if done.returncode and len(unit.files) > 1 else []
     if errors:
@@ -144,7 +144,10 @@ def is_clean(unit: Unit, at: Path, clang_tidy: str) -> bool:
 
 def main() -> None:
     """Exit code 1 for any warning."""
-    build, clang_tidy = Path(sys.argv[1]).resolve(), sys.argv[2]
+    build, clang_tidy = Path(sys.argv[1]).resolve(), [sys.argv[2]]
+    own_code = build / "tests" / "style" / "own_code.so"
+    if own_code.exists():
+        clang_tidy.append(f"--load={own_code}")
     only = {Path(name).resolve() for name in sys.argv[3:]}
     made = sorted(units(build, only), key=lambda unit: -len(unit.files))
     folder = build / "lint"
