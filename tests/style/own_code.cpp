@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For clang-tidy: its checks look at what the project declares, and not at the headers of other libraries too, of which they
-// would say nothing. Two fifths of the time. clang-tidy 21 does so by itself.
+// A plugin of clang-tidy: its checks visit what the project declares, and not the headers of other libraries,
+// of which they would say nothing. Lint then takes two fifths of the time.
+#include <vector>
+
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
 #include <clang-tidy/ClangTidyModuleRegistry.h>
@@ -8,13 +10,11 @@
 #include <clang/ASTMatchers/ASTMatchers.h>
 #include <clang/Basic/SourceManager.h>
 
-#include <vector>
-
 namespace {
 
 using clang::ast_matchers::MatchFinder;
 
-/// The translation unit is the first thing that is matched. Then follows what lies in its scope, as it is by then.
+/// The translation unit is matched first; what is visited after it lies in the scope that is set here.
 class OwnCode : public clang::tidy::ClangTidyCheck {
  public:
   using ClangTidyCheck::ClangTidyCheck;
