@@ -142,6 +142,13 @@ def is_clean(unit: Unit, at: Path, clang_tidy: list[str]) -> bool:
     return done.returncode == 0
 
 
+def finds_a_fault(at: Path, clang_tidy: list[str]) -> bool:
+    """Whether it says something of a fault, and not nothing of anything."""
+    at.write_text("#include <vector>\nnamespace impinge {\nint* nothing() { return 0; }\n}\n")
+    words = [*clang_tidy, "--quiet", f"--config-file={ROOT / '.clang-tidy'}", str(at), "--", "-std=c++20"]
+    return "modernize-use-nullptr" in subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True, check=False).stdout
+
+
 def main() -> None:
     """Exit code 1 for any warning."""
     build, clang_tidy = Path(sys.argv[1]).resolve(), [sys.argv[2]]
@@ -152,6 +159,8 @@ def main() -> None:
     made = sorted(units(build, only), key=lambda unit: -len(unit.files))
     folder = build / "lint"
     folder.mkdir(exist_ok=True)
+    if not finds_a_fault(folder / "fault.cpp", clang_tidy):
+        sys.exit(f"{' '.join(clang_tidy)} says nothing of a fault: is tests/style/own_code.cpp made for this clang-tidy?")
     print(f"{len({file for unit in made for file in unit.files})} files in {len(made)} units")
     sys.exit(not all([is_clean(unit, folder / f"unit_{k}.cpp", clang_tidy) for k, unit in enumerate(made)]))
 
