@@ -3,13 +3,13 @@
 // @writes    scheme_points
 // @timing    no
 // @seconds   1 1
-// @links     harness reference
+// @links     harness scheme_metrics
 //
 // Tables small enough for their entries to be seen in a picture.
 
 #include "harness/driver.hpp"
-#include "reference/scheme_metrics.hpp"
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/scheme_metrics.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 #include "sphere/scheme_list.hpp"
 
 namespace {

@@ -3,15 +3,15 @@
 // @writes    scheme_savings
 // @timing    no
 // @seconds   12 120
-// @links     harness reference
+// @links     harness scheme_metrics
 //
-// In four meanings of "as good": see reference/scheme_savings.hpp. Each time a table of the scheme is made
-// and measured.
+// In four meanings of "as good": see scheme_metrics/scheme_savings.hpp. Each time a table of the scheme is
+// made and measured.
 
 #include <array>
 
 #include "harness/driver.hpp"
-#include "reference/scheme_savings.hpp"
+#include "scheme_metrics/scheme_savings.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/uniform_directions.hpp"

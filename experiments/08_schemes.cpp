@@ -3,15 +3,15 @@
 // @writes    schemes scheme_covering scheme_errors
 // @timing    no
 // @seconds   5 20
-// @links     harness reference
+// @links     harness scheme_metrics
 //
 // Every scheme of the list, with about as many entries as RSID has at 1 degree. Everything is measured on the
 // directions and the stencils of the scheme; declared_radius_deg alone is what it says of itself.
 
 #include "harness/driver.hpp"
-#include "reference/interpolation_error.hpp"
-#include "reference/scheme_metrics.hpp"
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/interpolation_error.hpp"
+#include "scheme_metrics/scheme_metrics.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/uniform_directions.hpp"

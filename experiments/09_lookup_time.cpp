@@ -4,7 +4,7 @@
 // @writes    lookup_time lookup_time_samples stencil_time stencil_time_samples
 // @timing    yes
 // @seconds   15 65
-// @links     harness reference
+// @links     harness scheme_metrics
 //
 // Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random
 // directions: no look-up profits from the one before it, as neighbouring vertices of a mesh would. The points
@@ -22,7 +22,7 @@
 
 #include "harness/driver.hpp"
 #include "harness/timing_report.hpp"
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"

@@ -10,8 +10,8 @@
 #include <benchmark/benchmark.h>
 
 #include "files/stopwatch.hpp"
-#include "gap/simd/instruction_set.hpp"
 #include "methods/benchmark_scene.hpp"
+#include "methods/instruction_set.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -8,7 +8,7 @@
 // @timing    yes
 // @seconds   97 3600
 // @links     harness hip real_joints reference_cache contact_poses contact motion benchmark_scene
-// @links     methods points_methods gaps_methods contact_methods fill_methods gap_simd
+// @links     methods points_methods gaps_methods contact_methods fill_methods gap_simd instruction_set
 //
 // One benchmark, a table a question, on the generated pair, on hips and on real joints.
 //   gap of a vertex    vertices of the posed ball, asked alone, against the surface of the socket

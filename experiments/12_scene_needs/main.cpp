@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   27 420
-// @links     harness real_joints methods session answer_difference
+// @links     harness real_joints methods session answer_difference local_refill
 //
 // Everything is done with RSID tables at 0.1 degrees, for four questions about each joint: all gaps in one
 // pose, the smallest gap in it, touch along a motion there and back in 19 poses, and all gaps along it in 181

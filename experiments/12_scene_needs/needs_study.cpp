@@ -14,11 +14,11 @@
 #include "gap/gap_scan.hpp"
 #include "harness/answer_difference.hpp"
 #include "methods/heap_use.hpp"
+#include "methods/local_refill.hpp"
 #include "motion/euclidean_distance.hpp"
 #include "session/certificate.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/error_bound.hpp"
-#include "table/local_refill.hpp"
 #include "table/pairwise.hpp"
 
 namespace impinge::lab {

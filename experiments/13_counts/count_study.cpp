@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "contact/culled_joint.hpp"
-#include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/benchmark_scene.hpp"
 #include "methods/contact.hpp"
 #include "methods/gaps.hpp"
+#include "methods/instruction_set.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -2,7 +2,7 @@
 // @question  How many instructions does a gap take, and does a table fit the caches?
 // @writes    counts
 // @seconds   12 12
-// @links     harness benchmark_scene gaps_methods contact_methods
+// @links     harness benchmark_scene gaps_methods contact_methods instruction_set
 //
 // Counted by valgrind, not timed: instructions are the same in every run. The program starts itself under it,
 // with an option of its own. Each way is counted in its third run, with warm caches; on instruction sets up

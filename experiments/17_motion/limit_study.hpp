@@ -10,8 +10,8 @@
 #include "files/csv.hpp"
 #include "hip/clock.hpp"
 #include "motion/named_motion.hpp"
-#include "motion/phantom.hpp"
 #include "motion/told_limit.hpp"
+#include "phantoms/phantom.hpp"
 
 namespace impinge::lab {
 
@@ -48,6 +48,6 @@ Table limit_table(const std::vector<LimitCase>& cases);
 // Brackets, places and what half a millimetre of the input changes.
 Table limit_detail_table(const std::vector<LimitCase>& cases);
 
-Table phantom_table(const std::vector<PhantomRow>& rows);  // the table of validation (motion/phantom.hpp)
+Table phantom_table(const std::vector<PhantomRow>& rows);  // the table of validation (phantoms/phantom.hpp)
 
 }  // namespace impinge::lab

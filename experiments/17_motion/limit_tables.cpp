@@ -104,7 +104,7 @@ Table limit_detail_table(const std::vector<LimitCase>& cases) {
 Table phantom_table(const std::vector<PhantomRow>& rows) {
   Table table;
   table.columns = {
-      {"phantom", "", "motion/phantom.hpp has the formulas"},
+      {"phantom", "", "phantoms/phantom.hpp has the formulas"},
       {"quantity", "", "limit in degrees, or gap in mm"},
       {"closed_form", "", "of the smooth surfaces"},
       {"measured", "", "on meshes; of a limit the middle of its bracket"},

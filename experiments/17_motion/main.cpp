@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    no
 // @seconds   12 70
-// @links     harness real_joints motion
+// @links     harness real_joints motion phantoms
 //
 // Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no
 // step can jump over (motion/turn_limit.hpp), about the centre of the head and about that of the socket; of

@@ -8,8 +8,8 @@
 
 #include "20_claims/claims_study.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/local_refill.hpp"
 #include "sphere/schemes/rsid.hpp"
-#include "table/local_refill.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -3,7 +3,7 @@
 // @writes    claims claims_samples
 // @timing    yes
 // @seconds   5 40
-// @links     harness methods face_crossings hip reference
+// @links     harness methods face_crossings hip local_refill reference
 //
 // A deforming surface updated in place, self-collision found while sampling, several layers, several joints
 // in one scene: each a small experiment, with an exact or bit-for-bit check before anything is timed.

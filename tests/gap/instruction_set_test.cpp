@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: with every instruction set, for every number of vertices, the same bits; nothing beyond the
 // vertices is written; what has no direction or is no number has no answer
-#include "gap/simd/instruction_set.hpp"
+#include "methods/instruction_set.hpp"
 
 #include <bit>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "mesh/ball_socket_pair.hpp"
-#include "motion/phantom_meshes.hpp"
 #include "motion/required_motion.hpp"
+#include "phantoms/phantom_meshes.hpp"
 
 namespace impinge {
 

@@ -12,8 +12,8 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "motion/phantom_meshes.hpp"
 #include "motion/turn_limit.hpp"
+#include "phantoms/phantom_meshes.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gap/simd/instruction_set.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/instruction_set.hpp"
 #include "support/turned.hpp"
 #include "table/fill/cube_fill.hpp"
 

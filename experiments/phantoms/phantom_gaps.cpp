@@ -8,7 +8,7 @@
 #include "contact/culled_joint.hpp"
 #include "gap/gap_scan.hpp"
 #include "mesh/bodies.hpp"
-#include "motion/phantom.hpp"
+#include "phantoms/phantom.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 #include "table/table_bound.hpp"

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/sphere_delaunay.hpp"
+#include "scheme_metrics/sphere_delaunay.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {

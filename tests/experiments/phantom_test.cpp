@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Limits of the phantoms are within a hundredth of a degree of their closed forms, gaps within what is
 // proven.
-#include "motion/phantom.hpp"
+#include "phantoms/phantom.hpp"
 
 #include <cmath>
 

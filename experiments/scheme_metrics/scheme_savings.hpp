@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/interpolation_error.hpp"
-#include "reference/scheme_metrics.hpp"
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/interpolation_error.hpp"
+#include "scheme_metrics/scheme_metrics.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 
 namespace impinge {
 

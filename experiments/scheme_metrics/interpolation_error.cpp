@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/interpolation_error.hpp"
+#include "scheme_metrics/interpolation_error.hpp"
 
 #include <algorithm>
 #include <stdexcept>

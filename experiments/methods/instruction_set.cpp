@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gap/simd/instruction_set.hpp"
+#include "methods/instruction_set.hpp"
 
 #include <cstdint>
 #include <stdexcept>

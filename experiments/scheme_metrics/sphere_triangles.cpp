@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/sphere_triangles.hpp"
+#include "scheme_metrics/sphere_triangles.hpp"
 
 #include <numeric>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/band_limited.hpp"
+#include "scheme_metrics/band_limited.hpp"
 
 #include <cmath>
 #include <random>

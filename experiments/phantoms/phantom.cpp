@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "motion/phantom.hpp"
+#include "phantoms/phantom.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 
 #include "mesh/generated_pair.hpp"
-#include "motion/phantom_meshes.hpp"
 #include "motion/sinusoid.hpp"
 #include "motion/turn_limit.hpp"
+#include "phantoms/phantom_meshes.hpp"
 
 namespace impinge {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/band_limited.hpp"
+#include "scheme_metrics/band_limited.hpp"
 #include "sphere/scheme.hpp"
 
 namespace impinge {

@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "reference/distinct_directions.hpp"
-#include "reference/sphere_triangles.hpp"
+#include "scheme_metrics/distinct_directions.hpp"
+#include "scheme_metrics/sphere_triangles.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {

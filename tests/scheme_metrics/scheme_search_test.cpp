@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search finds what a scan over many precisions finds.
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A table brought up to date where its mesh has moved is the table of the new mesh, bit for bit.
-#include "table/local_refill.hpp"
+#include "methods/local_refill.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the thesis calls 20 % less memory, in its meanings; and that a saving is that of a real table: as good
 // as the reference, while the next smaller one is not.
-#include "reference/scheme_savings.hpp"
+#include "scheme_metrics/scheme_savings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The oracles: closed forms of regular bodies, largest_gap(), which a test of its own compares with all
 // triples, and a fine set of probes.
 //   rho = max over u of min over entries of angle(u, entry),   sum of areas = 4 pi
-#include "reference/sphere_delaunay.hpp"
+#include "scheme_metrics/sphere_delaunay.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "motion/phantom_meshes.hpp"
+#include "phantoms/phantom_meshes.hpp"
 
 #include <cmath>
 

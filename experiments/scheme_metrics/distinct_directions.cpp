@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/distinct_directions.hpp"
+#include "scheme_metrics/distinct_directions.hpp"
 
 #include <algorithm>
 #include <limits>

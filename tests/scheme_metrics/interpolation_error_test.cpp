@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The probe function satisfies Helmholtz' equation, Laplacian f = -k^2 f, and its variance is 1; errors of
 // a table fall with the square of the spacing: N error is a constant of the scheme.
-#include "reference/interpolation_error.hpp"
+#include "scheme_metrics/interpolation_error.hpp"
 
 #include <algorithm>
 #include <cmath>

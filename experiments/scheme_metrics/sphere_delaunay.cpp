@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/sphere_delaunay.hpp"
+#include "scheme_metrics/sphere_delaunay.hpp"
 
 #include <cmath>
 

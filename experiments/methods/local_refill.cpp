@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "table/local_refill.hpp"
+#include "methods/local_refill.hpp"
 
 #include <cmath>
 

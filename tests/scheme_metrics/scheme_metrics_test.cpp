@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Schemes against their closed forms, with the Delaunay triangulation of all of their entries:
 //   N rho^2 = constant within 2 %,   declared covering radius >= measured,   areas sum to 4 pi
-#include "reference/scheme_metrics.hpp"
+#include "scheme_metrics/scheme_metrics.hpp"
 
 #include <cmath>
 #include <string>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/scheme_search.hpp"
+#include "scheme_metrics/scheme_search.hpp"
 #include "sphere/scheme_choice.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/every_scheme.hpp"
