@@ -12,13 +12,9 @@ TRIANGLES = 12000  # of each model of the joint that is shown
 HIPS = "hip_"  # scenes of presets begin so
 KEYS = ["scene", "direction"]
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
-RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
-CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
-PEERS = [
-    *RAYS,
-    *CLOSEST,
-    "vdb_grid",
-]  # exact, and asked point by point, but for the voxels; not in every figure
+RAYS = ["cgal_first_hit"]  # of others than Embree
+CLOSEST = ["cgal_closest", "embree_closest"]
+PEERS = [*RAYS, *CLOSEST]  # exact, and asked point by point; not in every figure
 
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:
@@ -31,7 +27,7 @@ def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.D
     table["error_um"] = table[["max_over_um", "max_under_um"]].max(axis=1)
     rays = table[table.method.str.startswith("embree_ray")].groupby(KEYS).ns_vertex.min()
     table["times_embree"] = rays.reindex(pd.MultiIndex.from_frame(table[KEYS])).to_numpy() / table.ns_vertex
-    table["line"] = measured.lines(table, table.attrs["labels"], stored=~table.method.isin(["floor", "vdb_grid"]))
+    table["line"] = measured.lines(table, table.attrs["labels"], stored=table.method != "floor")
     return table
 
 

@@ -2,7 +2,7 @@
 # @name      fast-gaps
 # @question  How long does a gap take, and how far off is it, beside Embree and the machine's limit?
 # @data      all_gaps
-"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree, OpenVDB and the memory-bound baseline."""
+"""Time of a vertex against the largest error of its gap, kernels in 16 bits beside Embree and the memory-bound baseline."""
 
 import matplotlib.pyplot as plt
 import pandas as pd

@@ -241,11 +241,10 @@ std::vector<Column> gap_keys() {
           {"method", "",
            "embree_rayN: N rays at a time; floor: a memory-bound baseline, the least a look-up does; "
            "rsid_scalar, usid_scalar: the "
-           "library in double; cgal_, embree_closest: trees; vtk_: buckets; vdb_grid: distances on voxels; "
+           "library in double; cgal_, embree_closest: trees; "
            "others: kernels of that scheme"},
           {"setting", "",
-           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality, or "
-           "OpenVDB's voxels"},
+           "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality"},
           {"storage", "", "double, float, uint16, corners (15 bits, the corners of a cell together) or none"},
           {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},
           {"threads", "1", "that ask at the same time"},
@@ -268,8 +267,7 @@ QuestionTable make_gap_table() {
        {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
        {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
        {"bound_um", "um", "proven bound on the error; empty where nothing is proven"},
-       {"misses", "1",
-        "directions without an answer where there is a surface: cells of the rim, or too far for the voxels"},
+       {"misses", "1", "directions without an answer where there is a surface: cells of the rim"},
        {"false_hits", "1", "directions with an answer where there is no surface"},
        {"directions", "1", "in which the error was looked at"},
        {"bytes", "B", "of table and mask, or of a library's tree"}});

@@ -219,7 +219,7 @@ std::vector<Column> contact_keys() {
   return {
       {"scene", "", "as in error_against_time.csv"},
       {"method", "",
-       "fcl_collide, vtk_collide: trees of oriented boxes; ode_collide, bullet_collide: OPCODE's and "
+       "fcl_collide: trees of oriented boxes; ode_collide, bullet_collide: OPCODE's and "
        "GImpact's, along the axes, in float; fcl_distance: smallest distance; all_vertices: both scans by "
        "the kernels, all gaps, of tables in 16 bits; all_corners: of tables with the corners of a cell "
        "together and centred errors, as accurate; all_corners_2_threads: the same, two threads sharing the "

@@ -32,7 +32,7 @@ std::string label_of(std::vector<Cell> words, double units) {
 
 // One of each kind, as it is recommended; building the certified table takes too long under valgrind.
 std::vector<GapCase> counted_scans(const AskedSurface& surface) {
-  const GapSizes sizes{{kMainCells}, {0.5}, {0.5}, false, {}, {kMainCells}};
+  const GapSizes sizes{{kMainCells}, {0.5}, {0.5}, false, {kMainCells}};
   std::vector<GapCase> methods = cases_of(gaps_methods(), &Method::gaps, surface, sizes);
   std::erase_if(methods, [](const GapCase& method) { return !method.counted; });
   return methods;

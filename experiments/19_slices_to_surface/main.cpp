@@ -4,16 +4,16 @@
 // @writes    slices_to_surface slices_to_surface_image slices_to_surface_mesh
 // @timing    no
 // @seconds   5 60
-// @links     harness imaging_vtk hip reference
+// @reads     19_slices_to_surface/isosurface.py
+// @links     harness imaging mesh_io hip reference
 //
 // A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise), its surface
-// drawn and decimated by VTK, the centre fitted and tables filled. An image and the surface at 1.25 mm are
-// kept for Figure 37.
+// drawn and decimated by VTK (isosurface.py), the centre fitted and tables filled. An image and the surface
+// at 1.25 mm are kept for Figure 37.
 
 #include "19_slices_to_surface/slices_tables.hpp"
 #include "harness/driver.hpp"
 #include "hip/hip_presets.hpp"
-#include "imaging/isosurface.hpp"
 
 namespace {
 
@@ -35,7 +35,7 @@ Result make_result(std::string name, const char* question, const SlicesOptions& 
                        {"tissue_hu", options.levels.tissue},
                        {"noise_hu", options.levels.noise},
                        {"precision_deg", options.precision_deg},
-                       {"surface", isosurface_library() + ", vtkFlyingEdges3D, then vtkQuadricDecimation"}};
+                       {"surface", "vtkFlyingEdges3D, then vtkQuadricDecimation"}};
   return result;
 }
 

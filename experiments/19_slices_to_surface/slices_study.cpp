@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "19_slices_to_surface/isosurface.hpp"
 #include "hip/sphere_fit.hpp"
-#include "imaging/isosurface.hpp"
 #include "reference/exact_radius.hpp"
 #include "sphere/schemes/fibonacci.hpp"
 #include "sphere/schemes/rsid.hpp"

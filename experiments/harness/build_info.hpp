@@ -12,6 +12,7 @@ struct BuildInfo {
   std::string flags;                             // every compiler flag of the library's targets
   std::string build_type;                        // Release, RelWithDebInfo ...
   std::string source_folder;                     // where git is asked for the commit
+  std::string python;                            // the interpreter that has the packages
   std::map<std::string, std::string> libraries;  // name to version, of those found by the build
 };
 

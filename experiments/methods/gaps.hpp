@@ -82,7 +82,6 @@ struct GapSizes {
   std::vector<double> rsid_degrees;       // precisions
   std::vector<double> usid_degrees = {};  // precisions
   bool certified = true;                  // is the certified table tried, too?
-  std::vector<double> voxels_mm = {};     // of OpenVDB's grids
   std::vector<std::size_t> corner_cells = {kMainCells, kCornersOfAMebibyte};  // of tables of corners
 };
 

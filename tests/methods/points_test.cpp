@@ -64,10 +64,11 @@ PointCase case_of(const BenchmarkScene& scene, std::string_view name, std::strin
   throw std::out_of_range(std::string(name));
 }
 
-// What asks point by point, and the voxels: vertices of the ball against the socket.
-std::vector<GapCase> gap_cases(const BenchmarkScene& scene, const GapSizes& sizes) {
-  std::vector<GapCase> cases = cases_of(gaps_methods(), &Method::gaps,
-                                        AskedSurface{scene.surface(), Layer::nearest, Surface::ball}, sizes);
+// What asks point by point: vertices of the ball against the socket.
+std::vector<GapCase> gap_cases(const BenchmarkScene& scene) {
+  std::vector<GapCase> cases =
+      cases_of(gaps_methods(), &Method::gaps, AskedSurface{scene.surface(), Layer::nearest, Surface::ball},
+               GapSizes{{}, {}, {}, false, {}});
   std::erase_if(cases, [](const GapCase& one) { return one.kernel || one.storage == "double"; });
   return cases;
 }
@@ -166,21 +167,17 @@ TEST(EuclideanMethods, FindTheNearestPoint) {
   EXPECT_EQ(methods, 2) << "Embree and CGAL";
 }
 
-// Contract: a radius less the length of the point, or the distance; of voxels within sqrt(3)/2 voxel, and NaN
-// where the answer would be above 5 mm.
+// Contract: a radius less the length of the point, or the distance.
 TEST(GapMethods, AskPointByPointAsTheirQueriesDo) {
   const BenchmarkScene scene = small_scene();
   const AskedPoints asked(points_of(scene));
   const RayCaster caster(scene.surface());
   std::size_t methods = 0;
-  for (const GapCase& one : gap_cases(scene, {{}, {}, {}, false, {1.0, 0.5}, {}})) {
+  for (const GapCase& one : gap_cases(scene)) {
     ++methods;
     GapScratch scratch;
     const GapQuery query = one.make();
     query.scan(asked, {}, scratch);
-    const bool voxels = one.name == "vdb_grid";
-    const double bound =
-        !voxels ? kFloat : std::sqrt(0.75) * std::strtod(one.setting.c_str(), nullptr) + kFloat;
     int within = 0;
     for (std::size_t i = 0; i < asked.points.size(); ++i) {
       const Vec3& x = asked.points[i];
@@ -188,21 +185,13 @@ TEST(GapMethods, AskPointByPointAsTheirQueriesDo) {
       const double expected = query.measure == Measure::euclidean
                                   ? distance_by_force(scene.surface(), x)
                                   : caster.cast(x.normalized(), Layer::nearest) - x.norm();
-      if (voxels && std::abs(expected - 5.0) > bound) {
-        EXPECT_EQ(std::isnan(scratch.gap(i)), expected > 5.0);
-      }
       if (std::isnan(scratch.gap(i)) || std::isnan(expected)) continue;
       ++within;
-      EXPECT_NEAR(scratch.gap(i), expected, bound) << one.name;
+      EXPECT_NEAR(scratch.gap(i), expected, kFloat) << one.name;
     }
     EXPECT_GT(within, 50) << one.name;
   }
-  EXPECT_EQ(methods, 10U) << "three of Embree's rays, its closest point, two of CGAL and VTK, two grids";
-  for (const GapCase& one : gap_cases(scene, {{}, {}, {}, false, {0.0}, {}})) {
-    if (one.name == "vdb_grid") {
-      EXPECT_THROW(one.make(), std::invalid_argument);
-    }
-  }
+  EXPECT_EQ(methods, 6U) << "three of Embree's rays, its closest point, two of CGAL";
 }
 
 TEST(DistanceGrid, KeepsItsBoundAndNotHalfOfIt) {
@@ -308,8 +297,7 @@ TEST(Bytes, OfLibrariesAreThoseOfTheirTrees) {
   const double least = 300.0 * 9.0 * 4.0 / 3.0;
   for (const PointCase& one : all_cases(scene))
     EXPECT_FALSE(one.make().bytes <= least) << one.name << ": NaN where nobody counts";
-  for (const GapCase& one : gap_cases(scene, {{}, {}, {}, false, {0.5}, {}}))
-    EXPECT_FALSE(one.make().bytes <= least) << one.name;
+  for (const GapCase& one : gap_cases(scene)) EXPECT_FALSE(one.make().bytes <= least) << one.name;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ from ctypes.util import find_library
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-OTHERS = re.compile(r"#include [<\"](?:python|CGAL|vtk|openvdb|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
+OTHERS = re.compile(r"#include [<\"](?:python|CGAL|fcl|ode|bt|benchmark|embree|assimp|CLI|gsl)")  # large headers that few include
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion"]  # of clang, beside its checks
 LARGEST = 100  # files in a unit
 # Highway's files, once for each set of instructions that they tell apart on x86-64: none, AVX2, AVX-512.

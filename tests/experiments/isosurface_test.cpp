@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: on an image linear in the coordinates the surface is the plane itself; on that of a sphere it is
 // closed, has outward normals and lies within a fraction of a voxel of it.
-#include "imaging/isosurface.hpp"
+#include "19_slices_to_surface/isosurface.hpp"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/validation.hpp"
 
-namespace impinge {
+namespace impinge::lab {
 namespace {
 
 TEST(Isosurface, OfALinearImageIsAPlane) {
@@ -53,4 +53,4 @@ TEST(Decimate, KeepsAClosedSurfaceNearWithFewerFaces) {
 }
 
 }  // namespace
-}  // namespace impinge
+}  // namespace impinge::lab
