@@ -8,9 +8,9 @@
 
 #include "cohort/answers.hpp"
 #include "files/file_bytes.hpp"
-#include "files/machine.hpp"
 #include "files/stopwatch.hpp"
 #include "harness/digest.hpp"
+#include "harness/machine.hpp"
 
 namespace impinge::lab {
 namespace {

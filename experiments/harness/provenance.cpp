@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "files/file_bytes.hpp"
-#include "files/machine.hpp"
 #include "harness/build_info.hpp"
 #include "harness/digest.hpp"
+#include "harness/machine.hpp"
 #include "harness/source_state.hpp"
 
 namespace impinge::lab {

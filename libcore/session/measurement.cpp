@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "files/machine.hpp"
+#include "files/memory.hpp"
 #include "files/stopwatch.hpp"
 #include "gap/exact_side.hpp"
 #include "gap/formatted.hpp"

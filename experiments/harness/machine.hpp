@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace impinge {
+namespace impinge::lab {
 
 struct Machine {
   std::string cpu = "unknown";       // model name
@@ -18,8 +18,4 @@ struct Machine {
 
 Machine this_machine();  // as it is now
 
-/// Bytes that a program may still take before the machine swaps (MemAvailable of Linux); the physical memory
-/// where that is not known.
-std::uint64_t available_memory();
-
-}  // namespace impinge
+}  // namespace impinge::lab

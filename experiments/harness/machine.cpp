@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "files/machine.hpp"
+#include "harness/machine.hpp"
 
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
 #include <sys/utsname.h>
-#include <unistd.h>
 
-namespace impinge {
+#include "files/memory.hpp"
+
+namespace impinge::lab {
 namespace {
 
 // Value of the first "name : value" line of /proc/cpuinfo, or unknown.
@@ -33,24 +34,7 @@ std::string system_name() {
   return std::string(name.sysname) + " " + name.release + " " + name.machine;
 }
 
-std::uint64_t physical_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES);
-  const long page_bytes = ::sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page_bytes <= 0) return 0;
-  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes);
-}
-
 }  // namespace
-
-std::uint64_t available_memory() {
-  std::ifstream file("/proc/meminfo");
-  std::uint64_t kib = 0;
-  for (std::string name; file >> name;) {
-    if (name == "MemAvailable:" && file >> kib) return kib << 10U;
-    std::getline(file, name);
-  }
-  return physical_memory();
-}
 
 Machine this_machine() {
   Machine machine;
@@ -63,4 +47,4 @@ Machine this_machine() {
   return machine;
 }
 
-}  // namespace impinge
+}  // namespace impinge::lab
