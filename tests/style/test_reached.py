@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every file of libcore is reached: by a program of a user (scene, make_pair, Joint3D, the module of Python), by an oracle, or by a header that
-libcore/README.md names for a user's own program. What only an experiment asks for belongs to experiments/."""
+"""Every file of libcore is reached: by a program of a user (scene, make_pair, Joint3D, the module of Python), or as an oracle
+by the tests of another folder. What only an experiment asks for belongs to experiments/. That a page names a file does not
+make it used."""
 import re
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ROOT / "libcore"
-ORACLES = ("reference", "curves", "spectrum", "imaging")
+ORACLES = ("reference/", "table/pairwise.hpp")
 PROGRAMS = ("experiments/scene.cpp", "experiments/make_pair.cpp", "analysis/joint3d/engine/*.?pp", "libcore/python/*.?pp")
 
 
@@ -38,15 +39,22 @@ def reached(roots, files):
     return seen
 
 
+def oracles(files):
+    """The headers of ORACLES that a test of another folder of the library includes."""
+    folders = {name.split("/")[0] for name in files}
+    tests = [path for path in (ROOT / "tests").glob("*/*.?pp") if path.parent.name in folders]
+    asked = {(header, path.parent.name) for path in tests for header in included(path) if header.startswith(ORACLES)}
+    return {header for header, folder in asked if not header.startswith(f"{folder}/")}
+
+
 class Library(unittest.TestCase):
     def setUp(self):
         paths = [path for path in LIBRARY.rglob("*.?pp") if path.suffix in (".cpp", ".hpp")]
         self.files = {str(path.relative_to(LIBRARY)): path for path in paths}
         named = set(re.findall(r"`(\w+/[\w/]+\.hpp)`", (LIBRARY / "README.md").read_text(encoding="utf-8")))
         self.assertLessEqual(named, set(self.files), "libcore/README.md names a header that is not there")
-        oracles = [path for name, path in self.files.items() if name.startswith(ORACLES)]
         programs = [path for pattern in PROGRAMS for path in ROOT.glob(pattern)]
-        self.roots = programs + oracles + [self.files[name] for name in named]
+        self.roots = programs + [self.files[name] for name in oracles(self.files)]
 
     def test_no_file_serves_an_experiment_alone(self):
         self.assertEqual(sorted(set(self.files) - reached(self.roots, self.files)), [])
