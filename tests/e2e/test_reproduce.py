@@ -50,7 +50,6 @@ TABLES = [
     "matched-accuracy",
     "error-order",
     "fast-times",
-    "fast-counts",
     "fast-targets",
     "fill-times",
     "fill-growth",
