@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tables, the targets and the figures share of all gaps of a pose, in experiment 10_error_against_time."""
+"""What the table, the figures and the paper share of all gaps of a pose, in experiment 10_error_against_time."""
 
 from pathlib import Path
 
@@ -12,13 +12,6 @@ TRIANGLES = 12000  # of each model of the joint that is shown
 HIPS = "hip_"  # scenes of presets begin so
 KEYS = ["scene", "direction"]
 DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
-RAYS = ["cgal_first_hit", "vtk_first_hit"]  # of others than Embree
-CLOSEST = ["cgal_closest", "vtk_closest", "embree_closest"]
-PEERS = [
-    *RAYS,
-    *CLOSEST,
-    "vdb_grid",
-]  # exact, and asked point by point, but for the voxels; not in every figure
 
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:

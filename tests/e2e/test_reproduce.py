@@ -50,7 +50,6 @@ TABLES = [
     "matched-accuracy",
     "error-order",
     "fast-times",
-    "fast-targets",
     "fill-times",
     "fill-growth",
     "strain-by-gap-table",
