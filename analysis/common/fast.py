@@ -11,7 +11,7 @@ from common import measured
 TRIANGLES = 12000  # of each model of the joint that is shown
 HIPS = "hip_"  # scenes of presets begin so
 KEYS = ["scene", "direction"]
-DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
+DIRECTIONS = ["socket->ball", "ball->socket"]
 
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:
