@@ -435,11 +435,11 @@ class Reproduce(unittest.TestCase):
 
     @unittest.skipUnless(BONES, "no real joints: set IMPINGE_BONES")
     def test_m_real_joints(self):
-        """Each real joint is timed and rendered."""
+        """Each real joint is sampled and rendered."""
         for joint in joints():
             for figure in ("joint", *(f"figure-{n}" for n in HIP_FIGURES)):
                 self.assertTrue((RESULTS / "figures" / f"{figure}-{joint.name}.png").is_file(), joint.name)
-        self.assertTrue((RESULTS / "data" / "detection_time_bones.csv").is_file())
+        self.assertTrue((RESULTS / "data" / "sample_points_bones.csv").is_file())
 
 
 if __name__ == "__main__":
