@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tables, the targets and the figures share of all gaps of a pose, in experiment 10_error_against_time."""
+"""What the table, the figures and the paper share of all gaps of a pose, in experiment 10_error_against_time."""
 
 from pathlib import Path
 
@@ -11,10 +11,7 @@ from common import measured
 TRIANGLES = 12000  # of each model of the joint that is shown
 HIPS = "hip_"  # scenes of presets begin so
 KEYS = ["scene", "direction"]
-DIRECTIONS = {"socket->ball": "socket to ball", "ball->socket": "ball to socket, rim masked"}
-RAYS = ["cgal_first_hit"]  # of others than Embree
-CLOSEST = ["cgal_closest", "embree_closest"]
-PEERS = [*RAYS, *CLOSEST]  # exact, and asked point by point; not in every figure
+DIRECTIONS = ["socket->ball", "ball->socket"]
 
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:

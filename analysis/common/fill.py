@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tables, the target and the figures share of filling, in experiment 10_error_against_time."""
+"""What the tables and the figures share of filling, in experiment 10_error_against_time."""
 
 from pathlib import Path
 
@@ -39,10 +39,3 @@ def growth(table: pd.DataFrame) -> pd.DataFrame:
     return pd.DataFrame(
         fits, columns=[*WAY, "line", "start_us", "triangle_ns", "entry_ns", "largest_residual", "points"]
     )
-
-
-def aimed(table: pd.DataFrame) -> pd.DataFrame:
-    """What is judged against Embree: one thread that stores 16 bits, in either memory, 256 cells or more, 3k to 100k
-    triangles."""
-    own = table[(table.method == "cube_at_once") & (table.storage == "uint16") & (table.threads == 1)]
-    return own[(own.cells >= 256) & own.triangles.between(3000, 100000)]

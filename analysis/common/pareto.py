@@ -70,16 +70,3 @@ def front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
     least = pd.Series(error).groupby(cost).min()  # in the order of the cost
     better = least[least < least.cummin().shift(fill_value=np.inf)]
     return better.reindex(cost).to_numpy() == error
-
-
-def fronts(table: pd.DataFrame) -> pd.DataFrame:
-    """One row a scene, cost and row of the table that competes: what the plots show, and nothing else."""
-    lines = []
-    for scene, group in table[competes(table)].groupby("scene", sort=False):
-        for cost in COSTS:
-            own = group[np.isfinite(group[cost]) & (group[cost] > 0)]
-            on = front(own.error_um.to_numpy(), own[cost].to_numpy())
-            shown = {"scene": scene, "cost": cost, "method": own.method, "setting": own.setting}
-            shown |= {"error_um": own.error_um, "value": own[cost], "on_front": on}
-            lines.append(pd.DataFrame(shown))
-    return pd.concat(lines, ignore_index=True)

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The recorded motions of a hip: data/motion_frames.csv, data/motion_zones.csv, and the meshes with the gaps of every
-kept pose, data/motion_frames/NAME-ball.ply and NAME-socket.ply.
-"""
+"""The recorded motions of a hip: data/motion_frames.csv and data/motion_zones.csv."""
 
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
 import common
-from common import hip, ply
 
 RED = 2.0  # mm: up to here the thesis shows red in Tables 12 and 13
 QUARTERS = 48  # of an hour on the dial: zones are that fine
@@ -22,35 +18,6 @@ MOTIONS = {
     "external_rotation": "External rotation",
     "flexion": "Flexion",
 }  # in the order of Tables 12 and 13
-
-
-@dataclass(frozen=True)
-class Replay:
-    """Frames with a picture, in their order; meshes as modelled, with a property gap_K for picture K."""
-
-    frames: pd.DataFrame
-    ball: ply.Mesh
-    socket: ply.Mesh
-
-
-def load(results: Path, joint: str) -> Replay:
-    """Of one hip."""
-    frames = common.load(results, "motion_frames")
-    frames = frames[(frames.joint == joint) & frames.picture.notna()].reset_index(drop=True)
-    folder = results / "data" / "motion_frames"
-    return Replay(frames, ply.read(folder / f"{joint}-ball.ply"), ply.read(folder / f"{joint}-socket.ply"))
-
-
-def posed(motions: Replay, frame, like: hip.Hip) -> hip.Hip:
-    """The hip in the pose of a row of the frames, with its gaps; side and colours are those of `like`."""
-    turn = np.array([[getattr(frame, f"rotation_{i}{j}") for j in "xyz"] for i in "xyz"])
-    gap = f"gap_{int(frame.picture)}"
-
-    def seen(mesh: ply.Mesh, vertices: np.ndarray) -> ply.Mesh:
-        return replace(mesh, vertices=vertices, properties={"gap": mesh.properties[gap]})
-
-    moved = motions.ball.vertices @ turn.T + np.array([0, frame.forward_mm, 0])
-    return replace(like, ball=seen(motions.ball, moved), socket=seen(motions.socket, motions.socket.vertices))
 
 
 def clock(hours: float) -> str:

@@ -44,14 +44,3 @@ def families(results: Path) -> pd.DataFrame:
 def magnitudes(cases: pd.DataFrame) -> list[float]:
     """In the order of the run, from harmless to extreme."""
     return list(dict.fromkeys(cases.magnitude))
-
-
-def power(value: float) -> str:
-    """A magnitude as a tick: 0.01, 3, a power of ten, or how far it is below 1."""
-    if 0.99 < value < 1:
-        return f"1−{power(1 - value)}"
-    if value == 0 or 1e-3 <= abs(value) < 1e5:
-        return f"{value:g}"
-    mantissa, exponent = f"{value:.0e}".split("e")
-    digits = "" if mantissa == "1" else mantissa.replace("-", "−") + "·"
-    return f"${digits}10^{{{int(exponent)}}}$"

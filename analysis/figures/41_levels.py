@@ -2,21 +2,25 @@
 # @name      figure-41
 # @question  The five colours of a gap, on a stand-in for patient A whose ball is moved forward (Figure 41 of the thesis).
 # @data      motion_frames
-# @depends   data/motion_frames/patient_a-{ball,socket}.ply
+# @depends   data/motion_frames/forward-{ball,socket}.ply
 # @depends   scenes/patient_a/{ball.ply,socket.ply,summary.json}
 # @options   --joint patient_a --name NAME
 # @outputs   png svg pdf
 # @seconds   3 3
 """Figure 41, the colours of a gap, on a joint whose ball is moved forward into the socket."""
 
+from dataclasses import replace
+
+import numpy as np
+
 import common
-from common import gap_colours, hip, panels, render, replay
+from common import gap_colours, hip, panels, ply, render
 
 
 def main(options) -> common.Figure:
-    motions = replay.load(options.results, options.joint)
-    frame = next(row for row in motions.frames.itertuples() if row.motion == "forward")
-    joint = replay.posed(motions, frame, hip.load(options.results, options.joint))
+    folder = options.results / "data" / "motion_frames"
+    moved = {part: ply.read(folder / f"forward-{part}.ply") for part in ("ball", "socket")}
+    joint = replace(hip.load(options.results, options.joint), **moved)
     ball, socket = gap_colours.both(joint)
     glass = gap_colours.of_part(joint, "socket", opacity=0.35)
     together = hip.view("anterior", joint, [joint.ball, joint.socket])
@@ -26,9 +30,11 @@ def main(options) -> common.Figure:
             panels.take("b) socket, lateral view", [socket], hip.view("lateral", joint, [joint.socket])),
             panels.take("c) ball, medial view", [ball], hip.view("medial", joint, [joint.ball])),
         ]
+    forward = common.load(options.results, "motion_frames").attrs["parameters"]["forward_mm"]
+    smallest = min(np.nanmin(mesh.properties["gap"]) for mesh in moved.values())
     heading = (
-        f"Ball moved forward by {frame.forward_mm:g} mm to show the five colours, smallest gap "
-        f"{frame.smallest_gap_mm:.2f} mm\n{hip.title(options.joint)}"
+        f"Ball moved forward by {forward:g} mm to show the five colours, smallest gap {smallest:.2f} mm\n"
+        f"{hip.title(options.joint)}"
     )
     figure, _ = panels.sheet([row], heading, legend=0.95)
     gap_colours.add_legend(figure, joint.summary)

@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @options   --name NAME
 # @name      error-against-time
 # @question  The error of every method against its time: a vertex, all gaps, touch, smallest gap, first contact, filling.
 # @data      error_against_time error_against_time_spread all_gaps contact first_contact fill
-# @name      error-against-time-scenes
-# @question  The error of every method against the time of a query, on every scene.
-# @data      error_against_time error_against_time_spread
-"""Error against time, lower left is better: a panel a question, or the query of every scene."""
+"""Error against time, lower left is better: a panel a question."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -23,16 +19,12 @@ REFERENCES = {  # labelled wherever they are: what a reader knows, or compares w
 
 
 def main(options) -> common.Figure:
-    """error-against-time has a panel a question, error-against-time-scenes a panel a scene."""
-    table = pareto.load(options.results)
-    return questions(options.results, table) if options.name == "error-against-time" else scenes(table)
-
-
-def questions(results, table: pd.DataFrame) -> plt.Figure:
     """A panel a question; but for the vertex and filling, of a hip."""
+    results = options.results
+    table = pareto.load(results)
     figure, grid = error_panel.grid_of(3, 3.3)
     scene = pareto.main_scene(list(table.scene.unique()))
-    error_panel.draw(grid[0, 0], queries(table[table.scene == scene], "query_ns"))
+    error_panel.draw(grid[0, 0], queries(table[table.scene == scene]))
     grid[0, 0].set(title="Gap of a vertex, asked alone", ylabel="time of a query, ns")
     gaps = scans(fast.load(results, scenes=fast.HIPS))
     error_panel.draw(grid[0, 1], gaps)
@@ -49,30 +41,18 @@ def questions(results, table: pd.DataFrame) -> plt.Figure:
     return figure
 
 
-def scenes(table: pd.DataFrame) -> plt.Figure:
-    """One panel a scene."""
-    names = list(table.scene.unique())
-    figure, grid = error_panel.grid_of(-(-len(names) // 2), 3.2)
-    for axes in grid.flat[len(names) :]:
-        axes.set_axis_off()
-    for axes, scene in zip(grid.flat, names):
-        error_panel.draw(axes, queries(table[table.scene == scene], "query_ns"))
-        axes.set(title=scene.replace("_", " "), ylabel="time of a query, ns")
-    return figure
-
-
-def queries(own: pd.DataFrame, cost: str) -> pd.DataFrame:
+def queries(own: pd.DataFrame) -> pd.DataFrame:
     """What asks for the radius along a direction; of Embree's ways the fastest."""
-    rows = own[pareto.competes(own) & np.isfinite(own[cost]) & (own[cost] > 0)].copy()
+    rows = own[pareto.competes(own) & (own.query_ns > 0)].copy()
     embree = rows.method.str.startswith("embree")
     names = rows.method.map(REFERENCES).fillna(rows.method.map(common.label))
     rows["name"] = np.where(embree, "Embree", names)
     rows["always"] = embree | rows.method.isin(list(REFERENCES))
     own = rows[rows.kind == "ours"]
     if not own.empty:
-        rows.loc[own[cost].idxmin(), "always"] = True
+        rows.loc[own.query_ns.idxmin(), "always"] = True
     rows["group"] = np.where(embree, "embree", rows.line)
-    return rows.rename(columns={cost: "cost", "error_um": "error", "bound_um": "bound"})
+    return rows.rename(columns={"query_ns": "cost", "error_um": "error", "bound_um": "bound"})
 
 
 def hip_rows(table: pd.DataFrame) -> pd.DataFrame:
@@ -146,4 +126,4 @@ def filling(axes: plt.Axes, table: pd.DataFrame) -> None:
         common.note(axes, row.line, where, (6, height), ha="left", va="center", color=common.COLOURS[k])
 
 
-common.run(main, "--name")
+common.run(main)

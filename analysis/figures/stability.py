@@ -1,52 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      stability stability_detail stability_families
-# @options   --name NAME
 # @name      stability-overview
 # @question  How large are errors in ill-conditioned and extreme cases, relative to what rounding explains?
-# @name      stability-FAMILY
-# @for       FAMILY in FAMILIES
-# @question  Ill-conditioned and extreme cases: FAMILY.
-"""Stiff and extreme cases: the error of every method over condition times unit roundoff.
-
-Name `stability-overview` gives every family a panel; `stability-FAMILY` draws one in detail.
-"""
+# @data      stability stability_detail stability_families
+"""Stiff and extreme cases: the error of every method over condition times unit roundoff, a panel a family."""
 
 import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from matplotlib.patches import Patch
 
 import common
-from common import stability, stability_family, stability_plot
+from common import stability
 
-ALL = "stability-overview"
 COLUMNS = 5
-TOP = 1e8  # of the overview: larger errors stand at its edge
+FLOOR, TOP = 1e-3, 1e8  # smaller errors, and none at all, are drawn at the floor, larger ones at the edge
+BAND = "#dceefb"  # errors of order one
+LIMIT = (0, (5, 3))  # the dashes of a threshold
 
 
 def main(options) -> common.Figure:
+    """The same scale in all panels."""
     cases = stability.load(options.results)
     families = stability.families(options.results)
-    if options.name == ALL:
-        return draw_all(cases, families)
-    family = options.name.removeprefix("stability-").replace("-", "_")
-    if family not in families.index:
-        raise common.Refused(f"stability_families.csv has no family {family}: run the experiment again")
-    of_family = cases[cases.family == family]
-    return stability_family.draw(of_family, families.loc[family], stability_plot.looks(cases))
-
-
-def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
-    """A panel a family, the same scale in all; what is turned, and how far, is in the figure of each."""
-    of_all = stability_plot.looks(cases)
+    of_all = looks(cases)
     rows = -(-len(families) // COLUMNS)
     figure, grid = plt.subplots(rows, COLUMNS, figsize=(common.WIDTH, 1.42 * rows), sharey=True, squeeze=False)
-    high = min(stability_plot.ceiling(cases), TOP)
     for axes, (name, family) in zip(grid.flat, families.iterrows()):
         of_family = cases[cases.family == name]
-        stability_plot.band(axes, family.threshold, high)
-        stability_plot.draw_errors(axes, of_family, "error_over_condition_u", of_all)
+        draw_errors(axes, of_family, family.threshold, of_all)
         failing = draw_failures(axes, of_family, of_all)
         axes.set_xticks(range(len(stability.magnitudes(of_family))), [])
         axes.set_title(textwrap.fill(name.replace("_", " "), 20), pad=5 + 6 * failing, fontsize=9.5)
@@ -56,31 +39,43 @@ def draw_all(cases: pd.DataFrame, families: pd.DataFrame) -> plt.Figure:
         axes.set_xlabel("harmless → extreme", fontsize=common.SMALL)
     figure.supylabel("error / (condition · u)", fontsize=10)
     figure.tight_layout(h_pad=0.6, w_pad=0.3)
-    draw_legend(figure, of_all, room=rows * COLUMNS - len(families))
+    figure.legend(handles=legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3)
     return figure
 
 
-def draw_legend(figure: plt.Figure, of_all: dict[str, dict], room: int) -> None:
-    """Beside the last panels where three are left empty, or else below."""
-    beside = {
-        "loc": "lower right",
-        "bbox_to_anchor": (1.0, 0.0),
-        "ncols": 2,
-        "columnspacing": 1.2,
-        "handlelength": 1.6,
-    }
-    below = {"loc": "upper left", "bbox_to_anchor": (0.02, 0.0), "ncols": 3}
-    figure.legend(handles=stability_plot.legend_of(of_all), **(beside if room >= 3 else below))
+def looks(cases: pd.DataFrame) -> dict[str, dict]:
+    """Ours are full, others hollow."""
+    found = common.look(list(cases.who.cat.categories))
+    for name, look in found.items():
+        look |= {"linewidth": 1.2, "markersize": 5}
+        if name not in stability.OURS.values():
+            look |= {"markerfacecolor": "white", "linewidth": 0.9}
+    return found
+
+
+def lines_of(cases: pd.DataFrame, column: str) -> pd.DataFrame:
+    """The worst of the methods behind each line: a row a magnitude, a column a line."""
+    worst = cases.pivot_table(index="magnitude", columns="who", values=column, aggfunc="max", observed=True)
+    return worst.reindex(stability.magnitudes(cases))
+
+
+def draw_errors(axes: plt.Axes, cases: pd.DataFrame, threshold: float, of_all: dict[str, dict]) -> None:
+    """A line a method, errors of order one behind them, and the threshold."""
+    axes.set(yscale="log", ylim=(FLOOR, TOP))
+    axes.axhspan(FLOOR, 1, color=BAND, zorder=0)
+    axes.axhline(threshold, color="black", linewidth=0.8, linestyle=LIMIT)
+    axes.minorticks_off()
+    worst = lines_of(cases, "error_over_condition_u").clip(lower=FLOOR, upper=TOP)
+    for name in worst.columns:
+        axes.plot(np.arange(len(worst)), worst[name], **of_all[name], clip_on=False)
 
 
 def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) -> int:
     """A cross above the axes where a line has failures, in its colour. Returns how many such lines."""
-    failures = stability_plot.lines_of(cases, "failures")
-    row = 0
-    for name in failures.columns:
-        places = np.flatnonzero(failures[name].to_numpy() > 0)
-        if len(places) == 0:
-            continue
+    failures = lines_of(cases, "failures") > 0
+    failing = [name for name in failures.columns if failures[name].any()]
+    for row, name in enumerate(failing):
+        places = np.flatnonzero(failures[name])
         common.marks(
             axes,
             places,
@@ -92,8 +87,17 @@ def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) 
             transform=axes.get_xaxis_transform(),
             clip_on=False,
         )
-        row += 1
-    return row
+    return len(failing)
 
 
-common.run(main, "--name")
+def legend_of(of_all: dict[str, dict]) -> list:
+    """The lines, and what else is drawn."""
+    lines = [common.key(name, **look) for name, look in of_all.items()]
+    return lines + [
+        Patch(color=BAND, label="as good as the input, rounded once"),
+        common.key("allowed of ours (analysis)", color="black", linewidth=0.8, linestyle=LIMIT),
+        common.key("hits missed or false, wrong values", color="black", marker="x", linestyle="none"),
+    ]
+
+
+common.run(main)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_surfaces slice_band_limit detection_time
+# @data      finding_comparison finding_interpolation finding_grids lut_memory sampling_error sampling_error_sphere slice_band_limit detection_time
 """Statements on the joint and on RSID, the first system (Chapters 2 and 3)."""
 
 from pathlib import Path
@@ -128,14 +128,13 @@ def constant_time(results: Path) -> Finding:
 def sampling_error(results: Path) -> Finding:
     """Table 5."""
     formula = load(results, "sampling_error", scheme="rsid", precision_deg=1.0).iloc[0]
-    surfaces = load(results, "sampling_error_surfaces", scheme="rsid", precision_deg=1.0, surface="sphere")
-    sphere = surfaces[surfaces.interpolant == "smooth"].iloc[0]
+    sphere = load(results, "sampling_error_sphere", precision_deg=1.0).iloc[0]
     return finding(
         "Eq. 7, Table 5",
         f"The largest sampling error at 1 degree is {formula.formula_max_mm:.3f} mm.",
-        f"That is a distance along the surface ({rounded(sphere.tangential_max_mm)} mm measured). The error of the radius "
+        f"That is a distance along the surface, on a sphere {rounded(sphere.tangential_max_mm)} mm. The error of the radius "
         f"is {sphere.radial_max_mm:.0e} mm on the sphere and {rounded(formula.measured_max_mm)} mm on a meshed head.",
-        "sampling_error: measured_max_mm; sampling_error_surfaces: tangential_max_mm",
+        "sampling_error: measured_max_mm; sampling_error_sphere: tangential_max_mm",
         holds=abs(formula.measured_max_mm / formula.formula_max_mm - 1) < 0.1,
         otherwise="imprecise",
     )

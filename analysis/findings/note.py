@@ -173,7 +173,7 @@ def closed_form(results: Path) -> Finding:
 
 def face_bound(results: Path) -> Finding:
     """Section C.2."""
-    bounds = load(results, "sampling_error_bounds", promise="planar_face")
+    bounds = common.load(results, "sampling_error_bounds")
     labels = common.scheme_labels(results)
     schemes = bounds.scheme.nunique()
     broken = bounds[~bounds.holds].groupby("reach")

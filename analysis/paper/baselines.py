@@ -3,7 +3,7 @@
 """Numbers of the paper about the comparison of Section 3.6 and slices of a scan.
 
 baseline:METHOD:SIZE:COLUMN for the generated pair (shares in per cent, rms in micrometres); slices:SLICE:STAGE:rms
-and :added in micrometres, :largest in mm.
+and :added in micrometres.
 """
 
 from pathlib import Path
@@ -22,21 +22,17 @@ def baselines(results: Path) -> dict[str, str]:
     """Every method at every size."""
     table = common.load(results, "baselines")
     table = table[table.joint == table.joint.iloc[0]]
-    found = {"baseline:poses": f"{table.poses.iloc[0]:,}", "baseline:faces": f"{table.faces.iloc[0]:,}"}
+    found = {}
     for row in table.itertuples():
         key = f"baseline:{row.method}:{row.size:g}"
         values = {
             "kB": row.bytes / 1e3,
-            "build_ms": row.build_ms,
-            "pose_us": row.pose_us,
             "triangles_missed": 100 * row.faces_missed / row.faces,
             "vertices_missed": 100 * row.points_missed / row.points,
             "rms_um": 1e3 * row.rms_error_mm,
             "false": 100 * row.false_touches / row.poses,
-            "missed": 100 * row.missed_touches / row.poses,
         }
         found |= {f"{key}:{name}": common.digits(value, 2) for name, value in values.items() if not pd.isna(value)}
-        found[f"{key}:within"] = f"{row.wrong_within_mm:g}"
     return found
 
 
@@ -49,7 +45,5 @@ def slices(results: Path) -> dict[str, str]:
         found |= {
             f"{key}:rms": common.digits(1e3 * row.rms_mm, 2),
             f"{key}:added": common.digits(1e3 * row.added_rms_mm, 2),
-            f"{key}:largest": common.digits(row.largest_mm, 2),
         }
     return found
-

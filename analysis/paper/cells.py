@@ -70,13 +70,12 @@ def readable(value: float, significant: int) -> str:
 
 
 def stencil_growth(results: Path) -> dict[str, str]:
-    """stencil-growth:SCHEME, time to find the entries of the finer table by that of the coarser; :entries, how many
-    times as many those are.
+    """stencil-growth:smallest and :largest over the schemes, time to find the entries of the finer table by that of the
+    coarser; :entries, how many times as many those are.
     """
     times = common.load(results, "stencil_time").sort_values("entries")
     ratio = times.groupby("scheme").median_ns.agg(lambda values: values.iloc[-1] / values.iloc[0])
-    growth = {f"stencil-growth:{name}": common.digits(value) for name, value in ratio.items()}
-    return growth | {
+    return {
         "stencil-growth:smallest": common.digits(ratio.min()),
         "stencil-growth:largest": common.digits(ratio.max()),
         "stencil-growth:entries": f"{times.entries.max() / times.entries.min():,.0f}",
@@ -104,7 +103,6 @@ def scheme_extremes(results: Path) -> dict[str, str]:
         "worst": errors.entries_p9999,
         "rms": errors.entries_rms,
         "lookup": lookup.median_ns,
-        "area": schemes.max_area_ratio,
     }
     found = {"schemes": str(len(schemes)), "covering-floor": common.digits(8 * math.pi / 3**1.5)}
     for name, values in criteria.items():

@@ -7,13 +7,13 @@
 """Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
 the timed data.
 
-Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once,
-count:again of those that it prints twice; verdict, thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
+Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once;
+thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see MODULES), as scheme:usid:covering_constant;
 difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
-machine: cpu, cores, compiler, flags, commit, profile ...
+machine: cpu, cores, compiler, flags, commit and profile.
 """
 
 from pathlib import Path
@@ -27,18 +27,7 @@ from paper import baselines, cells, cohort, contact, fast, error_against_time, l
 from verdicts import verdict
 
 MODULES = (cells, cohort, fast, contact, error_against_time, replay, stability, strain, baselines, limits, volume)
-MACHINE = [
-    "cpu",
-    "cores",
-    "memory_mib",
-    "compiler",
-    "flags",
-    "system",
-    "profile",
-    "commit",
-    "seed",
-    "governor",
-]
+MACHINE = ["cpu", "cores", "compiler", "flags", "profile", "commit"]
 
 
 def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
@@ -46,7 +35,6 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
     counted = verdict.counted(verdicts)
     facts = {f"count:{name}": str((counted.verdict == name).sum()) for name in verdict.VERDICTS}
     facts["count:all"] = str(len(counted))
-    facts["count:again"] = str(verdicts.rule.str.contains("the same number as|part of").sum())
     for artefact, rows in counted.groupby("artefact"):
         facts |= {f"count:{artefact}:{name}": str((rows.verdict == name).sum()) for name in verdict.VERDICTS}
         facts[f"count:{artefact}:all"] = str((rows.verdict != "input").sum())
@@ -56,7 +44,6 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
             f"thesis:{name}": grouped(row.thesis),
             f"measured:{name}": grouped(row.measured),
             f"rounded:{name}": rounded(row.measured),
-            f"verdict:{name}": row.verdict,
         }
     return facts
 
@@ -100,7 +87,6 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     )
     facts[f"control:{table.data}"] = f"{protocol.get('control', {}).get('ratio', float('nan')):.3f}"
     facts[f"inconclusive:{table.data}"] = str(len(protocol.get("inconclusive", [])))
-    facts[f"extrapolated:{table.data}"] = str(int(data.extrapolated.sum()))
     facts |= {f"parameter:{table.data}:{key}": str(value) for key, value in data.attrs["parameters"].items()}
     return facts
 

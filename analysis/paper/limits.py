@@ -3,10 +3,9 @@
 """Numbers of the paper about limits of motion and phantoms.
 
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
-:joints, :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
+:uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
 contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
-:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that), :shift:most (mm,
-between the two centres), :centre:median and :most (degrees, by which the choice of the centre moves a limit);
+:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that);
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
@@ -22,7 +21,7 @@ def facts(results: Path) -> dict[str, str]:
 
 
 def limits(results: Path) -> dict[str, str]:
-    """Of every joint about the centre of its head, and how much they depend on centre and input."""
+    """Of every joint about the centre of its head, and how much they depend on the input."""
     table = motion_limits.contacts(results)
     found = {}
     for row in table.itertuples():
@@ -31,15 +30,10 @@ def limits(results: Path) -> dict[str, str]:
     every = common.load(results, "motion_limit_details")
     brackets = every[every.state == "limited"]
     width = (brackets.limit_high_deg - brackets.limit_low_deg).max()
-    keys = ["joint", "motion"]
-    both = table.merge(motion_limits.contacts(results, "socket"), on=keys, suffixes=("", "_socket"))
-    both = both[(both.state == "limited") & (both.state_socket == "limited")]
-    moved = (both.limit_low_deg - both.limit_low_deg_socket).abs()
     limited = table[table.state == "limited"]
     interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
         "limits:count": str(len(brackets)),
-        "limits:joints": str(table.joint.nunique()),
         "limits:widest": common.rounded_up(width, 7).rstrip("0").rstrip("."),
         "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),
         "limits:uncertainty:most": common.digits(limited.surface_deg.quantile(0.95), 2),
@@ -47,9 +41,6 @@ def limits(results: Path) -> dict[str, str]:
         "limits:interval:most": common.digits_up(interval.max(), 2),
         "limits:unbounded": str(int(interval.isna().sum())),
         "limits:hanging": str(int(limited.hangs_on_less.sum())),
-        "limits:shift:most": common.digits_up(both.shift_mm_socket.max(), 2),
-        "limits:centre:median": common.digits(moved.median(), 2),
-        "limits:centre:most": common.digits_up(moved.max(), 2),
     }
 
 

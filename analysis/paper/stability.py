@@ -3,7 +3,7 @@
 """Numbers of the paper about stiff and extreme cases.
 
 stability:families, :cases, :failures (of ours), :broken (bounds) and :refused; stability:share, the largest
-error of ours over what its analysis allows, in per cent; stability:FAMILY:WHO, failures of another method.
+error of ours over what its analysis allows, in per cent.
 """
 
 from pathlib import Path
@@ -13,14 +13,14 @@ from common import stability
 
 
 def facts(results: Path) -> dict[str, str]:
-    """How ours fared, and how often others failed where."""
+    """How ours fared."""
     cases = stability.load(results)
     families = stability.families(results)
     ours = cases[cases.kind == "ours"]
     in_double = ours[ours.scalar == "double"]
     allowed = in_double.family.map(families.threshold)
     share = (in_double.error_over_condition_u / allowed)[allowed > 0]
-    found = {
+    return {
         "stability:families": str(len(families)),
         "stability:cases": f"{len(ours):,}",
         "stability:failures": str(int(ours.failures.sum())),
@@ -28,8 +28,3 @@ def facts(results: Path) -> dict[str, str]:
         "stability:refused": str(int((ours.refused > 0).sum())),
         "stability:share": common.digits(100 * share.max(), 2),
     }
-    others = cases[cases.kind != "ours"]
-    for (family, method), group in others.groupby(["family", "method"]):
-        found[f"stability:{family}:{method}"] = f"{int(group.failures.sum()):,}"
-    return found
-

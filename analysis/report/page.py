@@ -118,14 +118,10 @@ def repeats(job: Job, names: set[str]) -> bool:
 
 
 def artefact(results: Path, job: Job, kept: Path, missing: set[str], names: set[str]) -> str:
-    """The part of a table or figure. Repeats, plots of a single family and animations are linked, so that the page
-    stays small.
-    """
+    """The part of a table or figure. Repeats are linked, so that the page stays small."""
     if job.name in missing:
         return not_made(title_of(job.name), job.name, "h3")
-    one_of_many = job.name.startswith("stability-") and job.kind == "figure" and job.name != "stability-overview"
-    linked = repeats(job, names) or one_of_many or job.outputs[0].endswith(".gif")
-    return section.section(results, job, kept, linked)
+    return section.section(results, job, kept, linked=repeats(job, names))
 
 
 def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:

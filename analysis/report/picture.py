@@ -29,8 +29,6 @@ def lighter(path: Path) -> bytes:
 
 def packed(path: Path) -> tuple[str, bytes]:
     """Kind and bytes of a picture: drawn lines where they take little room, pixels where those take less."""
-    if path.suffix == ".gif":
-        return "image/gif", path.read_bytes()
     if path.suffix == ".svg" and path.stat().st_size < MOST_LINES:
         return "image/svg+xml", path.read_bytes()
     return "image/webp", lighter(path.with_suffix(".png"))
@@ -44,7 +42,7 @@ def size(path: Path) -> tuple[int, int]:
             raise common.Refused(f"{path} has no viewBox from 0 0: save the figure by matplotlib")
         return round(float(box[1]) * 4 / 3), round(float(box[2]) * 4 / 3)  # points, to pixels of a page
     with PIL.Image.open(path) as picture:
-        scale = min(1, WIDEST / picture.width) if path.suffix == ".png" else 1
+        scale = min(1, WIDEST / picture.width)
         return round(picture.width * scale), round(picture.height * scale)
 
 

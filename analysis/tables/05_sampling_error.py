@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      table-5
 # @question  The sampling error of RSID by the thesis' formula, and the errors measured (Table 5 of the thesis).
-# @data      sampling_error sampling_error_proven sampling_error_surfaces
+# @data      sampling_error sampling_error_proven sampling_error_sphere
 """Table 5, the sampling error of the RSID table: the thesis' formula (Eq. 7-8), the distance along the surface that it
 stands for, and the error of the radius, where they were measured, with its proven bound.
 """
@@ -13,7 +13,6 @@ import pandas as pd
 import common
 
 SCHEME = "rsid"  # Table 5 of the thesis is about this one
-ROUND = "sphere"  # the surface on which Eq. 7 is exact
 
 
 def main(options) -> common.Table:
@@ -21,9 +20,7 @@ def main(options) -> common.Table:
     ours = ours[ours.scheme == SCHEME].set_index("precision_deg")
     proven = common.load(options.results, "sampling_error_proven")
     proven = proven[proven.scheme == SCHEME].set_index("precision_deg")
-    surfaces = common.load(options.results, "sampling_error_surfaces")
-    chosen = (surfaces.scheme == SCHEME) & (surfaces.surface == ROUND) & (surfaces.interpolant == "smooth")
-    sphere = surfaces[chosen].set_index("precision_deg")
+    sphere = common.load(options.results, "sampling_error_sphere").set_index("precision_deg")
     thesis = common.thesis("table-5").pivot(index="row", columns="column", values="value")
     lines = pd.DataFrame(
         [

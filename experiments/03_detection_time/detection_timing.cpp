@@ -20,9 +20,8 @@ bool is_measured(const BenchmarkJoint& joint, const TouchCase& method, const Det
 }
 
 std::vector<Cell> key_of(const BenchmarkJoint& joint, const TouchCase& method) {
-  std::vector<Cell> key = joint.before;
-  key.emplace_back(method.name);
-  key.insert(key.end(), joint.after.begin(), joint.after.end());
+  std::vector<Cell> key{method.name};
+  key.insert(key.end(), joint.key.begin(), joint.key.end());
   return key;
 }
 
@@ -30,10 +29,15 @@ std::vector<TimedCase> benchmark_cases(const std::vector<BenchmarkJoint>& joints
                                        const DetectionOptions& options) {
   std::vector<TimedCase> cases;
   for (const BenchmarkJoint& joint : joints) {
-    for (const auto& method : joint.bench.methods) {
+    for (const auto& method : joint.methods) {
       if (!is_measured(joint, method, options)) continue;
-      cases.push_back(benchmark_case(key_of(joint, method), method, joint.bench));
-      if (is_pairwise(method) && joint.pairs > options.most_pairs_often) cases.back().rounds = kFewRounds;
+      TimedCase timed;
+      timed.key = key_of(joint, method);
+      timed.units = static_cast<double>(joint.poses.size());
+      timed.verify = [&method, &joint] { require_agreement(method, joint.oracle, joint.poses); };
+      timed.run = [&method, &joint] { benchmark::DoNotOptimize(count_touching(method, joint.poses)); };
+      if (is_pairwise(method) && joint.pairs > options.most_pairs_often) timed.rounds = kFewRounds;
+      cases.push_back(std::move(timed));
     }
   }
   return cases;
@@ -41,50 +45,35 @@ std::vector<TimedCase> benchmark_cases(const std::vector<BenchmarkJoint>& joints
 
 }  // namespace
 
-DetectionBenchmark make_detection_benchmark(const BallSocketPair& pair, double precision_deg) {
+BenchmarkJoint make_benchmark_joint(const BallSocketPair& pair, std::vector<Cell> key, double precision_deg) {
   const auto kept = std::make_shared<const BallSocketPair>(pair);
-  return {kept,
+  return {std::move(key),
+          static_cast<double>(pair.ball.faces.size()) * static_cast<double>(pair.socket.faces.size()),
+          kept,
           pose_set(pair),
           {{"cgal_tree"}, make_cgal_tree(pair.ball, pair.socket)},
           cases_of(touch_methods(), &Method::touch, *kept, precision_deg)};
 }
 
-BenchmarkJoint make_benchmark_joint(std::vector<Cell> before, const BallSocketPair& pair,
-                                    std::vector<Cell> after, double precision_deg) {
-  const auto pairs =
-      static_cast<double>(pair.ball.faces.size()) * static_cast<double>(pair.socket.faces.size());
-  return {std::move(before), std::move(after), pairs, make_detection_benchmark(pair, precision_deg)};
-}
-
-TimedCase benchmark_case(std::vector<Cell> key, const TouchCase& method, const DetectionBenchmark& bench) {
-  TimedCase timed;
-  timed.key = std::move(key);
-  timed.units = static_cast<double>(bench.poses.size());
-  timed.verify = [&method, &bench] { require_agreement(method, bench.oracle, bench.poses); };
-  timed.run = [&method, &bench] { benchmark::DoNotOptimize(count_touching(method, bench.poses)); };
-  return timed;
-}
-
-Timing write_benchmark(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
-                       const std::vector<BenchmarkJoint>& joints, const DetectionOptions& options) {
+void write_benchmark(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
+                     const std::vector<BenchmarkJoint>& joints, const DetectionOptions& options) {
   const TimingRun timed = run_interleaved(benchmark_cases(joints, options), {}, driver.progress);
-  Timing pair = options.pair;
+  Timing one_pair;
   result.table.columns = timing_columns(key_columns);
   result.table.columns.push_back({"gives_distance", "", "yes: the same work yields the gap at every vertex"});
   for (const BenchmarkJoint& joint : joints) {
-    add_labels(result.labels, joint.bench.methods);
-    for (const auto& method : joint.bench.methods) {
+    add_labels(result.labels, joint.methods);
+    for (const auto& method : joint.methods) {
       const std::vector<Cell> key = key_of(joint, method);
       const bool measured = is_measured(joint, method, options);
-      if (measured && is_pairwise(method)) pair = scaled(find(timed, key), 1.0 / joint.pairs);
+      if (measured && is_pairwise(method)) one_pair = scaled(find(timed, key), 1.0 / joint.pairs);
       auto row =
-          measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, scaled(pair, joint.pairs));
+          measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, scaled(one_pair, joint.pairs));
       row.emplace_back(method.gives_distance);
       result.table.add_row(std::move(row));
     }
   }
   write_timed(driver, std::move(result), key_columns, timed);
-  return pair;
 }
 
 }  // namespace impinge::lab

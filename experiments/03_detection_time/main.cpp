@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  How long does it take to decide whether ball and socket touch in a pose? (Tables 4 and 9)
-// @writes    detection_time detection_time_samples detection_time_precision detection_time_precision_samples
-// @writes-with-bones  detection_time_bones detection_time_bones_samples
+// @writes    detection_time detection_time_samples
+// @bones     yes
 // @timing    yes
 // @seconds   62 260
 // @links     harness real_joints methods touch_methods hip
@@ -9,8 +9,7 @@
 // Tables 4 and 9 have "generic models" up to 3,000 triangles, here the generated pair, and the "real model
 // from CT" of a patient at 12,000. His hip is not public. In its place is, of the real joints that are given,
 // the one whose numbers of triangles are nearest to that, or else the generated stand-in for him
-// (hip/hip_presets.hpp). All real joints have a table of their own. A time is the mean over the six poses
-// of pose_set.hpp.
+// (hip/hip_presets.hpp). A time is the mean over the six poses of pose_set.hpp.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,6 @@
 
 #include "03_detection_time/detection_timing.hpp"
 #include "harness/real_joints.hpp"
-#include "harness/timing_report.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
@@ -29,11 +27,9 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::array<std::size_t, 3> kLevels{300, 1000, 3000};       // triangles of each generic model
-constexpr std::size_t kHipLevel = 12000;                             // of each model of the patient
-constexpr const char* kPatient = "patient_a";                        // his stand-in
-constexpr std::array<std::size_t, 2> kPrecisionLevels{3000, 12000};  // of the file that varies the precision
-constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};               // degrees
+constexpr std::array<std::size_t, 3> kLevels{300, 1000, 3000};  // triangles of each generic model
+constexpr std::size_t kHipLevel = 12000;                        // of each model of the patient
+constexpr const char* kPatient = "patient_a";                   // his stand-in
 // Of the tables in Tables 4 and 9. The thesis does not say which one it took; its time grows faster than the
 // triangles, as it does when the tables are larger than the cache.
 constexpr double kPrecision = 0.1;
@@ -42,8 +38,8 @@ constexpr double kMostPairsInQuick = 1e7;  // 3,000 triangles against 3,000, not
 const Column kMethod{"method", "", "pairwise triangles, OBB trees of FCL, or two scans of the tables"};
 const Column kTriangles{"triangles", "1", "of each model; of a hip about so many, see the parameters"};
 
-Result make_result(const char* name, const char* question) {
-  Result result{name, question};
+Result make_result() {
+  Result result{"detection_time", "How long does a pose take?"};
   result.parameters = {
       {"poses",
        "clear, near (gap at most 0.5 mm) and touching (at most -0.5 mm), each also turned by 10 degrees"},
@@ -76,12 +72,14 @@ Hip12k patients_place(const std::vector<RealJoint>& real) {
 }
 
 // A scan looks up each vertex of both models once: its time divided by their number is that of one query.
-Timing benchmark_tables(DriverRun& run, const std::vector<RealJoint>& real, const DetectionOptions& options) {
-  Result result = make_result("detection_time", "How long does a pose take?");
+void body(DriverRun& run) {
+  std::vector<RealJoint> real;
+  if (run.bones) real = read_real_joints(*run.bones, run.progress);
+  Result result = make_result();
   std::vector<BenchmarkJoint> joints;
   joints.reserve(kLevels.size() + 1);
   const auto add = [&](const BallSocketPair& pair, std::size_t level, const std::string& joint) {
-    joints.push_back(make_benchmark_joint({}, pair, {level, joint}, kPrecision));
+    joints.push_back(make_benchmark_joint(pair, {level, joint}, kPrecision));
     result.parameters["queries"][std::to_string(level)] =
         pair.ball.vertices.size() + pair.socket.vertices.size();
   };
@@ -92,58 +90,8 @@ Timing benchmark_tables(DriverRun& run, const std::vector<RealJoint>& real, cons
                              std::to_string(hip.meshes.ball.faces.size()) + " and " +
                              std::to_string(hip.meshes.socket.faces.size()) + " triangles";
   const Column joint{"joint", "", "generated: a ball and a socket; else the hip in the patient's place"};
-  return write_benchmark(run, result, {kMethod, kTriangles, joint}, joints, options);
-}
-
-void benchmark_real(DriverRun& run, const std::vector<RealJoint>& real, DetectionOptions options) {
-  std::vector<BenchmarkJoint> joints;
-  joints.reserve(real.size());
-  for (const RealJoint& joint : real) {
-    const BallSocketPair& pair = joint.meshes;
-    joints.push_back(make_benchmark_joint({joint.subject}, pair,
-                                          {pair.ball.faces.size(), pair.socket.faces.size()}, kPrecision));
-  }
-  const std::vector<Column> keys{{"subject", "", "folder of the joint"},
-                                 kMethod,
-                                 {"ball_triangles", "1", "triangles of the ball"},
-                                 {"socket_triangles", "1", "triangles of the socket"}};
-  write_benchmark(run, make_result("detection_time_bones", "How long does a pose of a real joint take?"),
-                  keys, joints, options);
-}
-
-// The scans alone, with tables of every precision.
-void vary_precision(DriverRun& run) {
-  Result result =
-      make_result("detection_time_precision", "How does the size of the tables change the time of a scan?");
-  result.parameters.erase("precision_deg");
-  const std::vector<Column> keys{kMethod, {"precision_deg", "deg", "of the tables"}, kTriangles};
-  result.table.columns = timing_columns(keys);
-  std::vector<DetectionBenchmark> benches;
-  benches.reserve(kPrecisions.size() * kPrecisionLevels.size());  // the cases refer to them
-  std::vector<TimedCase> cases;
-  for (const std::size_t n : kPrecisionLevels) {
-    for (const double precision : kPrecisions) {
-      benches.push_back(make_detection_benchmark(make_ball_socket_pair(n), precision));
-      add_labels(result.labels, benches.back().methods);
-      for (const auto& method : benches.back().methods) {
-        if (!method.gives_distance) continue;
-        cases.push_back(benchmark_case({method.name, precision, n}, method, benches.back()));
-      }
-    }
-  }
-  const TimingRun timed = run_interleaved(cases, {}, run.progress);
-  for (const Timing& timing : timed.timings) result.table.add_row(timing_cells(timing));
-  write_timed(run, std::move(result), keys, timed);
-}
-
-void body(DriverRun& run) {
-  DetectionOptions options;
-  options.most_pairs = run.quick() ? kMostPairsInQuick : std::numeric_limits<double>::infinity();
-  std::vector<RealJoint> real;
-  if (run.bones) real = read_real_joints(*run.bones, run.progress);
-  options.pair = benchmark_tables(run, real, options);
-  if (run.bones) benchmark_real(run, real, options);
-  vary_precision(run);
+  write_benchmark(run, result, {kMethod, kTriangles, joint}, joints,
+                  {.most_pairs = run.quick() ? kMostPairsInQuick : std::numeric_limits<double>::infinity()});
 }
 
 }  // namespace

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  How wrong is the radius that a table gives, beside the thesis' formula? (Table 5, Eq. 7-8)
-// @writes    sampling_error sampling_error_proven sampling_error_surfaces sampling_error_bounds
+// @writes    sampling_error sampling_error_proven sampling_error_sphere sampling_error_bounds
 // @timing    no
 // @seconds   11 320
-// @links     harness table curves
+// @links     harness table
 //
 // Eq. 7 is a distance along the surface. The distance that matters is that of the radius: it is measured on
-// the generated head of 44 mm and on surfaces with a formula.
+// the generated head of 44 mm.
 
 #include <array>
 #include <concepts>
 
 #include "04_sampling_error/sampling_study.hpp"
 #include "harness/driver.hpp"
-#include "sphere/scheme.hpp"
-#include "sphere/scheme_list.hpp"
 
 namespace {
 
@@ -60,10 +58,10 @@ void body(DriverRun& run) {
              std::move(study.errors), parameters});
   run.write({"sampling_error_proven", "How near does the measured error come to its proven bound?",
              std::move(study.proven), parameters});
-  run.write({"sampling_error_surfaces",
-             "How does the error of a look-up depend on the surface and the interpolant?",
-             std::move(study.surfaces), parameters});
-  run.write({"sampling_error_bounds", "Do the bounds on the error of a look-up hold?",
+  run.write({"sampling_error_sphere",
+             "How far from an entry is a point of a sphere, and how wrong is its radius?",
+             std::move(study.sphere), parameters});
+  run.write({"sampling_error_bounds", "Does the usual bound on the error of a look-up within a plane hold?",
              std::move(study.bounds), parameters});
 }
 

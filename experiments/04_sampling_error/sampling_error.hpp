@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thesis' error formula, and the errors that a look-up really makes.
+// The thesis' error formula, and what theory promises of a look-up on a plane.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <vector>
 
-#include "04_sampling_error/lookup.hpp"
-#include "04_sampling_error/radial_surface.hpp"
+#include "sphere/scheme.hpp"
 
 namespace impinge::lab {
 
@@ -25,63 +22,50 @@ inline double thesis_relative_error(std::size_t equator_points) {
   return thesis_sampling_error(1.0, equator_points);
 }
 
-// Directions along which a surface is examined: places in a list of directions, and the true radius (mm)
-// there.
-struct Probes {
-  std::vector<std::size_t> place;  // in the list of directions, ascending
-  std::vector<double> truth;       // of each place, mm
-};
-
-// Those of the directions that the surface covers.
-Probes probes_of(const RadialSurface& surface, std::span<const Vec3> directions);
-
-// |answer(k) - truth| for every probe, mm; `answer` takes a place in the list of directions.
-template <class Answer>
-std::vector<double> errors_at(const Probes& probes, const Answer& answer) {
-  std::vector<double> errors(probes.place.size());
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    errors[k] = std::abs(answer(probes.place[k]) - probes.truth[k]);
-  return errors;
+// What a table answers along u when its entry i holds entry_radius(i): linear in r, equal to
+// RadialTable::radius_at() away from a rim, bit for bit. Only the entries that are read are computed.
+template <SamplingScheme S, class EntryRadius>
+double smooth_radius(const S& scheme, const Vec3& u, const EntryRadius& entry_radius) {
+  const Stencil stencil = scheme.stencil(u);
+  double radius = 0.0;
+  for (std::size_t k = 0; k < stencil.taps; ++k) {
+    if (stencil.weight[k] > 0.0) radius += stencil.weight[k] * entry_radius(stencil.entry[k]);
+  }
+  return radius;
 }
 
-// Bounds on the error of a look-up, mm, for surfaces with a formula. Each is what theory promises; the
-// experiment on the sampling error measures whether it holds for the stencils as they are.
+// The plane n.x = p, examined up to an incidence of `steepest` radians. Directions are unit vectors.
+struct SlantedPlane {
+  Vec3 normal = Vec3(0.48, 0.6, 0.64);  // n, unit: no line of a grid runs along or round it
+  double distance = 22.0;               // p, mm
+  double steepest = 75.0 * kDegree;     // below 90 degrees
 
-// Of the nearest entry v: |r(v) - r(u)| <= r (exp(T angle) - 1), because |grad ln r| = tan psi. T is the
-// largest of tan psi at u, at v and half-way, r the smaller radius of the two.
-double nearest_bound(const RadialSurface& surface, const Vec3& u, const Vec3& v);
+  bool covers(const Vec3& u) const { return angle_between(normal, u) <= steepest; }
+  double radius(const Vec3& u) const { return distance / normal.dot(u); }
+  // tan psi = |grad r| / r, psi from the direction to the normal.
+  double slope(const Vec3& u) const { return normal.cross(u).norm() / normal.dot(u); }
+};
 
-// Largest r (1 + 2 tan^2 psi) at u and the taps: the larger eigenvalue of the Hessian of a planar face.
+// |answer - truth| of a look-up on that plane, mm.
 template <SamplingScheme S>
-double planar_curvature(const RadialSurface& plane, const S& scheme, const Vec3& u) {
-  const auto at = [&plane](const Vec3& x) {
+double error_on_plane(const SlantedPlane& plane, const S& scheme, const Vec3& u) {
+  const auto entry_radius = [&](std::size_t i) { return plane.radius(scheme.direction(i)); };
+  return std::abs(smooth_radius(scheme, u, entry_radius) - plane.radius(u));
+}
+
+// Its bound, mm, for taps that a circle of angular radius `rho` holds: rho^2 / 2 times the largest
+// r (1 + 2 tan^2 psi) at u and the taps, the larger eigenvalue of the Hessian of r.
+template <SamplingScheme S>
+double planar_bound(const SlantedPlane& plane, const S& scheme, const Vec3& u, double rho) {
+  const auto curvature = [&plane](const Vec3& x) {
     const double slope = plane.slope(x);
     return plane.radius(x) * (1.0 + 2.0 * slope * slope);
   };
   const Stencil stencil = scheme.stencil(u);
-  double largest = at(u);
+  double largest = curvature(u);
   for (std::size_t k = 0; k < stencil.taps; ++k)
-    largest = std::max(largest, at(scheme.direction(stencil.entry[k])));
-  return largest;
-}
-
-// Linear interpolation within one planar face by taps that a circle of angular radius `rho` holds:
-// rho^2 / 2 times the curvature.
-template <SamplingScheme S>
-double planar_bound(const RadialSurface& plane, const S& scheme, const Vec3& u, double rho) {
-  return 0.5 * rho * rho * planar_curvature(plane, scheme, u);
-}
-
-// The same across an edge between two planes: the slope of r jumps there by r^2 |q1 - q2|, q = n / p, and an
-// interpolation across a kink errs by half of it times rho.
-template <SamplingScheme S>
-double edge_bound(const EdgeSurface& edge, const S& scheme, const Vec3& u, double rho) {
-  const Stencil stencil = scheme.stencil(u);
-  double radius = edge.surface.radius(u);
-  for (std::size_t k = 0; k < stencil.taps; ++k)
-    radius = std::max(radius, edge.surface.radius(scheme.direction(stencil.entry[k])));
-  const double kink = radius * radius * (edge.inverse_1 - edge.inverse_2).norm();
-  return 0.5 * rho * kink + planar_bound(edge.surface, scheme, u, rho);
+    largest = std::max(largest, curvature(scheme.direction(stencil.entry[k])));
+  return 0.5 * rho * rho * largest;
 }
 
 }  // namespace impinge::lab

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  Where do the entries of the thesis' helix stand, and what does Eq. 10 do to a look-up? (Figures
 // 47-48)
-// @writes    helix_placement helix_mismatch helix_curve helix_neighbours helix_lookup_error
+// @writes    helix_placement helix_curve helix_neighbours helix_lookup_error
 // @timing    no
 // @seconds   3 60
 // @links     harness curves mesh
@@ -27,7 +27,6 @@ using namespace impinge::lab;
 
 constexpr std::array<std::size_t, 4> kTurns{229, 458, 2292, 4584};  // Table 6
 constexpr std::array<std::size_t, 3> kDrawn{10, 20, 40};            // Figure 47
-constexpr int kMismatchSteps = 720;
 const Vec3 kVertex =
     to_direction({48.0 * kDegree, 36.0 * kDegree});  // of Figure 48, with kDrawn.front() turns
 
@@ -64,28 +63,11 @@ Result placement() {
   return result;
 }
 
-Result mismatch() {
-  Result result{
-      "helix_mismatch", "By how many entries is an index by Eq. 10 off along the curve?", {}, {}, {}};
-  result.table.columns = {{"turns", "1", "k of the helix"},
-                          {"phi_deg", "deg", "polar angle on the curve"},
-                          {"true_spacing", "1", "index by Eq. 10 over the true spacing, minus the true one"},
-                          {"eq10_spacing", "1", "the same over Eq. 10's own spacing"}};
-  for (const std::size_t k : kTurns) {
-    for (int step = 0; step <= kMismatchSteps; ++step) {
-      const double phi = kPi * step / kMismatchSteps;
-      result.table.add_row({k, phi / kDegree, index_mismatch(thesis_entries(k), HelixSpacing::true_arc, phi),
-                            index_mismatch(thesis_entries(k), HelixSpacing::travelled, phi)});
-    }
-  }
-  return result;
-}
-
 void body(DriverRun& run) {
   // The entries at equal arc are roots, a few microseconds each: the finest helix is left out, in quick two.
   const std::span<const std::size_t> looked_up(kTurns.data(), run.quick() ? 2 : 3);
-  for (Result result : {placement(), mismatch(), helix_curve(kDrawn),
-                        helix_neighbours_of(kDrawn.front(), kVertex), helix_lookup_errors(looked_up)}) {
+  for (Result result : {placement(), helix_curve(kDrawn), helix_neighbours_of(kDrawn.front(), kVertex),
+                        helix_lookup_errors(looked_up)}) {
     result.parameters["helix"] =
         "theta = 2 k phi, k^2 entries at equal steps of Eq. 10 unless a column says otherwise";
     run.write(result);

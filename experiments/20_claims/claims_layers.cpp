@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <memory>
-
-#include <benchmark/benchmark.h>
 
 #include "20_claims/claims_study.hpp"
-#include "gap/gap_scan.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "reference/exact_radius.hpp"
-#include "sphere/schemes/rsid.hpp"
-#include "table/exact_raster.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -32,13 +26,6 @@ TriangleMesh outer_layer(const TriangleMesh& bone) {
 struct LayerSurfaces {
   const TriangleMesh& bone;
   const TriangleMesh& cartilage;
-};
-
-struct Layers {
-  RadialTable<Rsid> bone;
-  RadialTable<Rsid> cartilage;
-  std::vector<Vec3> vertices;  // of the socket
-  std::vector<double> gap;
 };
 
 // How far the outer surface is from where a distance added to the radius of the bone puts it, in directions
@@ -78,43 +65,14 @@ void add_differences(ClaimsStudy& study, const std::string& name, const Hip& hip
   add_differences(study, name + " hip, under the socket", layers, facing);
 }
 
-void add_times(ClaimsStudy& study, const char* claim, const std::string& name, const Layers& made,
-               int rounds) {
-  const auto layers = std::make_shared<Layers>(made);
-  for (const bool both : {false, true}) {
-    TimedCase scan;
-    scan.key = {claim, name, both ? "time of a scan of two tables" : "time of a scan of one table"};
-    scan.rounds = rounds;
-    scan.run = [layers, both] {
-      scan_gaps(layers->bone, layers->vertices, Pose{}, Surface::socket, layers->gap);
-      benchmark::DoNotOptimize(layers->gap.data());
-      if (!both) return;
-      scan_gaps(layers->cartilage, layers->vertices, Pose{}, Surface::socket, layers->gap);
-      benchmark::DoNotOptimize(layers->gap.data());
-    };
-    study.cases.push_back(scan);
-  }
-}
-
 }  // namespace
 
 void add_layers(ClaimsStudy& study, const ClaimsOptions& options) {
-  const char* claim = "several layers";
-  const Rsid scheme = Rsid::with_precision(options.precision_deg);
   for (const char* name : {"normal", "cam"}) {
     HipParameters parameters = hip_preset(name);
     parameters.shaft_length = 0.0;
     const Hip hip = make_hip(parameters, options.faces);
-    const TriangleMesh cartilage = outer_layer(hip.ball);
-    add_differences(study, name, hip, cartilage);
-    const Layers layers{fill_exact(hip.ball, scheme, Layer::farthest),
-                        fill_exact(cartilage, scheme, Layer::farthest), hip.socket.vertices,
-                        std::vector<double>(hip.socket.vertices.size())};
-    const std::string setting = std::string(name) + " hip";
-    const auto bytes = static_cast<double>(layers.bone.radii().size_bytes());
-    study.rows.push_back({claim, setting, "memory of one table", bytes, "B"});
-    study.rows.push_back({claim, setting, "memory of two tables", 2.0 * bytes, "B"});
-    add_times(study, claim, setting, layers, options.rounds);
+    add_differences(study, name, hip, outer_layer(hip.ball));
   }
 }
 

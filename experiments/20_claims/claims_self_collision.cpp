@@ -2,17 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
 
 #include <Eigen/Geometry>
-#include <benchmark/benchmark.h>
 
 #include "20_claims/claims_study.hpp"
 #include "20_claims/self_collision.hpp"
 #include "mesh/bodies.hpp"
 #include "methods/face_crossings.hpp"
 #include "sphere/schemes/rsid.hpp"
-#include "table/exact_raster.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -42,15 +39,15 @@ TriangleMesh pressed_cartilage(std::size_t faces) {
 
 void add_self_collision(ClaimsStudy& study, const ClaimsOptions& options) {
   const char* claim = "self-collision found while sampling";
-  const auto mesh = std::make_shared<const TriangleMesh>(pressed_cartilage(options.faces));
-  const std::vector<FacePair> crossing = face_crossings(*mesh);
+  const TriangleMesh mesh = pressed_cartilage(options.faces);
+  const std::vector<FacePair> crossing = face_crossings(mesh);
   study.rows.push_back({claim, "exact", "pairs crossing", static_cast<double>(crossing.size()), "1"});
   for (const double precision : options.collision_precisions) {
     const Rsid scheme = Rsid::with_precision(precision);
     for (const double tolerance : {0.001, 0.01, 0.1}) {
       const std::string setting =
           Cell(precision).text() + " degrees, within " + Cell(tolerance).text() + " mm";
-      const std::vector<FacePair> found = self_collisions(*mesh, scheme, tolerance);
+      const std::vector<FacePair> found = self_collisions(mesh, scheme, tolerance);
       std::vector<FacePair> right;
       std::ranges::set_intersection(found, crossing, std::back_inserter(right));
       const auto share = static_cast<double>(right.size()) / static_cast<double>(crossing.size());
@@ -58,16 +55,6 @@ void add_self_collision(ClaimsStudy& study, const ClaimsOptions& options) {
       const auto wrong = static_cast<double>(found.size() - right.size());
       study.rows.push_back({claim, setting, "pairs found that do not cross", wrong, "1"});
     }
-    TimedCase looking;
-    looking.key = {claim, Cell(precision).text() + " degrees", "time with search"};
-    looking.rounds = options.rounds;
-    looking.run = [mesh, scheme] { benchmark::DoNotOptimize(self_collisions(*mesh, scheme, 0.01)); };
-    study.cases.push_back(looking);
-    TimedCase filling;
-    filling.key = {claim, Cell(precision).text() + " degrees", "time to fill alone"};
-    filling.rounds = options.rounds;
-    filling.run = [mesh, scheme] { benchmark::DoNotOptimize(fill_exact(*mesh, scheme, Layer::farthest)); };
-    study.cases.push_back(filling);
   }
 }
 

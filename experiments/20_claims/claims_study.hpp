@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims of the thesis that it never showed (Chapter 6 and Section 6.2), one function and one file each.
+// Claims of the thesis that it never showed (Chapter 6), one function and one file each.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,6 @@ struct ClaimsOptions {
   double precision_deg = 0.5;                                // of the tables
   std::vector<double> collision_precisions{1.0, 0.5, 0.25};  // degrees
   std::vector<double> caps{5.0, 10.0, 20.0, 45.0};           // degrees, of the part that moves
-  std::vector<std::size_t> pairs{1, 2, 4, 8};                // in a scene
   int rounds = 9;                                            // of each timed case
 };
 
@@ -43,11 +42,8 @@ void add_deforming(ClaimsStudy& study, const ClaimsOptions& options);
 // exactly.
 void add_self_collision(ClaimsStudy& study, const ClaimsOptions& options);
 
-// Bone and cartilage as a table each, beside one table with a distance added.
+// Where cartilage is, beside a distance that is added to the radius of the bone.
 void add_layers(ClaimsStudy& study, const ClaimsOptions& options);
-
-// Several joints in one scene: memory and time, and the same gaps as one by one (else std::runtime_error).
-void add_pairs(ClaimsStudy& study, const ClaimsOptions& options);
 
 // The result and its times.
 struct ClaimsTables {

@@ -4,7 +4,7 @@
 namespace impinge::lab {
 
 std::vector<Column> claims_keys() {
-  return {{"claim", "", "of the thesis, Chapter 6 and Section 6.2"},
+  return {{"claim", "", "of the thesis, Chapter 6"},
           {"setting", "", "of the experiment"},
           {"quantity", "", "what was measured"}};
 }

@@ -20,8 +20,7 @@ HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg) {
 
 PosedHip scan(const HipScanner& scanner, const Pose& pose) {
   const ReplayedHip& hip = scanner.hip;
-  PosedHip posed{pose,
-                 {hip.ball.vertices, std::vector<double>(hip.ball.vertices.size()), scanner.ball_area},
+  PosedHip posed{{hip.ball.vertices, std::vector<double>(hip.ball.vertices.size()), scanner.ball_area},
                  {hip.socket.vertices, std::vector<double>(hip.socket.vertices.size()), scanner.socket_area}};
   scan_joint(scanner.lanes, pose, posed.ball.gap, posed.socket.gap);
   for (Vec3& x : posed.ball.vertices) x = to_socket(pose, x);

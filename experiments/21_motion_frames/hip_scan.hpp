@@ -45,7 +45,6 @@ struct PosedSurface {
 
 // Both surfaces in one pose.
 struct PosedHip {
-  Pose pose;            // of the ball in the socket
   PosedSurface ball;    // vertices where the pose has put them
   PosedSurface socket;  // at rest
 };

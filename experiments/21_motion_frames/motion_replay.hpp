@@ -4,7 +4,6 @@
 // socket they are small (thesis, Section 5.2, Tables 11 to 13).
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,12 +18,10 @@ struct RecordedMotion {
   double angle_deg = 0.0;  // at its end
 };
 
-// How finely a motion is followed, and what is kept of it.
+// How finely a motion is followed, and what is told of it.
 struct ReplayOptions {
   double precision_deg = 0.5;  // of the tables, RSID
   double step_deg = 1.0;       // at most, between the poses of a motion: they are evenly spread
-  std::size_t pictures = 6;  // poses of a motion whose gaps are kept, evenly spread too, the last at its end
-  double forward_mm = 4.0;   // the last pose: as modelled, but moved forward by so much (Figure 41)
   // Gaps up to which a zone is told, mm: contact; the colours of Tables 12 and 13, red, orange and yellow;
   // and the cartilage of Section 3.4.
   std::vector<double> thresholds{0.0, 2.0, 4.0, 6.0};
@@ -37,10 +34,8 @@ struct ReplayTables {
 };
 ReplayTables replay_tables();  // with their columns, and no row
 
-// Adds the poses of a hip to the tables, and writes NAME-ball.ply and NAME-socket.ply
-// (harness/ply_series.hpp) into the folder: both meshes in the pose as modelled, with the gaps of each kept
-// pose as property gap_K, K in column `picture` of the frames; gap_0 is that of the pose as modelled.
+// Adds the poses of a hip to the tables.
 void replay(const ReplayedHip& hip, const std::vector<RecordedMotion>& motions, const ReplayOptions& options,
-            const std::filesystem::path& folder, ReplayTables& tables);
+            ReplayTables& tables);
 
 }  // namespace impinge::lab

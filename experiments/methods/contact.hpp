@@ -37,7 +37,6 @@ struct ContactCase : Case {
   Contact contact = Contact::faces;
   Measure measure = Measure::radial;  // of its smallest gap
   bool few = false;                   // so slow that only some of the poses are asked
-  bool counted = false;               // are its instructions counted?
 };
 
 /// A case that answers touch only, by the Touch that make(pair) returns.

@@ -50,10 +50,8 @@ std::vector<ContactCase> culled_cases(const BallSocketPair& pair) {
                     touch_only("coherent", "touch of vertices, coherent", 3, pair, touch_of<CoherentContact>),
                     ContactCase{{"culled_least_gap", "smallest gap, culled", "", 3},
                                 [&pair] { return smallest_gap(pair); }}};
-  for (ContactCase& one : cases) {
+  for (ContactCase& one : cases)
     if (one.name != "culled_faces") one.contact = Contact::vertices;
-    one.counted = one.name == "culled" || one.name == "coherent";
-  }
   return cases;
 }
 

@@ -117,7 +117,6 @@ Method embree_rays_method() {
       cases.back().label = "Embree, " + std::to_string(width) + (width == 1 ? " ray" : " rays");
       cases.back().few = false;
       cases.back().first_hit = true;
-      cases.back().counted = true;
     }
     return cases;
   };

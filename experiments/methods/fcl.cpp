@@ -80,7 +80,6 @@ Method fcl_method() {
   method.contact = [](const BallSocketPair& pair) {
     std::vector cases{touch_only("fcl_collide", "FCL, touch", 0, pair, fcl_touch),
                       ContactCase{{"fcl_distance", "FCL, distance", "", 1}}};
-    cases[0].counted = true;
     cases[1].measure = Measure::euclidean;
     cases[1].few = true;
     cases[1].make = [&pair] {

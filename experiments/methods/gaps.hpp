@@ -61,7 +61,6 @@ struct GapCase : Case {
   bool kernel = false;             // does its time depend on the instruction set?
   bool few = false;                // so slow that only some of the points are asked
   bool widely = false;             // also timed with two threads and with every instruction set
-  bool counted = false;            // are its instructions counted?
   bool first_hit = false;          // answers the first face along a ray, whatever layer is asked
   std::function<GapQuery()> make;  // builds the table or tree
 };

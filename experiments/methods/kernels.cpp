@@ -70,7 +70,7 @@ RadialTable<CubeGnomonic> filled_cube(const AskedSurface& s, std::size_t cells) 
 
 // Its answers mean nothing.
 GapCase floor_case(std::size_t cells) {
-  GapCase one = kernel_case({"floor", "memory-bound baseline"}, cells_text(cells), "uint16", [cells] {
+  return kernel_case({"floor", "memory-bound baseline"}, cells_text(cells), "uint16", [cells] {
     const auto table = std::make_shared<const FloorTable>(2 * cube_of(cells).size(), kReach);
     const auto scan = [table](const AskedPoints& asked, const Pose& pose, GapScratch& scratch) {
       scratch.floats.resize(asked.points.size());
@@ -79,15 +79,11 @@ GapCase floor_case(std::size_t cells) {
     return GapQuery{scan, static_cast<double>(sizeof(float) * table->values.size()), Measure::radial,
                     /*answers=*/false};
   });
-  one.counted = cells == kMainCells;
-  return one;
 }
 
 GapCase exact_case(const AskedSurface& s, int cells) {
-  GapCase one = kernel_case({"cube_cells_exact", "exact cells"}, std::to_string(cells) + "/face", "float",
-                            [s, cells] { return kernel(exact_cells(s.mesh, s.layer, cells), s.scanned); });
-  one.counted = cells == 4;
-  return one;
+  return kernel_case({"cube_cells_exact", "exact cells"}, std::to_string(cells) + "/face", "float",
+                     [s, cells] { return kernel(exact_cells(s.mesh, s.layer, cells), s.scanned); });
 }
 
 // On which side of a gap of 0 each vertex is, for sure.
@@ -109,7 +105,6 @@ void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapCase>& c
   const auto filled = [s, cells] { return filled_cube(s, cells); };
   cases.push_back(kernel_case(kCube, cells_text(cells), "uint16",
                               [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); }));
-  cases.back().counted = true;
   cases.push_back(kernel_case(kCube, cells_text(cells), "float",
                               [=] { return kernel(packed_table<float>(filled()), s.scanned); }));
 }
@@ -118,7 +113,6 @@ void add_corners(const AskedSurface& s, std::size_t cells, std::vector<GapCase>&
   cases.push_back(kernel_case(kCube, cells_text(cells), "corners", [=] {
     return kernel(corner_table(packed_table<float>(filled_cube(s, cells))), s.scanned);
   }));
-  cases.back().counted = cells == kMainCells;
 }
 
 // A grid of radii: the library's scan, one vertex at a time, and the kernels.
@@ -141,12 +135,10 @@ void add_scheme(const AskedSurface& s, const std::string& label, double precisio
     return GapQuery{scan, static_cast<double>(table->bytes())};
   });
   cases.back().kernel = false;
-  cases.back().counted = true;
   const Kind kind{name, label + " kernel"};
   add(kind, "double", [=] { return kernel(packed_table<double>(filled()), s.scanned); });
   add(kind, "float", [=] { return kernel(packed_table<float>(filled()), s.scanned); });
   add(kind, "uint16", [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); });
-  cases.back().counted = true;
 }
 
 std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& sizes) {

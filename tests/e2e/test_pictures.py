@@ -115,7 +115,7 @@ class Limits(unittest.TestCase):
     def test_facts(self):
         with mock.patch.object(common, "load", return_value=self.table):
             facts = paper_limits.facts(Path())
-        wanted = {"count": "3", "widest": "1", "joints": "1", "interval:most": "20", "centre:most": "0.061"}
+        wanted = {"count": "3", "widest": "1", "interval:most": "20", "unbounded": "1"}
         self.assertEqual({name: facts[f"limits:{name}"] for name in wanted}, wanted)
 
 

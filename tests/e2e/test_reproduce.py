@@ -46,23 +46,16 @@ TABLES = [
     "band-limit",
     "findings",
     "error-budget",
-    "pareto",
     "matched-accuracy",
-    "error-order",
     "fast-times",
-    "fast-counts",
-    "fast-targets",
     "fill-times",
     "fill-growth",
     "strain-by-gap-table",
     "motion-volume-times",
-    "resection-by-cam",
 ]
 FIGURES = """
-sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
-scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
-error-against-time error-against-time-scenes certified-verdicts euclidean-distances fast-gaps fill-time contact-time
-fast-speed-up fast-scaling strain-by-gap motion-volume resection-orientation
+detection-time power-spectrum conchoid-surface scheme-points scheme-covering covering-cost scheme-error
+error-against-time certified-verdicts fill-time stability-overview strain-by-gap motion-limits motion-volume cohort-rotation
 table-12-pictures table-13-pictures
 """.split()
 MEASURED_TABLES = {"joint3d-speed.csv"}  # timed when it is made, not made from data
@@ -75,7 +68,6 @@ PROMISED = [
     *(f"tables/{name}.{kind}" for name in TABLES for kind in ("csv", "tex")),
     *(f"figures/{name}.{kind}" for name in THESIS_FIGURES + FIGURES for kind in ("svg", "png", "pdf")),
     "figures/joint-generated.png",
-    *(f"figures/motion-{patient}.gif" for patient in ("patient_a", "patient_b")),
     *(f"data/{name}.{kind}" for name in DATA for kind in ("csv", "json")),
 ]
 
@@ -213,10 +205,9 @@ class Reproduce(unittest.TestCase):
 
     def test_d_same_bytes_when_made_again(self):
         """Whatever holds no time is the same to the byte: tables of memory, figures, paper, for the same
-        data. Of real joints and of stress families the first stands for all, as one script draws them.
+        data. Of real joints the first stands for all, as one script draws them.
         """
-        families = sorted({file.stem for file in RESULTS.glob("figures/stability-*.svg")} - {"stability-overview"})
-        others = [joint.name for joint in joints()[1:]] + families[1:]
+        others = [joint.name for joint in joints()[1:]]
         patterns = [
             "data/lut_memory.csv",
             "tables/*",
@@ -237,19 +228,6 @@ class Reproduce(unittest.TestCase):
             file.unlink()
         self.assertEqual(reproduce().returncode, 0)
         self.assertEqual(before, bytes_of(*patterns))
-
-    def test_d_no_setting_beats_one_on_a_front(self):
-        """Each pair of points of a plot compared, by the definition of a Pareto front alone."""
-        panels = {}
-        for row in csv.DictReader((RESULTS / "tables" / "pareto.csv").read_text().splitlines()):
-            point = (float(row["error_um"]), float(row["value"]), row["on_front"] == "yes")
-            panels.setdefault((row["scene"], row["cost"]), []).append(point)
-        self.assertGreaterEqual(len({scene for scene, _ in panels}), 3)
-        for panel, points in panels.items():
-            self.assertGreaterEqual(len(points), 12, panel)
-            for error, value, on_front in points:
-                beaten = any(e <= error and v <= value and (e < error or v < value) for e, v, _ in points)
-                self.assertEqual(on_front, not beaten, (panel, error, value))
 
     def test_e_list_names_each_artefact_once(self):
         """With experiment, script, command and time."""
@@ -457,11 +435,11 @@ class Reproduce(unittest.TestCase):
 
     @unittest.skipUnless(BONES, "no real joints: set IMPINGE_BONES")
     def test_m_real_joints(self):
-        """Each real joint is timed and rendered."""
+        """Each real joint is sampled and rendered."""
         for joint in joints():
             for figure in ("joint", *(f"figure-{n}" for n in HIP_FIGURES)):
                 self.assertTrue((RESULTS / "figures" / f"{figure}-{joint.name}.png").is_file(), joint.name)
-        self.assertTrue((RESULTS / "data" / "detection_time_bones.csv").is_file())
+        self.assertTrue((RESULTS / "data" / "sample_points_bones.csv").is_file())
 
 
 if __name__ == "__main__":

@@ -17,7 +17,6 @@ ClaimsOptions small_claims() {
   options.precision_deg = 4.0;
   options.collision_precisions = {2.0};
   options.caps = {15.0, 60.0};
-  options.pairs = {1, 3};
   options.rounds = 1;
   return options;
 }
@@ -60,23 +59,11 @@ TEST(Claims, AddingADistanceIsRightOnASphereAlone) {
   EXPECT_LT(claims_value(study, "normal hip, under the socket", "distance added, rms error"), 0.1);
   EXPECT_GT(claims_value(study, "normal hip, whole ball", "distance added, largest error"), 1.0)
       << "the neck is oblique";
-  EXPECT_EQ(claims_value(study, "normal hip", "memory of two tables"), 2.0 * 46 * 90 * 8);
-}
-
-TEST(Claims, MemoryGrowsWithTheJoints) {
-  ClaimsStudy study;
-  add_pairs(study, small_claims());
-  EXPECT_EQ(claims_value(study, "rsid, 3 joints", "identical"), 1.0);
-  const double one = claims_value(study, "rsid, 1 joints", "memory");
-  const double three = claims_value(study, "rsid, 3 joints", "memory");
-  EXPECT_TRUE(std::isnan(one) || std::abs(three / one - 3.0) < 0.2) << "no allocator of a sanitizer counts";
 }
 
 TEST(Claims, EveryTimeHasItsRow) {
   ClaimsStudy study;
-  ClaimsOptions options = small_claims();
-  options.pairs = {1};
-  add_pairs(study, options);
+  add_deforming(study, small_claims());
   std::ostringstream told;
   Progress progress("test", &told);
   const ClaimsTables tables = claims_tables(study, progress);

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eq. 7:  sqrt(2) pi r / n        Eq. 8:  sqrt(2) pi / n
 // One plane:  |error| <= rho^2 / 2 * max r (1 + 2 tan^2 psi)   for taps within a circle of radius rho
-// An edge:    + rho / 2 * r^2 |q1 - q2|
 #include "04_sampling_error/sampling_error.hpp"
 
 #include <array>
-#include <cmath>
 #include <set>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
-#include "04_sampling_error/nearest_entry.hpp"
-#include "sphere/scheme_list.hpp"
+#include "mesh/generated_pair.hpp"
+#include "sphere/radial_table.hpp"
+#include "support/every_scheme.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {
 namespace {
-
-const Vec3 kSlanted = Vec3(0.48, 0.6, 0.64);
-constexpr double kRounding = 1e-12;  // mm
 
 TEST(ThesisFormula, GivesTheThesisTable) {
   constexpr std::array<std::array<double, 3>, 4> table{
@@ -37,19 +33,35 @@ TEST(ThesisFormula, IsADistanceAlongTheSurface) {
   EXPECT_NEAR(thesis_sampling_error(22.0, scheme.equator_points()), 22.0 * scheme.covering_radius(), 1e-7);
 }
 
-TEST(SamplingError, OfTheNearestEntryIsBoundedAndTheBoundIsReached) {
-  const RadialSurface sphere = spherical_surface("sphere", 22.0, 5.0 * kSlanted);
-  const Rsid scheme = Rsid::with_precision(1.0);
-  const NearestEntryFinder<Rsid> finder(scheme);
-  double share = 0.0;
-  for (const Vec3& u : uniform_directions(20000, 51)) {
-    const Vec3 v = scheme.direction(finder(u).entry);
-    const double error = std::abs(sphere.radius(v) - sphere.radius(u));
-    const double bound = nearest_bound(sphere, u, v);
-    ASSERT_LE(error, bound * (1.0 + 1e-6) + kRounding);
-    share = std::max(share, error / bound);
+// A look-up without a table answers, bit for bit, what the table would.
+TEST(SmoothRadius, IsThatOfTheTable) {
+  test::every_scheme([&]<class S>() {
+    const S scheme = S::with_precision(3.0);
+    RadialTable<S> table(scheme);
+    for (std::size_t i = 0; i < scheme.size(); ++i) table.radii()[i] = ball_radius(scheme.direction(i));
+    for (const Vec3& u : uniform_directions(2000, 31)) {
+      ASSERT_EQ(smooth_radius(scheme, u, [&](std::size_t i) { return ball_radius(scheme.direction(i)); }),
+                table.radius_at(u))
+          << S::name;
+    }
+  });
+}
+
+// By central differences.
+TEST(SlantedPlane, SlopeIsTheGradient) {
+  const SlantedPlane plane;
+  constexpr double h = 1e-5;
+  for (const Vec3& u : uniform_directions(2000, 41)) {
+    if (!plane.covers(u)) continue;
+    EXPECT_NEAR(plane.radius(u) * u.dot(plane.normal), plane.distance, 1e-11);
+    const Vec3 east = u.unitOrthogonal();
+    const auto along = [&](const Vec3& t) {
+      return (plane.radius((u + h * t).normalized()) - plane.radius((u - h * t).normalized())) /
+             (2.0 * std::atan(h));
+    };
+    const double expected = plane.radius(u) * plane.slope(u);
+    ASSERT_NEAR(std::hypot(along(east), along(u.cross(east))), expected, 1e-6 * (1.0 + expected));
   }
-  EXPECT_GT(share, 0.999);
 }
 
 // A plane's errors: their root mean square in mm, and the largest as a share of its bound.
@@ -59,16 +71,14 @@ struct PlaneError {
 };
 
 template <SamplingScheme S>
-PlaneError error_on_plane(const std::vector<Vec3>& directions, const S& scheme) {
-  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 75.0);
+PlaneError errors_along(const std::vector<Vec3>& directions, const S& scheme) {
+  const SlantedPlane plane;
   PlaneError found;
   double squares = 0.0;
   double count = 0.0;
   for (const Vec3& u : directions) {
     if (!plane.covers(u)) continue;
-    const double radius =
-        smooth_radius(scheme, u, [&](std::size_t i) { return plane.radius(scheme.direction(i)); });
-    const double error = std::abs(radius - plane.radius(u));
+    const double error = error_on_plane(plane, scheme, u);
     squares += error * error;
     count += 1.0;
     found.share = std::max(found.share, error / planar_bound(plane, scheme, u, scheme.covering_radius()));
@@ -90,8 +100,8 @@ TEST(SamplingError, OnAPlaneIsOfSecondOrder) {
     std::vector<double> rms;
     for (const double precision : {2.0, 1.0, 0.5}) {
       const S scheme = S::with_precision(precision);
-      const PlaneError everywhere = error_on_plane(uniform_directions(20000, 52), scheme);
-      const PlaneError at_poles = error_on_plane(polar_directions(3.0 * precision * kDegree, 2000), scheme);
+      const PlaneError everywhere = errors_along(uniform_directions(20000, 52), scheme);
+      const PlaneError at_poles = errors_along(polar_directions(3.0 * precision * kDegree, 2000), scheme);
       const double share = std::max(everywhere.share, at_poles.share);
       EXPECT_LE(share, 1.0) << S::name;
       EXPECT_GT(share, 0.5) << S::name << ": the bound is loose";
@@ -105,15 +115,11 @@ TEST(SamplingError, OnAPlaneIsOfSecondOrder) {
 // Where rows end in a pole, their taps bend round it: an arc of few entries misses the pole's tangent by a
 // share of its own length, so that the error there is of first order on a surface that is not level.
 TEST(SamplingError, OfRowsAtAPoleIsOfFirstOrder) {
-  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 75.0);
+  const SlantedPlane plane;
   const auto largest = [&]<class S>(const S& scheme) {
     double error = 0.0;
-    for (const Vec3& u : polar_directions(3.0 * scheme.covering_radius(), 4000)) {
-      if (!plane.covers(u)) continue;
-      const double radius =
-          smooth_radius(scheme, u, [&](std::size_t i) { return plane.radius(scheme.direction(i)); });
-      error = std::max(error, std::abs(radius - plane.radius(u)));
-    }
+    for (const Vec3& u : polar_directions(3.0 * scheme.covering_radius(), 4000))
+      if (plane.covers(u)) error = std::max(error, error_on_plane(plane, scheme, u));
     return error;
   };
   const double order_rows =
@@ -122,42 +128,6 @@ TEST(SamplingError, OfRowsAtAPoleIsOfFirstOrder) {
   const double order_grid =
       std::log2(largest(Rsid::with_precision(1.0)) / largest(Rsid::with_precision(0.5)));
   EXPECT_NEAR(order_grid, 2.0, 0.1);
-}
-
-TEST(SamplingError, AcrossAnEdgeIsBounded) {
-  for (const double tilt : {0.0, 50.0}) {
-    EdgeShape shape;
-    shape.axis = kSlanted;
-    shape.edge = kSlanted.cross(Vec3(0.8, 0.0, -0.6)).normalized();
-    shape.dihedral_deg = 1.6;
-    shape.tilt_deg = tilt;
-    const EdgeSurface edge = edge_surface("edge", shape);
-    for_each_scheme([&]<class S>() {
-      const S scheme = S::with_precision(0.5);
-      double share = 0.0;
-      for (const Vec3& u : directions_along(shape, scheme.covering_radius(), 4000)) {
-        const double radius =
-            smooth_radius(scheme, u, [&](std::size_t i) { return edge.surface.radius(scheme.direction(i)); });
-        const double error = std::abs(radius - edge.surface.radius(u));
-        share = std::max(share, error / edge_bound(edge, scheme, u, scheme.stencil_radius()));
-      }
-      EXPECT_LE(share, 1.0) << S::name;
-      // Entries of a scheme that is sparse elsewhere may lie denser here than its stencil radius says.
-      if (kCells.contains(S::name)) {
-        EXPECT_GT(share, 0.05) << S::name << ": the bound says nothing";
-      }
-    });
-  }
-}
-
-TEST(Probes, AreThoseThatTheSurfaceCovers) {
-  const RadialSurface plane = planar_surface("plane", kSlanted, 22.0, 60.0);
-  const auto u = uniform_directions(1000, 54);
-  const Probes probes = probes_of(plane, u);
-  EXPECT_NEAR(static_cast<double>(probes.place.size()), 250.0, 50.0);
-  const auto errors = errors_at(probes, [&](std::size_t k) { return plane.radius(u[k]) - 0.5; });
-  for (const double error : errors) EXPECT_NEAR(error, 0.5, 1e-12);
-  for (const std::size_t k : probes.place) EXPECT_LE(angle_between(u[k], kSlanted), 60.0 * kDegree);
 }
 
 }  // namespace

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small steps, compilers: the families as a whole, and that what is done wrong on purpose is found.
-#include <filesystem>
+// Small steps: the family as a whole, and that what is done wrong on purpose is found.
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "stress/azimuth_steps.hpp"
-#include "stress/compilers/programs.hpp"
 #include "stress/family.hpp"
 
 namespace impinge::lab {
 
 StabilityFamily tiny_step_family();
-StabilityFamily simd_and_compiler_family();
 
 namespace {
 
@@ -40,14 +37,6 @@ TEST(TinyStep, EveryEntryIsFoundAndEveryRefusalSaysWhy) {
     if (c.refused.find(" bytes") != std::string::npos) ++tables;
   }
   EXPECT_GT(tables, 20U);
-}
-
-TEST(Compilers, AllGiveTheSameBits) {
-  if (!std::filesystem::exists(kDigestPrograms.front().path)) GTEST_SKIP() << "only in the optimised build";
-  const StabilityFamily family = simd_and_compiler_family();
-  const std::vector<StabilityCase> cases = family.run({true, 1});
-  EXPECT_EQ(cases.size(), 8 * kDigestPrograms.size());
-  EXPECT_TRUE(broken(family, cases).empty());
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ class Unit:
         self.names: set[str] = set()
 
     def takes(self, kind: str, names: set[str]) -> bool:
-        return self.kind == kind != "alone" and len(self.files) < LARGEST and not self.names & names
+        return self.kind == kind and len(self.files) < LARGEST and not self.names & names
 
     def add(self, file: Path, flags: list[str], names: set[str]) -> None:
         self.files.append(file)
@@ -96,9 +96,7 @@ def units(build: Path, only: set[Path]) -> list[Unit]:
             text = file.read_text()
             names = names_in(text)
             kinds = ["others" if OTHERS.search(text) else "ours"]
-            if "no_schemes" in entry["command"]:  # the digests, which have other headers before the library's
-                kinds = ["alone"]
-            elif "HWY_TARGET_INCLUDE" in text:
+            if "HWY_TARGET_INCLUDE" in text:
                 kinds = VECTORS
             elif is_program(text):
                 kinds, names = ["programs"], set()
