@@ -11,12 +11,12 @@
 #include <memory>
 #include <utility>
 
+#include "files/thread_team.hpp"
 #include "gap/simd/corner_table.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "methods/centred_table.hpp"
 #include "methods/contact.hpp"
 #include "table/exact_raster.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "files/thread_team.hpp"
 #include "methods/embree_scene.hpp"
 #include "methods/fill.hpp"
 #include "sphere/table_memory.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -8,10 +8,10 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "files/thread_team.hpp"
 #include "mesh/lengths.hpp"
 #include "sphere/stored_values.hpp"
 #include "table/fill/cube_rim.hpp"
-#include "table/fill/thread_team.hpp"
 #include "table/fill/tile_bins.hpp"
 #include "table/fill/tile_painter.hpp"
 

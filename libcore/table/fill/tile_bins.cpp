@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "table/fill/thread_team.hpp"
+#include "files/thread_team.hpp"
 
 namespace impinge {
 namespace {
