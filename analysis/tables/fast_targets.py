@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      fast-targets
 # @question  Speed targets, and the speeds measured.
-# @data      all_gaps fill contact
+# @data      all_gaps contact
 """What was aimed at in speed, what was measured, and what bounds it: our time, the peer's, the time that the target
-asks for, and the floor, which no look-up or fill of ours is below. Of gaps it is the memory-bound baseline; of a fill the
-entries alone, as fitted in fill-growth."""
+asks for, and the floor, which no look-up of ours is below: the memory-bound baseline."""
 
 import math
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from dataclasses import dataclass
 import pandas as pd
 
 import common
-from common import contact, fast, fill
+from common import contact, fast
 
 KERNELS = ["rsid", "cube_gnomonic_mesh_exact"]
 MIB = 2**20
@@ -77,7 +76,6 @@ def main(options) -> common.Table:
     targets.append(
         timed("cold", "a cold pose, socket to ball, 7 µm, against Embree", 12, cold, kernels(cold, 7, math.inf))
     )
-    targets.append(of_fill(fill.load(options.results)))
     targets += of_contact(contact.load(options.results), fast.plain_rows(fast.load(options.results)))
     rows = pd.DataFrame(
         {
@@ -157,21 +155,6 @@ def exact(table: pd.DataFrame, triangles: int) -> Target:
     if rows.empty:
         return Target(f"exact{triangles}", what, EXACT[triangles], math.nan, open=True)
     return timed(f"exact{triangles}", what, EXACT[triangles], rows, exact_rows(rows))
-
-
-def of_fill(table: pd.DataFrame) -> Target:
-    """The worst of the fills that are judged, an entry; its floor is what an entry takes where triangles cost nothing."""
-    worst = fill.aimed(table).sort_values("times_embree").iloc[0]
-    fits = fill.growth(table).set_index(fill.WAY)
-    return Target(
-        "fill",
-        "fill against Embree's tree and rays, 3k to 100k, from 256 cells",
-        5,
-        worst.times_embree,
-        unit="ns an entry",
-        ours=1e6 * worst.median_ms / worst.entries,
-        floor=fits.loc[tuple(worst[fill.WAY])].entry_ns,
-    )
 
 
 def of_contact(table: pd.DataFrame, gaps: pd.DataFrame) -> list[Target]:
