@@ -2,8 +2,8 @@
 # @data      contact contact_agreement
 """Numbers of the paper about touch and smallest gaps: contact:METHOD:us the longest time of the three gaps at 12,000
 triangles, contact:METHOD:um the largest error of its gaps, contact:METHOD:fcl the ratio to FCL's answer, of touch the
-least of the three gaps, of distance the median, contact:poses, :impinged, :wrong, :between, :beyond and :unexplained
-of the agreement.
+least of the three gaps, of distance the median, contact:poses, :wrong, :between, :beyond and :unexplained of the
+agreement, contact:impinged the poses with impinged surfaces, and contact:missed those of them without an impinged vertex.
 """
 
 from pathlib import Path
@@ -26,6 +26,7 @@ def facts(results: Path) -> dict[str, str]:
         found[f"contact:{method}:um"] = common.digits(rows.error_um.max(), 2)
     agreed = common.load(results, "contact_agreement").iloc[0]
     wrong = agreed.culled_wrong + agreed.coherent_wrong + agreed.least_gap_wrong
-    counts = {"poses": agreed.poses, "impinged": agreed.impinged, "wrong": wrong, "between": agreed.between_vertices}
+    counts = {"poses": agreed.poses, "impinged": agreed.impinged + agreed.missed, "missed": agreed.missed}
+    counts |= {"wrong": wrong, "between": agreed.between_vertices}
     counts |= {"beyond": agreed.beyond, "unexplained": agreed.unexplained}
     return found | {f"contact:{name}": str(int(count)) for name, count in counts.items()}
