@@ -4,10 +4,9 @@
 // @writes    all_gaps all_gaps_samples contact contact_samples contact_agreement
 // @writes    first_contact first_contact_samples
 // @bones     yes
-// @cache     yes
 // @timing    yes
 // @seconds   97 3600
-// @links     harness hip real_joints reference_cache contact_poses contact motion benchmark_scene
+// @links     harness hip real_joints reference contact_poses contact motion benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods gap_simd
 //
 // One benchmark, a table a question, on the generated pair, on hips and on real joints.
@@ -190,7 +189,6 @@ void write_points(DriverRun& run, const BenchmarkOptions& options, BenchmarkTabl
 
 void body(DriverRun& run) {
   BenchmarkOptions options = run.quick() ? quick_benchmark() : full_benchmark();
-  options.radial.cache = options.euclidean.cache = run.cache;
   options.radial.seed = options.euclidean.seed = options.seed = run.record.seed;
   write_agreement(run);
   Found found;
@@ -223,6 +221,6 @@ void body(DriverRun& run) {
 int main(int argc, char** argv) {
   return impinge::lab::run_driver(argc, argv,
                                   {"10_error_against_time", "Error against time, every method.",
-                                   /*takes_bones=*/true, /*takes_cache=*/true},
+                                   /*takes_bones=*/true},
                                   body);
 }

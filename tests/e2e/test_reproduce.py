@@ -59,7 +59,7 @@ TABLES = [
 FIGURES = """
 sampling-time detection-time sampling-error sampling-error-surfaces power-spectrum helix-placement conchoid-surface
 scheme-points scheme-area scheme-covering covering-cost scheme-error scheme-savings
-error-against-time error-against-time-scenes euclidean-distances fast-gaps contact-time
+error-against-time error-against-time-scenes fast-gaps contact-time
 fast-speed-up fast-scaling strain-by-gap motion-volume resection-orientation
 table-12-pictures table-13-pictures
 """.split()
