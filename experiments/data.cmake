@@ -66,7 +66,7 @@ foreach(driver IN LISTS drivers)
   name_of(name "${driver}")
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${driver}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-  foreach(key question writes writes-with-bones files files-with-bones bones cache timing seconds reads)
+  foreach(key question writes writes-with-bones files files-with-bones bones timing seconds reads)
     tag(${key} "${source}" ${key})
   endforeach()
   if(NOT writes)
@@ -102,16 +102,12 @@ foreach(driver IN LISTS drivers)
   if(timing STREQUAL "yes")
     set(timing_option TIMING)
   endif()
-  set(cache_arguments "")
-  if(cache STREQUAL "yes")
-    set(cache_arguments --cache "${IMPINGE_GRAPH_DIR}/reference")
-  endif()
   impinge_program(${name} program)
   impinge_job(
     NAME ${name} KIND data TALKS ${timing_option}
     OUTPUTS ${outputs}
     DEPENDS "${program}" ${bones_files} ${reads}
-    COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments} ${cache_arguments}
+    COMMAND "${program}" --out data --profile ${IMPINGE_PROFILE} ${bones_arguments}
     SECONDS ${seconds}
     ARTEFACTS ${tables}
     QUESTION "${question}")

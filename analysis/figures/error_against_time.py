@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      error-against-time
-# @question  The error of every method against its time: a vertex, all gaps, touch, smallest gap, first contact, filling.
-# @data      error_against_time error_against_time_spread all_gaps contact first_contact fill
+# @question  The error of every method against its time: a vertex, all gaps, touch, smallest gap, first contact.
+# @data      error_against_time error_against_time_spread all_gaps contact first_contact
 """Error against time, lower left is better: a panel a question."""
 
 import matplotlib.pyplot as plt
@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 import common
-from common import contact, error_panel, fast, fill, pareto
+from common import contact, error_panel, fast, pareto
 
 REFERENCES = {  # labelled wherever they are: what a reader knows, or compares with
     "cgal_first_hit": "CGAL, first hit",
@@ -19,7 +19,7 @@ REFERENCES = {  # labelled wherever they are: what a reader knows, or compares w
 
 
 def main(options) -> common.Figure:
-    """A panel a question; but for the vertex and filling, of a hip."""
+    """A panel a question; but for the vertex, of a hip."""
     results = options.results
     table = pareto.load(results)
     figure, grid = error_panel.grid_of(3, 3.3)
@@ -37,7 +37,7 @@ def main(options) -> common.Figure:
     turns = motions(hip_rows(common.load(results, "first_contact")))
     error_panel.draw(grid[2, 0], turns, error_panel.DEGREES)
     grid[2, 0].set(title=f"First contact of a motion, {words(turns)}", ylabel="time of a motion, ms")
-    filling(grid[2, 1], fill.load(results))
+    grid[2, 1].set_axis_off()
     return figure
 
 
@@ -107,23 +107,6 @@ def bars(axes: plt.Axes, rows: pd.DataFrame) -> None:
         )
     axes.set(xscale="log", yticks=[], ylim=(-0.6, len(spans) - 0.4), xlabel="time of a pose, µs")
     axes.set_xlim(spans["min"].min() / 2, spans["max"].max() * 2)
-
-
-def filling(axes: plt.Axes, table: pd.DataFrame) -> None:
-    """Time against entries, in memory that is used again; exact at the entries, but for the storage."""
-    rows = table[(table.memory == "used again") & (table.triangles == fill.TRIANGLES)]
-    places = sorted(rows.entries.unique())
-    axes.set(xscale="log", yscale="log", xlabel="entries of both tables", ylabel="time to fill both, ms")
-    axes.set(ylim=(rows.median_ms.min() / 2, rows.median_ms.max() * 2), title=f"Filling, generated {fill.TRIANGLES}")
-    axes.set_xticks(places, [common.digits(entries, 2) for entries in places])
-    axes.minorticks_off()
-    last = rows[rows.entries == places[-1]].sort_values("median_ms")
-    at = axes.transData.transform(last[["entries", "median_ms"]].to_numpy())[:, 1] * 72.0 / axes.figure.dpi
-    for k, (row, height) in enumerate(zip(last.itertuples(), error_panel.spread(at) - at)):
-        own = rows[rows.line == row.line].sort_values("entries")
-        axes.plot(own.entries, own.median_ms, "o-", color=common.COLOURS[k], markersize=4, linewidth=1.1)
-        where = (row.entries, row.median_ms)
-        common.note(axes, row.line, where, (6, height), ha="left", va="center", color=common.COLOURS[k])
 
 
 common.run(main)

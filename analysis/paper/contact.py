@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      contact contact_agreement
 """Numbers of the paper about touch: contact:culled:us the longest time of the three gaps at 12,000 triangles,
-contact:culled:fcl the least ratio of FCL's time to it, contact:poses, :wrong, :between and :unexplained of the agreement.
+contact:culled:fcl the least ratio of FCL's time to it, contact:poses, :wrong, :between and :unexplained of the agreement,
+contact:impinged the poses with impinged surfaces, and contact:missed those of them without an impinged vertex.
 """
 
 from pathlib import Path
@@ -18,7 +19,8 @@ def facts(results: Path) -> dict[str, str]:
     times = table[table.triangles == TRIANGLES].pivot(index="gap_case", columns="method", values="us_pose")
     agreed = common.load(results, "contact_agreement").iloc[0]
     wrong = agreed.culled_wrong + agreed.coherent_wrong + agreed.least_gap_wrong
-    counts = {"poses": agreed.poses, "wrong": wrong, "between": agreed.between_vertices, "unexplained": agreed.unexplained}
+    counts = {"poses": agreed.poses, "impinged": agreed.impinged + agreed.missed, "missed": agreed.missed}
+    counts |= {"wrong": wrong, "between": agreed.between_vertices, "unexplained": agreed.unexplained}
     return {
         "contact:culled:us": common.digits(times.culled.max(), 2),
         "contact:culled:fcl": common.digits((times.fcl_collide / times.culled).min(), 2),

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      error_against_time error_against_time_spread sampling_error_proven error_budget certified euclidean
+# @data      error_against_time error_against_time_spread sampling_error_proven error_budget euclidean
 # @depends   tables/matched-accuracy.csv
-"""Numbers of the paper about error against run time, proven bounds, certified gaps and Euclidean distances.
+"""Numbers of the paper about error against run time, proven bounds and Euclidean distances.
 
 benchmark:methods, :scenes, :settings, :bounded (rows with a proven bound) and :searched (by branch and bound);
 tightness:least and :median of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
 the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
 budget:STAGE:max_um of the generated pair at 1 degree;
-certified:poses, :wrong, :crossings, :missed_um, :undecided:least and :most (per cent); euclidean:ZONE:gap_median and
-:gap_max, the largest over all joints and poses.
+euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses.
 """
 
 from pathlib import Path
@@ -22,7 +21,7 @@ from common import pareto
 
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
-    return benchmark(results) | matched(results) | proven(results) | certified(results) | euclidean(results)
+    return benchmark(results) | matched(results) | proven(results) | euclidean(results)
 
 
 def benchmark(results: Path) -> dict[str, str]:
@@ -72,23 +71,6 @@ def proven(results: Path) -> dict[str, str]:
     for row in budget[chosen].itertuples():
         found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2)
     return found
-
-
-def certified(results: Path) -> dict[str, str]:
-    """Verdicts counted once a joint where schemes share the poses."""
-    table = common.load(results, "certified")
-    share = 100 * table.undecided / table.vertices
-    once = table.groupby("joint").first()
-    return {
-        "certified:verdicts": f"{table.vertices.sum():,}",
-        "certified:poses": f"{once.poses.sum():,}",
-        "certified:joints": str(len(once)),
-        "certified:wrong": str(table.wrong.sum()),
-        "certified:crossings": f"{once.crossings_matter.sum():,}",
-        "certified:missed_um": common.digits(table.largest_missed_um.max()),
-        "certified:undecided:least": common.digits(share.min(), 2),
-        "certified:undecided:most": common.digits(share.max(), 2),
-    }
 
 
 def euclidean(results: Path) -> dict[str, str]:

@@ -15,13 +15,6 @@ std::vector<Column> with_key(const std::vector<Column>& more) {
   return columns;
 }
 
-// What both profiles share.
-void finish(BenchmarkOptions& options) {
-  options.fill_timing.rounds = 5;
-  for (BenchmarkTiming* timing : {&options.pose_timing, &options.fill_timing})
-    timing->options.min_round_ms = 5.0;
-}
-
 }  // namespace
 
 BenchmarkTables make_benchmark_tables() {
@@ -77,11 +70,11 @@ BenchmarkOptions quick_benchmark() {
   options.gap_timing.options.min_round_ms = 4.0;
   options.pose_timing.rounds = 3;
   options.pose_timing.slow_build_ms = 50.0;
+  options.pose_timing.options.min_round_ms = 5.0;
   for (BenchmarkTiming* timing : {&options.timing, &options.gap_timing, &options.pose_timing}) {
     timing->options.least_repeat_s = 1.0;
     timing->options.repeat_share = 0.1;
   }
-  finish(options);
   return options;
 }
 
@@ -97,7 +90,7 @@ BenchmarkOptions full_benchmark() {
   options.gap_timing.rounds = 15;
   options.gap_timing.options.min_round_ms = 10.0;
   options.pose_timing.rounds = 11;
-  finish(options);
+  options.pose_timing.options.min_round_ms = 5.0;
   return options;
 }
 

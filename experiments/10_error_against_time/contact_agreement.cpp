@@ -28,6 +28,8 @@ class ContactReferee {
     const auto least = culled_.least_gap(pose);
     ++count.poses;
     count.impinged += truth ? 1U : 0U;
+    const bool missed = !truth && overlay_.impinged(pose);
+    count.missed += missed ? 1U : 0U;
     count.culled_wrong += culled_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.coherent_wrong += coherent_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.least_gap_wrong += (least && least->gap_mm <= 0.0) != truth ? 1U : 0U;
@@ -35,7 +37,7 @@ class ContactReferee {
     if (contact == truth) return;
     if (truth) {
       ++count.beyond;
-    } else if (overlay_.impinged(pose)) {
+    } else if (missed) {
       ++count.between_vertices;
     } else {
       ++count.unexplained;
@@ -87,6 +89,7 @@ Table agreement_table(const AgreementOptions& options, const Agreement& agreemen
       {{"triangles", "1", "of each of the two models"},
        {"poses", "1", "three of four within 10^-5 to 10^-0.5 mm of the first contact of a vertex"},
        {"impinged", "1", "poses in which the exact test of every vertex finds one that is impinged"},
+       {"missed", "1", "poses in which it finds none and yet the surfaces impinge, by their exact overlay"},
        {"culled_wrong", "1", "poses in which the culled answer is another"},
        {"coherent_wrong", "1", "the same for the answer that reuses the last pose"},
        {"least_gap_wrong", "1", "poses in which the sign of the smallest gap, rounded, is another"},
@@ -95,9 +98,9 @@ Table agreement_table(const AgreementOptions& options, const Agreement& agreemen
        {"beyond", "1", "poses with a vertex beyond the other surface where FCL finds no contact of faces"},
        {"unexplained", "1", "poses in which FCL finds a contact and the exact overlay none"}},
       {}};
-  table.add_row({options.triangles, agreement.poses, agreement.impinged, agreement.culled_wrong,
-                 agreement.coherent_wrong, agreement.least_gap_wrong, agreement.between_vertices,
-                 agreement.beyond, agreement.unexplained});
+  table.add_row({options.triangles, agreement.poses, agreement.impinged, agreement.missed,
+                 agreement.culled_wrong, agreement.coherent_wrong, agreement.least_gap_wrong,
+                 agreement.between_vertices, agreement.beyond, agreement.unexplained});
   return table;
 }
 

@@ -21,6 +21,7 @@ struct AgreementOptions {
 struct Agreement {
   std::size_t poses = 0;           // that were asked
   std::size_t impinged = 0;        // by the exact test of every vertex
+  std::size_t missed = 0;          // by that test, where the exact overlay finds that the surfaces impinge
   std::size_t culled_wrong = 0;    // against that
   std::size_t coherent_wrong = 0;  // against that
   std::size_t least_gap_wrong =

@@ -2,13 +2,12 @@
 // @question  How wrong is every method, and what does it cost to build, to ask and to keep?
 // @writes    error_against_time error_against_time_spread error_against_time_samples
 // @writes    all_gaps all_gaps_samples contact contact_samples contact_agreement
-// @writes    first_contact first_contact_samples fill fill_samples
+// @writes    first_contact first_contact_samples
 // @bones     yes
-// @cache     yes
 // @timing    yes
 // @seconds   97 3600
-// @links     harness hip real_joints reference_cache contact_poses contact motion benchmark_scene
-// @links     methods points_methods gaps_methods contact_methods fill_methods gap_simd instruction_set
+// @links     harness hip real_joints reference contact_poses contact motion benchmark_scene
+// @links     methods points_methods gaps_methods contact_methods gap_simd instruction_set
 //
 // One benchmark, a table a question, on the generated pair, on hips and on real joints.
 //   gap of a vertex    vertices of the posed ball, asked alone, against the surface of the socket
@@ -16,8 +15,6 @@
 //                      directions, over a motion of 24 poses
 //   touch, smallest    of poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; warm
 //   first contact      of turns about random axes, by proven brackets and by steps
-//   fill               of cube maps of both surfaces of the generated pair, in fresh memory, as a program's
-//                      first, and in memory that the C library has kept
 // Answers are verified before anything is timed, on the very tables and trees that are timed. The largest
 // error is held against the proven bound: if it is above, the run fails and leaves the direction in
 // error_against_time_witness.json.
@@ -29,7 +26,6 @@
 
 #include "10_error_against_time/all_gaps.hpp"
 #include "10_error_against_time/contact_agreement.hpp"
-#include "10_error_against_time/fill.hpp"
 #include "10_error_against_time/first_contact.hpp"
 #include "files/file_bytes.hpp"
 #include "harness/driver.hpp"
@@ -106,11 +102,6 @@ std::vector<Planned> scenes(DriverRun& run) {
   }
   std::ranges::move(others, std::back_inserter(all));
   return all;
-}
-
-FillPlan fill_plan(bool quick) {
-  if (quick) return {{3000, 12000}, {128, 256}};
-  return {{3000, 12000, 100000, 400000}, {128, 256, 512, 1024}};
 }
 
 nlohmann::json parameters_of(const BenchmarkOptions& options) {
@@ -196,7 +187,6 @@ void write_points(DriverRun& run, const BenchmarkOptions& options, BenchmarkTabl
 
 void body(DriverRun& run) {
   BenchmarkOptions options = run.quick() ? quick_benchmark() : full_benchmark();
-  options.radial.cache = options.euclidean.cache = run.cache;
   options.radial.seed = options.euclidean.seed = options.seed = run.record.seed;
   write_agreement(run);
   Found found;
@@ -222,12 +212,6 @@ void body(DriverRun& run) {
          "How far does a joint turn until it touches, by every method, and what does that cost?",
          {{"largest_deg", 120}, {"halved_to_deg", 0.001}}},
         std::move(found.first_contact), first_contact_keys());
-  write(run,
-        {"fill",
-         "How long do the tables of ball and socket take to fill?",
-         {{"pair", "generated, default shape"},
-          {"counted", "both tables, with their rim masks (Embree: without)"}}},
-        fill_tables(fill_plan(run.quick()), options.fill_timing, run.progress), fill_keys());
 }
 
 }  // namespace
@@ -235,6 +219,6 @@ void body(DriverRun& run) {
 int main(int argc, char** argv) {
   return impinge::lab::run_driver(argc, argv,
                                   {"10_error_against_time", "Error against time, every method.",
-                                   /*takes_bones=*/true, /*takes_cache=*/true},
+                                   /*takes_bones=*/true},
                                   body);
 }

@@ -9,9 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include "harness/reference_cache.hpp"
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "reference/closest_point.hpp"
+#include "reference/exact_radius.hpp"
 #include "table/pairwise.hpp"
 #include "table/probe_directions.hpp"
 
@@ -112,7 +113,7 @@ BenchmarkProbes radial_probes(const TriangleMesh& mesh, Layer layer, const Probe
     for (Vec3& x : probes.points) x = probes.place(options.float_at * x);
   const auto caster = std::make_shared<const RayCaster>(mesh);
   probes.truth_at = [caster, layer](const Vec3& x) { return caster->cast(x.normalized(), layer); };
-  probes.truth = cached_exact_radii(options.cache, mesh, {probes.points, layer, {}});
+  probes.truth = exact_radii(mesh, {probes.points, layer, {}});
   return probes;
 }
 
@@ -124,7 +125,7 @@ BenchmarkProbes euclidean_probes(const TriangleMesh& mesh, double radius, const 
   BenchmarkProbes probes = directions_of(mesh, options);
   for (Vec3& x : probes.points) x *= radius;
   probes.truth_at = [&mesh](const Vec3& x) { return least_distance(mesh, x); };
-  probes.truth = cached_closest_distances(options.cache, mesh, {probes.points, {}});
+  probes.truth = closest_distances(mesh, {probes.points, {}});
   return probes;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -28,10 +27,9 @@ struct BenchmarkProbes {
 
 // How many probes of each kind.
 struct ProbeOptions {
-  std::size_t uniform = 0;           // directions
-  std::size_t each_feature = 0;      // directions of each kind of feature, at most
-  std::uint64_t seed = 0;            // of the uniform directions
-  std::filesystem::path cache = {};  // folder of exact distances, see reference_cache.hpp
+  std::size_t uniform = 0;       // directions
+  std::size_t each_feature = 0;  // directions of each kind of feature, at most
+  std::uint64_t seed = 0;        // of the uniform directions
   // mm from the centre, rounded to float, which a kernel takes as they are: where a surface jumps, a point
   // that float moves over the jump has another radius, by no fault of a method. 0: unit vectors in double.
   double float_at = 0.0;

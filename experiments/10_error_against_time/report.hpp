@@ -22,7 +22,6 @@ struct BenchmarkOptions {
   BenchmarkTiming timing;       // of the costs of a vertex asked alone
   BenchmarkTiming gap_timing;   // of those of all gaps of a pose
   BenchmarkTiming pose_timing;  // of touch, of smallest gaps, and of the first contact of a motion
-  BenchmarkTiming fill_timing;  // of filling tables
 };
 
 // What small machines and short runs can do, and the whole of it.

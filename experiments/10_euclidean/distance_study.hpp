@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far radial gaps are above Euclidean distances, and how near the proven ends of a distance come to it.
+// How far radial gaps are above Euclidean distances.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -27,17 +26,12 @@ inline constexpr std::string_view kRimZone = "rim";  // the zone of points that 
 
 // The points of one zone.
 struct DistanceShare {
-  std::string_view zone;      // its name
-  std::vector<double> gap;    // |gap| over the exact distance
-  std::vector<double> lower;  // lower end over it
-  std::vector<double> upper;  // upper end over it
-  std::size_t outside = 0;    // points whose distance is not between the ends: none, if the proof holds
+  std::string_view zone;    // its name
+  std::vector<double> gap;  // |gap| over the exact distance
 };
 
 // Points (mm, in the frame of the mesh) by zones, in the order of kFacingZones and the rim. Points along
-// whose direction there is no surface, or that lie on it, are left out. cache: folder of exact distances, see
-// reference_cache.hpp.
-std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points,
-                                           const std::filesystem::path& cache = {});
+// whose direction there is no surface, or that lie on it, are left out.
+std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace impinge::lab

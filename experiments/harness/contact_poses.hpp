@@ -37,7 +37,6 @@ struct ContactOptions {
   std::size_t count = 1000;  // of poses
   double turn = 1.0;         // radians: the largest turn, about any axis
   double shift = 12.0;       // mm, the longest shift
-  std::size_t ways = 300;    // most paths followed beyond contact of the surfaces to that of a vertex
   std::uint64_t seed = 0;    // of paths and places on them
 };
 

@@ -17,7 +17,6 @@ struct Options {
   std::string out = "results/data";
   std::string profile = "full";
   std::string bones;
-  std::string cache;
   std::uint64_t seed = 1;
 };
 
@@ -33,21 +32,15 @@ void declare(CLI::App& app, Options& options, const DriverInfo& info) {
     app.add_option("--bones", options.bones, "folder with real meshes, one folder a subject")
         ->check(CLI::ExistingDirectory);
   }
-  if (info.takes_cache)
-    app.add_option("--cache", options.cache, "folder that keeps exact distances for the next run");
 }
 
-// The call without the folder of the program, and without --cache, which no result depends on. Where the
-// joints lie on this machine is nobody's business: an absolute folder is called BONES.
+// The call without the folder of the program. Where the joints lie on this machine is nobody's business: an
+// absolute folder is called BONES.
 std::string command_text(int argc, const char* const* argv, const std::string& name) {
   std::string text = name;
   std::string_view before;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
-    if (word == "--cache") {
-      ++i;
-      continue;
-    }
     const bool place = before == "--bones" && std::filesystem::path(word).is_absolute();
     text.append(" ").append(place ? "BONES" : word);
     before = word;
@@ -88,7 +81,6 @@ int run_driver(int argc, const char* const* argv, const DriverInfo& info,
     DriverRun run{
         {info.name, command_text(argc, argv, info.name), options.profile, options.seed, options.out},
         std::nullopt,
-        options.cache,
         Progress(info.name, &std::cerr)};
     if (!options.bones.empty()) run.bones = options.bones;
     body(run);

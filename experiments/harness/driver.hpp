@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all numbered drivers share: options, checks before the work, one clear line on failure.
 //
-//   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR] [--cache DIR]
+//   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR]
 //
 // Exit code 0 on success, 1 when the work fails, 2 for a wrong option. An error is one line on stderr,
 // "NAME: error: what is wrong: what to do".
@@ -22,14 +22,12 @@ struct DriverInfo {
   std::string name;          // of the program
   std::string purpose;       // one sentence for --help
   bool takes_bones = false;  // has it the option --bones?
-  bool takes_cache = false;  // has it the option --cache?
 };
 
 // What run_driver() passes to the body of a driver.
 struct DriverRun {
   RunRecord record;                            // for the sidecars of the results
   std::optional<std::filesystem::path> bones;  // folder with one folder a subject
-  std::filesystem::path cache;                 // of exact distances; empty for none
   Progress progress;                           // reports how far the work is
 
   bool quick() const { return record.profile == "quick"; }  // is it the quick profile?

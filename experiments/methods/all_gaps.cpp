@@ -11,12 +11,12 @@
 #include <memory>
 #include <utility>
 
+#include "files/thread_team.hpp"
 #include "gap/simd/corner_table.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "methods/centred_table.hpp"
 #include "methods/contact.hpp"
 #include "table/exact_raster.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -56,8 +56,9 @@ struct Threads {
   // The threads share the poses.
   void run(std::span<const Pose> poses) {
     const auto one = [&](std::size_t thread) {
-      const Share share = share_of(poses.size(), thread, gaps.size());
-      for (const Pose& pose : poses.subspan(share.first, share.end - share.first)) scan(pose, gaps[thread]);
+      const std::size_t first = poses.size() * thread / gaps.size();
+      const std::size_t end = poses.size() * (thread + 1) / gaps.size();
+      for (const Pose& pose : poses.subspan(first, end - first)) scan(pose, gaps[thread]);
     };
     gaps.size() == 1 ? one(0) : on_threads(gaps.size(), one);
   }

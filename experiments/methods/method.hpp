@@ -56,7 +56,6 @@ struct AskedSurface;
 struct GapSizes;
 struct GapCase;
 struct ContactCase;
-struct FillCase;
 struct BaselineSizes;
 struct BaselineCase;
 
@@ -73,8 +72,6 @@ struct Method {
   std::function<std::vector<TouchCase>(const BallSocketPair&, double)> touch = {};
   /// contact.hpp: whether the joint touches, or its smallest gap, in many poses of a motion.
   std::function<std::vector<ContactCase>(const BallSocketPair&)> contact = {};
-  /// fill.hpp: the table of a surface.
-  std::function<std::vector<FillCase>()> fill = {};
   /// baseline.hpp: the comparison of Section 3.6, at several resolutions.
   std::function<std::vector<BaselineCase>(const BallSocketPair&, const BaselineSizes&)> baseline = {};
 };
@@ -85,7 +82,6 @@ std::vector<Method> points_methods();
 std::vector<Method> gaps_methods();
 std::vector<Method> touch_methods();
 std::vector<Method> contact_methods();
-std::vector<Method> fill_methods();
 std::vector<Method> baseline_methods();
 
 /// The cases of all methods with an ability, in the order of their places: cases_of(touch_methods(),

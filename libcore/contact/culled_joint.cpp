@@ -7,10 +7,10 @@
 
 #include "contact/gap_bounds.hpp"
 #include "contact/touch_search.hpp"
+#include "files/thread_team.hpp"
 #include "gap/exact_side.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "table/face_cap.hpp"
 
@@ -57,7 +56,5 @@ struct VerdictCount {
     return undecided > 0 ? Verdict::undecided : Verdict::clear;
   }
 };
-
-VerdictCount count_verdicts(std::span<const CertifiedGap> gaps);  // of the vertices of one scan
 
 }  // namespace impinge

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "hip/hip_parts.hpp"
 
 namespace impinge {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "files/file_error.hpp"
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
+#include "files/thread_team.hpp"
 #include "gap/surface.hpp"
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
 #include "mesh/surface_vertices.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 
 namespace impinge {
 namespace {

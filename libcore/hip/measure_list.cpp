@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "hip/hip_measures.hpp"
 
 namespace impinge {

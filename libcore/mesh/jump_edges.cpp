@@ -19,14 +19,16 @@ double face_slope(const TriangleMesh& mesh, const Face& face) {
   return cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
 }
 
-// Those that are 0 as the centre sees them, exact; they stay so where a face has not three corners.
-void find_sides(const TriangleMesh& mesh, std::vector<std::int8_t>& sides) {
+// As the centre sees the faces, exact: +1, -1, or 0 where a face has not three corners.
+std::vector<std::int8_t> sides_of(const TriangleMesh& mesh) {
+  std::vector<std::int8_t> sides(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const Face& face = mesh.faces[f];
-    if (sides[f] != 0 || !has_three_corners(mesh, face)) continue;
+    if (!has_three_corners(mesh, face)) continue;
     const int side = orientation(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2));
     sides[f] = static_cast<std::int8_t>(side);
   }
+  return sides;
 }
 
 // Two faces that spread to opposite sides of the plane through the centre and their common edge: the third
@@ -42,12 +44,8 @@ bool continues(const TriangleMesh& mesh, const std::vector<std::int8_t>& sides,
 }  // namespace
 
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh) {
-  return jump_edges(mesh, std::vector<std::int8_t>(mesh.faces.size()));
-}
-
-std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh, std::vector<std::int8_t> sides) {
   std::vector<JumpEdge> jumps;
-  find_sides(mesh, sides);
+  const std::vector<std::int8_t> sides = sides_of(mesh);
   const std::vector<bool> unpaired = unpaired_lower_ends(mesh, sides);
   if (std::ranges::find(unpaired, true) == unpaired.end()) return jumps;
   for_each_edge(mesh, unpaired, [&](std::span<const HalfEdge> uses) {

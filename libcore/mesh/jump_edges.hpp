@@ -2,7 +2,6 @@
 // Edges at which the radius, seen from the centre, may end or jump.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -25,9 +24,5 @@ inline TriangleCone cone_of(const TriangleMesh& mesh, const JumpEdge& edge) {
 /// The jump edges of a mesh in the centre frame. Sides are decided exactly; the orientation of faces is
 /// ignored. Sorted by the smaller of the two ends, then by the larger one.
 std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh);
-
-/// The same with known sides of the faces, one value a face: +1 or -1 as orientation() gives them, 0 for
-/// those still to be found.
-std::vector<JumpEdge> jump_edges(const TriangleMesh& mesh, std::vector<std::int8_t> sides);
 
 }  // namespace impinge

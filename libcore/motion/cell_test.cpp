@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "files/thread_team.hpp"
 #include "mesh/surface_vertices.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 
 namespace impinge {
 namespace {

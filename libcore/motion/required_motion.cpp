@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "table/face_cap.hpp"
 
 namespace impinge {

@@ -8,8 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "files/thread_team.hpp"
 #include "mesh/disjoint_sets.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/pose_joint.hpp"
 
-#include "table/fill/cube_fill.hpp"
+#include "table/exact_raster.hpp"
 
 namespace impinge::python {
 namespace {
 
 CornerTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
-  PackedTable<CubeGnomonic, float> table;
-  CubeFill fill;
-  fill.scheme = CubeGnomonic::with_precision(precision_deg);
-  fill.layer = facing_layer(of);
-  fill_cube(mesh, fill, table);
-  return corner_table(table);
+  const auto scheme = CubeGnomonic::with_precision(precision_deg);
+  require_packed_entries(scheme.size());
+  return corner_table(packed_table<float>(fill_exact(mesh, scheme, facing_layer(of))));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "files/file_bytes.hpp"
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/json_values.hpp"
 
 namespace impinge {

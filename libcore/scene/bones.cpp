@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "files/file_bytes.hpp"
+#include "files/formatted.hpp"
 #include "files/one_line.hpp"
 #include "files/stopwatch.hpp"
-#include "gap/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/joint.hpp"
 #include "scene/joint_folder.hpp"

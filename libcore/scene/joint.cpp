@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_parts.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "motion/named_motion.hpp"
 #include "scene/asked.hpp"
 #include "scene/limit.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "hip/published_measures.hpp"
 #include "scene/asked.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "files/csv.hpp"
 #include "files/file_set.hpp"
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/question.hpp"
 #include "scene/resection.hpp"

@@ -14,13 +14,13 @@
 #include "files/csv.hpp"
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "files/formatted.hpp"
 #include "files/stopwatch.hpp"
 #include "files/temporary_file.hpp"
-#include "gap/formatted.hpp"
+#include "files/thread_team.hpp"
 #include "scene/asked.hpp"
 #include "session/pose_answer.hpp"
 #include "session/pose_series.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

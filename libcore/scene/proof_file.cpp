@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/limit.hpp"
 
 namespace impinge {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 

@@ -2,7 +2,7 @@
 #include "scene/report.hpp"
 
 #include "files/file_set.hpp"
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "scene/proof_json.hpp"
 #include "scene/question.hpp"
 #include "session/joint_files.hpp"

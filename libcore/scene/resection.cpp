@@ -6,7 +6,7 @@
 
 #include "files/csv.hpp"
 #include "files/file_set.hpp"
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "mesh/ply_writer.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"

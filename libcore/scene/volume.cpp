@@ -14,9 +14,9 @@
 
 #include "files/csv.hpp"
 #include "files/file_bytes.hpp"
+#include "files/formatted.hpp"
 #include "files/stopwatch.hpp"
 #include "files/temporary_file.hpp"
-#include "gap/formatted.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
 #include "scene/question.hpp"

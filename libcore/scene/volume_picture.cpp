@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "hip/motion.hpp"
 
 namespace impinge {

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "session/plan_draft.hpp"
 #include "session/table_choice.hpp"
 

@@ -6,17 +6,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/formatted.hpp"
 #include "files/memory.hpp"
 #include "files/stopwatch.hpp"
+#include "files/thread_team.hpp"
 #include "gap/exact_side.hpp"
-#include "gap/formatted.hpp"
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
 #include "motion/body_pairs.hpp"
 #include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/scheme_choice.hpp"
-#include "table/fill/thread_team.hpp"
 
 namespace impinge {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "motion/body_pairs.hpp"
 
 namespace impinge {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "hip/hip_measures.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/triangle_distance.hpp"

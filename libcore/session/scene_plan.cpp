@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "session/plan_draft.hpp"
 
 namespace impinge {

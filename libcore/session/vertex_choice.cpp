@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "session/plan_draft.hpp"
 #include "sphere/infinity.hpp"

@@ -48,14 +48,12 @@ TABLES = [
     "error-budget",
     "matched-accuracy",
     "fast-times",
-    "fill-times",
-    "fill-growth",
     "strain-by-gap-table",
     "motion-volume-times",
 ]
 FIGURES = """
 detection-time power-spectrum conchoid-surface scheme-points scheme-covering covering-cost scheme-error
-error-against-time certified-verdicts fill-time stability-overview strain-by-gap motion-limits motion-volume cohort-rotation
+error-against-time stability-overview strain-by-gap motion-limits motion-volume cohort-rotation
 table-12-pictures table-13-pictures
 """.split()
 MEASURED_TABLES = {"joint3d-speed.csv"}  # timed when it is made, not made from data

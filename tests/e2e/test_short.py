@@ -44,7 +44,7 @@ class Short(unittest.TestCase):
         self.assertIn("nothing to do", self.reproduce("--quick", "--only", "table-2"))
         self.assertLess(time.monotonic() - begin, 5)
         self.assertIn("up to date", self.reproduce("--why", "table-2"))
-        self.assertIn("would be made again", self.reproduce("--why", "fill-time"))
+        self.assertIn("would be made again", self.reproduce("--why", "error-against-time"))
 
     def test_b_figure_is_made(self):
         self.reproduce("--only", "figure-50")

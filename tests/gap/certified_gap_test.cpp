@@ -3,12 +3,16 @@
 #include "gap/certified_gap.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "gap/exact_side.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
+#include "reference/shadow.hpp"
 #include "support/directions.hpp"
+#include "support/poses.hpp"
 
 namespace impinge {
 namespace {
@@ -24,6 +28,32 @@ TEST(ExactSide, OfTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {
   const NearFaces faces(mesh, 0.0);
   EXPECT_FALSE(exactly_impinged(Surface::ball, faces, Vec3::Zero()));
   EXPECT_TRUE(exactly_impinged(Surface::socket, faces, Vec3::Zero()));
+}
+
+// A vertex of the ball impinges if it is in the shadow of a face of the socket, one of the socket if it is in
+// the pyramid of a face of the ball.
+TEST(ExactSide, IsThatOfTheOracleInEveryPose) {
+  const BallSocketPair joint = make_ball_socket_pair(400, impinging_cam());
+  const NearFaces ball_faces(joint.ball, 0.0);
+  const NearFaces socket_faces(joint.socket, 0.0);
+  std::size_t clear = 0;
+  std::size_t impinged = 0;
+  const auto check = [&](Surface of, const NearFaces& faces, const TriangleMesh& posed,
+                         const std::vector<bool>& expected) {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_EQ(exactly_impinged(of, faces, posed.vertices[i]), expected[i]) << i;
+      ++(expected[i] ? impinged : clear);
+    }
+  };
+  for (const Pose& pose : test::random_poses(60, 3.0, 5.0, 7)) {
+    const TriangleMesh ball = test::ball_in_socket_frame(joint.ball, pose);
+    check(Surface::ball, socket_faces, ball, ShadowReference(ball, joint.socket).ball_vertices_impinged());
+    const TriangleMesh socket = test::socket_in_ball_frame(joint.socket, pose);
+    check(Surface::socket, ball_faces, socket,
+          ShadowReference(joint.ball, socket).socket_vertices_impinged());
+  }
+  EXPECT_GT(clear, 1000U);
+  EXPECT_GT(impinged, 100U);
 }
 
 // At a vertex of the mesh itself the gap is zero: on it is impinged, a unit of the last place before it

@@ -3,7 +3,6 @@
 #include "harness/driver.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <vector>
 
@@ -52,25 +51,6 @@ TEST(Driver, HandsTheOptionsToTheBody) {
       });
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_TRUE(outcome.ran);
-}
-
-// No result depends on the cache, so that its place is not part of the record.
-TEST(Driver, TakesACacheOnlyWhereThereIsUseForOne) {
-  const TemporaryFolder folder;
-  const std::string out = folder.path().string();
-  const std::array arguments{"99_test", "--cache", out.c_str(), "--out", out.c_str()};
-  const auto code = [&](bool takes_cache) {
-    testing::internal::CaptureStderr();
-    const int found = run_driver(static_cast<int>(arguments.size()), arguments.data(),
-                                 {"99_test", "A test.", false, takes_cache}, [&](DriverRun& run) {
-                                   EXPECT_EQ(run.cache, out);
-                                   EXPECT_EQ(run.record.command, "99_test --out " + out);
-                                 });
-    static_cast<void>(testing::internal::GetCapturedStderr());
-    return found;
-  };
-  EXPECT_EQ(code(true), 0);
-  EXPECT_EQ(code(false), 2);
 }
 
 TEST(Driver, IsFullByDefault) {

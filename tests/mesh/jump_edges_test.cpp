@@ -55,28 +55,17 @@ double slope_of(const TriangleMesh& mesh, const std::vector<HalfEdge>& uses) {
   return slope;
 }
 
-// Sides that are handed over change nothing.
-std::vector<JumpEdge> with_known_sides(const TriangleMesh& mesh) {
-  std::vector<std::int8_t> sides;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const bool known = f % 3 != 0 && has_three_corners(mesh, mesh.faces[f]);
-    sides.push_back(known ? static_cast<std::int8_t>(side_of(mesh, mesh.faces[f])) : std::int8_t{0});
-  }
-  return jump_edges(mesh, sides);
-}
-
 void expect_jumps(const TriangleMesh& mesh) {
-  for (const auto& found : {jump_edges(mesh), with_known_sides(mesh)}) {
-    auto next = found.begin();
-    for (const auto& [edge, uses] : uses_of(mesh)) {
-      if (!jumps(mesh, uses)) continue;
-      ASSERT_NE(next, found.end()) << edge[0] << ' ' << edge[1];
-      EXPECT_EQ((Edge{next->from, next->to}), ends(mesh, uses.front()));
-      EXPECT_EQ(next->slope, slope_of(mesh, uses));
-      ++next;
-    }
-    EXPECT_EQ(next, found.end());
+  const std::vector<JumpEdge> found = jump_edges(mesh);
+  auto next = found.begin();
+  for (const auto& [edge, uses] : uses_of(mesh)) {
+    if (!jumps(mesh, uses)) continue;
+    ASSERT_NE(next, found.end()) << edge[0] << ' ' << edge[1];
+    EXPECT_EQ((Edge{next->from, next->to}), ends(mesh, uses.front()));
+    EXPECT_EQ(next->slope, slope_of(mesh, uses));
+    ++next;
   }
+  EXPECT_EQ(next, found.end());
 }
 
 TEST(JumpEdges, OfSurfacesAndWhatIsCutFromThem) {
@@ -160,7 +149,7 @@ TEST(JumpEdges, HubsAreLeftToTheGeneralMatching) {
   const std::vector<bool> unpaired = unpaired_lower_ends(mesh, sides);
   EXPECT_TRUE(unpaired[0] && unpaired[1]);
   EXPECT_EQ(std::ranges::count(unpaired, true), 2);
-  EXPECT_TRUE(jump_edges(mesh, sides).empty());
+  EXPECT_TRUE(jump_edges(mesh).empty());
 }
 
 TEST(JumpEdges, EdgesOfSomeVertices) {

@@ -2,7 +2,6 @@
 // What every kernel answers, from the mesh on, as lists of numbers that can be compared.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "stress/table_kernels.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"
-#include "table/fill/cube_fill.hpp"
 
 namespace impinge::test {
 
@@ -60,15 +58,6 @@ inline Answers table_answers(const Questions& asked) {
   return all;
 }
 
-// Of a cube that two threads have filled.
-inline Answers filled_answers(const Questions& asked) {
-  PackedTable<CubeGnomonic, std::uint16_t> table;
-  fill_cube(asked.mesh, {CubeGnomonic::with_precision(9.0), asked.layer, 2}, table);
-  std::vector<float> gap(asked.points.size());
-  scan_gaps(table, packed_vertices<float>(asked.points), asked.pose, Surface::ball, gap);
-  return {gap.begin(), gap.end()};
-}
-
 // A kernel, from the mesh on.
 struct Answerer {
   const char* name;
@@ -76,10 +65,8 @@ struct Answerer {
 };
 // All of them.
 inline const std::vector<Answerer>& answerers() {
-  static const std::vector<Answerer> all{{"tables", table_answers},
-                                         {"filled cube", filled_answers},
-                                         {"exact cells", exact_answers},
-                                         {"certified", certified_answers}};
+  static const std::vector<Answerer> all{
+      {"tables", table_answers}, {"exact cells", exact_answers}, {"certified", certified_answers}};
   return all;
 }
 

@@ -45,14 +45,4 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
     if (failure) std::rethrow_exception(failure);
 }
 
-/// A part of the numbers 0 ... size - 1.
-struct Share {
-  std::size_t first;  // of the part
-  std::size_t end;    // behind its last one
-};
-/// Part `part` of `parts` (above 0), all as equal in size as can be.
-inline Share share_of(std::size_t size, std::size_t part, std::size_t parts) {
-  return {size * part / parts, size * (part + 1) / parts};
-}
-
 }  // namespace impinge

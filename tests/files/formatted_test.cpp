@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ends of what is proven are shown outward.
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 
 #include <random>
 
