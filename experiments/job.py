@@ -23,8 +23,6 @@ import threading
 import time
 from pathlib import Path
 
-import script_server
-
 
 def parse() -> argparse.Namespace:
     """The command line; everything after -- is the job's own command."""
@@ -59,7 +57,7 @@ def tell(text: str) -> None:
         os.write(int(os.environ["IMPINGE_EVENTS"]), f"{text}\n".encode())
 
 
-def relay(name: str, talks: bool, child: subprocess.Popen | script_server.Asked) -> None:
+def relay(name: str, talks: bool, child: subprocess.Popen) -> None:
     """Passes on what the command prints."""
     for line in child.stdout:
         print(line, end="", flush=True)
@@ -70,7 +68,7 @@ def relay(name: str, talks: bool, child: subprocess.Popen | script_server.Asked)
 def run(options: argparse.Namespace, folder: Path) -> int:
     """Runs the command in the folder; ends it when the run that started this job is gone (killed, say)."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
-    child = script_server.ask(options.command, folder) or subprocess.Popen(
+    child = subprocess.Popen(
         options.command,
         cwd=folder,
         start_new_session=True,
