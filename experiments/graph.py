@@ -158,49 +158,29 @@ def experiment_job(setup: Setup, joints: list[Joint], source: Path) -> Job:
         command += ["--bones", str(setup.bones)]
     if said.get("cache") == "yes":
         command += ["--cache", str(setup.graph / "reference")]
-    return Job(
-        name,
-        "data",
-        said["question"],
-        str(source.relative_to(SOURCE)),
-        outputs=[f"data/{table}.{kind}" for table in tables for kind in ("csv", "json")] + [f"data/{file}" for file in files],
-        depends=depends,
-        command=command,
-        budget=[float(text) for text in words["seconds"]],
-        timing=said.get("timing") == "yes",
-    )
+    outputs = [f"data/{table}.{kind}" for table in tables for kind in ("csv", "json")] + [f"data/{file}" for file in files]
+    budget, timing = [float(text) for text in words["seconds"]], said.get("timing") == "yes"
+    return Job(name, "data", said["question"], str(source.relative_to(SOURCE)), outputs, depends, command, budget, timing)
 
 
 def pair_job(setup: Setup, name: str, scene: str, question: str, *options: str) -> Job:
     """Meshes that make_pair generates."""
     folder = f"scenes/{scene}/input"
-    return Job(
-        name,
-        "data",
-        question,
-        "experiments/make_pair.cpp",
-        outputs=[f"{folder}/ball.ply", f"{folder}/socket.ply"],
-        depends=["programs/make_pair"],
-        command=[setup.program("make_pair"), *options, "--out", folder],
-        budget=[1, 1],
-    )
+    outputs = [f"{folder}/ball.ply", f"{folder}/socket.ply"]
+    command = [setup.program("make_pair"), *options, "--out", folder]
+    return Job(name, "data", question, "experiments/make_pair.cpp", outputs, ["programs/make_pair"], command, [1, 1])
 
 
 def scene_job(setup: Setup, name: str, meshes: tuple, *options: str) -> Job:
     """The scene program on one joint, into scenes/NAME; meshes of a real joint, or in the results folder."""
     folder, gaps_alone = f"scenes/{name}", "--outputs" in options
     files = ["ball.ply", "socket.ply", "gaps.csv", *["distances.csv"] * (not gaps_alone), "summary.json"]
+    outputs = [f"{folder}/{file}" for file in files]
     ball, socket = (str(setup.results / mesh) for mesh in meshes)
-    return Job(
-        f"scene-{name}",
-        "data",
-        f"Where is the joint {name} impinged?",
-        "experiments/scene.cpp",
-        outputs=[f"{folder}/{file}" for file in files],
-        depends=["programs/scene", *map(str, meshes)],
-        command=[setup.program("scene"), "--ball", ball, "--socket", socket, *options, "--out", folder],
-        budget=[1, 1] if gaps_alone else [2, 2],
-    )
+    command = [setup.program("scene"), "--ball", ball, "--socket", socket, *options, "--out", folder]
+    question, depends = f"Where is the joint {name} impinged?", ["programs/scene", *map(str, meshes)]
+    budget = [1, 1] if gaps_alone else [2, 2]
+    return Job(f"scene-{name}", "data", question, "experiments/scene.cpp", outputs, depends, command, budget)
 
 
 def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, str]]) -> list[Job]:
@@ -252,53 +232,36 @@ def joint3d_jobs(setup: Setup) -> list[Job]:
     """The page that moves a joint, and the speed of the library in it, where the tools for both are installed."""
     if not all(map(shutil.which, JOINT3D_TOOLS)):
         return []
-    folder, engine = "analysis/joint3d", "programs/joint3d_engine"
-    node = [shutil.which("node"), str(SOURCE / folder / "engine_speed.js"), setup.program("joint3d_engine")]
-    page = heads.expanded(f"{folder}/{{src/*.js,index.html,style.css,build.py}}")
-    build = [sys.executable, "-B", str(SOURCE / folder / "build.py"), "--engine", setup.program("joint3d_engine")]
+    folder, engine, made = "analysis/joint3d", "programs/joint3d_engine", setup.program("joint3d_engine")
+    speed, table = f"{folder}/engine_speed.js", "tables/joint3d-speed.csv"
+    measure = ["node", str(SOURCE / speed), made, table]
+    question = (
+        "How long the library takes in WebAssembly, on one thread: to fill the tables of a hip of 12,000 faces a surface, and"
+        " to find all gaps of a pose."
+    )
+    build = f"{folder}/build.py"
+    sources = heads.expanded(f"{folder}/{{src/*.js,index.html,style.css}}") + ["analysis/node_modules/three/package.json"]
+    bundle = [sys.executable, "-B", str(SOURCE / build), "--engine", made, "--out", "joint3d.html"]
+    about = (
+        "A page that moves a joint and shows its gaps as one watches, with the library in it (Joint3D, Section 3.4 of the"
+        " thesis)."
+    )
     return [
-        Job(
-            "joint3d-speed",
-            "table",
-            "How long the library takes in WebAssembly, on one thread: to fill the tables of a hip of 12,000 faces a surface,"
-            " and to find all gaps of a pose.",
-            f"{folder}/engine_speed.js",
-            outputs=["tables/joint3d-speed.csv"],
-            depends=[engine, f"{folder}/engine_speed.js"],
-            command=[*node, "tables/joint3d-speed.csv"],
-            budget=[11, 11],
-            timing=True,
-        ),
-        Job(
-            "joint3d",
-            "page",
-            "A page that moves a joint and shows its gaps as one watches, with the library in it (Joint3D, Section 3.4 of the"
-            " thesis).",
-            f"{folder}/build.py",
-            outputs=["joint3d.html"],
-            depends=[engine, *page, "analysis/node_modules/three/package.json"],
-            command=[*build, "--out", "joint3d.html"],
-            budget=[2, 2],
-        ),
+        Job("joint3d-speed", "table", question, speed, [table], [engine, speed], measure, [11, 11], timing=True),
+        Job("joint3d", "page", about, build, ["joint3d.html"], [engine, build, *sources], bundle, [2, 2]),
     ]
 
 
 def paper_job(setup: Setup, made: list[str]) -> Job:
     """LaTeX around generated tables, figures and facts. No date and no path goes into the PDF."""
     shown = re.compile(r"tables/.*tex|figures/.*pdf|figures/(joint-generated|figure-50)\.png|paper/.*tex")
+    depends = [file for file in made if shown.fullmatch(file)] + heads.expanded("paper/*.{tex,bib}")
     folders = f"{SOURCE}/paper:{setup.results}/figures:{setup.results}/tables:{setup.results}/paper:"
     reproducible = ["SOURCE_DATE_EPOCH=0", "FORCE_SOURCE_DATE=1", f"TEXINPUTS={folders}", f"BIBINPUTS={folders}"]
     latex = ["latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error", f"{SOURCE}/paper/paper.tex"]
-    return Job(
-        "paper",
-        "paper",
-        "The paper: method, what is proven and how, what came out again, limits.",
-        "paper/paper.tex",
-        outputs=["paper.pdf"],
-        depends=[file for file in made if shown.fullmatch(file)] + heads.expanded("paper/*.{tex,bib}"),
-        command=["env", *reproducible, *latex],
-        budget=[5, 5],
-    )
+    question = "The paper: method, what is proven and how, what came out again, limits."
+    command = ["env", *reproducible, *latex]
+    return Job("paper", "paper", question, "paper/paper.tex", ["paper.pdf"], depends, command, [5, 5])
 
 
 def all_jobs(setup: Setup) -> dict[str, Job]:
@@ -339,15 +302,11 @@ def ninja_file(setup: Setup, jobs: dict[str, Job]) -> str:
         return " ".join(re.sub(r"([$ :])", r"$\1", str(located(setup, made, name))) for name in names)
 
     for job in jobs.values():
-        words = [sys.executable, EXPERIMENTS / "job.py", "--name", job.name, "--results", setup.results]
-        words += ["--state", setup.graph / setup.profile, "--lock", setup.graph / "machine.lock"]
-        words += ["--alone"] * job.timing + ["--talks"] * (job.kind == "data")
-        words += ["--outputs", *job.outputs, "--", *job.command]
-        lines += [
-            f"build {files(job.outputs)}: job {files(job.depends)}",
-            f"  words = {shlex.join(map(str, words)).replace('$', '$$')}",
-            f"  name = {job.name}",
-        ]
+        asked = {"name": job.name, "command": job.command, "outputs": job.outputs, "results": str(setup.results)}
+        asked |= {"graph": str(setup.graph), "profile": setup.profile, "alone": job.timing, "talks": job.kind == "data"}
+        words = shlex.join([sys.executable, str(EXPERIMENTS / "job.py"), json.dumps(asked)])
+        lines.append(f"build {files(job.outputs)}: job {files(job.depends)}")
+        lines += [f"  words = {words.replace('$', '$$')}", f"  name = {job.name}"]
     return "\n".join(lines) + "\n"
 
 
