@@ -31,7 +31,7 @@ from jobs import Job  # noqa: E402
 BALLS = ("ball", "femoral_head", "humeral_head")
 SOCKETS = ("socket", "acetabulum_facing", "glenoid_facing", "acetabulum", "glenoid")
 MESHES = ("ply", "stl", "obj", "off")
-WAYS = ("right anterior superior left posterior inferior").split()
+WAYS = "right anterior superior left posterior inferior".split()
 PATIENTS = {"patient_a": "right", "patient_b": "left"}  # stand-ins for the thesis' two patients, and the side of their hips
 SYSTEMS = ("rsid", "usid")  # of the thesis
 # Programs that are not experiments/NAME, in the build folder.
@@ -313,8 +313,7 @@ def ninja_file(setup: Setup, jobs: dict[str, Job]) -> str:
 def record(setup: Setup, jobs: dict[str, Job]) -> str:
     """The jobs for the report and keep_reference.py, and of which run they are (jobs.json)."""
     fields = [dataclasses.asdict(dataclasses.replace(job, seconds=0)) for job in jobs.values()]
-    run = {"results": str(setup.results), "profile": setup.profile, "jobs": fields}
-    return json.dumps(run, indent=1).replace(f"{SOURCE}/", "")
+    return json.dumps({"results": str(setup.results), "profile": setup.profile, "jobs": fields}, indent=1)
 
 
 def located(setup: Setup, made: set[str], file: str) -> Path:
