@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs one job of the graph so that its outputs appear whole, or not at all.
+"""Runs one job of the graph so that its outputs appear whole, or not at all: job.py JOB, as graph.py writes it, in JSON.
 
 The command runs in a fresh folder laid out as the results folder, and writes there. When it ends well, each
 declared output is renamed into place, except where the bytes are already there: an unchanged file keeps its
-time stamp, and Ninja then leaves out what would follow from it. With --lock, a job run --alone has the
-machine to itself.
+time stamp, and Ninja then leaves out what would follow from it. A job that is alone has the machine to itself.
 
 experiments/reproduce listens on a pipe (IMPINGE_EVENTS is its number): start NAME, say NAME TEXT, end NAME.
 """
 
-import argparse
 import contextlib
 import fcntl
 import filecmp
+import json
 import os
 import shutil
 import signal
@@ -23,35 +22,6 @@ import threading
 import time
 from pathlib import Path
 
-import script_server
-
-
-def parse() -> argparse.Namespace:
-    """The command line; everything after -- is the job's own command."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--name", required=True)
-    parser.add_argument("--results", type=Path, required=True)
-    parser.add_argument("--state", type=Path, required=True, help="where the time each job took is kept")
-    parser.add_argument("--lock", type=Path, help="file that timings hold alone and other jobs share")
-    parser.add_argument("--alone", action="store_true")
-    parser.add_argument("--talks", action="store_true", help="what it prints is progress")
-    parser.add_argument("--outputs", nargs="+", required=True)
-    split = sys.argv.index("--")
-    options = parser.parse_args(sys.argv[1:split])
-    options.command = sys.argv[split + 1 :]
-    return options
-
-
-@contextlib.contextmanager
-def machine(lock: Path | None, alone: bool):
-    """Holds the machine: shared with other jobs, or alone for a timing."""
-    if lock is None:
-        yield
-        return
-    with lock.open("a") as file:
-        fcntl.flock(file, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
-        yield
-
 
 def tell(text: str) -> None:
     """One line to whoever started the graph, if anybody listens still."""
@@ -59,19 +29,19 @@ def tell(text: str) -> None:
         os.write(int(os.environ["IMPINGE_EVENTS"]), f"{text}\n".encode())
 
 
-def relay(name: str, talks: bool, child: subprocess.Popen | script_server.Asked) -> None:
+def relay(job: dict, child: subprocess.Popen) -> None:
     """Passes on what the command prints."""
     for line in child.stdout:
         print(line, end="", flush=True)
-        if talks:
-            tell(f"say {name} {line.rstrip()}")
+        if job["talks"]:
+            tell(f"say {job['name']} {line.rstrip()}")
 
 
-def run(options: argparse.Namespace, folder: Path) -> int:
+def run(job: dict, folder: Path) -> int:
     """Runs the command in the folder; ends it when the run that started this job is gone (killed, say)."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
-    child = script_server.ask(options.command, folder) or subprocess.Popen(
-        options.command,
+    child = subprocess.Popen(
+        job["command"],
         cwd=folder,
         start_new_session=True,
         text=True,
@@ -79,7 +49,7 @@ def run(options: argparse.Namespace, folder: Path) -> int:
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
     )
-    listener = threading.Thread(target=relay, args=(options.name, options.talks, child), daemon=True)
+    listener = threading.Thread(target=relay, args=(job, child), daemon=True)
     listener.start()
     try:
         while True:
@@ -106,34 +76,36 @@ def publish(staging: Path, results: Path, outputs: list[str]) -> None:
         os.replace(new, old)
 
 
-def finish(options: argparse.Namespace, staging: Path, code: int, seconds: float) -> int:
+def finish(job: dict, staging: Path, code: int, seconds: float) -> int:
     """Publishes a job that ended well and notes how long it took; says what is wrong with another."""
-    missing = [output for output in options.outputs if not (staging / output).is_file()]
+    missing = [output for output in job["outputs"] if not (staging / output).is_file()]
     if code != 0:
-        print(f"{options.name}: failed (exit {code}): {' '.join(options.command)}", file=sys.stderr)
+        print(f"{job['name']}: failed (exit {code}): {' '.join(job['command'])}", file=sys.stderr)
     elif missing:
-        print(f"{options.name}: ended well but did not write {', '.join(missing)}", file=sys.stderr)
+        print(f"{job['name']}: ended well but did not write {', '.join(missing)}", file=sys.stderr)
     else:
-        publish(staging, options.results, options.outputs)
-        options.state.mkdir(parents=True, exist_ok=True)
-        (options.state / options.name).write_text(f"{seconds:.2f}\n")
-        tell(f"end {options.name}")
+        publish(staging, Path(job["results"]), job["outputs"])
+        times = Path(job["graph"]) / job["profile"]
+        times.mkdir(parents=True, exist_ok=True)
+        (times / job["name"]).write_text(f"{seconds:.2f}\n")
+        tell(f"end {job['name']}")
         return 0
     return 1
 
 
 def main() -> int:
     """Stages, runs, publishes."""
-    options = parse()
-    staging = options.results / ".staging" / options.name
+    job = json.loads(sys.argv[1])
+    staging = Path(job["results"]) / ".staging" / job["name"]
     shutil.rmtree(staging, ignore_errors=True)
-    for output in options.outputs:
+    for output in job["outputs"]:
         (staging / output).parent.mkdir(parents=True, exist_ok=True)
-    with machine(options.lock, options.alone):
-        tell(f"start {options.name}")
+    with (Path(job["graph"]) / "machine.lock").open("a") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX if job["alone"] else fcntl.LOCK_SH)
+        tell(f"start {job['name']}")
         start = time.monotonic()
-        code = run(options, staging)
-        code = finish(options, staging, code, time.monotonic() - start)
+        code = run(job, staging)
+        code = finish(job, staging, code, time.monotonic() - start)
     shutil.rmtree(staging, ignore_errors=True)
     with contextlib.suppress(OSError):
         staging.parent.rmdir()

@@ -32,9 +32,10 @@ KEYS = ("artefact", "row", "column")
 def outputs_of(build: Path, results: Path) -> list[str]:
     """Every file that the full run makes, by the graph of its build folder."""
     try:
-        folder, profile, _ = (build / "graph" / "settings").read_text().split("\n")[:3]
-        made = jobs.load(build / "graph" / "jobs.json")
-    except (OSError, ValueError):
+        graph = build / "graph" / "jobs.json"
+        folder, profile = (json.loads(graph.read_text())[key] for key in ("results", "profile"))
+        made = jobs.load(graph)
+    except (OSError, ValueError, KeyError, TypeError):
         raise Refused(f"{build} has made no results: --build names the build folder of the run") from None
     if Path(folder).resolve() != results:
         raise Refused(f"{build} makes {folder}, not {results}: give --results and --build of one run")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the heads and imports of the scripts and writes what CMake needs: heads.py FOLDER LIST=WORD,WORD... makes
-FOLDER/ROOM.cmake of each room, with the jobs of its scripts. README.md says what a head holds. Standard library only.
+"""Reads the heads of scripts and experiments, and the imports of scripts: which jobs they are. README.md says what stands
+in the head of a script, experiments/CMakeLists.txt in that of an experiment. Standard library only.
 """
 
 import ast
@@ -11,7 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ANALYSIS = Path(__file__).resolve().parent.parent
-KEYS = {"name", "question", "data", "depends", "options", "outputs", "seconds", "for", "when"}
+KEYS = {
+    "#": {"name", "question", "data", "depends", "options", "outputs", "seconds", "for", "when"},
+    "//": {"question", "writes", "writes-with-bones", "files", "files-with-bones", "bones", "cache", "timing", "reads",
+           "seconds", "links"},
+}  # fmt: skip
 ROOMS = {
     "tables": {"kind": "table", "outputs": "csv tex"},
     "figures": {"kind": "figure", "outputs": "svg png pdf", "seconds": "2 2"},
@@ -28,9 +32,11 @@ def head(path: Path) -> tuple[dict[str, str], list[dict[str, str]]]:
     """What a file says before its first @name, and all that it says of each name."""
     shared: dict[str, str] = {}
     jobs: list[dict[str, str]] = []
-    for key, value in re.findall(r"^# @(\S+) +(.+)$", path.read_text(), re.MULTILINE):
-        if key not in KEYS:
-            sys.exit(f"{path}: there is no @{key}, see analysis/README.md")
+    mark = "//" if path.suffix == ".cpp" else "#"
+    for key, value in re.findall(rf"^{mark} @(\S+) +(.+)$", path.read_text(), re.MULTILINE):
+        if key not in KEYS[mark]:
+            where = "experiments/CMakeLists.txt" if mark == "//" else "analysis/README.md"
+            sys.exit(f"{path}: there is no @{key}, see {where}")
         if key == "name":
             jobs.append({**shared})
         lines = jobs[-1] if jobs else shared
@@ -59,6 +65,13 @@ def reached(path: Path) -> list[Path]:
     return found
 
 
+def unused() -> list[Path]:
+    """Files that no script imports."""
+    files = [path for room in ROOMS for path in sorted((ANALYSIS / room).glob("*.py"))]
+    used = {file for path in files if head(path)[1] for file in reached(path)}
+    return [path for path in files if path not in used]
+
+
 def job_of(script: Path, name: str | None) -> dict[str, str]:
     """What the script's head says of the job of that name, or of its only one."""
     job = next(
@@ -73,12 +86,12 @@ def filled(text: str, words: dict[str, str]) -> str:
 
 
 def expanded(word: str) -> list[str]:
-    """A word with {a,b} in it written out, as a shell does; ${VARIABLE} is CMake's."""
-    match = re.search(r"(?<!\$)\{([^{}]*)\}", word)
-    if not match:
-        return [word]
-    ends = word[: match.start()], word[match.end() :]
-    return [one for choice in match[1].split(",") for one in expanded(choice.join(ends))]
+    """A word with {a,b} in it written out, and one with * in it as the files of the project that it stands for."""
+    if match := re.search(r"\{([^{}]*)\}", word):
+        ends = word[: match.start()], word[match.end() :]
+        return [one for choice in match[1].split(",") for one in expanded(choice.join(ends))]
+    project = ANALYSIS.parent
+    return [str(file.relative_to(project)) for file in sorted(project.glob(word))] if "*" in word else [word]
 
 
 def variants(job: dict[str, str], lists: dict[str, str]) -> Iterator[dict[str, str]]:
@@ -91,45 +104,34 @@ def variants(job: dict[str, str], lists: dict[str, str]) -> Iterator[dict[str, s
             yield {key: filled(text, {"NAME": one["name"]}) for key, text in one.items()}
 
 
-def declared(path: Path, job: dict[str, str]) -> str:
-    """A job for CMake. What a file that is imported needs, the script needs too."""
-    job = {"seconds": "1 1", **ROOMS[path.parent.name], **job}
+def declared(path: Path, job: dict[str, str], results: Path) -> dict:
+    """The fields of a Job (jobs.py). What a file that is imported needs, the script needs too."""
+    room = path.parent.name
+    job = {"seconds": "1 1", **ROOMS[room], **job}
     if not {"question", "outputs"} <= job.keys():
         sys.exit(f"{path}: {job['name']} needs @question and @outputs, see analysis/README.md")
     files = reached(path)
     heads = [job, *(head(file)[0] for file in files[1:])]
     data, depends = ([word for lines in heads for word in lines.get(key, "").split()] for key in ("data", "depends"))
     needs = [f"data/{name}.{kind}" for name in data for kind in ("csv", "json")]
-    needs += [re.sub("^analysis/", f"{ANALYSIS}/", file) for word in depends for file in expanded(word)]
-    outputs = [file if "." in file else f"{path.parent.name}/{job['name']}.{file}" for file in job["outputs"].split()]
-    question = job["question"].replace('"', '\\"')
-    command = [path, "--results", "${IMPINGE_RESULTS_DIR}", *job.get("options", "").split()]
-
-    def words(texts) -> str:
-        return " ".join(f'"{text}"' for text in texts)
-
-    return (
-        f"impinge_job(NAME {job['name']} KIND {job['kind']} ARTEFACTS {job['name']} SECONDS {job['seconds']}\n"
-        f'  QUESTION {words([question])}\n  OUTPUTS {words(outputs)}\n'
-        f"  DEPENDS {words(dict.fromkeys([*needs, *files]))}\n  COMMAND ${{python}} {words(command)})\n"
-    )
-
-
-def main(folder: Path, *lists: str) -> None:
-    """Writes the jobs; refuses a file that no script imports."""
-    words = dict(text.split("=", 1) for text in lists)
-    used = {Path(__file__).resolve()}
-    paths = {room: sorted((ANALYSIS / room).glob("*.py")) for room in ROOMS}
-    for room in ROOMS:
-        jobs = ""
-        for path in paths[room]:
-            for job in head(path)[1]:
-                used |= {*reached(path)}
-                jobs += "".join(declared(path, variant) for variant in variants(job, words))
-        (folder / f"{room}.cmake").write_text(jobs)
-    if unused := [str(path) for room in ROOMS for path in paths[room] if path not in used]:
-        sys.exit(f"{unused[0]} has no @name, and no script imports it: see analysis/README.md")
+    needs += [file for word in depends for file in expanded(word)]
+    needs += [str(file.relative_to(ANALYSIS.parent)) for file in files]
+    return {
+        "name": job["name"],
+        "kind": job["kind"],
+        "question": job["question"],
+        "script": str(path.relative_to(ANALYSIS.parent)),
+        "outputs": [file if "." in file else f"{room}/{job['name']}.{file}" for file in job["outputs"].split()],
+        "depends": [*dict.fromkeys(needs)],
+        "command": ["env", f"PYTHONPATH={ANALYSIS}", sys.executable, str(path), "--results", str(results),
+                    *job.get("options", "").split()],
+        "budget": [float(text) for text in job["seconds"].split()],
+    }  # fmt: skip
 
 
-if __name__ == "__main__":
-    main(Path(sys.argv[1]), *sys.argv[2:])
+def script_jobs(room: str, lists: dict[str, str], results: Path) -> list[dict]:
+    """The jobs of all scripts in a folder, lists written out: JOINTS, say, as "a,b"."""
+    paths = sorted((ANALYSIS / room).glob("*.py"))
+    return [
+        declared(path, job, results) for path in paths for lines in head(path)[1] for job in variants(lines, lists)
+    ]

@@ -9,16 +9,17 @@ import argparse
 import base64
 import hashlib
 import os
+import re
 import subprocess
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 
 
-def bundle(esbuild: Path) -> str:
+def bundle() -> str:
     """The page's own modules and what they use of three.js, as one script."""
     form = ["--bundle", "--minify", "--format=iife", "--target=es2020", "--charset=utf8", "--legal-comments=inline"]
-    command = [str(esbuild), "src/main.js", *form, "--log-level=warning"]
+    command = ["esbuild", "src/main.js", *form, "--log-level=warning"]
     done = subprocess.run(command, cwd=HERE, check=True, stdout=subprocess.PIPE)
     return done.stdout.decode()
 
@@ -44,6 +45,12 @@ def policy(script: str) -> str:
     return "; ".join(rules)
 
 
+def version() -> str:
+    """Of impinge, as CMake has it."""
+    said = (HERE.parent.parent / "CMakeLists.txt").read_text()
+    return re.search(r"^project\(\s*impinge\s+VERSION (\S+)", said, re.MULTILINE)[1]
+
+
 def commit() -> str:
     """Of the sources: what the environment says, or git."""
     said = os.environ.get("IMPINGE_COMMIT")
@@ -56,16 +63,14 @@ def commit() -> str:
 def main() -> None:
     """Writes the page."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--esbuild", type=Path, default=Path("/usr/bin/esbuild"), help="the bundler")
     parser.add_argument("--engine", type=Path, required=True, help="the library, compiled by emscripten into one script")
     parser.add_argument("--out", type=Path, required=True, help="the page")
-    parser.add_argument("--version", required=True, help="of impinge")
     options = parser.parse_args()
-    script = embedded(bundle(options.esbuild))
+    script = embedded(bundle())
     engine = embedded(options.engine.read_text() + "\n" + (HERE / "src" / "worker.js").read_text())
     page = (HERE / "index.html").read_text()
     parts = {"@CSP@": policy(script), "@STYLE@": (HERE / "style.css").read_text(), "@ENGINE@": engine, "@SCRIPT@": script}
-    page = page.replace("@VERSION@", options.version).replace("@COMMIT@", commit())
+    page = page.replace("@VERSION@", version()).replace("@COMMIT@", commit())
     for mark, text in parts.items():
         page = page.replace(mark, text, 1)
     options.out.write_text(page)

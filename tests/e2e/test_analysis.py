@@ -5,24 +5,19 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import signal
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "analysis"), str(ROOT / "experiments")]
+sys.path.insert(0, str(ROOT / "analysis"))
 
 import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-import script_server  # noqa: E402
-from common import heads, jobs, log_plot, measured, pareto, timing  # noqa: E402
+from common import log_plot, measured, pareto, timing  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
@@ -67,49 +62,6 @@ class Loading(unittest.TestCase):
         self.csv.unlink()
         with self.assertRaisesRegex(common.Refused, "not there"):
             common.load(self.results, "x")
-
-
-class Heads(unittest.TestCase):
-    """The jobs that follow from the heads and imports of scripts."""
-
-    def written(self, head: str, *lists: str, **files: str) -> str:
-        """The jobs of a table with this head, whose script imports common/part.py; files: further ones of common/."""
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(heads, "ANALYSIS", Path(folder)):
-            files = {"__init__": "", "part": "# @depends analysis/common/part.csv\n", **files}
-            for name in ("tables", "common"):
-                (Path(folder) / name).mkdir()
-            for name, text in files.items():
-                (Path(folder) / "common" / f"{name}.py").write_text(text)
-            (Path(folder) / "tables" / "one.py").write_text(f"{head}\nfrom common import part\n")
-            heads.main(Path(folder), *lists)
-            return (Path(folder) / "tables.cmake").read_text().replace(f"{folder}/", "")
-
-    def test_jobs(self):
-        """What stands before the first name holds for all; what an import needs, the script needs."""
-        head = """# @data a\n# @name t\n# @question One?\n# @depends s/{x,y}.ply
-# @name t-JOINT\n# @for JOINT in JOINTS\n# @question Of JOINT?\n# @options --name NAME --all JOINTS\n# @outputs csv
-# @name t-all\n# @question All?\n# @when JOINTS"""
-        found = self.written(head, "JOINTS=p,q")
-        needs = '"common/part.csv" "tables/one.py" "common/__init__.py" "common/part.py"'
-        for text in (
-            f'NAME t KIND table ARTEFACTS t SECONDS 1 1\n  QUESTION "One?"\n  OUTPUTS "tables/t.csv" "tables/t.tex"\n'
-            f'  DEPENDS "data/a.csv" "data/a.json" "s/x.ply" "s/y.ply" {needs}\n',
-            'QUESTION "Of q?"\n  OUTPUTS "tables/t-q.csv"\n',
-            '"tables/one.py" "--results" "${IMPINGE_RESULTS_DIR}" "--name" "t-q" "--all" "p,q")',
-        ):
-            self.assertIn(text, found)
-        self.assertEqual(found.count("NAME t"), 4)
-        self.assertEqual(self.written(head, "JOINTS=").count("NAME t"), 1)
-
-    def test_refused(self):
-        """A key that is none, a name without a question, and a file that no script imports."""
-        for head, files, words in (
-            ("# @naem t", {}, "there is no @naem"),
-            ("# @name t", {}, "t needs @question"),
-            ("# @name t\n# @question One?", {"stray": ""}, "stray.py has no @name"),
-        ):
-            with self.assertRaisesRegex(SystemExit, words):
-                self.written(head, **files)
 
 
 class Measured(unittest.TestCase):
@@ -464,82 +416,6 @@ class Memory(unittest.TestCase):
         for least, most, found in ((3600, 3601, "reproduced"), (3601, 3601, "reproduced"), (3599, 3600, "differs")):
             line = pd.Series({"equator_least": least, "equator_most": most, "equator_points": 3601})
             self.assertEqual(verdicts_memory.equator_row(value, line)["verdict"], found)
-
-
-class ScriptServer(unittest.TestCase):
-    """A script does the same as in a Python of its own: folder, words, exit code, and what it prints."""
-
-    SCRIPT = """
-import os, sys, time
-from pathlib import Path
-import common
-print(__name__, *sys.argv[1:], "in", Path.cwd().name, flush=True)
-if sys.argv[1] == "refused": sys.exit("a reason")
-if sys.argv[1] == "coded": sys.exit(3)
-if sys.argv[1] == "wrong": raise ValueError("what is wrong")
-if sys.argv[1] == "killed": os.kill(os.getpid(), 9)
-if sys.argv[1] == "waits": time.sleep(600)
-sys.exit(0)
-"""
-    CODES = {"refused": 1, "coded": 3, "wrong": 1, "killed": 1, "good": 0}
-    SAID = {"refused": "a reason", "wrong": "ValueError: what is wrong"}
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        script = self.folder / "script.py"
-        script.write_text(self.SCRIPT)
-        self.command = ["cmake", "-E", "env", f"PYTHONPATH={ROOT / 'analysis'}", sys.executable, "-B", str(script)]
-        self.server, self.asks = script_server.start(self.command, self.folder)
-        self.addCleanup(self.server.wait)
-        self.addCleanup(self.asks.close)
-        served = mock.patch.dict("os.environ", {script_server.SOCKET: str(self.asks.fileno())})
-        served.start()
-        self.addCleanup(served.stop)
-
-    def ask(self, *words: str) -> script_server.Asked:
-        """The script, begun by the server."""
-        asked = script_server.ask([*self.command, *words], self.folder)
-        self.addCleanup(asked.stdout.close)
-        return asked
-
-    def test_like_a_python_of_its_own(self):
-        for way, code in self.CODES.items():
-            with self.subTest(way):
-                asked = self.ask(way)
-                self.assertEqual(asked.wait(60), code)
-                first, *more = asked.stdout.read().splitlines()
-                self.assertEqual(first, f"__main__ {way} in {self.folder.name}")
-                self.assertEqual(more[-1:], [self.SAID[way]] if way in self.SAID else [])
-
-    def test_beside_each_other(self):
-        """Each in a process of its own, which ends alone."""
-        waits, good = self.ask("waits"), self.ask("good")
-        self.assertEqual(good.wait(60), 0)
-        with self.assertRaises(subprocess.TimeoutExpired):
-            waits.wait(0.1)
-        os.killpg(waits.pid, signal.SIGKILL)
-        self.assertEqual(waits.wait(60), 1)
-        self.assertEqual(self.ask("good").wait(60), 0)
-
-    def test_nobody_serves(self):
-        self.server.kill()
-        self.server.wait()
-        self.assertIsNone(script_server.ask([*self.command, "good"], self.folder))
-        self.assertIsNone(script_server.ask(["ls"], self.folder))
-
-    def test_knows_the_scripts_of_the_graph(self):
-        """Else each would get a Python of its own again, and nothing would say so."""
-        build = Path(os.environ.get("IMPINGE_BUILD_DIR", ROOT / "build" / "release"))
-        every = [job for job in jobs.load(build / "graph" / "jobs.json") if job.kind != "page"]
-        scripts = {job.name for job in every if job.script.endswith(".py")}
-        self.assertGreater(len(scripts), 80)
-        self.assertEqual({job.name for job in every if script_server.parts(job.command)}, scripts)
-
-    def test_ends_with_who_asks(self):
-        self.asks.close()
-        self.assertEqual(self.server.wait(60), 0)
 
 
 if __name__ == "__main__":

@@ -36,11 +36,7 @@ class KeepReference(unittest.TestCase):
         self.results, self.build, self.reference = root / "results", root / "build", root / "reference"
         for folder in (self.results / "data", self.results / "tables", self.build / "graph", self.reference):
             folder.mkdir(parents=True)
-        made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.tex", "verdicts.csv"]
-        job = dict.fromkeys("name kind budget timing artefacts depends command question".split())
-        graph = json.dumps([{**job, "outputs": files.split()} for files in made])
-        (self.build / "graph" / "jobs.json").write_text(graph)
-        self.settings("full")
+        self.graph("full")
         self.data("a")
         self.data("b", started_utc="2026-01-01T00:00:00Z")
         (self.results / "tables" / "a.csv").write_text("x\n1\n")
@@ -55,9 +51,13 @@ class KeepReference(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def settings(self, profile: str):
-        """What experiments/reproduce was asked for."""
-        (self.build / "graph" / "settings").write_text(f"{self.results}\n{profile}\n\n")
+    def graph(self, profile: str, results: Path | str = ""):
+        """The graph of a run."""
+        made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.tex", "verdicts.csv"]
+        job = dict.fromkeys("name kind question script depends command budget".split())
+        jobs = [{**job, "outputs": files.split()} for files in made]
+        record = {"results": str(results or self.results), "profile": profile, "jobs": jobs}
+        (self.build / "graph" / "jobs.json").write_text(json.dumps(record))
 
     def data(self, name: str, **changes: object):
         """A CSV with its sidecar."""
@@ -101,9 +101,9 @@ class KeepReference(unittest.TestCase):
         self.assertEqual((run["commit"], run["started_utc"]), (RECORD["commit"], "2026-01-01T00:00:00Z"))
 
     def test_other_profile(self):
-        self.settings("quick")
+        self.graph("quick")
         self.assert_refused("quick profile", "experiments/reproduce --full")
-        self.settings("full")
+        self.graph("full")
         self.data("b", profile="quick")
         self.assert_refused("b.csv", "quick profile")
 
@@ -136,9 +136,9 @@ class KeepReference(unittest.TestCase):
         self.assert_refused("b.json lacks cpu")
 
     def test_another_build_folder(self):
-        (self.build / "graph" / "settings").write_text("/elsewhere\nfull\n\n")
+        self.graph("full", "/elsewhere")
         self.assert_refused("/elsewhere", "--build")
-        (self.build / "graph" / "settings").unlink()
+        (self.build / "graph" / "jobs.json").unlink()
         self.assert_refused(str(self.build), "--build")
 
 

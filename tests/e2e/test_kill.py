@@ -5,8 +5,8 @@
 
 Each kill begins with an empty results folder and strikes at a moment drawn evenly from the time that the
 undisturbed run took. Then the run is repeated to its end, and every file is compared (result_bytes.py says
-what a time is). --configure also forgets the build's settings before each kill, so that some strike while
-CMake runs.
+what a time is). --configure also removes CMake's build.ninja before each kill, so that some strike while it
+runs.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def differences(expected: dict[str, str], found: dict[str, str]) -> list[str]:
 
 
 def empty(results: Path) -> None:
-    """The folder stays, so that the build needs no new configuration."""
+    """The folder itself stays."""
     for path in results.iterdir():
         shutil.rmtree(path) if path.is_dir() else path.unlink()
 
@@ -100,7 +100,7 @@ def main(results: Path) -> int:
     names = options.only or ["scheme-points"]
     seconds, undisturbed = {}, {}
     for name in names:
-        to_the_end(results, name)  # builds, and configures for this folder
+        to_the_end(results, name)  # builds
         empty(results)
         seconds[name] = to_the_end(results, name)
         undisturbed[name] = untimed_bytes(results)
@@ -109,7 +109,7 @@ def main(results: Path) -> int:
     for k in range(options.kills):
         name = names[k % len(names)]
         if options.configure:
-            (BUILD / "graph" / "settings").unlink(missing_ok=True)
+            (BUILD / "build.ninja").unlink(missing_ok=True)
         met += strike(results, name, moments.uniform(0.0, seconds[name]), undisturbed[name])
     print(f"{options.kills} kills, {met} of them while it ran: the same bytes each time")
     return 0 if met > 0 else 1

@@ -17,7 +17,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import tarfile
 import tempfile
 import time
 import unittest
@@ -92,12 +91,6 @@ def command(*options: str) -> list[str]:
     """The command with the test's results folder."""
     bones = ["--bones", str(linked_joints())] if BONES else []
     return [str(ROOT / "experiments" / "reproduce"), "--results", str(RESULTS), *bones, *options]
-
-
-def recheck(archive: Path, *arguments: str) -> subprocess.CompletedProcess:
-    """Runs the script of an unpacked archive."""
-    command = ["/usr/bin/python3", "-B", str(archive / "recheck"), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def reproduce(*options: str, words: list[str] | None = None) -> subprocess.CompletedProcess:
@@ -181,7 +174,7 @@ class Reproduce(unittest.TestCase):
             wait_for(lambda: (RESULTS / stage).exists() or process.poll() is not None, 1200)
             process.send_signal(signal.SIGKILL)
             process.wait()
-        self.assertIn("Not finished: ", (RESULTS / "report.html").read_text())
+        self.assertFalse((RESULTS / "report.html").exists())
         before = bytes_of("data/lut_memory.*")
         done = reproduce()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -190,7 +183,6 @@ class Reproduce(unittest.TestCase):
         for file in PROMISED:
             self.assertTrue((RESULTS / file).is_file() and (RESULTS / file).stat().st_size, file)
         self.assertIn("report.html", done.stdout)
-        self.assertNotIn("Not finished: ", (RESULTS / "report.html").read_text())
         self.assertRegex(done.stdout, r"verdicts \d+ ")
 
     def test_c_second_run_does_nothing_and_says_so(self):
@@ -249,33 +241,13 @@ class Reproduce(unittest.TestCase):
         )
 
     def test_e_a_question_does_not_wait_for_a_run(self):
-        """Nor does it configure what the run works on."""
+        """Nor does it change what the run works on."""
         with (Path(os.environ["IMPINGE_BUILD_DIR"]) / "graph" / "run.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             for question, answer in ((["--list"], "table-2\n"), (["--why", "table-2"], "up to date")):
                 done = subprocess.run(command(*question), capture_output=True, text=True, timeout=30, check=False)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertIn(answer, done.stdout)
-
-    def test_e_archive_stands_for_itself(self):
-        """Away from here it knows its files, makes a table and a figure again, and notices a changed byte."""
-        self.assertEqual(reproduce("--archive", "--only", "table-2").returncode, 2)
-        self.assertEqual(reproduce("--archive").returncode, 0)
-        with tempfile.TemporaryDirectory(prefix="impinge-archive-") as folder:
-            with tarfile.open(RESULTS / "impinge-results.tar.gz") as tar:
-                tar.extractall(folder)
-            unpacked = Path(folder) / "impinge-results"
-            for text in ("graph/jobs.json", "README"):
-                self.assertNotIn(str(RESULTS), (unpacked / text).read_text())
-            for file in (unpacked / "results").rglob("*.json"):
-                self.assertNotIn(str(RESULTS), file.read_text(), file)
-            for name in ("table-2", "figure-47", "report"):
-                done = recheck(unpacked, "--only", name)
-                self.assertEqual((done.returncode, f"{name}: same" in done.stdout), (0, True), done.stdout)
-            (unpacked / "results" / "data" / "schemes.csv").write_text("")
-            done = recheck(unpacked, "--sums")
-            self.assertEqual(done.returncode, 1)
-            self.assertIn("schemes.csv is not the file that was packed", done.stdout)
 
     def test_e_report_works_in_a_browser(self):
         """Filters, the plot to explore, the joint that turns, no request, no error, on a desktop and on a phone."""
@@ -286,13 +258,13 @@ class Reproduce(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_f_why(self):
-        """Up to date; or the file that is missing; or which names there are."""
+        """Up to date; or the file that is missing; or which names are near."""
         self.assertIn("up to date", reproduce("--why", "table-2").stdout)
         (RESULTS / "tables" / "table-2.csv").unlink()
         self.assertIn("table-2.csv is not there yet", reproduce("--why", "table-2").stdout)
         unknown = reproduce("--why", "table-99")
         self.assertEqual(unknown.returncode, 2)
-        self.assertIn("table-2", unknown.stderr)
+        self.assertRegex(unknown.stderr, r"^reproduce: there is no 'table-99'\. Near: table-9 .*\n$")
 
     def test_g_only(self):
         """Makes one artefact, and refuses an unknown one."""
@@ -304,21 +276,6 @@ class Reproduce(unittest.TestCase):
         self.assertTrue((RESULTS / "tables" / "table-2.csv").is_file())
         self.assertFalse((RESULTS / "tables" / "table-3.csv").exists())
         self.assertEqual(reproduce("--only", "table-99").returncode, 2)
-
-    def test_g_only_builds_what_an_artefact_needs(self):
-        """Not all programs, where one of them is timed."""
-        code = (
-            "import pathlib, sys, run_graph as r; build, results, name = map(pathlib.Path, sys.argv[1:]); "
-            "jobs = r.load_jobs(build, 'quick'); "
-            "print(*r.programs_behind(r.find(jobs, str(name), ''), jobs, build, results))"
-        )
-        for name, programs in (
-            ("scheme-comparison", "program-08_scheme_savings program-08_schemes program-09_lookup_time"),
-            ("joint3d-speed", "joint3d_engine"),
-        ):
-            words = ["/usr/bin/python3", "-B", "-c", code, os.environ["IMPINGE_BUILD_DIR"], RESULTS, name]
-            done = subprocess.run(words, cwd=ROOT / "experiments", capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout.strip(), programs)
 
     def test_h_a_changed_byte_is_refused(self):
         """The report names the CSV that its sidecar does not vouch for; removing the CSV mends it."""

@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The graph of results: programs -> data -> tables, figures -> verdicts -> report and paper.
+
+Which jobs there are follows from the heads of experiments (CMakeLists.txt) and of scripts (../analysis/README.md), and from
+the folders of real joints. CMake builds the programs, Ninja decides by the file written here which jobs run, job.py runs
+one of them, and run_graph.py calls all of these. Standard library only.
+"""
+
+from __future__ import annotations
+
+import collections
+import csv
+import dataclasses
+import json
+import os
+import re
+import shlex
+import shutil
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+EXPERIMENTS = SOURCE / "experiments"
+sys.path.insert(0, str(SOURCE / "analysis" / "common"))
+
+import heads  # noqa: E402
+from jobs import Job  # noqa: E402
+
+# Of a real joint: the first of these names that is there, as in libcore/scene/joint_folder.hpp.
+BALLS = ("ball", "femoral_head", "humeral_head")
+SOCKETS = ("socket", "acetabulum_facing", "glenoid_facing", "acetabulum", "glenoid")
+MESHES = ("ply", "stl", "obj", "off")
+WAYS = "right anterior superior left posterior inferior".split()
+PATIENTS = {"patient_a": "right", "patient_b": "left"}  # stand-ins for the thesis' two patients, and the side of their hips
+SYSTEMS = ("rsid", "usid")  # of the thesis
+# Programs that are not experiments/NAME, in the build folder.
+ELSEWHERE = {"joint3d_engine": "analysis/joint3d/wasm/analysis/joint3d/engine/joint3d_engine.js"}
+JOINT3D_TOOLS = ("em++", "esbuild", "node")
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What experiments/reproduce was asked for."""
+
+    build: Path
+    results: Path
+    profile: str  # quick or full
+    bones: Path | None = None  # folder of real joints
+
+    @property
+    def graph(self) -> Path:
+        """State of the graph: programs, locks, times."""
+        return self.build / "graph"
+
+    def program(self, name: str) -> str:
+        """A copy that changes only when its bytes do: a comment edited in the library builds again and measures nothing again."""
+        return str(self.graph / "programs" / name)
+
+    def shorten(self, text: str) -> str:
+        """Paths as a reader knows them."""
+        places = {self.results: "results/", self.build: "build/", SOURCE: "", os.path.relpath(SOURCE, self.build): ""}
+        for folder, short in places.items():
+            text = text.replace(f"{folder}/", short)
+        return text
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A real joint: a sub-folder of --bones."""
+
+    name: str
+    ball: Path
+    socket: Path
+    subject: Path | None  # subject.json
+    options: list[str]  # of scene: --side, --axes
+
+
+def find_joint(folder: Path) -> Joint | None:
+    """The joint in a folder, unless a mesh is missing or its description has no centre or no axes of a right-handed frame:
+    programs leave it out, too.
+    """
+
+    def first(names: tuple[str, ...]) -> Path | None:
+        files = (folder / f"{name}.{kind}" for name in names for kind in MESHES)
+        return next((file for file in files if file.is_file()), None)
+
+    ball, socket, subject = first(BALLS), first(SOCKETS), folder / "subject.json"
+    if not ball or not socket:
+        return None
+    if not subject.is_file():
+        return Joint(folder.name, ball, socket, None, [])
+    try:
+        said = json.loads(subject.read_bytes())
+    except ValueError:
+        said = None
+    said = said if isinstance(said, dict) else {}
+    centre = said.get("center_of_rotation_mm")
+    if not isinstance(centre, list) or [type(x) in (int, float) for x in centre] != [True] * 3:
+        return None
+    side, axes = said.get("side"), said.get("axes")
+    options = ["--side", side] if side in ("left", "right") else []
+    ends = re.findall(rf"= (?:patient )?({'|'.join(WAYS)})", axes) if isinstance(axes, str) else []
+    if ends and not right_handed([WAYS.index(end) for end in ends]):
+        return None
+    options += ["--axes", "".join(end[0].upper() for end in ends)] if ends else []
+    return Joint(folder.name, ball, socket, subject, options)
+
+
+def right_handed(ways: list[int]) -> bool:
+    """Whether three of WAYS, by their places there, are the axes of a frame that mirrors nobody."""
+    axes = [way % 3 for way in ways]
+    if sorted(axes) != [0, 1, 2]:
+        return False
+    swaps = sum(axes[i] > axes[j] for i in range(3) for j in range(i + 1, 3))
+    return (swaps + sum(way >= 3 for way in ways)) % 2 == 0
+
+
+def find_joints(bones: Path | None) -> list[Joint]:
+    """All joints in the folder, by name; a folder without any, or a name that no file of ours can have, is refused."""
+    folders = sorted(path for path in bones.iterdir() if path.is_dir()) if bones else []
+    joints = [joint for folder in folders if (joint := find_joint(folder))]
+    if bones and not joints:
+        refuse(f"--bones {bones}: no sub-folder holds a ball ({', '.join(BALLS)}) and a socket ({', '.join(SOCKETS)})")
+    for joint in joints:
+        if not re.fullmatch(r"[A-Za-z0-9_.+@-]+", joint.name):
+            refuse(f"--bones {bones}: name the folder '{joint.name}' with letters, digits and _.+@- only")
+    return joints
+
+
+def refuse(message: str) -> None:
+    """A user's mistake: one line, exit code 2."""
+    print(f"reproduce: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def experiment_jobs(setup: Setup, joints: list[Joint]) -> list[Job]:
+    """One for each experiment, from the head of its source."""
+    sources = [*EXPERIMENTS.glob("[0-9][0-9]_*.cpp"), *EXPERIMENTS.glob("[0-9][0-9]_*/main.cpp")]
+    return [experiment_job(setup, joints, source) for source in sorted(sources, key=str)]
+
+
+def experiment_job(setup: Setup, joints: list[Joint], source: Path) -> Job:
+    """What CMakeLists.txt says of the head is meant."""
+    said = heads.head(source)[0]
+    name = source.parent.name if source.name == "main.cpp" else source.stem
+    for key in ("question", "writes", "seconds"):
+        if key not in said:
+            sys.exit(f"reproduce: {source} has no line '// @{key} ...': see experiments/CMakeLists.txt")
+    words = collections.defaultdict(list, {key: text.split() for key, text in said.items()})
+    tables, files = words["writes"], words["files"]
+    depends = [f"programs/{name}", *(f"experiments/{file}" for file in words["reads"])]
+    command = [setup.program(name), "--out", "data", "--profile", setup.profile]
+    if joints and (words["writes-with-bones"] or said.get("bones") == "yes"):
+        tables = tables + words["writes-with-bones"]
+        files = files + [file.replace("JOINT", joint.name) for joint in joints for file in words["files-with-bones"]]
+        depends += [str(file) for joint in joints for file in (joint.ball, joint.socket, joint.subject) if file]
+        command += ["--bones", str(setup.bones)]
+    outputs = [f"data/{table}.{kind}" for table in tables for kind in ("csv", "json")] + [f"data/{file}" for file in files]
+    budget, timing = [float(text) for text in words["seconds"]], said.get("timing") == "yes"
+    return Job(name, "data", said["question"], str(source.relative_to(SOURCE)), outputs, depends, command, budget, timing)
+
+
+def pair_job(setup: Setup, name: str, scene: str, question: str, *options: str) -> Job:
+    """Meshes that make_pair generates."""
+    folder = f"scenes/{scene}/input"
+    outputs = [f"{folder}/ball.ply", f"{folder}/socket.ply"]
+    command = [setup.program("make_pair"), *options, "--out", folder]
+    return Job(name, "data", question, "experiments/make_pair.cpp", outputs, ["programs/make_pair"], command, [1, 1])
+
+
+def scene_job(setup: Setup, name: str, meshes: tuple, *options: str) -> Job:
+    """The scene program on one joint, into scenes/NAME; meshes of a real joint, or in the results folder."""
+    folder, gaps_alone = f"scenes/{name}", "--outputs" in options
+    files = ["ball.ply", "socket.ply", "gaps.csv", *["distances.csv"] * (not gaps_alone), "summary.json"]
+    outputs = [f"{folder}/{file}" for file in files]
+    ball, socket = (str(setup.results / mesh) for mesh in meshes)
+    command = [setup.program("scene"), "--ball", ball, "--socket", socket, *options, "--out", folder]
+    question, depends = f"Where is the joint {name} impinged?", ["programs/scene", *map(str, meshes)]
+    budget = [1, 1] if gaps_alone else [2, 2]
+    return Job(f"scene-{name}", "data", question, "experiments/scene.cpp", outputs, depends, command, budget)
+
+
+def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, str]]) -> list[Job]:
+    """Every joint in detail, for its picture, and as each of the thesis' systems has it at 1 degree (Figures 49 and 50); the
+    thesis' patients as modelled, and at the end of each motion of Table 11, in the colours of Tables 12 and 13.
+    """
+
+    def meshes(scene: str) -> tuple[str, str]:
+        return f"scenes/{scene}/input/ball.ply", f"scenes/{scene}/input/socket.ply"
+
+    pair = "What does the generated ball-and-socket pair look like?"
+    jobs = [pair_job(setup, "generated-pair", "generated", pair, "--faces", "12000")]
+    # In this pose the bump of the ball is under the socket. Elsewhere the gap is 4 mm, which must not be where colours change:
+    # chords of the two meshes would put the ball below and the socket above.
+    scenes = {"generated": (meshes("generated"), ["--side", "right", "--pose", "abduction=80", "--cartilage", "3"])}
+    scenes |= {joint.name: ((joint.ball, joint.socket), ["--cartilage", "4", *joint.options]) for joint in joints}
+    for name, (files, options) in scenes.items():
+        jobs.append(scene_job(setup, name, files, *options, "--precision", "0.5"))
+        for scheme in SYSTEMS:
+            jobs.append(scene_job(setup, f"{name}-{scheme}", files, *options, "--precision", "1", "--scheme", scheme))
+    for patient, side in PATIENTS.items():
+        hip = f"What does the stand-in for the thesis' {patient} look like?"
+        jobs.append(pair_job(setup, f"hip-{patient}", patient, hip, "--hip", patient))
+        options = ["--outputs", "gaps", "--side", side, "--cartilage"]
+        jobs.append(scene_job(setup, patient, meshes(patient), *options, "4"))
+        for motion, degrees in motions[patient].items():  # red within 2 mm, blue beyond 6
+            pose = ["6", "--pose", f"{motion}={degrees}"]
+            jobs.append(scene_job(setup, f"{patient}-{motion}", meshes(patient), *options, *pose))
+    return jobs
+
+
+def recorded_motions() -> dict[str, dict[str, str]]:
+    """Degrees at the end of each motion of Table 11, by patient."""
+    found: dict[str, dict[str, str]] = {patient: {} for patient in PATIENTS}
+    with (SOURCE / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
+        for row in csv.DictReader(file):
+            if row["artefact"] == "table-11" and row["column"] in PATIENTS:
+                found[row["column"]][row["row"]] = row["value"]
+    return found
+
+
+def stress_families() -> list[str]:
+    """Those with an error to draw; of verdicts near contact, table and overview have all."""
+    files = sorted((EXPERIMENTS / "stress" / "families").glob("*.cpp"))
+    return [file.stem.replace("_", "-") for file in files if "cases_near_contact" not in file.read_text()]
+
+
+def joint3d_jobs(setup: Setup) -> list[Job]:
+    """The page that moves a joint, and the speed of the library in it, where the tools for both are installed."""
+    if not all(map(shutil.which, JOINT3D_TOOLS)):
+        return []
+    folder, engine, made = "analysis/joint3d", "programs/joint3d_engine", setup.program("joint3d_engine")
+    speed, table = f"{folder}/engine_speed.js", "tables/joint3d-speed.csv"
+    measure = ["node", str(SOURCE / speed), made, table]
+    question = (
+        "How long the library takes in WebAssembly, on one thread: to fill the tables of a hip of 12,000 faces a surface, and"
+        " to find all gaps of a pose."
+    )
+    build = f"{folder}/build.py"
+    sources = heads.expanded(f"{folder}/{{src/*.js,index.html,style.css}}") + ["analysis/node_modules/three/package.json"]
+    bundle = [sys.executable, "-B", str(SOURCE / build), "--engine", made, "--out", "joint3d.html"]
+    about = (
+        "A page that moves a joint and shows its gaps as one watches, with the library in it (Joint3D, Section 3.4 of the"
+        " thesis)."
+    )
+    return [
+        Job("joint3d-speed", "table", question, speed, [table], [engine, speed], measure, [11, 11], timing=True),
+        Job("joint3d", "page", about, build, ["joint3d.html"], [engine, build, *sources], bundle, [2, 2]),
+    ]
+
+
+def paper_job(setup: Setup, made: list[str]) -> Job:
+    """LaTeX around generated tables, figures and facts. No date and no path goes into the PDF."""
+    shown = re.compile(r"tables/.*tex|figures/.*pdf|figures/(joint-generated|figure-50)\.png|paper/.*tex")
+    depends = [file for file in made if shown.fullmatch(file)] + heads.expanded("paper/*.{tex,bib}")
+    folders = f"{SOURCE}/paper:{setup.results}/figures:{setup.results}/tables:{setup.results}/paper:"
+    reproducible = ["SOURCE_DATE_EPOCH=0", "FORCE_SOURCE_DATE=1", f"TEXINPUTS={folders}", f"BIBINPUTS={folders}"]
+    latex = ["latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error", f"{SOURCE}/paper/paper.tex"]
+    question = "The paper: method, what is proven and how, what came out again, limits."
+    command = ["env", *reproducible, *latex]
+    return Job("paper", "paper", question, "paper/paper.tex", ["paper.pdf"], depends, command, [5, 5])
+
+
+def all_jobs(setup: Setup) -> dict[str, Job]:
+    """By name, in the order in which the report shows them; report and paper show whatever was declared before them."""
+    joints, motions = find_joints(setup.bones), recorded_motions()
+    names = [joint.name for joint in joints]
+    words = {
+        "JOINTS": names,
+        "SCENES": ["generated", *names],
+        "MOTIONS": dict.fromkeys(motion for patient in motions.values() for motion in patient),
+        "FAMILIES": stress_families(),
+        "GRAPH": [str(setup.graph / "jobs.json")],
+    }
+    lists = {word: ",".join(texts) for word, texts in words.items()}
+    jobs = experiment_jobs(setup, joints) + scene_jobs(setup, joints, motions)
+    for room in ("tables", "figures", "verdicts", "findings", "paper"):
+        jobs += [Job(**fields) for fields in heads.script_jobs(room, lists, setup.results)]
+    jobs += joint3d_jobs(setup)
+    made = [output for job in jobs for output in job.outputs]
+    shown = re.compile(r"data/.*|tables/.*csv|figures/.*(svg|png|gif)|verdicts\.csv|joint3d\.html")
+    lists["SHOWN"] = " ".join(file for file in made if shown.fullmatch(file))
+    jobs += [Job(**fields) for fields in heads.script_jobs("report", lists, setup.results)]
+    jobs.append(paper_job(setup, made))
+    if unused := heads.unused():
+        sys.exit(f"{unused[0]} has no @name, and no script imports it: see analysis/README.md")
+    counts = collections.Counter(artefact for job in jobs for artefact in job.artefacts)
+    if twice := [name for name, count in counts.items() if count > 1]:
+        sys.exit(f"reproduce: two jobs make '{twice[0]}', which --only takes: name one of them otherwise")
+    return {job.name: job for job in jobs}
+
+
+def ninja_file(setup: Setup, jobs: dict[str, Job]) -> str:
+    """The graph for Ninja. An output that did not change stops what would follow from it (restat)."""
+    made = {output for job in jobs.values() for output in job.outputs}
+    lines = ["rule job", "  command = $words", "  description = job $name", "  restat = 1"]
+
+    def files(names: list[str]) -> str:
+        return " ".join(re.sub(r"([$ :])", r"$\1", str(located(setup, made, name))) for name in names)
+
+    for job in jobs.values():
+        asked = {"name": job.name, "command": job.command, "outputs": job.outputs, "results": str(setup.results)}
+        asked |= {"graph": str(setup.graph), "profile": setup.profile, "alone": job.timing, "talks": job.kind == "data"}
+        words = shlex.join([sys.executable, str(EXPERIMENTS / "job.py"), json.dumps(asked)])
+        lines.append(f"build {files(job.outputs)}: job {files(job.depends)}")
+        lines += [f"  words = {words.replace('$', '$$')}", f"  name = {job.name}"]
+    return "\n".join(lines) + "\n"
+
+
+def record(setup: Setup, jobs: dict[str, Job]) -> str:
+    """The jobs for the report and keep_reference.py, and of which run they are (jobs.json)."""
+    fields = [dataclasses.asdict(dataclasses.replace(job, seconds=0)) for job in jobs.values()]
+    return json.dumps({"results": str(setup.results), "profile": setup.profile, "jobs": fields}, indent=1)
+
+
+def located(setup: Setup, made: set[str], file: str) -> Path:
+    """Where a file is that a job names."""
+    return (setup.results if file in made else setup.graph if file.startswith("programs/") else SOURCE) / file
+
+
+def behind(jobs: dict[str, Job], wanted: list[Job]) -> list[Job]:
+    """These jobs and all that they rest on."""
+    makers = {output: job for job in jobs.values() for output in job.outputs}
+    found = {job.name: job for job in wanted}
+    left = [*wanted]
+    while left:
+        more = {makers[file].name: makers[file] for file in left.pop().depends if file in makers}
+        left += [job for name, job in more.items() if name not in found]
+        found |= more
+    return [*found.values()]
+
+
+def programs_behind(jobs: dict[str, Job], wanted: list[Job]) -> list[str]:
+    """Targets of CMake that these jobs rest on."""
+    files = {file for job in behind(jobs, wanted) for file in job.depends}
+    return sorted(file.removeprefix("programs/") for file in files if file.startswith("programs/"))
