@@ -18,7 +18,7 @@ def facts(results: Path) -> dict[str, str]:
     table = contact.load(results)
     times = table[table.triangles == TRIANGLES].pivot(index="gap_case", columns="method", values="us_pose")
     agreed = common.load(results, "contact_agreement").iloc[0]
-    wrong = agreed.culled_wrong + agreed.coherent_wrong + agreed.least_gap_wrong
+    wrong = agreed.culled_wrong + agreed.least_gap_wrong
     counts = {"poses": agreed.poses, "impinged": agreed.impinged + agreed.missed, "missed": agreed.missed}
     counts |= {"wrong": wrong, "between": agreed.between_vertices, "unexplained": agreed.unexplained}
     return {

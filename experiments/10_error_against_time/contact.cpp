@@ -224,8 +224,7 @@ std::vector<Column> contact_keys() {
        "the kernels, all gaps, of tables in 16 bits; all_corners: of tables with the corners of a cell "
        "together and centred errors, as accurate; all_corners_2_threads: the same, two threads sharing the "
        "poses; all_corners_sampled: corners of finer tables, not centred, as accurate; culled_faces: touch, "
-       "edges and all; culled: touch of vertices; coherent: the same, from one pose to the next; "
-       "culled_least_gap: smallest gap of a vertex"},
+       "edges and all; culled: touch of vertices; culled_least_gap: smallest gap of a vertex"},
       {"gap_case", "", "smallest gap in the poses; build, among the samples: everything done once"},
       {"triangles", "1", "of the ball"}};
 }

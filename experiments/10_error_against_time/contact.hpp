@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a joint touches, and its smallest gap: culled, pose by pose or along a motion, by scans of all
-// vertices, and by libraries.
+// Whether a joint touches, and its smallest gap: culled, by scans of all vertices, and by libraries.
 #pragma once
 
 #include <memory>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/coherent_contact.hpp"
+#include "contact/culled_joint.hpp"
 #include "harness/contact_poses.hpp"
 #include "methods/contact.hpp"
 #include "sphere/uniform_directions.hpp"
@@ -18,7 +18,6 @@ class ContactReferee {
   explicit ContactReferee(const BallSocketPair& joint)
       : overlay_(joint.ball, joint.socket),
         culled_(joint),
-        coherent_(culled_),
         fcl_(std::ranges::find(cases_, "fcl_collide", &ContactCase::name)->make().touches) {}
 
   const CulledJoint& culled() const { return culled_; }
@@ -31,7 +30,6 @@ class ContactReferee {
     const bool missed = !truth && overlay_.impinged(pose);
     count.missed += missed ? 1U : 0U;
     count.culled_wrong += culled_.impinged(pose).has_value() != truth ? 1U : 0U;
-    count.coherent_wrong += coherent_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.least_gap_wrong += (least && least->gap_mm <= 0.0) != truth ? 1U : 0U;
     const bool contact = fcl_(pose);
     if (contact == truth) return;
@@ -47,7 +45,6 @@ class ContactReferee {
  private:
   SurfaceOverlay overlay_;
   CulledJoint culled_;
-  CoherentContact coherent_;
   std::vector<ContactCase> cases_ = cases_of(contact_methods(), &Method::contact, culled_.meshes());
   Touch fcl_;
 };
@@ -91,7 +88,6 @@ Table agreement_table(const AgreementOptions& options, const Agreement& agreemen
        {"impinged", "1", "poses in which the exact test of every vertex finds one that is impinged"},
        {"missed", "1", "poses in which it finds none and yet the surfaces impinge, by their exact overlay"},
        {"culled_wrong", "1", "poses in which the culled answer is another"},
-       {"coherent_wrong", "1", "the same for the answer that reuses the last pose"},
        {"least_gap_wrong", "1", "poses in which the sign of the smallest gap, rounded, is another"},
        {"between_vertices", "1",
         "poses with a contact of the surfaces, by FCL and by their exact overlay, and of no vertex"},
@@ -99,8 +95,8 @@ Table agreement_table(const AgreementOptions& options, const Agreement& agreemen
        {"unexplained", "1", "poses in which FCL finds a contact and the exact overlay none"}},
       {}};
   table.add_row({options.triangles, agreement.poses, agreement.impinged, agreement.missed,
-                 agreement.culled_wrong, agreement.coherent_wrong, agreement.least_gap_wrong,
-                 agreement.between_vertices, agreement.beyond, agreement.unexplained});
+                 agreement.culled_wrong, agreement.least_gap_wrong, agreement.between_vertices,
+                 agreement.beyond, agreement.unexplained});
   return table;
 }
 

@@ -19,11 +19,10 @@ struct AgreementOptions {
 
 // How many poses the ways differ in.
 struct Agreement {
-  std::size_t poses = 0;           // that were asked
-  std::size_t impinged = 0;        // by the exact test of every vertex
-  std::size_t missed = 0;          // by that test, where the exact overlay finds that the surfaces impinge
-  std::size_t culled_wrong = 0;    // against that
-  std::size_t coherent_wrong = 0;  // against that
+  std::size_t poses = 0;         // that were asked
+  std::size_t impinged = 0;      // by the exact test of every vertex
+  std::size_t missed = 0;        // by that test, where the exact overlay finds that the surfaces impinge
+  std::size_t culled_wrong = 0;  // against that
   std::size_t least_gap_wrong =
       0;  // smallest gap at or below zero and no vertex impinged, or the other way round
   std::size_t between_vertices =

@@ -3,13 +3,11 @@
 // @links   contact
 //
 // Touch and smallest gap without asking most vertices or faces. culled_faces: touch of the surfaces, edges
-// and all, as `scene` answers it; culled: of the vertices; coherent: of the vertices, from one pose to the
-// next; culled_least_gap: smallest gap of a vertex.
+// and all, as `scene` answers it; culled: of the vertices; culled_least_gap: smallest gap of a vertex.
 
-#include <concepts>
 #include <memory>
 
-#include "contact/coherent_contact.hpp"
+#include "contact/culled_joint.hpp"
 #include "contact/culled_overlay.hpp"
 #include "methods/contact.hpp"
 #include "sphere/infinity.hpp"
@@ -17,21 +15,22 @@
 namespace impinge::lab {
 namespace {
 
-// A joint and what asks it.
-template <class Asking>
-struct Culled {
-  explicit Culled(const BallSocketPair& pair) : joint(pair), asking(joint) {}
+// A joint and the overlay that asks it.
+struct CulledFaces {
+  explicit CulledFaces(const BallSocketPair& pair) : joint(pair), overlay(joint) {}
   CulledJoint joint;
-  Asking asking;
+  CulledOverlay overlay;
 };
 
-template <class Asking>
-Touch touch_of(const BallSocketPair& pair) {
-  return [culled = std::make_shared<Culled<Asking>>(pair)](const Pose& pose) {
-    if constexpr (std::same_as<Asking, CulledOverlay>)
-      return culled->asking.impinged(pose);
-    else
-      return culled->asking.impinged(pose).has_value();
+Touch touch_of_faces(const BallSocketPair& pair) {
+  return [culled = std::make_shared<CulledFaces>(pair)](const Pose& pose) {
+    return culled->overlay.impinged(pose);
+  };
+}
+
+Touch touch_of_vertices(const BallSocketPair& pair) {
+  return [joint = std::make_shared<const CulledJoint>(pair)](const Pose& pose) {
+    return joint->impinged(pose).has_value();
   };
 }
 
@@ -45,9 +44,8 @@ ContactQuery smallest_gap(const BallSocketPair& pair) {
 }
 
 std::vector<ContactCase> culled_cases(const BallSocketPair& pair) {
-  std::vector cases{touch_only("culled_faces", "touch, culled", 3, pair, touch_of<CulledOverlay>),
-                    touch_only("culled", "touch of vertices, culled", 3, pair, touch_of<const CulledJoint&>),
-                    touch_only("coherent", "touch of vertices, coherent", 3, pair, touch_of<CoherentContact>),
+  std::vector cases{touch_only("culled_faces", "touch, culled", 3, pair, touch_of_faces),
+                    touch_only("culled", "touch of vertices, culled", 3, pair, touch_of_vertices),
                     ContactCase{{"culled_least_gap", "smallest gap, culled", "", 3},
                                 [&pair] { return smallest_gap(pair); }}};
   for (ContactCase& one : cases)

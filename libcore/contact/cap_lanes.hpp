@@ -83,13 +83,13 @@ inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
 using WholeLanes = std::array<std::int32_t, CapBlock::kLanes>;
 
 /// The level (cap_limits.hpp) that answers for a cap of each of these angles.
-inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels, float alone) {
+inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels) {
   WholeLanes level;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
     const auto octave =
         static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(angle[k]) >> CapLimits::kQuarterOctave);
     const std::int32_t of_cap = smaller(larger(CapLimits::kWidest - octave, 0), levels.finest);
-    level[k] = of_cap + (angle[k] <= alone ? 1 : 0);
+    level[k] = of_cap + (angle[k] <= CapLimits::kAloneReach ? 1 : 0);
   }
   return level;
 }
@@ -125,17 +125,6 @@ inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
     entry[k] = first + row * (cells + 1) + line(a, scale, cells);
   }
   return entry;
-}
-
-/// Reaches of levels, radians.
-inline CapLanes reaches_of(const WholeLanes& level, const CapLevels& levels) {
-  CapLanes reach;
-  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
-    const std::int32_t end = CapLimits::kWidest + 1 - level[k];
-    const auto of_cap = std::bit_cast<float>(static_cast<std::uint32_t>(end) << CapLimits::kQuarterOctave);
-    reach[k] = level[k] == 0 ? HUGE_VALF : level[k] > levels.finest ? CapLimits::kAloneReach : of_cap;
-  }
-  return reach;
 }
 
 }  // namespace impinge::lanes

@@ -91,11 +91,11 @@ float CapLimits::reach(int level) const {
   return std::bit_cast<float>(static_cast<std::uint32_t>(kWidest + 1 - level) << kQuarterOctave);
 }
 
-CapLimits::Limit CapLimits::look_up(int level, const Vec3& x) const {
-  if (level == 0) return {overall(), HUGE_VALF};
+float CapLimits::look_up(int level, const Vec3& x) const {
+  if (level == 0) return limits_.front();
   const auto step = static_cast<std::uint32_t>(steps_[static_cast<std::size_t>(level)]);
   const std::size_t cells = step & static_cast<std::uint32_t>(kMostLines);
-  return {limits_[(step >> kLineBits) + cube_entry(x, cells)], reach(level)};
+  return limits_[(step >> kLineBits) + cube_entry(x, cells)];
 }
 
 std::size_t CapLimits::bytes() const {

@@ -32,7 +32,6 @@ struct CapLevels {
                               // the place of its first limit, unsigned
   const float* limits;        // of each level by face, row and column, mm
   std::int32_t finest;        // level of caps; the next one is that of single vertices
-  float overall;              // limit of all directions
 };
 
 class CapLimits {
@@ -48,28 +47,21 @@ class CapLimits {
   /// direction and are left out.
   CapLimits(const TriangleMesh& mesh, Layer layer);
 
-  /// The limit of a cap.
-  struct Limit {
-    float radius;  // mm; where there is no surface infinite for the nearest, -infinite for the farthest
-    float reach;   // radians: the limit holds for caps up to this angle
-  };
-  /// The limit of all directions within `angle` radians of x, see above. angle of 0 or more; NaN, like
-  /// infinity, means any angle. x of any length; it may be 0 only with such an angle.
-  Limit within(const Vec3& x, float angle) const {
+  /// The limit of all directions within `angle` radians of x, mm, see above; where there is no surface
+  /// infinite for the nearest, -infinite for the farthest. angle of 0 or more; NaN, like infinity, means any
+  /// angle. x of any length; it may be 0 only with such an angle.
+  float within(const Vec3& x, float angle) const {
     const int level = kWidest - static_cast<int>(std::bit_cast<std::uint32_t>(angle) >> kQuarterOctave);
     return look_up(std::clamp(level, 0, finest_), x);
   }
-  float overall() const { return levels().overall; }  // limit of all directions, mm
-  /// Limit within kAloneReach of the direction of x, mm; of all directions for x = 0.
-  float beside(const Vec3& x) const { return x.isZero(0.0) ? overall() : look_up(finest_ + 1, x).radius; }
   /// The grids as kernels read them; borrowed from this.
-  CapLevels levels() const { return {steps_.data(), limits_.data(), finest_, limits_.front()}; }
+  CapLevels levels() const { return {steps_.data(), limits_.data(), finest_}; }
 
   std::size_t bytes() const;  // of memory
 
  private:
   /// At the entry nearest to x; see sphere/cube_faces.hpp.
-  Limit look_up(int level, const Vec3& x) const;
+  float look_up(int level, const Vec3& x) const;
   float reach(int level) const;
 
   std::vector<std::int32_t> steps_;

@@ -50,7 +50,7 @@ class LeastGapSearch {
   void add(std::uint32_t scan, std::uint32_t at) {
     const CulledScan& culled = joint_.scans()[scan];
     const float enough = std::nextafter(static_cast<float>(limit()), HUGE_VALF);
-    const GapBounds bounds = gap_bounds(culled.tree().blocks()[at], moves_[scan], culled.limits(), {enough});
+    const GapBounds bounds = gap_bounds(culled.tree().blocks()[at], moves_[scan], culled.limits(), enough);
     for (std::uint32_t open = bounds.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
       const double gap = bounds.gap[lane];

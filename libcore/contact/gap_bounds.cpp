@@ -11,26 +11,12 @@ namespace {
 
 using namespace lanes;
 
-// What the caps have to spare. A limit that all directions have, if it is good enough, lasts whatever they
-// turn by.
+// The work on a block, once for each scan.
 template <Surface kScanned>
-inline void make_last(const MovedCaps& caps, const WholeLanes& level, const CapLevels& levels, float enough,
-                      GapBounds& __restrict bounds) {
-  const CapLanes reach = reaches_of(level, levels);
-  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
-    const float overall = signed_gap(kScanned, levels.overall, caps.length[k]);
-    const bool surely = overall > enough;
-    bounds.gap[k] = surely ? overall : bounds.gap[k];
-    bounds.spare[k] = surely ? HUGE_VALF : reach[k] - caps.angle[k];
-  }
-}
-
-// The work on a block, once for each scan and kind of answer: what the other one needs is left out.
-template <Surface kScanned, bool kLasting>
 inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLevels& levels, float enough,
                         GapBounds& __restrict bounds) {
   const MovedCaps caps = moved_lanes<kScanned>(block, move);
-  const WholeLanes level = levels_of(caps.angle, levels, kLasting ? -1.0F : CapLimits::kAloneReach);
+  const WholeLanes level = levels_of(caps.angle, levels);
   WholeLanes steps;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) steps[k] = levels.steps[level[k]];
   const WholeLanes entry = entries_of(caps, steps);
@@ -45,7 +31,6 @@ inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLev
     bounds.likely[k] = signed_gap(kScanned, limit[k], middle);
     open[k] = gap > enough ? 0 : 1 << k;
   }
-  if constexpr (kLasting) make_last<kScanned>(caps, level, levels, enough, bounds);
   std::int32_t some = 0;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) some |= open[k];
   bounds.open = static_cast<std::uint32_t>(some) & ((1U << block.nodes) - 1U);
@@ -54,25 +39,13 @@ inline void bound_lanes(const CapBlock& block, const CapMove& move, const CapLev
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball(const CapBlock& block, const CapMove& move,
                                                        const CapLevels& levels, float enough,
                                                        GapBounds& bounds) {
-  bound_lanes<Surface::ball, false>(block, move, levels, enough, bounds);
+  bound_lanes<Surface::ball>(block, move, levels, enough, bounds);
 }
 
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket(const CapBlock& block, const CapMove& move,
                                                          const CapLevels& levels, float enough,
                                                          GapBounds& bounds) {
-  bound_lanes<Surface::socket, false>(block, move, levels, enough, bounds);
-}
-
-[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_ball_lastingly(const CapBlock& block, const CapMove& move,
-                                                                 const CapLevels& levels, float enough,
-                                                                 GapBounds& bounds) {
-  bound_lanes<Surface::ball, true>(block, move, levels, enough, bounds);
-}
-
-[[gnu::flatten]] IMPINGE_VECTOR_CLONES void bound_socket_lastingly(const CapBlock& block, const CapMove& move,
-                                                                   const CapLevels& levels, float enough,
-                                                                   GapBounds& bounds) {
-  bound_lanes<Surface::socket, true>(block, move, levels, enough, bounds);
+  bound_lanes<Surface::socket>(block, move, levels, enough, bounds);
 }
 
 }  // namespace
@@ -96,16 +69,10 @@ MovedCaps moved(const CapBlock& block, const CapMove& move) {
                                        : moved_lanes<Surface::socket>(block, move);
 }
 
-GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
-                     const GapsWanted& wanted) {
+GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits, float enough) {
   GapBounds bounds;
   const bool ball = move.scanned == Surface::ball;
-  const CapLevels levels = limits.levels();
-  if (wanted.lasting) {
-    (ball ? bound_ball_lastingly : bound_socket_lastingly)(block, move, levels, wanted.enough, bounds);
-  } else {
-    (ball ? bound_ball : bound_socket)(block, move, levels, wanted.enough, bounds);
-  }
+  (ball ? bound_ball : bound_socket)(block, move, limits.levels(), enough, bounds);
   return bounds;
 }
 

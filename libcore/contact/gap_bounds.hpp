@@ -72,23 +72,14 @@ struct GapBounds {
   /// mm, no bound: gap of a vertex in the middle of the cap, of the radius that is farther from contact. A
   /// touch is most likely where this is least.
   CapLanes likely;
-  /// Where GapsWanted::lasting is set: radians by which directions may turn while `gap` holds; infinite or
-  /// NaN: by any angle.
-  CapLanes spare;
-  std::uint32_t open;  // a bit a node: its bound is not above GapsWanted::enough
-};
-
-/// How good a bound has to be.
-struct GapsWanted {
-  float enough = 0.0F;   // mm: a bound above this need not be improved
-  bool lasting = false;  // leave room for turns (spare), at the cost of worse bounds of single vertices
+  std::uint32_t open;  // a bit a node: its bound is not above `enough`
 };
 
 /// Where the pose takes the caps of a block.
 MovedCaps moved(const CapBlock& block, const CapMove& move);
 
-/// Bounds of the nodes of a block, worked out together.
-GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits,
-                     const GapsWanted& wanted);
+/// Bounds of the nodes of a block, worked out together. A node with a bound above `enough`, mm, need not be
+/// opened.
+GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits, float enough);
 
 }  // namespace impinge

@@ -49,7 +49,7 @@ std::optional<ScannedItem> touching_item(const PosedTrees& posed,
   PendingNodes pending;
   const auto test = [&](std::uint32_t scan, std::uint32_t block) {
     const PosedTree& of = posed[scan];
-    pending.push_open(scan, block, gap_bounds(of.tree.blocks()[block], of.move, of.limits, {0.0F}));
+    pending.push_open(scan, block, gap_bounds(of.tree.blocks()[block], of.move, of.limits, 0.0F));
   };
   for (std::size_t scan = posed.size(); scan-- > 0;)
     if (!posed[scan].tree.blocks().empty()) test(static_cast<std::uint32_t>(scan), 0);

@@ -59,8 +59,8 @@ SpansOverCap BoneOverCap::over(const DirectionCap& cap) const {
   SpansOverCap found;
   if (cap.radius + kCapSlack > kIndexReach) {
     const float angle = std::nextafter(static_cast<float>(cap.radius), 4.0F);
-    found.possible.add(static_cast<double>(nearest_.within(cap.axis, angle).radius),
-                       static_cast<double>(farthest_.within(cap.axis, angle).radius));
+    found.possible.add(static_cast<double>(nearest_.within(cap.axis, angle)),
+                       static_cast<double>(farthest_.within(cap.axis, angle)));
     return found;
   }
   index_.faces_near(cap, near_);

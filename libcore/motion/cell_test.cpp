@@ -240,8 +240,7 @@ bool CellSearch::find_pair(const Asked& asked, CellHint& hint) const {
   const auto depth_of = [&](const CapBlock& block, std::size_t k) {
     const float wide =
         std::nextafter(block.angle[k] + static_cast<float>(asked.angle.radius + kTurnSlack), HUGE_VALF);
-    const double most =
-        test_.edge_on_ ? HUGE_VAL : farthest.within(asked.inverse * axis_of(block, k), wide).radius;
+    const double most = test_.edge_on_ ? HUGE_VAL : farthest.within(asked.inverse * axis_of(block, k), wide);
     return most + asked.shift - block.low[k];
   };
   return search_deepest(test_.surface(Surface::socket).face_tree(), SIZE_MAX, depth_of,
@@ -335,7 +334,7 @@ bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, doub
       const double reached = met.floor.within(x, asked.angle.radius - block.angle[k]);
       return reached + (of_ball ? block.high[k] : -block.low[k]) + more;
     }
-    const double limit = met.limits.within(x, block.angle[k]).radius;
+    const double limit = met.limits.within(x, block.angle[k]);
     return of_ball ? block.high[k] + more - limit : limit - block.low[k] - asked.shift;
   };
   return search_deepest(test_.surface(of).vertex_tree(), kMostVertices, depth_of, take);

@@ -24,8 +24,7 @@ RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh, Layer layer)
 // The end that no face is beyond: the least radius of the nearest layer, the largest of the farthest.
 double RadiiOverCap::of_faces(const DirectionCap& cap) const {
   if (cap.radius + kCapSlack > kIndexReach)
-    return static_cast<double>(
-        wide_.within(cap.axis, std::nextafter(static_cast<float>(cap.radius), 4.0F)).radius);
+    return static_cast<double>(wide_.within(cap.axis, std::nextafter(static_cast<float>(cap.radius), 4.0F)));
   index_.faces_near(cap, near_);
   RadiusRange all;
   for (const std::uint32_t f : near_) {

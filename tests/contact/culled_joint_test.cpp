@@ -14,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/coherent_contact.hpp"
 #include "contact/culled_overlay.hpp"
 #include "harness/contact_poses.hpp"
 #include "mesh/bodies.hpp"
@@ -31,7 +30,6 @@ using test::EveryVertex;
 
 // What is kept by reference is no temporary.
 static_assert(!std::is_constructible_v<CulledJoint, BallSocketPair>);
-static_assert(!std::is_constructible_v<CoherentContact, CulledJoint>);
 static_assert(!std::is_constructible_v<CulledOverlay, CulledJoint>);
 
 // Poses that touch, and poses that do not, of all of them.

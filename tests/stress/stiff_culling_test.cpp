@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The culled answers over the surfaces of the stiff and extreme families, as ball and as socket. Contract, in
-// every pose: impinged() and the coherent contact as some vertex by exact signs, least_gap() the least of all
-// vertices bit for bit
+// every pose: impinged() as some vertex by exact signs, least_gap() the least of all vertices bit for bit
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "contact/coherent_contact.hpp"
+#include "contact/culled_joint.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "sphere/infinity.hpp"
@@ -27,11 +26,9 @@ struct Touches {
 void expect_as_every_vertex(const BallSocketPair& joint, const std::vector<Pose>& poses, Touches& seen) {
   const CulledJoint culled(joint);
   const test::EveryVertex every(joint);
-  CoherentContact coherent(culled);
   for (const Pose& pose : poses) {
     const bool expected = every.impinged(pose);
     EXPECT_EQ(culled.impinged(pose).has_value(), expected) << pose.translation.transpose();
-    EXPECT_EQ(coherent.impinged(pose).has_value(), expected) << pose.translation.transpose();
     EXPECT_EQ(culled.least_gap(pose), every.least_gap(pose)) << pose.translation.transpose();
     ++(expected ? seen.touching : seen.free);
   }
@@ -54,21 +51,6 @@ std::vector<Pose> tiny_and_huge_steps() {
     poses.push_back({Eigen::AngleAxisd(kPi, Vec3::UnitX()).toRotationMatrix(), far * Vec3(0.0, -0.8, 0.6)});
   }
   return poses;
-}
-
-// There and back in small steps: proofs of one pose are used up by the next ones.
-void expect_coherent_along(const BallSocketPair& joint, double way, Touches& seen) {
-  constexpr int kSteps = 40;
-  const CulledJoint culled(joint);
-  CoherentContact coherent(culled);
-  for (int k = 0; k < 2 * kSteps; ++k) {
-    const double share = static_cast<double>(k < kSteps ? k : 2 * kSteps - k) / kSteps;
-    const Pose pose{Eigen::AngleAxisd(0.4 * share, Vec3(0.0, 0.6, 0.8)).toRotationMatrix(),
-                    way * share * Vec3(0.6, 0.48, 0.64)};
-    const bool expected = culled.impinged(pose).has_value();
-    EXPECT_EQ(coherent.impinged(pose).has_value(), expected) << "step " << k;
-    ++(expected ? seen.touching : seen.free);
-  }
 }
 
 // Of the vertices, mm.
@@ -104,8 +86,6 @@ TEST_P(StiffJoints, AnswerAsEveryVertexAlongTinyAndHugeSteps) {
   expect_as_every_vertex({stiff, times(ordinary.socket, wide)}, poses, seen);
   expect_as_every_vertex({times(ordinary.ball, small), stiff}, poses, seen);
   expect_as_every_vertex({ordinary.ball, stiff}, poses, seen);
-  expect_coherent_along({stiff, times(ordinary.socket, wide)}, 0.3 * lengths.largest, seen);
-  expect_coherent_along({times(ordinary.ball, small), stiff}, lengths.largest, seen);
   EXPECT_GT(seen.touching, 0U);
   EXPECT_GT(seen.free, 0U);
 }
