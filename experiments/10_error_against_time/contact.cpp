@@ -221,10 +221,8 @@ std::vector<Column> contact_keys() {
       {"method", "",
        "fcl_collide: trees of oriented boxes; ode_collide, bullet_collide: OPCODE's and "
        "GImpact's, along the axes, in float; fcl_distance: smallest distance; all_vertices: both scans by "
-       "the kernels, all gaps, of tables in 16 bits; all_corners: of tables with the corners of a cell "
-       "together and centred errors, as accurate; all_corners_2_threads: the same, two threads sharing the "
-       "poses; all_corners_sampled: corners of finer tables, not centred, as accurate; culled_faces: touch, "
-       "edges and all; culled: touch of vertices; culled_least_gap: smallest gap of a vertex"},
+       "the kernels, all gaps, of tables in 16 bits; culled_faces: touch, edges and all; culled: touch of "
+       "vertices; culled_least_gap: smallest gap of a vertex"},
       {"gap_case", "", "smallest gap in the poses; build, among the samples: everything done once"},
       {"triangles", "1", "of the ball"}};
 }

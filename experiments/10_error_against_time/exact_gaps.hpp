@@ -18,7 +18,7 @@ struct ExactGaps {
 ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose);
 
 /// Largest error of a gap, mm; a vertex without an answer has none. std::runtime_error where it is larger
-/// than a table allows, or where threads that share poses find other gaps than one.
+/// than a table allows.
 double gap_error(const MadeContact& made, const ExactGaps& exact, const Pose& pose);
 
 }  // namespace impinge::lab

@@ -27,8 +27,8 @@ struct ContactQuery {
   std::function<void(std::span<const Pose>)> run = {};  // what is timed; empty: `touches`, pose after pose
   /// Smallest gap or distance of a pose, mm, where the same work yields it.
   std::function<double(const Pose&)> smallest = {};
-  /// Its gaps in a pose, once for each of its threads.
-  std::function<std::span<const JointGaps>(const Pose&)> gaps = {};
+  /// Its gaps in a pose, until it is asked again.
+  std::function<const JointGaps&(const Pose&)> gaps = {};
 };
 
 /// One setting, and how it comes to be.
