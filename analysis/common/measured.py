@@ -7,7 +7,7 @@ import pandas as pd
 
 import common
 
-STORED = {"uint16": "16 bits", "corners": "corners", "float": "float", "double": "double"}
+STORED = {"uint16": "16 bits", "float": "float", "double": "double"}
 
 
 def joined(results: Path, name: str, detail: str, keys: list[str]) -> pd.DataFrame:

@@ -245,7 +245,7 @@ std::vector<Column> gap_keys() {
            "others: kernels of that scheme"},
           {"setting", "",
            "cells along an edge of the cube (n=) or for a face, degrees of the grid, or Embree's quality"},
-          {"storage", "", "double, float, uint16, corners (15 bits, the corners of a cell together) or none"},
+          {"storage", "", "double, float, uint16 or none"},
           {"instruction_set", "", "of a kernel, in Highway's names; none: as compiled"},
           {"threads", "1", "that ask at the same time"},
           {"state", "",

@@ -62,7 +62,7 @@ Planned hip(const std::string& preset, std::size_t faces, bool points, bool cont
 const GapPlan kFew{{{kMainCells}, {0.5}}};
 // A hip is as accurate as the goal for kernels asks (7 um) in finer tables than a ball in a cup.
 constexpr std::size_t kHipCells = 364;
-const GapPlan kHip{{{kMainCells, kHipCells}, {0.5}, {}, true, {kMainCells, kCornersOfAMebibyte, kHipCells}}};
+const GapPlan kHip{{{kMainCells, kHipCells}, {0.5}}};
 
 std::vector<Planned> quick_scenes() {
   return {generated(300, true, false, {}),
@@ -72,8 +72,7 @@ std::vector<Planned> quick_scenes() {
 }
 
 std::vector<Planned> full_scenes() {
-  const std::vector<std::size_t> corners{128, kCornersOfAMebibyte, kMainCells, 728};
-  const GapSizes every{{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true, corners};
+  const GapSizes every{{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true};
   const GapPlan uncertified{{{kMainCells}, {0.5}, {}, false}};
   std::vector<Planned> all{generated(300, false, true, kFew), generated(3000, false, true, kFew),
                            generated(12000, true, true, GapPlan{every, true}),

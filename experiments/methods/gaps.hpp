@@ -57,7 +57,7 @@ GapQuery gaps_by_points(PointQuery query, Measure measure, Surface scanned);
 
 /// One setting, and how it comes to be.
 struct GapCase : Case {
-  std::string storage = "none";    // double, float, uint16, corners or none
+  std::string storage = "none";    // double, float, uint16 or none
   bool kernel = false;             // does its time depend on the instruction set?
   bool few = false;                // so slow that only some of the points are asked
   bool widely = false;             // also timed with two threads and with every instruction set
@@ -72,16 +72,12 @@ GapCase point_gaps(const AskedSurface& surface, const PointCase& of);
 /// half of what RSID takes in double at half a degree.
 inline constexpr std::size_t kMainCells = 291;
 
-/// Cells along an edge of a table of corners that takes just less than 1 MiB (2 MiB with kMainCells).
-inline constexpr std::size_t kCornersOfAMebibyte = 208;
-
 /// At which sizes methods are tried. A certified table takes seconds to prove for 100,000 triangles.
 struct GapSizes {
   std::vector<std::size_t> cube_cells;    // of cube maps: cells along an edge of the cube
   std::vector<double> rsid_degrees;       // precisions
   std::vector<double> usid_degrees = {};  // precisions
   bool certified = true;                  // is the certified table tried, too?
-  std::vector<std::size_t> corner_cells = {kMainCells, kCornersOfAMebibyte};  // of tables of corners
 };
 
 /// A number as text without trailing zeros.

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "gap/gap_scan.hpp"
-#include "gap/simd/corner_table.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "methods/floor_scan.hpp"
 #include "methods/gaps.hpp"
@@ -20,7 +19,7 @@
 namespace impinge::lab {
 namespace {
 
-// The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells with corners.
+// The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells in float.
 constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
 constexpr double kReach = 64.0;  // mm, beyond every vertex of the pair
 constexpr double kMoved =
@@ -109,12 +108,6 @@ void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapCase>& c
                               [=] { return kernel(packed_table<float>(filled()), s.scanned); }));
 }
 
-void add_corners(const AskedSurface& s, std::size_t cells, std::vector<GapCase>& cases) {
-  cases.push_back(kernel_case(kCube, cells_text(cells), "corners", [=] {
-    return kernel(corner_table(packed_table<float>(filled_cube(s, cells))), s.scanned);
-  }));
-}
-
 // A grid of radii: the library's scan, one vertex at a time, and the kernels.
 template <SamplingScheme S>
 void add_scheme(const AskedSurface& s, const std::string& label, double precision,
@@ -148,7 +141,6 @@ std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& s
   for (const int cells : {4, 1}) cases.push_back(exact_case(surface, cells));
   if (sizes.certified) cases.push_back(certified_case(surface));
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, cases);
-  for (const std::size_t cells : sizes.corner_cells) add_corners(surface, cells, cases);
   for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, "RSID", precision, cases);
   for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, "USID", precision, cases);
   return cases;

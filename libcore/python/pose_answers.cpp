@@ -49,7 +49,7 @@ py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<do
   float* const ball_gap = ball.mutable_data();
   float* const socket_gap = socket.mutable_data();
   if (precision_deg) {
-    const auto make = [&]() -> const PackedJoint<CornerTable>& {
+    const auto make = [&]() -> const PackedJoint<PoseTable>& {
       const py::gil_scoped_release released;
       return joint.tables(*precision_deg);
     };

@@ -6,10 +6,10 @@
 namespace impinge::python {
 namespace {
 
-CornerTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
+PoseTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
   const auto scheme = CubeGnomonic::with_precision(precision_deg);
   require_packed_entries(scheme.size());
-  return corner_table(packed_table<float>(fill_exact(mesh, scheme, facing_layer(of))));
+  return packed_table<std::uint16_t>(fill_exact(mesh, scheme, facing_layer(of)));
 }
 
 }  // namespace
@@ -26,13 +26,13 @@ const PackedJoint<ExactCells>& PoseJoint::cells() {
   return *cells_;
 }
 
-const PackedJoint<CornerTable>& PoseJoint::tables(double precision_deg) {
+const PackedJoint<PoseTable>& PoseJoint::tables(double precision_deg) {
   const std::scoped_lock lock(busy_);
   const TriangleMesh& ball = joint().joint.ball.mesh;
   const TriangleMesh& socket = joint().joint.socket.mesh;
   auto& made = tables_[precision_deg];
   if (!made) {
-    made = std::make_unique<const PackedJoint<CornerTable>>(
+    made = std::make_unique<const PackedJoint<PoseTable>>(
         packed_joint(filled(ball, Surface::ball, precision_deg),
                      filled(socket, Surface::socket, precision_deg), ball, socket));
   }

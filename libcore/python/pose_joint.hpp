@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "gap/simd/corner_table.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "session/limits.hpp"
@@ -24,6 +23,8 @@
 
 namespace impinge::python {
 
+using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at a precision
+
 class PoseJoint {
  public:
   PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
@@ -34,9 +35,9 @@ class PoseJoint {
   const SessionJoint& joint() const { return *session_.joint; }
   const std::string& axes() const { return axes_; }
 
-  /// The exact cells of the faces; and tables of `cube_gnomonic` at a precision in degrees.
+  /// The exact cells of the faces; and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
   const PackedJoint<ExactCells>& cells();
-  const PackedJoint<CornerTable>& tables(double precision_deg);
+  const PackedJoint<PoseTable>& tables(double precision_deg);
 
   /// These answer one call at a time: a second thread waits.
   SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
@@ -50,8 +51,8 @@ class PoseJoint {
   std::string axes_;
   Session session_;
   std::unique_ptr<const PackedJoint<ExactCells>> cells_;
-  std::map<double, std::unique_ptr<const PackedJoint<CornerTable>>> tables_;  // by precision
-  std::map<std::pair<bool, bool>, std::unique_ptr<PoseSeries>> series_;       // by touch, smallest_gap
+  std::map<double, std::unique_ptr<const PackedJoint<PoseTable>>> tables_;  // by precision
+  std::map<std::pair<bool, bool>, std::unique_ptr<PoseSeries>> series_;     // by touch, smallest_gap
 };
 
 }  // namespace impinge::python

@@ -11,7 +11,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "gap/simd/corner_table.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/gap_kernels.hpp"
 #include "mesh/generated_pair.hpp"
@@ -57,7 +56,6 @@ TEST(InstructionSets, AllAnswerAlikeBitForBit) {
   const auto points = test::float_points(rsid.scheme());
   expect_same_bits(packed_table<float>(cube), points);
   expect_same_bits(packed_table<std::uint16_t>(cube), points);
-  expect_same_bits(corner_table(packed_table<float>(cube)), points);
   expect_same_bits(packed_table<double>(rsid), points);
   expect_same_bits(packed_table<float>(rsid), points);
   expect_same_bits(packed_table<std::uint16_t>(rsid), points);
@@ -98,27 +96,22 @@ TEST(InstructionSets, WhatHasNoDirectionHasNoAnswer) {
                               {1, 1, -infinite},  {kNoSurface, kNoSurface, kNoSurface},
                               {huge, huge, huge}, {-0.0, 0, -0.0}};
   const auto table = packed_table<std::uint16_t>(test::bumpy_table<CubeGnomonic>(3.0));
-  const auto corners = corner_table(packed_table<float>(test::bumpy_table<CubeGnomonic>(3.0)));
   const auto grid = packed_table<double>(test::bumpy_table<Rsid>(3.0));
   const auto helix = packed_table<std::uint16_t>(test::bumpy_table<Usid>(3.0));
   for (const std::string& set : instruction_sets()) {
     use_instruction_set(set);
     std::vector<float> gap(odd.size());
     scan_gaps(table, packed_vertices<float>(odd), {}, Surface::ball, gap);
-    std::vector<float> cornered(odd.size());
-    scan_gaps(corners, packed_vertices<float>(odd), {}, Surface::ball, cornered);
     std::vector<double> wide(odd.size());
     scan_gaps(grid, packed_vertices<double>(odd), {}, Surface::ball, wide);
     std::vector<double> wound(odd.size());
     scan_gaps(helix, packed_vertices<double>(odd), {}, Surface::ball, wound);
     for (const std::size_t i : {0U, 2U, 5U, 7U}) {
       EXPECT_TRUE(std::isnan(gap[i])) << set << " " << i;
-      EXPECT_TRUE(std::isnan(cornered[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(wide[i])) << set << " " << i;
       EXPECT_TRUE(std::isnan(wound[i])) << set << " " << i;
     }
     for (const float value : gap) EXPECT_FALSE(std::isfinite(value)) << set;
-    for (const float value : cornered) EXPECT_FALSE(std::isfinite(value)) << set;
   }
   use_best_instruction_set();
 }

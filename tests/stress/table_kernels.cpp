@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "sphere/stored_table.hpp"
-#include "stress/corner_kernel.hpp"
 #include "stress/filled_table.hpp"
 
 namespace impinge::test {
@@ -71,7 +70,6 @@ std::vector<std::unique_ptr<TableKernel>> table_kernels(const TriangleMesh& mesh
   all.push_back(std::make_unique<RowsKernel<Cube, float, FloatInverseDepthTable<Cube>>>("cube float", cube));
   all.push_back(
       std::make_unique<RowsKernel<Cube, Code, Uint16InverseDepthTable<Cube>>>("cube 16 bits", cube));
-  all.push_back(std::make_unique<CornerKernel>(*cube));
   all.push_back(std::make_unique<RowsKernel<Rsid, float, FloatTable<Rsid>>>("rsid float", grid));
   all.push_back(std::make_unique<RowsKernel<Rsid, Code, Uint16Table<Rsid>>>("rsid 16 bits", grid));
   all.push_back(std::make_unique<RowsKernel<Rsid, double, RadialTable<Rsid>>>("rsid double", grid));

@@ -31,7 +31,7 @@ class TableKernel {
   virtual double bound() const = 0;
 };
 
-// All of them, with the bounds or 0 instead: cube in float, in 16 bits and by its corners; the RSID grid and
+// All of them, with the bounds or 0 instead: cube in float and 16 bits; the RSID grid and
 // the USID helix in double, float and 16 bits. std::invalid_argument for what one of them refuses.
 std::vector<std::unique_ptr<TableKernel>> table_kernels(const TriangleMesh& mesh, Layer layer,
                                                         double precision_deg, bool bounded = false);

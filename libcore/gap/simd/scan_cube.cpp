@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gap/simd/corner_table.hpp"
 #include "gap/simd/gap_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -7,7 +6,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "gap/simd/corner-inl.hpp"
 #include "gap/simd/cube-inl.hpp"
 #include "gap/simd/scan-inl.hpp"
 
@@ -21,9 +19,6 @@ void scan_float(const PackedTable<CubeGnomonic, float>& table, const RawScan<flo
 void scan_uint16(const PackedTable<CubeGnomonic, std::uint16_t>& table, const RawScan<float>& scan) {
   scan_lanes(CubeLanes(table), raw_table(table), scan);
 }
-void scan_corners(const CornerTable& table, const RawScan<float>& scan) {
-  scan_lanes(CubeLanes(table), raw_table(table), scan);
-}
 
 }  // namespace
 }  // namespace impinge::HWY_NAMESPACE
@@ -35,7 +30,6 @@ namespace {
 
 HWY_EXPORT(scan_float);
 HWY_EXPORT(scan_uint16);
-HWY_EXPORT(scan_corners);
 
 }  // namespace
 
@@ -47,11 +41,6 @@ void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedVertic
 void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedVertices<float>& vertices,
                const Pose& pose, Surface scanned, std::span<float> gap) {
   HWY_DYNAMIC_DISPATCH(scan_uint16)(table, raw_scan(vertices, pose, scanned, gap));
-}
-
-void scan_gaps(const CornerTable& table, const PackedVertices<float>& vertices, const Pose& pose,
-               Surface scanned, std::span<float> gap) {
-  HWY_DYNAMIC_DISPATCH(scan_corners)(table, raw_scan(vertices, pose, scanned, gap));
 }
 
 }  // namespace impinge
