@@ -16,7 +16,7 @@ def main(options) -> common.Table:
     cases = ["scene", "method", "setting", "storage", "triangles", "direction", "instruction_set", "threads", "state"]
     rows = table[cases].copy()
     rows["KiB"] = (table.bytes / 1024).map(common.digits)
-    for name in ("build_ms", "error_um", "bound_um", "ns_vertex", "iqr_ns", "times_embree"):
+    for name in ("build_ms", "error_um", "ns_vertex", "iqr_ns", "times_embree"):
         significant = 3 if name == "ns_vertex" else 2
         rows[name] = [common.digits(value, significant) for value in table[name]]
     return rows, latex(fast.plain_rows(warm))

@@ -104,7 +104,6 @@ Examined examine(const GapCase& method, const Direction& direction, const Ascent
   const bool radial = found.query->measure == Measure::radial;
   found.errors = measure_errors(radii_by(*found.query, direction.surface.scanned),
                                 radial ? direction.radial : direction.euclidean, ascent);
-  require_bound(found.errors, {found.query->bound_mm}, {direction.scene.name, method.name, method.setting});
   return found;
 }
 
@@ -223,11 +222,11 @@ void add_rows(Table& table, const Asking& asking, const TimingRun& run) {
     const BenchmarkErrors& errors = of.errors;
     const auto microns = [&](double mm) { return of.query->answers ? Cell(kMicrometres * mm) : Cell(); };
     std::vector<Cell> row = timing.key;
-    row.insert(row.end(), {run.timings[place.build].summary.median, kNanoseconds * timing.summary.median,
-                           kNanoseconds * timing.summary.iqr, timing.summary.count,
-                           name_of(of.query->measure), microns(errors.max_over), microns(errors.max_under),
-                           microns(errors.rms), microns(errors.p99), microns(of.query->bound_mm),
-                           errors.misses, errors.false_hits, errors.directions, of.query->bytes});
+    row.insert(row.end(),
+               {run.timings[place.build].summary.median, kNanoseconds * timing.summary.median,
+                kNanoseconds * timing.summary.iqr, timing.summary.count, name_of(of.query->measure),
+                microns(errors.max_over), microns(errors.max_under), microns(errors.rms), microns(errors.p99),
+                errors.misses, errors.false_hits, errors.directions, of.query->bytes});
     table.add_row(std::move(row));
   }
 }
@@ -266,7 +265,6 @@ QuestionTable make_gap_table() {
        {"max_under_um", "um", "to the near side"},
        {"rms_um", "um", "root mean square over directions uniform on the sphere: by solid angle"},
        {"p99_um", "um", "quantile 0.99 of the same errors without sign"},
-       {"bound_um", "um", "proven bound on the error; empty where nothing is proven"},
        {"misses", "1", "directions without an answer where there is a surface: cells of the rim"},
        {"false_hits", "1", "directions with an answer where there is no surface"},
        {"directions", "1", "in which the error was looked at"},

@@ -23,7 +23,7 @@ QuestionTable make_gap_table();  // all_gaps.csv
 std::vector<Column> gap_keys();
 
 // Both directions: adds their rows. std::runtime_error for a method whose errors are too large for its time
-// to mean anything, BoundViolated for a bound that does not hold.
+// to mean anything.
 void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const BenchmarkOptions& options,
                   QuestionTable& found, Progress& progress);
 

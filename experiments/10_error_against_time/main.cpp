@@ -65,18 +65,16 @@ constexpr std::size_t kHipCells = 364;
 const GapPlan kHip{{{kMainCells, kHipCells}, {0.5}}};
 
 std::vector<Planned> quick_scenes() {
-  return {generated(300, true, false, {}),
-          generated(3000, true, true, GapPlan{{{kMainCells}, {}, {}, false}}),
-          generated(12000, true, true, GapPlan{{{kMainCells, 1100}, {0.5}, {0.5}, true}, true}),
-          hip("normal", kHipFaces, false, true, {{{kMainCells}, {}, {}, false}})};
+  return {generated(300, true, false, {}), generated(3000, true, true, GapPlan{{{kMainCells}, {}}}),
+          generated(12000, true, true, GapPlan{{{kMainCells, 1100}, {0.5}, {0.5}}, true}),
+          hip("normal", kHipFaces, false, true, {{{kMainCells}, {}}})};
 }
 
 std::vector<Planned> full_scenes() {
-  const GapSizes every{{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}, true};
-  const GapPlan uncertified{{{kMainCells}, {0.5}, {}, false}};
+  const GapSizes every{{64, 128, kMainCells, 512, 1100}, {1.0, 0.5, 0.25, 0.1}, {0.5, 0.1}};
   std::vector<Planned> all{generated(300, false, true, kFew), generated(3000, false, true, kFew),
                            generated(12000, true, true, GapPlan{every, true}),
-                           generated(100000, true, true, kFew), generated(400000, false, true, uncertified)};
+                           generated(100000, true, true, kFew), generated(400000, false, true, kFew)};
   for (const std::size_t faces : {std::size_t{3000}, kHipFaces, std::size_t{100000}})
     all.push_back(
         hip("normal", faces, faces == kHipFaces, faces == kHipFaces, faces == kHipFaces ? kHip : kFew));
@@ -97,7 +95,7 @@ std::vector<Planned> scenes(DriverRun& run) {
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const bool points = run.quick() || k == 0 || k + 1 == joints.size();
     all.push_back({[joint = joints[k]] { return real_scene(joint.subject, joint.meshes); }, points,
-                   !run.quick(), !run.quick(), GapPlan{{{kMainCells}, {0.5}, {}, false}}});
+                   !run.quick(), !run.quick(), kFew});
   }
   std::ranges::move(others, std::back_inserter(all));
   return all;

@@ -11,8 +11,7 @@ AskedPoints::AskedPoints(std::vector<Vec3> asked)
       doubles(packed_vertices<double>(points)) {}
 
 double GapScratch::gap(std::size_t i) const {
-  if (!doubles.empty()) return doubles[i];
-  return static_cast<double>(floats.empty() ? certified.gap[i] : floats[i]);
+  return doubles.empty() ? static_cast<double>(floats[i]) : doubles[i];
 }
 
 GapQuery gaps_by_points(PointQuery query, Measure measure, Surface scanned) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "gap/simd/certified_table.hpp"
 #include "gap/simd/packed_vertices.hpp"
 #include "gap/surface.hpp"
 #include "methods/points.hpp"
@@ -35,7 +34,6 @@ struct GapScratch {
   std::vector<Vec3> moved;      // mm, in the frame of the surface
   std::vector<double> doubles;  // answers of methods that work in double, mm
   std::vector<float> floats;    // answers of methods that work in float, mm
-  CertifiedGaps certified;      // answers of certified methods
 
   double gap(std::size_t i) const;  // answer i, mm; NaN where there is none
 };
@@ -47,8 +45,6 @@ struct GapQuery {
   double bytes = 0.0;                 // of everything that was built
   Measure measure = Measure::radial;  // what the answers are
   bool answers = true;                // do the answers mean anything?
-  double bound_mm =
-      std::numeric_limits<double>::quiet_NaN();  // no gap is off by more; NaN: nothing is proven
 };
 
 /// The points moved to the frame of the surface and asked there; radii become gaps, distances stay without a
@@ -72,12 +68,11 @@ GapCase point_gaps(const AskedSurface& surface, const PointCase& of);
 /// half of what RSID takes in double at half a degree.
 inline constexpr std::size_t kMainCells = 291;
 
-/// At which sizes methods are tried. A certified table takes seconds to prove for 100,000 triangles.
+/// At which sizes methods are tried.
 struct GapSizes {
   std::vector<std::size_t> cube_cells;    // of cube maps: cells along an edge of the cube
   std::vector<double> rsid_degrees;       // precisions
   std::vector<double> usid_degrees = {};  // precisions
-  bool certified = true;                  // is the certified table tried, too?
 };
 
 /// A number as text without trailing zeros.

@@ -22,8 +22,6 @@ namespace {
 // The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells in float.
 constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
 constexpr double kReach = 64.0;  // mm, beyond every vertex of the pair
-constexpr double kMoved =
-    28.0 * 0x1p-24 * kReach;  // mm: what a certified bound leaves out, so far from the centre
 
 struct Kind {
   std::string name;
@@ -85,21 +83,6 @@ GapCase exact_case(const AskedSurface& s, int cells) {
                      [s, cells] { return kernel(exact_cells(s.mesh, s.layer, cells), s.scanned); });
 }
 
-// On which side of a gap of 0 each vertex is, for sure.
-GapCase certified_case(const AskedSurface& s) {
-  GapCase one = kernel_case({"cube_certified", "certified cube"}, cells_text(kMainCells), "uint16", [s] {
-    const auto table = std::make_shared<const CertifiedTable>(certified_table(s.mesh, s.layer, kMainCells));
-    const auto scan = [table, scanned = s.scanned](const AskedPoints& asked, const Pose& pose,
-                                                   GapScratch& scratch) {
-      scan_gaps(*table, asked.floats, pose, scanned, scratch.certified);
-    };
-    return GapQuery{scan, static_cast<double>(table->bytes()), Measure::radial, /*answers=*/true,
-                    table->bound_mm + kMoved};
-  });
-  one.widely = false;
-  return one;
-}
-
 void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapCase>& cases) {
   const auto filled = [s, cells] { return filled_cube(s, cells); };
   cases.push_back(kernel_case(kCube, cells_text(cells), "uint16",
@@ -139,7 +122,6 @@ std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& s
   cases.reserve(kFloorCells.size() + 2);
   for (const std::size_t cells : kFloorCells) cases.push_back(floor_case(cells));
   for (const int cells : {4, 1}) cases.push_back(exact_case(surface, cells));
-  if (sizes.certified) cases.push_back(certified_case(surface));
   for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, cases);
   for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, "RSID", precision, cases);
   for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, "USID", precision, cases);

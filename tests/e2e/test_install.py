@@ -49,7 +49,7 @@ class Install(unittest.TestCase):
         found = json.loads((limit / "summary.json").read_text())["contact"][0]
         self.assertEqual((low, high), (f"{found['low_deg']:.3f}", f"{found['high_deg']:.3f}"))
 
-        # Gaps are proven, so that the first pose in which a vertex of the ball impinges is not before that limit.
+        # Gaps are those of the faces, so that the first pose in which a vertex of the ball impinges is not before that limit.
         touching = int(re.search(r"in (\d+) of 500 poses", said[0]).group(1))
         self.assertLessEqual(touching, sum(0.1 * k >= found["low_deg"] for k in range(500)))
         self.assertGreater(touching, 100)

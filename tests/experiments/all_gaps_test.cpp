@@ -26,7 +26,7 @@ TEST(BenchmarkScenes, HipsHaveAboutTheirTriangles) {
   EXPECT_NEAR(static_cast<double>(hip.pair.socket.faces.size()), 3000.0, 90.0);
 }
 
-TEST(AllGaps, HaveErrorsWithinTheirBoundsAndTimesInBothDirections) {
+TEST(AllGaps, HaveErrorsAndTimesInBothDirections) {
   BenchmarkOptions options;
   options.radial = {3000, 20, 1};
   options.euclidean = {100, 10, 1};
@@ -37,7 +37,7 @@ TEST(AllGaps, HaveErrorsWithinTheirBoundsAndTimesInBothDirections) {
   options.gap_timing.options = {.min_round_ms = 0.01, .most_repeats = 0};
   QuestionTable tables = make_gap_table();
   Progress quiet("test", nullptr);
-  run_all_gaps(generated_scene(300), {{{32}, {4.0}, {}, true, {}, {32}}}, options, tables, quiet);
+  run_all_gaps(generated_scene(300), {{{32}, {4.0}}}, options, tables, quiet);
   std::map<std::string, std::size_t> column;
   for (const Column& one : tables.table.columns) column.emplace(one.name, column.size());
   std::set<std::string> seen;
@@ -51,15 +51,9 @@ TEST(AllGaps, HaveErrorsWithinTheirBoundsAndTimesInBothDirections) {
     if (text("method") == "floor") continue;
     const double error = std::max(number("max_over_um"), number("max_under_um"));
     EXPECT_LT(error, text("method") == "cube_cells_exact" ? 0.02 : 5000.0);
-    if (text("method") == "cube_certified") {
-      EXPECT_LT(error, number("bound_um"));
-      EXPECT_GT(error, 0.2 * number("bound_um")) << "a bound that is tight";
-    } else {
-      EXPECT_EQ(text("bound_um"), "");
-    }
   }
-  for (const char* method : {"cube_cells_exact", "cube_certified", "cube_gnomonic_mesh_exact", "rsid",
-                             "rsid_scalar", "embree_ray16", "cgal_closest"}) {
+  for (const char* method : {"cube_cells_exact", "cube_gnomonic_mesh_exact", "rsid", "rsid_scalar",
+                             "embree_ray16", "cgal_closest"}) {
     EXPECT_TRUE(seen.contains(std::string("ball->socket ") + method)) << method;
     EXPECT_TRUE(seen.contains(std::string("socket->ball ") + method)) << method;
   }

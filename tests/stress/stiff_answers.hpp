@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/simd/certified_table.hpp"
+#include "gap/simd/exact_cells.hpp"
 #include "mesh/bodies.hpp"
 #include "sphere/as_floats.hpp"
 #include "stress/shapes.hpp"
@@ -35,17 +35,8 @@ using Answers = std::vector<double>;
 inline Answers exact_answers(const Questions& asked) {
   std::vector<float> gap(asked.points.size());
   scan_gaps(exact_cells(asked.mesh, asked.layer), packed_vertices<float>(asked.points), asked.pose,
-            Surface::socket, gap);
+            Surface::ball, gap);
   return {gap.begin(), gap.end()};
-}
-
-// Of the certified table.
-inline Answers certified_answers(const Questions& asked) {
-  const CertifiedTable table = certified_table(asked.mesh, asked.layer, 5);
-  CertifiedGaps found;
-  found.threshold = static_cast<float>(1.5 * asked.unit);
-  scan_gaps(table, packed_vertices<float>(asked.points), asked.pose, Surface::ball, found);
-  return {found.gap.begin(), found.gap.end()};
 }
 
 // Of all table kernels, one after the other.
@@ -65,8 +56,7 @@ struct Answerer {
 };
 // All of them.
 inline const std::vector<Answerer>& answerers() {
-  static const std::vector<Answerer> all{
-      {"tables", table_answers}, {"exact cells", exact_answers}, {"certified", certified_answers}};
+  static const std::vector<Answerer> all{{"tables", table_answers}, {"exact cells", exact_answers}};
   return all;
 }
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact cells and certified tables over the surfaces of the stiff and extreme families. Contract, at points
-// that are floats:
-//   exact cells   an answer exactly where the mesh has one, and
-//                 |gap - gap of the mesh| <= u (18 r + 8 |gap|)
-//                 and what the plane of a face costs in double, 60 2^-53 (1 + tan psi) r
-//   certified     on the side of a threshold, or without an answer, as the exact cells are
+// Exact cells over the surfaces of the stiff and extreme families. Contract, at points that are floats: an
+// answer exactly where the mesh has one, and
+//   |gap - gap of the mesh| <= u (18 r + 8 |gap|)
+// and what the plane of a face costs in double, 60 2^-53 (1 + tan psi) r
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "gap/simd/certified_table.hpp"
+#include "gap/simd/exact_cells.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/conditions.hpp"
 #include "stress/measure.hpp"
@@ -54,52 +51,6 @@ TEST_P(StiffExactCells, AnswerAsTheMesh) {
       const double steep = conditions_along(surface.mesh, {&points[i], 1})[0].condition();
       EXPECT_LE(off, kExactShare * (rounding + kRadiusThreshold * 0x1p-53 * steep * truth[i]))
           << points[i].transpose();
-    }
-  }
-}
-
-int side_of(float gap, float threshold) {
-  return std::isnan(gap) ? 2 : gap > threshold ? 1 : gap < threshold ? -1 : 0;
-}
-
-// Thresholds at 0, far off, and at and beside gaps of the points themselves.
-std::vector<float> thresholds_for(const std::vector<float>& gap) {
-  std::vector<float> thresholds{0.0F, -1e30F, 1e30F, 3.0F};
-  for (std::size_t i = 0; i < gap.size(); i += gap.size() / 5 + 1) {
-    if (std::isnan(gap[i])) continue;
-    const float infinity = std::numeric_limits<float>::infinity();
-    for (const float threshold :
-         {gap[i], std::nextafter(gap[i], infinity), std::nextafter(gap[i], -infinity)})
-      thresholds.push_back(threshold);
-  }
-  return thresholds;
-}
-
-std::vector<test::StiffFamily> soon_bounded() {
-  std::vector<test::StiffFamily> families;
-  for (const test::StiffFamily& family : test::stiff_families())
-    if (!family.slow_to_bound) families.push_back(family);
-  return families;
-}
-
-class StiffCertified : public testing::TestWithParam<test::StiffFamily> {};
-INSTANTIATE_TEST_SUITE_P(Families, StiffCertified, testing::ValuesIn(soon_bounded()), test::name_of);
-
-TEST_P(StiffCertified, IsOnTheSideOfTheExactCells) {
-  const StiffSurface surface = GetParam().make();
-  const auto points = test::stiff_points(surface);
-  const auto lanes = packed_vertices<float>(points);
-  const CertifiedTable table = certified_table(surface.mesh, surface.layer, 9);
-  for (const Surface scanned : {Surface::ball, Surface::socket}) {
-    const auto exact = gaps_in(table.exact, points, scanned);
-    CertifiedGaps found;
-    for (const float threshold : thresholds_for(exact)) {
-      found.threshold = threshold;
-      scan_gaps(table, lanes, {}, scanned, found);
-      std::size_t otherwise = 0;
-      for (std::size_t i = 0; i < points.size(); ++i)
-        otherwise += side_of(found.gap[i], threshold) != side_of(exact[i], threshold) ? 1U : 0U;
-      EXPECT_EQ(otherwise, 0U) << "threshold " << threshold;
     }
   }
 }

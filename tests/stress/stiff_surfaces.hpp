@@ -28,9 +28,8 @@ struct StiffSurface {
 
 // One parameter of a family. The name is also that of its test.
 struct StiffFamily {
-  const char* name;            // of the family, and its parameter
-  StiffSurface (*make)();      // the surface
-  bool slow_to_bound = false;  // does the search for a tight bound of a table take all of its budget?
+  const char* name;        // of the family, and its parameter
+  StiffSurface (*make)();  // the surface
 };
 // One to three of each family of surfaces.
 std::span<const StiffFamily> stiff_families();

@@ -114,8 +114,8 @@ HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TF
   return hn::IfThenElse(found.none, no_gap(d), gap);
 }
 
-// gap = answer(vertices, place of the first of them), a vector at a time; the last one is filled up with
-// points at the centre. What is read in it has to be copied before: the gaps that are written might be it.
+// gap = answer(vertices), a vector at a time; the last one is filled up with points at the centre. What is
+// read in it has to be copied before: the gaps that are written might be it.
 template <class T, class Answer>
 HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   using D = hn::ScalableTag<T>;
@@ -127,8 +127,7 @@ HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   T* const gap = scan.gap;
   const std::size_t whole = scan.count - scan.count % lanes;
   for (std::size_t i = 0; i < whole; i += lanes)
-    hn::StoreU(answer(Point<D>{hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i)}, i), d,
-               gap + i);
+    hn::StoreU(answer(Point<D>{hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i)}), d, gap + i);
   if (whole == scan.count) return;
   const std::size_t bytes = (scan.count - whole) * sizeof(T);
   T rest[4][hn::MaxLanes(D())] = {};
@@ -136,7 +135,7 @@ HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   std::memcpy(rest[1], y + whole, bytes);
   std::memcpy(rest[2], z + whole, bytes);
   const Point<D> last{hn::LoadU(d, rest[0]), hn::LoadU(d, rest[1]), hn::LoadU(d, rest[2])};
-  hn::StoreU(answer(last, whole), d, rest[3]);
+  hn::StoreU(answer(last), d, rest[3]);
   std::memcpy(gap + whole, rest[3], bytes);
 }
 
@@ -147,7 +146,7 @@ void scan_lanes(const Scheme scheme, const Table table, const RawScan<T>& scan) 
   const D d;
   const PackedTransform<T> transform = scan.transform;
   const T sign = scan.sign;
-  for_each_vector(scan, [&](const Point<D>& v, std::size_t /*i*/)
+  for_each_vector(scan, [&](const Point<D>& v)
                             HWY_ATTR { return gaps(d, scheme, table, sign, transformed(d, transform, v)); });
 }
 
