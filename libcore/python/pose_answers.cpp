@@ -111,7 +111,8 @@ void bind_pose_answers(JointClass& joint) {
       .def("gaps", &gaps, py::arg("poses"), py::kw_only(), py::arg("precision_deg") = none,
            py::arg("out") = none,
            "Radial gaps in mm of all vertices of ball and socket, two float32 arrays of shape (poses, "
-           "vertices): of the faces, or of tables of that spacing. NaN where the other surface is not met.")
+           "vertices): of the faces, or of tables of that spacing in 16 bits. NaN where the other surface is "
+           "not met, and in cells of a table that it does not cover or jumps in.")
       .def("touch", &touch, py::arg("poses"),
            "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,).")
       .def("smallest_gap", &smallest_gap, py::arg("poses"),

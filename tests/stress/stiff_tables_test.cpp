@@ -47,7 +47,6 @@ struct Held {
   const std::vector<double>& truth;  // radius of the mesh
 };
 
-// Of what the headers allow 0.57 was seen, by the corners of a cube.
 void expect_held(const Held& held, Surface scanned, Met& met) {
   const TableKernel& kernel = held.kernel;
   const double bound = kernel.bound();
