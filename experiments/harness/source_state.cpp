@@ -6,15 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "harness/shell.hpp"
+
 namespace impinge::lab {
 namespace {
-
-// The text quoted so that a POSIX shell reads it as one word.
-std::string shell_quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 // What a git command prints, or nothing when it fails.
 std::optional<std::string> git(const std::filesystem::path& folder, const std::string& arguments) {
