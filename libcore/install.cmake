@@ -24,7 +24,7 @@ function(impinge_install)
   install(EXPORT impinge-${arg_COMPONENT} NAMESPACE impinge:: DESTINATION ${package_dir})
 endfunction()
 
-impinge_install(COMPONENT core LIBRARIES files sphere mesh table gap contact planning hip motion)
+impinge_install(COMPONENT core LIBRARIES files sphere mesh table gap contact planning anatomy hip motion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sphere/generated/sphere/scheme_list.hpp DESTINATION ${header_dir}/sphere)
 if(NOT IMPINGE_CORE_ONLY)
   impinge_install(COMPONENT mesh_io LIBRARIES mesh_io)

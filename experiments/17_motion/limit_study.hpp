@@ -9,7 +9,7 @@
 
 #include "files/csv.hpp"
 #include "hip/clock.hpp"
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "motion/told_limit.hpp"
 #include "phantoms/phantom.hpp"
 

@@ -13,7 +13,7 @@ namespace impinge::lab {
 // Prefix of what a second look at a finer mesh found.
 inline constexpr const char* kFine = "fine_";
 
-// The columns of a row behind the description of its hip. Of each motion M (motion/named_motion.hpp):
+// The columns of a row behind the description of its hip. Of each motion M (hip/named_motion.hpp):
 //   M_state   limited, free, blocked or unknown (motion/turn_limit.hpp)
 //   M_deg     lower end of the bracket of its limit; the largest angle looked at where free, 0 where blocked
 //   M_low_deg, M_high_deg   hold for every common centre within half a millimetre

@@ -8,7 +8,7 @@
 
 #include "gap/simd/exact_cells.hpp"
 #include "hip/close_zones.hpp"
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "motion/told_limit.hpp"
 
 namespace impinge::lab {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "files/formatted.hpp"
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "scene/asked.hpp"
 #include "scene/limit.hpp"
 

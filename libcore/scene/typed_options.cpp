@@ -11,7 +11,7 @@
 #include "files/finite_number.hpp"
 #include "files/one_line.hpp"
 #include "hip/anatomy.hpp"
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "scene/pose_list.hpp"
 #include "sphere/scheme_choice.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "motion/volume.hpp"
 #include "session/session.hpp"
 

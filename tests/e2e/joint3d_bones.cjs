@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // joint3d_bones.cjs PAGE: gives Joint3D meshes by dialog and by drop, and holds its numbers against those of `scene`.
-// Environment: SCENE and MAKE_PAIR, the programs; IMPINGE_BONES, where it is set, a folder of real joints.
+// Environment: SCENE, the program; HIP, the folder of a right hip; IMPINGE_BONES, where it is set, a folder of real joints.
 "use strict";
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
@@ -76,8 +76,7 @@ async function verdictsOfScene(page, joint) {
 }
 
 function generatedPair() {
-  const folder = path.join(FOLDER, "cam");
-  execFileSync(process.env.MAKE_PAIR, ["--hip", "cam", "--faces", "3000", "--out", folder], { stdio: "pipe" });
+  const folder = process.env.HIP;
   return { ball: path.join(folder, "ball.ply"), socket: path.join(folder, "socket.ply"), side: "right", axes: "RAS" };
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frames that files bring with them: SPACE= in the headers that 3D Slicer writes, and landmarks. A joint in another frame
-has the limits of the joint that it was made from. SCENE and MAKE_PAIR name the two programs.
+has the limits of the joint that it was made from. SCENE names the program, HIP the folder of a right hip.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 SCENE = os.environ["SCENE"]
-MAKE_PAIR = os.environ["MAKE_PAIR"]
+HIP = Path(os.environ["HIP"])
 LPS = np.diag([-1.0, -1.0, 1.0])
 
 
@@ -78,12 +78,9 @@ class Frames(unittest.TestCase):
         holder = tempfile.TemporaryDirectory(prefix="impinge-frames-")
         cls.addClassCleanup(holder.cleanup)
         cls.root = Path(holder.name)
-        hip = cls.root / "hip"
-        subprocess.run([MAKE_PAIR, "--hip", "cam", "--set", "shaft_length=0", "--faces", "1500", "--out", hip],
-                       check=True, capture_output=True)
         cls.meshes = {}
         for name in ("ball", "socket"):
-            cls.meshes[name] = cls.read_ply(hip / f"{name}.ply")
+            cls.meshes[name] = cls.read_ply(HIP / f"{name}.ply")
         cls.truth = cls.limit(cls, "truth", *cls.write(cls, "truth", lambda v, f: ply_text(v, f)))
 
     @staticmethod

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program of somebody else finds the installed library and agrees with `scene`. BUILD is a whole build, MAKE_PAIR and SCENE are programs of it.
+"""A program of somebody else finds the installed library and agrees with `scene`. BUILD is a whole build, SCENE a program of it, HIP the folder of a
+right hip.
 """
 
 from __future__ import annotations
@@ -39,8 +40,7 @@ class Install(unittest.TestCase):
         build = self.folder / "build"
         self.configure(CONSUMER, build)
         run("cmake", "--build", build)
-        hip = self.folder / "hip"
-        run(os.environ["MAKE_PAIR"], "--hip", "cam", "--faces", "3000", "--out", hip)
+        hip = Path(os.environ["HIP"])
         meshes = ["--ball", hip / "ball.ply", "--socket", hip / "socket.ply", "--side", "right"]
         said = run(build / "consumer", hip / "ball.ply", hip / "socket.ply").splitlines()
         motion, low, high = said[1].split()

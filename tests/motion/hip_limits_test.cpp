@@ -8,7 +8,7 @@
 #include "hip/clock.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 #include "motion/turn_limit.hpp"
 
 namespace impinge {

@@ -13,8 +13,8 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "hip/named_motion.hpp"
 #include "mesh/bodies.hpp"
-#include "motion/named_motion.hpp"
 #include "motion/turn_limit.hpp"
 #include "phantoms/phantom_meshes.hpp"
 #include "support/dice.hpp"

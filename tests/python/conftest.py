@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A hip of parameters, and one as two files."""
+import os
+from pathlib import Path
+
 import impinge
 import pytest
-from shared import program
 
 
 @pytest.fixture(name="hip", scope="module")
@@ -11,7 +13,6 @@ def made_hip():
 
 
 @pytest.fixture(name="files", scope="module")
-def made_files(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("hip")
-    program("MAKE_PAIR", "--hip", "cam", "--set", "side=left", "--faces", 1500, "--out", folder)
+def made_files():
+    folder = Path(os.environ["HIP"])
     return folder / "ball.ply", folder / "socket.ply"

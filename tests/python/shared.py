@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the module share: programs, their files, and meshes. PYTHONPATH holds
-the module; SCENE and MAKE_PAIR name the programs, SOURCE the clone."""
+the module; SCENE names the program, HIP the folder of a right hip, SOURCE the clone."""
 import csv
 import json
 import os
@@ -18,7 +18,7 @@ def program(name, *words):
 
 
 def scene(files, out, *words):
-    done = program("SCENE", "--ball", files[0], "--socket", files[1], "--side", "left", "--out", out, *words)
+    done = program("SCENE", "--ball", files[0], "--socket", files[1], "--side", "right", "--out", out, *words)
     assert done.returncode == 0, done.stderr
     return done
 

@@ -132,7 +132,7 @@ def test_help_says_what_each_member_is():
 
 
 def test_the_example_draws_its_picture(files, tmp_path):
-    for words in ([], [*files, "left"]):
+    for words in ([], [*files, "right"]):
         picture = tmp_path / f"{len(words)}.png"
         done = subprocess.run([sys.executable, "-B", ROOT / "libcore/python/examples/hip.py", *words, picture],
                               capture_output=True, text=True, check=False)

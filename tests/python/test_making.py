@@ -17,41 +17,41 @@ def marked(path, places):
 def test_landmarks_give_the_frames_that_they_give_the_program(files, tmp_path):
     tilt = np.radians(12)  # the plane leans forward: the ASIS lead
     lean = np.array([[1, 0, 0], [0, np.cos(tilt), np.sin(tilt)], [0, -np.sin(tilt), np.cos(tilt)]])
-    centre = impinge.Joint.read(*files, side="left").centre
+    centre = impinge.Joint.read(*files, side="right").centre
     places = {name: tuple(lean @ np.array(x, dtype=float) + centre) for name, x in STANDING.items()}
-    places |= {"epicondyle_medial": centre + (30, -100, -380), "epicondyle_lateral": centre + (-40, -100, -380)}
+    places |= {"epicondyle_medial": centre + (-30, -100, -380), "epicondyle_lateral": centre + (40, -100, -380)}
     points = marked(tmp_path / "points.csv", places)
-    joint = impinge.Joint.read(*files, side="left", landmarks=points)
+    joint = impinge.Joint.read(*files, side="right", landmarks=points)
     assert joint.landmarks["pelvic_tilt_deg"] == pytest.approx(12)
     scene(files, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
     theirs = written(tmp_path, "summary.json")
     assert {"file": str(points), **joint.landmarks} == theirs["landmarks"]
     assert joint.limits("flexion")[0]["low_deg"] == theirs["contact"][0]["low_deg"]
-    assert impinge.Joint.read(*files, side="left").landmarks is None
+    assert impinge.Joint.read(*files, side="right").landmarks is None
     with pytest.raises(ValueError, match="leave out landmarks="):
         joint.certificate()
     swapped = marked(tmp_path / "swapped.csv", {**places, "asis_right": places["asis_left"], "asis_left": places["asis_right"]})
     with pytest.raises(RuntimeError, match="swapped.csv: the right landmarks .*; check the labels and the axes"):
-        impinge.Joint.read(*files, side="left", landmarks=swapped)
+        impinge.Joint.read(*files, side="right", landmarks=swapped)
 
 
 def test_landmarks_give_joints_of_arrays_the_frames_that_they_give_those_of_files(files, tmp_path):
-    read = impinge.Joint.read(*files, side="left")
+    read = impinge.Joint.read(*files, side="right")
     lean = np.radians(-7)
     places = {name: np.array([[1, 0, 0], [0, np.cos(lean), np.sin(lean)], [0, -np.sin(lean), np.cos(lean)]]) @ x + read.centre
               for name, x in STANDING.items()}
-    femur = {"Medial epicondyle": read.centre + (30, 40, -380), "lateral EPICONDYLE": tuple(read.centre + (-40, 40, -380))}
+    femur = {"Medial epicondyle": read.centre + (-30, 40, -380), "lateral EPICONDYLE": tuple(read.centre + (40, 40, -380))}
     arrays = [(s.vertices + read.centre, s.faces) for s in (read.ball, read.socket)]
     for landmarks in (places, places | femur, {**places, **femur, "sacrum": (0, 0, 0)}):
         points = marked(tmp_path / "points.csv", {name: tuple(map(float, x)) for name, x in landmarks.items()})
-        truth = impinge.Joint.read(*files, side="left", centre=read.centre, landmarks=points)
+        truth = impinge.Joint.read(*files, side="right", centre=read.centre, landmarks=points)
         assert truth.landmarks["pelvic_tilt_deg"] == pytest.approx(-7)
         for given in (landmarks, points, str(points)):
-            joint = impinge.Joint.from_arrays(*arrays, side="left", centre=read.centre, landmarks=given)
+            joint = impinge.Joint.from_arrays(*arrays, side="right", centre=read.centre, landmarks=given)
             assert joint.landmarks == truth.landmarks
             assert np.allclose(joint.matrices(TURNS), truth.matrices(TURNS), atol=1e-9)
             assert joint.limits("flexion")[0]["low_deg"] == pytest.approx(truth.limits("flexion")[0]["low_deg"], abs=1e-3)
-        assert impinge.Joint.read(*files, side="left", centre=read.centre, landmarks=landmarks).landmarks == truth.landmarks
+        assert impinge.Joint.read(*files, side="right", centre=read.centre, landmarks=landmarks).landmarks == truth.landmarks
     assert joint.landmarks["scanned_flexion_deg"] == pytest.approx(np.degrees(np.arctan2(40, 380)) - 7)
 
 
@@ -61,21 +61,21 @@ def test_headers_of_slicer_say_the_axes(files, tmp_path):
         said = tmp_path / file.name
         said.write_bytes(file.read_bytes().replace(b"\nelement vertex", b"\ncomment SPACE=LPS\nelement vertex", 1))
         heads.append(said)
-    with pytest.warns(UserWarning, match="check axes= first"):  # the files of a left hip, turned by half a turn
-        joint = impinge.Joint.read(*heads, side="left")
-    truth = impinge.Joint.read(*files, side="left")
+    with pytest.warns(UserWarning, match="check axes= first"):  # the files of a right hip, turned by half a turn
+        joint = impinge.Joint.read(*heads, side="right")
+    truth = impinge.Joint.read(*files, side="right")
     assert (joint.axes, truth.axes) == ("LPS", "RAS")
     turned = np.diag([-1, -1, 1]) @ truth.matrices(TURNS)[:, :3, :3] @ np.diag([-1, -1, 1])
     assert np.allclose(joint.matrices(TURNS)[:, :3, :3], turned, atol=1e-12)
     assert np.array_equal(joint.ball.vertices, truth.ball.vertices)  # as they lie in the file
     with pytest.raises(impinge.FileError, match="LPS.*axes="):
-        impinge.Joint.read(*heads, side="left", axes="RAS")
+        impinge.Joint.read(*heads, side="right", axes="RAS")
 
 
 def test_arrays_make_the_joint_that_files_make(files):
-    joint = impinge.Joint.read(*files, side="left")
+    joint = impinge.Joint.read(*files, side="right")
     again = impinge.Joint.from_arrays(
-        *((s.vertices + joint.centre, s.faces) for s in (joint.ball, joint.socket)), side="left", centre=joint.centre)
+        *((s.vertices + joint.centre, s.faces) for s in (joint.ball, joint.socket)), side="right", centre=joint.centre)
     assert np.allclose(again.smallest_gap(TURNS)["gap_mm"], joint.smallest_gap(TURNS)["gap_mm"], atol=1e-6)
 
 
@@ -97,8 +97,8 @@ def test_a_side_is_asked_for_and_a_wrong_one_warned_of(files):
     with pytest.raises(ValueError, match="measures need to know the side; give left or right"):
         joint.measures()
     assert joint.volume(width=0.5)["motions"] == []
-    with pytest.warns(UserWarning, match="lies to the right of the ball, which no right socket does; check axes= first"):
-        wrong = impinge.Joint.read(*files, side="right")
+    with pytest.warns(UserWarning, match="lies to the left of the ball, which no left socket does; check axes= first"):
+        wrong = impinge.Joint.read(*files, side="left")
     assert any("check axes= first" in warning for warning in wrong.warnings)
 
 

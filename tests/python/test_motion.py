@@ -38,8 +38,8 @@ def test_left_and_right_are_mirror_images():
 
 def test_gaps_and_limits_are_those_of_the_program(files, tmp_path):
     ball, socket = files
-    joint = impinge.Joint.read(ball, str(socket), side="left")
-    meshes = ["--ball", ball, "--socket", socket, "--side", "left"]
+    joint = impinge.Joint.read(ball, str(socket), side="right")
+    meshes = ["--ball", ball, "--socket", socket, "--side", "right"]
     done = program("SCENE", *meshes, "--pose", "flexion=80,abduction=-10", "--out", tmp_path)
     assert done.returncode == 0, done.stderr
     with open(tmp_path / "gaps.csv", encoding="utf-8") as file:
@@ -61,7 +61,7 @@ def test_gaps_and_limits_are_those_of_the_program(files, tmp_path):
 
 def test_the_volume_is_that_of_the_program(files, tmp_path):
     scene(files, tmp_path, "--question", "volume", "--width", "0.3", "--gap", "0.2")
-    theirs, ours = written(tmp_path, "volume.json"), impinge.Joint.read(*files, side="left").volume(width=0.3, gap_mm=0.2)
+    theirs, ours = written(tmp_path, "volume.json"), impinge.Joint.read(*files, side="right").volume(width=0.3, gap_mm=0.2)
     for key in ("share_low", "share_high", "reachable_low", "reachable_high", "neutral_blocked", "unknown", "open", "cells_asked"):
         assert ours[key] == theirs[key], key
     assert [(m["motion"], m["low_deg"], m["high_deg"]) for m in ours["motions"]] == [
@@ -107,7 +107,7 @@ def test_a_ball_in_a_wider_cup_turns_freely():
 def test_the_cut_is_that_of_the_program_and_reaches_what_is_required(files, tmp_path):
     asked = ["flexion=90,internal_rotation=25", "flexion=100"]
     scene(files, tmp_path, "--question", "resection", "--require", asked[0], "--require", asked[1], "--clearance", "0.4")
-    joint, theirs = impinge.Joint.read(*files, side="left"), written(tmp_path, "resection.json")
+    joint, theirs = impinge.Joint.read(*files, side="right"), written(tmp_path, "resection.json")
     ours = joint.resection(asked, clearance_mm=0.4)
     for key in ("volume_mm3", "area_mm2", "depth_mm"):
         assert list(ours[key]) == theirs[key], key
@@ -116,7 +116,7 @@ def test_the_cut_is_that_of_the_program_and_reaches_what_is_required(files, tmp_
     for leg, other in zip(ours["legs"], theirs["legs"]):
         assert {**leg, "start": dict(zip(("flexion", "abduction", "internal_rotation"), leg["start"]))} == other
     cut = impinge.Joint.from_arrays(
-        (ours["vertices"], ours["faces"]), (joint.socket.vertices + joint.centre, joint.socket.faces), side="left",
+        (ours["vertices"], ours["faces"]), (joint.socket.vertices + joint.centre, joint.socket.faces), side="right",
         centre=joint.centre)
     way = [[90, 0, angle] for angle in range(26)] + [[angle, 0, 0] for angle in range(101)]
     assert joint.touch(way).any() and not cut.touch(way).any()
@@ -128,7 +128,7 @@ def test_the_cut_is_that_of_the_program_and_reaches_what_is_required(files, tmp_
 def test_the_map_of_orientations_is_that_of_the_program(files, tmp_path):
     scene(files, tmp_path, "--question", "orientation", "--require", "flexion=30", "--tilt", "5")
     theirs = written(tmp_path, "orientation.json")
-    ours = impinge.Joint.read(*files, side="left").orientation_map([30, 0, 0], tilt_deg=5)
+    ours = impinge.Joint.read(*files, side="right").orientation_map([30, 0, 0], tilt_deg=5)
     assert ours["as_scanned"] == theirs["as_scanned"] and ours["area_deg2"] == theirs["area_deg2"]
     rows, squares = table(tmp_path, "orientation.csv"), ours["squares"]
     assert len(rows) == len(squares) > 20
@@ -141,7 +141,7 @@ def test_the_map_of_orientations_is_that_of_the_program(files, tmp_path):
 
 def test_measures_are_those_of_the_program_and_of_the_parameters(files, tmp_path):
     scene(files, tmp_path, "--question", "measures")
-    joint, rows = impinge.Joint.read(*files, side="left"), table(tmp_path, "measures.csv")
+    joint, rows = impinge.Joint.read(*files, side="right"), table(tmp_path, "measures.csv")
     ours = joint.measures()
     assert [m["measure"] for m in ours] == [row["measure"] for row in rows]
     for measure, row in zip(ours, rows):
@@ -159,7 +159,7 @@ def test_measures_are_those_of_the_program_and_of_the_parameters(files, tmp_path
 
 
 def test_certificates_are_those_of_the_program_and_are_accepted(files, tmp_path):
-    joint = impinge.Joint.read(*files, side="left")
+    joint = impinge.Joint.read(*files, side="right")
     for pose, motion, words, says in (
             ("flexion=80", None, ["--question", "touch"], "clear: "),
             ("flexion=120,internal_rotation=40", None, ["--question", "touch"], "blocked: "),

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "files/file_bytes.hpp"
+#include "hip/named_motion.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/ply_writer.hpp"
-#include "motion/named_motion.hpp"
 #include "motion/rotation_cells.hpp"
 #include "scene/report.hpp"
 #include "support/temporary_folder.hpp"

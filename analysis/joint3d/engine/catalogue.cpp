@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "hip/hip_presets.hpp"
+#include "hip/named_motion.hpp"
 #include "hip/recorded_range.hpp"
-#include "motion/named_motion.hpp"
 #include "sphere/scheme_list.hpp"
 
 namespace impinge {

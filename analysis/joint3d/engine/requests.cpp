@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "hip/hip_presets.hpp"
+#include "hip/named_motion.hpp"
 #include "mesh/raw_mesh.hpp"
-#include "motion/named_motion.hpp"
 
 namespace impinge {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "motion/named_motion.hpp"
+#include "hip/named_motion.hpp"
 
 #include <array>
 
