@@ -67,7 +67,7 @@ class AddScheme(unittest.TestCase):
         copy_sources(cls.project)
         shutil.copy(EXAMPLE, cls.project / "libcore" / "sphere" / "schemes")
         shutil.copy(METHOD, cls.project / "experiments" / "methods")
-        run("cmake", "--preset", "release", "-DIMPINGE_RESULTS=OFF", cwd=cls.project)
+        run("cmake", "--preset", "release", cwd=cls.project)
         run("cmake", "--build", cls.build, "--target", *DRIVERS, cwd=cls.project)
         for driver in DRIVERS:
             run(cls.build / "experiments" / driver, "--out", cls.results / "data", "--profile", "quick")
