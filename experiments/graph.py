@@ -220,12 +220,6 @@ def recorded_motions() -> dict[str, dict[str, str]]:
     return found
 
 
-def stress_families() -> list[str]:
-    """Those with an error to draw; of verdicts near contact, table and overview have all."""
-    files = sorted((EXPERIMENTS / "stress" / "families").glob("*.cpp"))
-    return [file.stem.replace("_", "-") for file in files if "cases_near_contact" not in file.read_text()]
-
-
 def joint3d_jobs(setup: Setup) -> list[Job]:
     """The page that moves a joint, and the speed of the library in it, where the tools for both are installed."""
     if not all(map(shutil.which, JOINT3D_TOOLS)):
@@ -270,7 +264,6 @@ def all_jobs(setup: Setup) -> dict[str, Job]:
         "JOINTS": names,
         "SCENES": ["generated", *names],
         "MOTIONS": dict.fromkeys(motion for patient in motions.values() for motion in patient),
-        "FAMILIES": stress_families(),
         "GRAPH": [str(setup.graph / "jobs.json")],
     }
     lists = {word: ",".join(texts) for word, texts in words.items()}
@@ -279,7 +272,7 @@ def all_jobs(setup: Setup) -> dict[str, Job]:
         jobs += [Job(**fields) for fields in heads.script_jobs(room, lists, setup.results)]
     jobs += joint3d_jobs(setup)
     made = [output for job in jobs for output in job.outputs]
-    shown = re.compile(r"data/.*|tables/.*csv|figures/.*(svg|png|gif)|verdicts\.csv|joint3d\.html")
+    shown = re.compile(r"data/.*|tables/.*csv|figures/.*(svg|png)|verdicts\.csv|joint3d\.html")
     lists["SHOWN"] = " ".join(file for file in made if shown.fullmatch(file))
     jobs += [Job(**fields) for fields in heads.script_jobs("report", lists, setup.results)]
     jobs.append(paper_job(setup, made))

@@ -16,7 +16,7 @@ from typing import NoReturn
 import pandas as pd
 
 from common.drawing import COLOURS, SMALL, THESIS_GREY, WIDTH, Figure, save_figure, style
-from common.drawing import key, look, marks, medians, note, scheme_looks
+from common.drawing import key, look, marks, note
 from common.heads import job_of
 from common.loading import as_text, load
 from common.sidecars import Refused, sidecar

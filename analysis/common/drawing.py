@@ -75,11 +75,6 @@ def look(names: list[str]) -> dict[str, dict]:
     return looks
 
 
-def scheme_looks(schemes: list[str]) -> dict[str, dict]:
-    """look(), with thinner lines."""
-    return {name: of_one | {"linewidth": 1.1, "markersize": 5} for name, of_one in look(schemes).items()}
-
-
 def key(label: str, **look) -> Line2D:
     """What a legend says of a line or marker, wherever that is drawn."""
     return Line2D([], [], label=label, **look)
@@ -88,13 +83,6 @@ def key(label: str, **look) -> Line2D:
 def marks(axes: plt.Axes, x, y, **look) -> None:
     """Markers without a line."""
     axes.plot(x, y, linestyle="none", **look)
-
-
-def medians(axes: plt.Axes, rows, x: str, y: str, spread: str, looks: dict[str, dict]) -> None:
-    """A line each through the rows of that name in the column `line`, with bars of the interquartile range."""
-    for line, of_one in looks.items():
-        own = rows[rows.line == line].sort_values(x)
-        axes.errorbar(own[x], own[y], yerr=own[spread] / 2, label=line, capsize=2, **of_one)
 
 
 def note(axes: plt.Axes, text: str, at, offset: tuple[float, float], **look) -> Annotation:

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "harness/statistics.hpp"
-
 namespace impinge::lab {
 
 ErrorSummary summarise_errors(std::span<const double> errors, std::size_t uniform) {
@@ -19,8 +17,7 @@ ErrorSummary summarise_errors(std::span<const double> errors, std::size_t unifor
   }
   double squares = 0.0;
   for (const double e : errors.first(uniform)) squares += e * e;
-  return {*std::ranges::max_element(errors), std::sqrt(squares / static_cast<double>(uniform)),
-          quantile(errors.first(uniform), 0.9999)};
+  return {*std::ranges::max_element(errors), std::sqrt(squares / static_cast<double>(uniform))};
 }
 
 }  // namespace impinge::lab
