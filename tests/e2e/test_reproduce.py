@@ -35,7 +35,7 @@ MEASURED_TABLES = {"joint3d-speed.csv"}  # timed when it is made, not made from 
 
 def promised() -> dict[str, graph.Job]:
     """What the graph says that there is to make."""
-    return graph.all_jobs(graph.Setup(Path("/"), RESULTS, "quick", linked_joints() if BONES else None))
+    return graph.all_jobs(graph.Setup(Path("/"), RESULTS, "quick", Path(BONES) if BONES else None))
 
 
 def joints() -> list[Path]:
