@@ -2,12 +2,16 @@
 #include "motion/turn_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
 #include "motion/sinusoid.hpp"
+#include "motion/turn_tree.hpp"
 
 namespace impinge {
 namespace {
@@ -114,46 +118,105 @@ TurnEdge along_ray(const Vec3& x, double gap) {
   return {std::max(length - gap, 0.0) / length * x, (length + gap) / length * x};
 }
 
-// Vertices, moved out by `out` mm but not nearer to the centre than `nearest`, as boxes with this margin.
+// Points with a tree.
 struct Points {
-  const std::vector<Vec3>& vertices;
-  double out;
-  double margin;
-  double nearest;
+  std::vector<Vec3> places;  // mm
+  TurnTree tree;
 };
 
-// Calls attempt(point, part) for each part that a point may meet.
-template <class Try>
-void try_points(const Points& points, const ProfileIndex& parts, const Try& attempt) {
-  for (const Vec3& vertex : points.vertices) {
-    const double length = vertex.norm();
-    if (length == 0.0) continue;
-    const Vec3 x = std::max(length + points.out, points.nearest) / length * vertex;
-    parts.visit(profile_of(x, points.margin), [&](std::uint32_t part) { attempt(x, part); });
+// Vertices, moved out by `out` mm but not nearer to the centre than `nearest`. A moved vertex keeps its ray.
+Points moved_out(const TurnSurface& surface, double out, double nearest, double margin) {
+  Points moved;
+  std::vector<TurnBox> boxes;
+  std::vector<std::uint32_t> order;
+  for (const std::uint32_t k : surface.parts->by_vertex) {
+    const TurnPoint& vertex = surface.points[surface.parts->vertices[k]];
+    if (vertex.r == 0.0) continue;
+    const TurnPoint point(std::max(vertex.r + out, nearest) / vertex.r * vertex.x);
+    order.push_back(static_cast<std::uint32_t>(boxes.size()));
+    boxes.push_back(turn_box(std::array{&point}, point.r, margin));
+    moved.places.push_back(point.x);
+  }
+  moved.tree = TurnTree(boxes, order);
+  return moved;
+}
+
+Points rim_points(const TurnSurface& surface, double margin) {
+  Points rim;
+  std::vector<TurnBox> boxes;
+  for (const VertexIndex v : surface.parts->rim_vertices) {
+    const TurnPoint& point = surface.points[v];
+    if (point.r == 0.0) continue;
+    boxes.push_back(turn_box(std::array{&point}, point.r, margin));
+    rim.places.push_back(point.x);
+  }
+  rim.tree = TurnTree(boxes, order_by_place(rim.places));
+  return rim;
+}
+
+TurnTree tree_of_walls(const std::vector<TurnFace>& walls, double margin) {
+  std::vector<TurnBox> boxes;
+  std::vector<Vec3> middles;
+  for (const TurnFace& wall : walls) {
+    const auto& [a, b, c] = wall.corner;
+    const std::array points{TurnPoint(a), TurnPoint(b), TurnPoint(c)};
+    const double nearest = std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c));
+    boxes.push_back(turn_box(std::array{&points[0], &points[1], &points[2]}, nearest, margin + wall.doubt));
+    middles.emplace_back(a + b + c);
+  }
+  return {boxes, order_by_place(middles)};
+}
+
+// The pieces of their rays within a gap of the vertices, with a tree.
+struct Rays {
+  std::vector<TurnEdge> pieces;
+  TurnTree tree;
+};
+
+Rays rays_of(const TurnSurface& surface, double gap, double margin) {
+  Rays rays;
+  std::vector<TurnBox> boxes;
+  std::vector<std::uint32_t> order;
+  for (const std::uint32_t k : surface.parts->by_vertex) {
+    const Vec3& x = surface.points[surface.parts->vertices[k]].x;
+    if (x.isZero(0.0)) continue;
+    const TurnEdge& piece = rays.pieces.emplace_back(along_ray(x, gap));
+    const TurnPoint from(piece.from);
+    const TurnPoint to(piece.to);
+    order.push_back(static_cast<std::uint32_t>(boxes.size()));
+    boxes.push_back(turn_box(std::array{&from, &to}, from.r, margin));
+  }
+  rays.tree = TurnTree(boxes, order);
+  return rays;
+}
+
+// Calls visit(side) for those sides of a face that no face before it has.
+template <class Visit>
+void for_each_first_side(const TurnSurface& surface, std::size_t f, const Visit& visit) {
+  const Face& face = surface.mesh->faces[f];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (surface.parts->first_side[f][k])
+      visit(TurnEdge{surface.points[face[k]].x, surface.points[face[(k + 1) % 3]].x});
   }
 }
 
-auto ball_point(const std::vector<TurnFace>& faces, Found& found) {
-  return [&](const Vec3& x, std::uint32_t f) { try_ball_point(x, faces[f], found); };
+template <class Visit>
+void for_each_first_corner(const TurnSurface& surface, std::size_t f, const Visit& visit) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (surface.parts->first_corner[f][k]) visit(surface.points[surface.mesh->faces[f][k]].x);
+  }
 }
 
-auto socket_point(const std::vector<TurnFace>& faces, Found& found) {
-  return [&](const Vec3& y, std::uint32_t f) { try_socket_point(y, faces[f], found); };
-}
-
-std::vector<ProfileBox> boxes_of(const std::vector<TurnFace>& faces, double margin) {
-  std::vector<ProfileBox> boxes;
-  boxes.reserve(faces.size());
-  for (const TurnFace& face : faces)
-    boxes.push_back(profile_of(face.corner[0], face.corner[1], face.corner[2], margin + face.doubt));
-  return boxes;
-}
-
-std::vector<ProfileBox> boxes_of(const std::vector<TurnEdge>& edges, double margin) {
-  std::vector<ProfileBox> boxes;
-  boxes.reserve(edges.size());
-  for (const TurnEdge& edge : edges) boxes.push_back(profile_of(edge.from, edge.to, margin));
-  return boxes;
+// Two faces, by what of them is in no face before.
+void try_faces(const TurnSurface& ball, std::size_t f, const TurnSurface& socket, std::size_t g,
+               Found& found) {
+  const TurnFace turning = ball.face(f);
+  const TurnFace resting = socket.face(g);
+  for_each_first_corner(ball, f, [&](const Vec3& x) { try_ball_point(x, resting, found); });
+  for_each_first_corner(socket, g, [&](const Vec3& y) { try_socket_point(y, turning, found); });
+  for_each_first_side(ball, f, [&](const TurnEdge& a) {
+    for_each_first_side(socket, g, [&](const TurnEdge& b) { try_edges(a, b, found); });
+  });
 }
 
 }  // namespace
@@ -172,67 +235,76 @@ std::string_view name(ContactKind kind) {
   return "rims";
 }
 
-// A point that is moved along its ray by a gap changes its radius by that, and its height by no more.
 TurnContacts::TurnContacts(const TurnScene& scene)
     : rotation_(rotation_to_z(scene.axis)),
-      ball_(turn_surface(scene.ball.mesh, scene.ball.parts, rotation_ * scene.ball.before,
-                         {WallSide::within, 0.0})),
-      socket_(turn_surface(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
-                           {WallSide::beyond, ball_.largest_radius + scene.largest_gap})),
+      ball_(scene.ball.mesh, scene.ball.parts, rotation_ * scene.ball.before, {WallSide::within, 0.0}),
+      socket_(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
+              {WallSide::beyond, ball_.largest_radius + scene.largest_gap}),
       tolerance_(kTolerance * std::max(ball_.largest_radius, socket_.largest_radius)),
-      body_(scene.body) {
-  const double margin = scene.largest_gap + tolerance_;
-  const ProfileBox ball_reach = bounds_of(boxes_of(ball_.faces, margin));
-  const ProfileBox socket_reach = bounds_of(boxes_of(socket_.faces, margin));
-  ball_index_.emplace(index(ball_, socket_reach));
-  socket_index_.emplace(index(socket_, ball_reach));
-}
-
-TurnContacts::Indices TurnContacts::index(const TurnSurface& surface, const ProfileBox& within) const {
-  return {{boxes_of(surface.faces, tolerance_), within},
-          {boxes_of(surface.edges, tolerance_), within},
-          {boxes_of(surface.walls, tolerance_), within}};
-}
+      body_(scene.body),
+      ball_faces_(ball_.tree(tolerance_)),
+      socket_faces_(socket_.tree(tolerance_)) {}
 
 std::optional<TurnContact> TurnContacts::first(const AngleSpan& angles) const {
   Found found{{angles, tolerance_}, {}};
-  try_points({ball_.vertices, 0.0, tolerance_, 0.0}, socket_index_->faces, ball_point(socket_.faces, found));
-  try_points({socket_.vertices, 0.0, tolerance_, 0.0}, ball_index_->faces, socket_point(ball_.faces, found));
-  try_points({ball_.rim_vertices, 0.0, tolerance_, 0.0}, socket_index_->walls,
-             ball_point(socket_.walls, found));
-  try_points({socket_.rim_vertices, 0.0, tolerance_, 0.0}, ball_index_->walls,
-             socket_point(ball_.walls, found));
-  for (const TurnEdge& edge : ball_.edges) {
-    socket_index_->edges.visit(profile_of(edge.from, edge.to, tolerance_),
-                               [&](std::uint32_t e) { try_edges(edge, socket_.edges[e], found); });
-  }
+  const auto visit = [&](const TurnTree& ball, const TurnTree& socket, const auto& attempt) {
+    visit_meetings(ball, socket, angles.from, found.search.first(), [&](std::uint32_t i, std::uint32_t j) {
+      attempt(i, j);
+      return found.search.first();
+    });
+  };
+  visit(ball_faces_, socket_faces_,
+        [&](std::uint32_t f, std::uint32_t g) { try_faces(ball_, f, socket_, g, found); });
+  if (ball_.walls.empty() || socket_.walls.empty()) return in_mesh_frame(found.contact);
+  const Points ball = rim_points(ball_, tolerance_);
+  const Points socket = rim_points(socket_, tolerance_);
+  visit(ball.tree, tree_of_walls(socket_.walls, tolerance_),
+        [&](std::uint32_t x, std::uint32_t f) { try_ball_point(ball.places[x], socket_.walls[f], found); });
+  visit(tree_of_walls(ball_.walls, tolerance_), socket.tree,
+        [&](std::uint32_t f, std::uint32_t y) { try_socket_point(socket.places[y], ball_.walls[f], found); });
   return in_mesh_frame(found.contact);
 }
 
 std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpan& angles) const {
   Found found{{angles, tolerance_}, {}};
-  const Points ball{ball_.vertices, gap_mm, tolerance_, 0.0};
-  const Points socket{socket_.vertices, -gap_mm, tolerance_, 0.5 * ball_.smallest_radius};
-  try_points(ball, socket_index_->faces, ball_point(socket_.faces, found));
-  try_points(ball, socket_index_->walls, ball_point(socket_.walls, found));
-  try_points(socket, ball_index_->faces, socket_point(ball_.faces, found));
-  try_points(socket, ball_index_->walls, socket_point(ball_.walls, found));
+  const auto visit = [&](const TurnTree& ball, const TurnTree& socket, const auto& attempt) {
+    visit_meetings(ball, socket, angles.from, found.search.first(), [&](std::uint32_t i, std::uint32_t j) {
+      attempt(i, j);
+      return found.search.first();
+    });
+  };
+  const auto ball_points = [&](double out, const TurnTree& faces, const auto& face) {
+    const Points points = moved_out(ball_, out, 0.0, tolerance_);
+    visit(points.tree, faces,
+          [&](std::uint32_t x, std::uint32_t f) { try_ball_point(points.places[x], face(f), found); });
+  };
+  const auto socket_points = [&](double out, double nearest, const TurnTree& faces, const auto& face) {
+    const Points points = moved_out(socket_, out, nearest, tolerance_);
+    visit(faces, points.tree,
+          [&](std::uint32_t f, std::uint32_t y) { try_socket_point(points.places[y], face(f), found); });
+  };
+  const auto ball_face = [&](std::uint32_t f) { return ball_.face(f); };
+  const auto socket_face = [&](std::uint32_t f) { return socket_.face(f); };
+  const double half_way = 0.5 * ball_.smallest_radius;
+  ball_points(gap_mm, socket_faces_, socket_face);
+  socket_points(-gap_mm, half_way, ball_faces_, ball_face);
+  ball_points(gap_mm, tree_of_walls(socket_.walls, tolerance_),
+              [&](std::uint32_t f) { return socket_.walls[f]; });
+  socket_points(-gap_mm, half_way, tree_of_walls(ball_.walls, tolerance_),
+                [&](std::uint32_t f) { return ball_.walls[f]; });
   if (body_ != std::array<std::size_t, 2>{}) {
-    const Points within{ball_.vertices, -gap_mm, tolerance_, 0.0};
-    const Points beyond{socket_.vertices, gap_mm, tolerance_, 0.0};
-    try_points(within, socket_index_->faces, ball_point(socket_.faces, found));
-    try_points(beyond, ball_index_->faces, socket_point(ball_.faces, found));
-    const auto try_rays = [&](const TurnSurface& of, const ProfileIndex& edges, const auto& attempt) {
-      for (const Vec3& x : of.vertices) {
-        if (x.isZero(0.0)) continue;
-        const TurnEdge ray = along_ray(x, gap_mm);
-        edges.visit(profile_of(ray.from, ray.to, tolerance_), [&](std::uint32_t e) { attempt(ray, e); });
-      }
-    };
-    try_rays(ball_, socket_index_->edges,
-             [&](const TurnEdge& ray, std::uint32_t e) { try_edges(ray, socket_.edges[e], found); });
-    try_rays(socket_, ball_index_->edges,
-             [&](const TurnEdge& ray, std::uint32_t e) { try_edges(ball_.edges[e], ray, found); });
+    ball_points(-gap_mm, socket_faces_, socket_face);
+    socket_points(gap_mm, 0.0, ball_faces_, ball_face);
+    const Rays of_ball = rays_of(ball_, gap_mm, tolerance_);
+    visit(of_ball.tree, socket_faces_, [&](std::uint32_t x, std::uint32_t f) {
+      for_each_first_side(socket_, f,
+                          [&](const TurnEdge& side) { try_edges(of_ball.pieces[x], side, found); });
+    });
+    const Rays of_socket = rays_of(socket_, gap_mm, tolerance_);
+    visit(ball_faces_, of_socket.tree, [&](std::uint32_t f, std::uint32_t y) {
+      for_each_first_side(ball_, f,
+                          [&](const TurnEdge& side) { try_edges(side, of_socket.pieces[y], found); });
+    });
   }
   return in_mesh_frame(found.contact);
 }

@@ -15,10 +15,11 @@
 //       of the socket, or an end of one of the socket into the wall { k x : 0 <= k <= 1 } within one of the
 //       ball.
 // Corner and plane, edge and edge, corner and wall each give a sinusoid (motion/sinusoid.hpp). Only pairs
-// whose boxes of height and radius overlap can meet (motion/profile_index.hpp). Where a sinusoid is near
-// zero, the angle steps on by the distance of the two parts, less the tolerance, over that of the turning one
-// from the axis: no point comes nearer by more. The first angle at which they are within twice the tolerance
-// counts as touching, and so does the one that 10,000 steps reach.
+// that are at one height, distance and azimuth can meet, and those that may do so first are looked at
+// first (motion/turn_tree.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the two
+// parts, less the tolerance, over that of the turning one from the axis: no point comes nearer by more. The
+// first angle at which they are within twice the tolerance counts as touching, and so does the one that
+// 10,000 steps reach.
 //
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
 // socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets
@@ -66,7 +67,8 @@ struct TurnContact {
   std::array<std::size_t, 2> body{};      // of ball and socket: 0 the main surface, k the kth part beside it
 };
 
-/// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x.
+/// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x. TurnContacts
+/// borrows both.
 struct TurnMesh {
   const TriangleMesh& mesh;                              // borrowed
   const TurnParts& parts;                                // those of the mesh, borrowed
@@ -99,12 +101,6 @@ class TurnContacts {
   double tolerance() const { return tolerance_; }  // mm
 
  private:
-  struct Indices {
-    ProfileIndex faces;
-    ProfileIndex edges;
-    ProfileIndex walls;
-  };
-  Indices index(const TurnSurface& surface, const ProfileBox& within) const;
   std::optional<TurnContact> in_mesh_frame(std::optional<TurnContact> found) const;
 
   Eigen::Matrix3d rotation_;  // to the frame whose +z is the axis
@@ -112,8 +108,8 @@ class TurnContacts {
   TurnSurface socket_;
   double tolerance_;
   std::array<std::size_t, 2> body_;
-  std::optional<Indices> ball_index_;  // always there
-  std::optional<Indices> socket_index_;
+  TurnTree ball_faces_;
+  TurnTree socket_faces_;
 };
 
 }  // namespace impinge

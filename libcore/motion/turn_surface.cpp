@@ -84,39 +84,63 @@ TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c) {
   return face;
 }
 
-TurnParts::TurnParts(const TriangleMesh& mesh) : jumps(jump_edges(mesh)) {
+TurnParts::TurnParts(const TriangleMesh& mesh)
+    : nearest(mesh.faces.size()),
+      first_corner(mesh.faces.size(), {false, false, false}),
+      first_side(mesh.faces.size(), {false, false, false}),
+      jumps(jump_edges(mesh)) {
   std::vector<bool> chosen(mesh.vertices.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) chosen[v] = true;
+  std::vector<Vec3> middles;
+  middles.reserve(mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexIndex v = mesh.faces[f][k];
+      first_corner[f][k] = !chosen[v];
+      chosen[v] = true;
+    }
+    const auto [a, b, c] = corners_of(mesh, mesh.faces[f]);
+    nearest[f] = std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c));
+    middles.emplace_back(a + b + c);
   }
+  by_face = order_by_place(middles);
   vertices = listed(chosen);
+  std::vector<Vec3> places;
+  places.reserve(vertices.size());
+  for (const VertexIndex v : vertices) places.push_back(mesh.vertices[v]);
+  by_vertex = order_by_place(places);
   chosen.assign(chosen.size(), false);
   for (const JumpEdge& jump : jumps) chosen[jump.from] = chosen[jump.to] = true;
   rim_vertices = listed(chosen);
-  const EdgeList list = impinge::edges(mesh);
-  for (std::size_t e = 0; e < list.size(); ++e) edges.push_back(ends(mesh, list[e].front()));
+  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
+    first_side[half_edges[0].face][half_edges[0].side] = true;
+  });
 }
 
-TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
-                         const WallReach& walls) {
-  TurnSurface surface;
-  std::vector<Vec3> x(mesh.vertices.size());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = rotation * mesh.vertices[i];
-  for (const VertexIndex v : parts.vertices) {
-    surface.vertices.push_back(x[v]);
-    surface.largest_radius = std::max(surface.largest_radius, x[v].norm());
+TurnSurface::TurnSurface(const TriangleMesh& of, const TurnParts& its_parts, const Eigen::Matrix3d& rotation,
+                         const WallReach& reach)
+    : mesh(&of), parts(&its_parts), points(of.vertices.size()) {
+  for (const VertexIndex v : parts->vertices) {
+    points[v] = TurnPoint(rotation * mesh->vertices[v]);
+    largest_radius = std::max(largest_radius, points[v].r);
   }
-  surface.faces.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    const auto& [a, b, c] = surface.faces.emplace_back(turn_face(x[face[0]], x[face[1]], x[face[2]])).corner;
-    surface.smallest_radius =
-        std::min(surface.smallest_radius, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
+  for (const double nearest : parts->nearest) smallest_radius = std::min(smallest_radius, nearest);
+  for (const JumpEdge& jump : parts->jumps) add_wall(points[jump.from].x, points[jump.to].x, reach, walls);
+}
+
+TurnFace TurnSurface::face(std::size_t f) const {
+  const Face& face = mesh->faces[f];
+  return turn_face(points[face[0]].x, points[face[1]].x, points[face[2]].x);
+}
+
+TurnTree TurnSurface::tree(double margin) const {
+  std::vector<TurnBox> boxes;
+  boxes.reserve(mesh->faces.size());
+  for (std::size_t f = 0; f < mesh->faces.size(); ++f) {
+    const Face& face = mesh->faces[f];
+    const std::array corners{&points[face[0]], &points[face[1]], &points[face[2]]};
+    boxes.push_back(turn_box(corners, parts->nearest[f], margin));
   }
-  surface.edges.reserve(parts.edges.size());
-  for (const auto& [from, to] : parts.edges) surface.edges.push_back({x[from], x[to]});
-  for (const VertexIndex v : parts.rim_vertices) surface.rim_vertices.push_back(x[v]);
-  for (const JumpEdge& jump : parts.jumps) add_wall(x[jump.from], x[jump.to], walls, surface.walls);
-  return surface;
+  return {boxes, parts->by_face};
 }
 
 }  // namespace impinge

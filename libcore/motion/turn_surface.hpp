@@ -10,7 +10,7 @@
 #include "mesh/edges.hpp"
 #include "mesh/jump_edges.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "motion/profile_index.hpp"
+#include "motion/turn_tree.hpp"
 
 namespace impinge {
 
@@ -33,17 +33,6 @@ struct TurnEdge {
   Vec3 to;    // the other end
 };
 
-/// All of a surface that may take part in a contact.
-struct TurnSurface {
-  std::vector<Vec3> vertices;         // mm; those that belong to a face
-  std::vector<TurnFace> faces;        // of the surface
-  std::vector<TurnEdge> edges;        // each once
-  std::vector<Vec3> rim_vertices;     // ends of jump edges (mesh/jump_edges.hpp)
-  std::vector<TurnFace> walls;        // of the jump edges, see turn_contact.hpp
-  double largest_radius = 0.0;        // mm, of a vertex
-  double smallest_radius = HUGE_VAL;  // mm, of a face
-};
-
 /// Which side of a jump edge its wall is on: the ball reaches a socket that it gets beyond, and the socket a
 /// ball that it gets within.
 enum class WallSide { beyond, within };
@@ -58,16 +47,33 @@ struct WallReach {
 struct TurnParts {
   explicit TurnParts(const TriangleMesh& mesh);  // in its centre frame, mm
 
-  std::vector<VertexIndex> vertices;      // of faces
-  std::vector<Edge> edges;                // each once
-  std::vector<JumpEdge> jumps;            // mesh/jump_edges.hpp
-  std::vector<VertexIndex> rim_vertices;  // ends of the jump edges
+  std::vector<VertexIndex> vertices;              // of faces
+  std::vector<std::uint32_t> by_vertex;           // places in `vertices`, those of near vertices together
+  std::vector<std::uint32_t> by_face;             // faces, near ones together
+  std::vector<double> nearest;                    // mm, of each face: its least distance from the centre
+  std::vector<std::array<bool, 3>> first_corner;  // of each face: is it the first face of this corner?
+  std::vector<std::array<bool, 3>> first_side;    // the same of the side from each corner to the next
+  std::vector<JumpEdge> jumps;                    // mesh/jump_edges.hpp
+  std::vector<VertexIndex> rim_vertices;          // ends of the jump edges
 };
 
-/// mesh in the centre frame, mm, without edge-on faces, and its parts; the rotation takes its axis to +z. A
-/// wall beyond an edge is cut in pieces that the centre sees under 60 degrees at most, so that it is whole
-/// however near the edge comes to the centre.
-TurnSurface turn_surface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
-                         const WallReach& walls);
+/// All of a surface that may take part in a contact.
+struct TurnSurface {
+  /// mesh in the centre frame, mm, without edge-on faces, and its parts, both borrowed; the rotation takes
+  /// its axis to +z. A wall beyond an edge is cut in pieces that the centre sees under 60 degrees at most, so
+  /// that it is whole however near the edge comes to the centre.
+  TurnSurface(const TriangleMesh& mesh, const TurnParts& parts, const Eigen::Matrix3d& rotation,
+              const WallReach& walls);
+
+  TurnFace face(std::size_t f) const;  // of the mesh
+  TurnTree tree(double margin) const;  // over the faces, which it may miss by no more than that, mm
+
+  const TriangleMesh* mesh;           // borrowed
+  const TurnParts* parts;             // borrowed
+  std::vector<TurnPoint> points;      // of each vertex of the mesh
+  std::vector<TurnFace> walls;        // of the jump edges, see turn_contact.hpp
+  double largest_radius = 0.0;        // mm, of a vertex
+  double smallest_radius = HUGE_VAL;  // mm, of a face
+};
 
 }  // namespace impinge
