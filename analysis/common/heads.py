@@ -13,8 +13,8 @@ from pathlib import Path
 ANALYSIS = Path(__file__).resolve().parent.parent
 KEYS = {
     "#": {"name", "question", "data", "depends", "options", "outputs", "seconds", "for", "when"},
-    "//": {"question", "writes", "writes-with-bones", "files", "files-with-bones", "bones", "cache", "timing", "reads",
-           "seconds", "links"},
+    "//": {"question", "writes", "writes-with-bones", "files", "files-with-bones", "bones", "timing", "reads", "seconds",
+           "links"},
 }  # fmt: skip
 ROOMS = {
     "tables": {"kind": "table", "outputs": "csv tex"},
