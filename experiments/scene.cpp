@@ -92,7 +92,7 @@ void run_question(const Session& session, const SceneOptions& options) {
   const QuestionAnswer found = answer_question(*session.joint, options);
   write_if_changed(options.out / "summary.json", json_text(question_summary(options, *session.joint, found)));
   std::cout << describe_question(options, found);
-  if (options.explain) std::cout << describe_way(found.answer.way, found.answer.left_out);
+  if (options.explain) std::cout << describe_way(found.way, found.answer.left_out);
 }
 
 void run_limit(Session& session, const SceneOptions& options) {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      scene-needs-totals
-# @question  Memory and time of every scene with everything done, and with what it needs.
+# @question  Memory and time of every scene with whole tables, and with what it needs.
 # @data      scene_needs_totals
-"""Memory and time of every scene with everything done, and with what it needs."""
+"""Memory and time of every scene with whole tables, and with what it needs."""
 
 import common
 
@@ -10,27 +10,17 @@ import common
 def main(options) -> common.Table:
     totals = common.load(options.results, "scene_needs_totals")
     rows = totals[["scene"]].copy()
-    for name in ("everything", "tables", "plan"):
+    for name in ("tables", "needed"):
         rows[f"{name}_MB"] = (totals[f"{name}_bytes"] / 1e6).map(common.digits)
         rows[f"{name}_ms"] = (totals[f"{name}_us"] / 1e3).map(common.digits)
-    rows["bytes_ratio"] = totals.bytes_ratio.map(lambda value: common.digits(value, 2))
-    rows["time_ratio"] = totals.time_ratio.map(lambda value: common.digits(value, 2))
-    rows["same"] = totals.identical
-    return rows, latex(rows)
-
-
-def latex(rows) -> str:
-    """Scene; memory and time of everything, of whole tables, of the plan; both ratios."""
+    for name, unit in (("bytes_ratio", "bytes"), ("time_ratio", "us")):
+        rows[name] = (totals[f"tables_{unit}"] / totals[f"needed_{unit}"]).map(lambda ratio: common.digits(ratio, 2))
     head = [
-        r" & \multicolumn{2}{c}{everything} & \multicolumn{2}{c}{whole tables} & \multicolumn{2}{c}{plan}"
-        r" & \multicolumn{2}{c}{times less} \\",
-        r"scene & MB & ms & MB & ms & MB & ms & memory & time \\",
+        r" & \multicolumn{2}{c}{whole tables} & \multicolumn{2}{c}{needed} & \multicolumn{2}{c}{times less} \\",
+        r"scene & MB & ms & MB & ms & memory & time \\",
     ]
-    lines = []
-    for row in rows.itertuples():
-        cells = [row.everything_MB, row.everything_ms, row.tables_MB, row.tables_ms, row.plan_MB, row.plan_ms]
-        lines.append([common.tex(row.scene), *cells, row.bytes_ratio, row.time_ratio])
-    return common.tabular("lrrrrrrrr", head, lines)
+    lines = [[common.tex(scene), *cells] for scene, *cells in rows.itertuples(index=False)]
+    return rows, common.tabular("lrrrrrr", head, lines)
 
 
 common.run(main)

@@ -9,13 +9,21 @@
 #pragma once
 
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <span>
 
 #include "gap/surface.hpp"
-#include "table/radius_source.hpp"
+#include "sphere/radial_table.hpp"
 
 namespace impinge {
+
+/// Anything that gives the radius of a surface along x, of any length above zero: a table, its faces. mm,
+/// kNoSurface where it has no answer.
+template <class Q>
+concept RadialQuery = requires(const Q& query, const Vec3& x) {
+  { query.radius_at(x) } -> std::convertible_to<double>;
+};
 
 /// Gaps of `vertices` (mm, in the centre frame of their surface `of`) to the other surface, which `query`
 /// answers for. gap has the size of the vertices, mm.

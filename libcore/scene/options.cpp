@@ -64,8 +64,8 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       app.add_option("--precision", typed.precision,
                      "spacing of the tables, degrees [0.5 with --scheme]; also turns tables on");
   auto* max_error = app.add_option("--max-error", typed.max_error,
-                                   "read gaps from tables to within this proven error, mm; where a table "
-                                   "exceeds it, from the faces")
+                                   "refuse an answer unless each gap is proven to be within this error, mm")
+                        ->excludes(scheme)
                         ->excludes(precision);
   auto* pose = app.add_option(
       "--pose", typed.pose,

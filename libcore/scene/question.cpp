@@ -34,9 +34,8 @@ json smallest_json(const SmallestGap& smallest, const SessionJoint& joint, const
 json left_out_json(const std::vector<LeftOut>& left_out) {
   json items = json::array();
   for (const LeftOut& item : left_out) {
-    const OmissionName& known = kOmissions[static_cast<std::size_t>(item.what)];
-    items.push_back({{"what", known.name},
-                     {"meaning", known.meaning},
+    items.push_back({{"what", item.what},
+                     {"meaning", item.meaning},
                      {"reason", item.reason},
                      {"bytes_saved", item.bytes_saved == 0.0 ? json(nullptr) : json(item.bytes_saved)}});
   }
@@ -52,8 +51,7 @@ std::string describe_way(const std::string& way, const std::vector<LeftOut>& lef
     const bool saves = item.bytes_saved > 0.0;
     const std::string bytes =
         (saves ? "; saves " : "; takes ") + size_text(item.bytes_saved) + (saves ? "" : " more");
-    add(std::string(kOmissions[static_cast<std::size_t>(item.what)].meaning) + ": " + item.reason +
-        (item.bytes_saved == 0.0 ? "" : bytes));
+    add(std::string(item.meaning) + ": " + item.reason + (item.bytes_saved == 0.0 ? "" : bytes));
   }
   if (edge_on) add(kEdgeOnLeftOut);
   if (items.empty()) add("nothing");
@@ -76,11 +74,11 @@ json question_summary(const SceneOptions& options, const SessionJoint& joint, co
   report.update(
       {{"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
        {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
-       {"way", answer.way},
+       {"way", found.way},
        {"left_out", left_out_json(answer.left_out)},
-       {"table_bytes", answer.cost.bytes},
-       {"entries_filled", answer.cost.entries},
-       {"look_ups", answer.cost.look_ups},
+       {"table_bytes", answer.bytes},
+       {"entries_filled", answer.entries},
+       {"look_ups", answer.look_ups},
        {"times_ms", {{"answer", found.milliseconds}}}});
   return report;
 }

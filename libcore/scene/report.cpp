@@ -21,16 +21,12 @@ std::string describe_centre(const Joint& joint) {
 }
 
 std::string describe_table(const SceneOptions& options, const Measurement& found) {
-  if (!options.by_tables()) return "table               none: gaps are those of the faces\n";
-  if (!options.max_error_mm) {
+  if (options.by_tables()) {
     return formatted("table               %s at %g degrees, %zu entries a surface\n", options.scheme.c_str(),
                      found.precision_deg, found.entries);
   }
-  const double error = *options.max_error_mm;
-  if (found.entries == 0)
-    return formatted("table               none: gaps within %g mm, of the faces\n", error);
-  return formatted("table               %zu entries in both, and the faces: gaps within %g mm\n",
-                   found.entries, error);
+  if (!options.max_error_mm) return "table               none: gaps are those of the faces\n";
+  return formatted("table               none: gaps within %g mm, of the faces\n", *options.max_error_mm);
 }
 
 std::string describe_certificate(const std::optional<Certificate>& found) {

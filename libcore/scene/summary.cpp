@@ -162,7 +162,7 @@ nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, c
   report.update({{"ball", part_json(options.ball, read.ball, found.ball)},
                  {"socket", part_json(options.socket, read.socket, found.socket)},
                  {"outputs", outputs_json(options.outputs)},
-                 // null for 0: of the faces, or with an accuracy asked for of whatever is cheapest.
+                 // null for 0: of the faces.
                  {"precision_deg", found.precision_deg > 0.0 ? json(found.precision_deg) : json(nullptr)},
                  {"entries_per_table", found.entries},
                  {"table_bytes", found.bytes},

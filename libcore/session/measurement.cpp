@@ -2,6 +2,7 @@
 #include "session/measurement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "motion/body_pairs.hpp"
 #include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
+#include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
@@ -26,6 +28,11 @@ namespace {
 constexpr const char* kWholeTables =
     "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
     "most that faster kernels could save";
+constexpr const char* kPartialTables =
+    "tables of what the vertices read, filled from the faces near each entry";
+constexpr const char* kFaces =
+    "each vertex is measured on the faces near it: for one pose this saves the tables";
+constexpr const char* kExactSigns = "both surfaces are compared, edges and all, by exact signs";
 
 // std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
 // memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
@@ -41,16 +48,17 @@ void require_memory(std::size_t entries, double precision_deg, double bytes_an_e
 
 // A table that keeps few entries still has a directory of all of them.
 AnyScheme partly_kept(const PoseQuestion& asked) {
-  AnyScheme scheme(asked.scheme, asked.precision_deg.value_or(kUsualPrecision));
+  AnyScheme scheme(asked.scheme, *asked.precision_deg);
   require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
   return scheme;
 }
 
-SceneAnswer planned(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
-                    const AnyScheme& scheme) {
-  return answer_scene({joint.mesh(Surface::ball), joint.mesh(Surface::socket)},
-                      {asked.question, asked.scan_ball, asked.scan_socket, {pose}, asked.max_error_mm},
-                      scheme);
+BallSocketPair meshes_of(const SessionJoint& joint) {
+  return {joint.mesh(Surface::ball), joint.mesh(Surface::socket)};
+}
+
+SceneNeeds needs_of(const PoseQuestion& asked, const Pose& pose) {
+  return {asked.question, asked.scan_ball, asked.scan_socket, {pose}};
 }
 
 Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
@@ -79,34 +87,30 @@ Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
   return result;
 }
 
-Measurement by_plan(const SessionJoint& joint, const PoseQuestion& asked) {
-  Stopwatch watch;
-  const Pose pose = pose_of(joint, asked.motion);
-  const AnyScheme scheme = partly_kept(asked);
-  SceneAnswer answer = planned(joint, asked, pose, scheme);
-  const double scan_ms = watch.lap_ms();
+// The gaps of an answer, with all that follows from them.
+Measurement measurement_of(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+                           SceneAnswer answer, double scan_ms) {
   PoseGaps& gaps = answer.gaps.front();
   Measurement result;
   static_cast<PoseAnswer&>(result) =
-      answer_of_gaps(joint, pose, std::move(gaps.ball), std::move(gaps.socket), asked.cartilage_mm);
+      answer_of_gaps(joint, pose, std::move(gaps[0]), std::move(gaps[1]), asked.cartilage_mm);
   result.scan_ms = scan_ms;
-  result.precision_deg = asked.max_error_mm ? 0.0 : scheme.precision_deg();
-  result.entries = asked.max_error_mm ? answer.cost.entries : scheme.size();
-  result.bytes = answer.cost.bytes;
-  result.way = std::move(answer.way);
   result.left_out = std::move(answer.left_out);
   return result;
 }
 
-// Gaps of the vertices of one surface, measured on the faces of the other one, and what they are off by at
-// most; none of a surface that is not asked for.
-struct MeasuredScan {
-  std::vector<double> gap;    // mm, NaN where there is none
-  std::vector<double> bound;  // mm, NaN with it
-};
-
-bool is_scanned(const PoseQuestion& asked, Surface of) {
-  return of == Surface::ball ? asked.scan_ball : asked.scan_socket;
+Measurement by_partial_tables(const SessionJoint& joint, const PoseQuestion& asked) {
+  Stopwatch watch;
+  const Pose pose = pose_of(joint, asked.motion);
+  const AnyScheme scheme = partly_kept(asked);
+  SceneAnswer answer = answer_by_table(meshes_of(joint), needs_of(asked, pose), scheme);
+  const std::size_t bytes = answer.bytes;
+  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
+  result.bytes = bytes;
+  result.way = kPartialTables;
+  result.precision_deg = scheme.precision_deg();
+  result.entries = scheme.size();
+  return result;
 }
 
 // The middle of the ends, or the gap as tables have it where a face is nearly edge-on, so that these are far
@@ -119,109 +123,56 @@ double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const Certi
   return std::isnan(radius) ? middle : signed_gap(of, radius, x.norm());
 }
 
-MeasuredScan measured_scan(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose, Surface of) {
-  MeasuredScan scan;
-  if (!is_scanned(asked, of)) return scan;
-  const NearFaces& faces = joint.faces(other(of));
-  const std::vector<Vec3> places = places_in_other(joint, pose, of);
-  scan.gap.assign(places.size(), kNoSurface);
-  scan.bound = scan.gap;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!joint.part(of).used[i]) continue;
-    const CertifiedGap ends = measured_gap(of, faces, places[i]);
-    if (ends.cover == Cover::none) continue;
-    scan.gap[i] = likely_gap(of, faces, places[i], ends);
-    scan.bound[i] = std::max(ends.high - scan.gap[i], scan.gap[i] - ends.low);
-  }
-  return scan;
-}
+// What gaps of ball and socket are off by at most, mm, by vertex; NaN where there is none.
+using VertexBounds = std::array<std::vector<double>, 2>;
 
-// Is some vertex of the surface impinged? Exact.
-bool some_impinged(SessionJoint& joint, const Pose& pose, Surface of) {
-  const NearFaces& faces = joint.faces(other(of));
-  const std::vector<Vec3> places = places_in_other(joint, pose, of);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (joint.part(of).used[i] && exactly_impinged(of, faces, places[i])) return true;
+// Measures on the faces the gaps that the question needs, and their bounds; whether one is 0 or less is
+// decided exactly. std::runtime_error where a bound is above what was promised.
+SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+                            VertexBounds& bounds) {
+  const SceneNeeds needs = needs_of(asked, pose);
+  FacesMet faces{};
+  for (std::size_t k = 0; k < kSurfaces.size(); ++k) {
+    if (!needs.scans(kSurfaces[k])) continue;
+    faces[k] = &joint.faces(other(kSurfaces[k]));
+    bounds[k].assign(joint.mesh(kSurfaces[k]).vertices.size(), kNoSurface);
   }
-  return false;
-}
-
-std::string way_of_faces(const SessionJoint& joint) {
-  const std::size_t vertices =
-      joint.mesh(Surface::ball).vertices.size() + joint.mesh(Surface::socket).vertices.size();
-  const AnyScheme spared(PoseQuestion{}.scheme, kUsualPrecision);
-  return formatted(
-      "each of the %zu vertices is measured on the faces near it, for one pose: this saves tables of "
-      "%zu entries and the search for their bounds",
-      vertices, 2 * spared.size());
+  return answer_on_faces(meshes_of(joint), needs, faces, [&](Surface of, std::size_t vertex, const Vec3& x) {
+    const std::size_t k = of == Surface::ball ? 0 : 1;
+    if (asked.question == Question::touch) return exactly_impinged(of, *faces[k], x) ? 0.0 : kInfinity;
+    const CertifiedGap ends = measured_gap(of, *faces[k], x);
+    if (ends.cover == Cover::none) return kNoSurface;
+    const double gap = likely_gap(of, *faces[k], x, ends);
+    const double bound = std::max(ends.high - gap, gap - ends.low);
+    if (asked.max_error_mm && bound > *asked.max_error_mm) {
+      throw std::runtime_error(formatted(
+          "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
+          "for a larger error",
+          *asked.max_error_mm, name(of).data(), vertex, bound));
+    }
+    bounds[k][vertex] = bound;
+    return gap;
+  });
 }
 
 Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
   Stopwatch watch;
   const Pose pose = pose_of(joint, asked.motion);
-  MeasuredScan ball = measured_scan(joint, asked, pose, Surface::ball);
-  MeasuredScan socket = measured_scan(joint, asked, pose, Surface::socket);
-  const double scan_ms = watch.lap_ms();
-  Measurement result;
-  static_cast<PoseAnswer&>(result) =
-      answer_of_gaps(joint, pose, std::move(ball.gap), std::move(socket.gap), asked.cartilage_mm);
-  result.scan_ms = scan_ms;
-  result.way = way_of_faces(joint);
-  if (!asked.outputs.bounds && !asked.outputs.verdicts) return result;
-  result.ball.bound = std::move(ball.bound);
-  result.socket.bound = std::move(socket.bound);
+  VertexBounds bounds;
+  SceneAnswer answer = answer_of_faces(joint, asked, pose, bounds);
+  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
+  result.way = kFaces;
+  if (!asked.outputs.need_bounds()) return result;
+  result.ball.bound = std::move(bounds[0]);
+  result.socket.bound = std::move(bounds[1]);
   return result;
 }
 
-// Touch by exact signs: of both surfaces edges and all, of one of its vertices. The smallest gap by the
-// faces.
-SceneAnswer question_by_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose) {
-  SceneAnswer answer;
-  answer.way = way_of_faces(joint);
-  const bool touch = asked.question == Question::touch;
-  if (touch) answer.touches.assign(1, false);
-  if (touch && asked.scan_ball && asked.scan_socket) {
-    answer.way = "both surfaces are compared, edges and all, by exact signs";
-    const BallSocketPair main{joint.main(Surface::ball), joint.main(Surface::socket)};
-    answer.touches[0] = SurfaceOverlay(main.ball, main.socket).impinged(pose) ||
-                        BodyPairs(main, joint.beside()).impinged(pose);
-    return answer;
-  }
-  for (const Surface of : kSurfaces) {
-    if (!is_scanned(asked, of)) continue;
-    answer.cost.look_ups += joint.mesh(of).vertices.size();
-    if (touch) {
-      answer.touches[0] = answer.touches[0] || some_impinged(joint, pose, of);
-      continue;
-    }
-    const std::vector<double> gap = measured_scan(joint, asked, pose, of).gap;
-    for (std::size_t i = 0; i < gap.size(); ++i) {
-      if (gap[i] < (answer.smallest ? answer.smallest->gap_mm : kInfinity))
-        answer.smallest = SmallestGap{gap[i], of, 0, i};
-    }
-  }
-  return answer;
-}
-
-// The bound of each gap is how far it can be from that of the faces. std::runtime_error where that is above
-// what was promised.
-void bound_on_faces(SessionJoint& joint, double promised, Measurement& result) {
-  Stopwatch watch;
-  for (const Surface of : kSurfaces) {
-    const NearFaces& faces = joint.faces(other(of));
-    const std::vector<Vec3> places = places_in_other(joint, result.pose, of);
-    SurfaceAnswer& scan = result.of(of);
-    for (std::size_t i = 0; i < scan.gap.size(); ++i) {
-      const CertifiedGap exact = measured_gap(of, faces, places[i]);
-      scan.bound.push_back(std::max(scan.gap[i] - exact.low, exact.high - scan.gap[i]));
-      if (!(scan.bound.back() > promised)) continue;
-      throw std::runtime_error(formatted(
-          "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
-          "for a larger error",
-          promised, name(of).data(), i, scan.bound.back()));
-    }
-  }
-  result.bound_ms = watch.lap_ms();
+// Edges and all, and bone beside the main surfaces.
+bool surfaces_touch(const SessionJoint& joint, const Pose& pose) {
+  const BallSocketPair main{joint.main(Surface::ball), joint.main(Surface::socket)};
+  return SurfaceOverlay(main.ball, main.socket).impinged(pose) ||
+         BodyPairs(main, joint.beside()).impinged(pose);
 }
 
 // They are those of the meshes, whatever the table.
@@ -236,14 +187,6 @@ void measure_distances(const SessionJoint& joint, Measurement& result) {
   result.distance_ms = watch.lap_ms();
 }
 
-// What was not asked for, in words.
-void say_left_out(const PoseOutputs& outputs, Measurement& result) {
-  if (!outputs.bounds && !outputs.verdicts)
-    result.left_out.push_back({Omission::error_bounds, "not asked for", 0.0});
-  if (!outputs.distances) result.left_out.push_back({Omission::distances, "not asked for", 0.0});
-  if (!outputs.verdicts) result.left_out.push_back({Omission::exact_verdicts, "not asked for", 0.0});
-}
-
 // About the centre that it is seen from.
 Session without_parts(const SessionJoint& joint) {
   Session alone(impinge::without_parts(joint.joint), joint.side, joint.joint.axes);
@@ -254,15 +197,12 @@ Session without_parts(const SessionJoint& joint) {
 // Of the main surfaces.
 Measurement measure_main(Session& session, const PoseQuestion& asked) {
   SessionJoint& joint = *session.joint;
-  const PoseOutputs& outputs = asked.outputs;
-  const bool bounds = outputs.bounds || outputs.verdicts;
-  const bool whole = bounds && !asked.max_error_mm;
+  const bool bounds = asked.outputs.need_bounds();
   Measurement result = !asked.by_tables() ? by_faces(joint, asked)
-                       : whole            ? by_whole_tables(session, asked)
-                                          : by_plan(joint, asked);
-  if (bounds && asked.max_error_mm) bound_on_faces(joint, *asked.max_error_mm, result);
+                       : bounds           ? by_whole_tables(session, asked)
+                                          : by_partial_tables(joint, asked);
   if (bounds) result.proven = verdicts_of(joint, result);
-  if (outputs.verdicts) {
+  if (asked.outputs.verdicts) {
     result.certificate =
         certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,
                 {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
@@ -299,7 +239,7 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
   Measurement result =
       session.joint->joint.has_parts() ? measure_with_parts(session, asked) : measure_main(session, asked);
   if (asked.outputs.distances) measure_distances(*session.joint, result);
-  say_left_out(asked.outputs, result);
+  for (LeftOut& output : left_out_of(asked.outputs)) result.left_out.push_back(std::move(output));
   return result;
 }
 
@@ -311,8 +251,17 @@ QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
   QuestionAnswer found;
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;
-  found.answer = asked.by_tables() ? planned(joint, asked, found.pose, partly_kept(asked))
-                                   : question_by_faces(joint, asked, found.pose);
+  if (asked.by_tables()) {
+    found.way = kPartialTables;
+    found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
+  } else if (asked.question == Question::touch && asked.scan_ball && asked.scan_socket) {
+    found.way = kExactSigns;
+    found.answer.touches = {surfaces_touch(joint, found.pose)};
+  } else {
+    VertexBounds unused;
+    found.way = kFaces;
+    found.answer = answer_of_faces(joint, asked, found.pose, unused);
+  }
   found.milliseconds = watch.lap_ms();
   return found;
 }

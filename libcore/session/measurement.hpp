@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "session/certificate.hpp"
+#include "session/needed_work.hpp"
 #include "session/pose_answer.hpp"
 #include "session/pose_question.hpp"
-#include "session/scene_answer.hpp"
 
 namespace impinge {
 
@@ -26,8 +26,8 @@ struct NearestPart {
 /// All gaps, and what else was asked for. Gaps, and all that rests on them, are those between the main
 /// surfaces: vertices of parts have none. Distances are to any bone of the other side.
 struct Measurement : PoseAnswer {
-  double precision_deg = 0.0;              // of both tables; 0 without tables, and with max_error_mm
-  std::size_t entries = 0;                 // of each table; with max_error_mm, worked out in both
+  double precision_deg = 0.0;              // of both tables; 0 without
+  std::size_t entries = 0;                 // of each table
   std::size_t bytes = 0;                   // of both tables
   double fill_ms = 0.0;                    // both tables
   double bound_ms = 0.0;                   // the bounds of all gaps
@@ -39,11 +39,8 @@ struct Measurement : PoseAnswer {
   std::vector<LeftOut> left_out;           // work and memory that the question did not need
 };
 
-/// Finds all gaps in a pose, by default on the faces (gap/measured_gap.hpp).
-/// * With precision_deg: by a table in double of each surface; if neither bounds nor verdicts are asked for,
-///   only what the gaps need is worked out (session/scene_plan.hpp).
-/// * With max_error_mm: by a table where it is proven to be that accurate, on the faces elsewhere. Bounds
-///   then come from comparing each gap with the faces.
+/// Finds all gaps in a pose: on the faces (gap/measured_gap.hpp), or with precision_deg by a table in double
+/// of each surface, all of which is worked out only for bounds and verdicts (session/needed_work.hpp).
 ///
 /// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take), or
 /// max_error_mm is below what rounding leaves.
@@ -53,7 +50,8 @@ Measurement measure(Session& session, const PoseQuestion& asked);
 struct QuestionAnswer {
   Pose pose;                  // of the ball, in the centre frame
   SceneAnswer answer;         // to the question
-  double milliseconds = 0.0;  // of planning and answering
+  std::string way;            // as that of a Measurement
+  double milliseconds = 0.0;  // of answering
 };
 /// Answers the question in the pose of asked.motion. With parts of bone the smallest gap is that between the
 /// main surfaces. std::runtime_error, one line, as measure(), and for `touch` of vertices alone with parts.

@@ -9,6 +9,7 @@
 #include "files/stopwatch.hpp"
 #include "hip/close_zones.hpp"
 #include "session/certificate.hpp"
+#include "sphere/radial_table.hpp"
 
 namespace impinge {
 namespace {

@@ -6,25 +6,17 @@
 #include <string>
 
 #include "hip/motion.hpp"
-#include "session/needs.hpp"
+#include "session/needed_work.hpp"
 
 namespace impinge {
 
 inline constexpr double kUsualPrecision = 0.5;  // degrees, of tables if no precision is given
 
-/// What is worked out besides the answer to the question.
-struct PoseOutputs {
-  bool gaps = true;       // of every vertex
-  bool bounds = true;     // proven, of the error of every gap
-  bool distances = true;  // Euclidean
-  bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
-};
-
 /// Lengths in mm, angles in degrees.
 struct PoseQuestion {
   std::string scheme = "rsid";             // name of the sampling scheme of the tables
   std::optional<double> precision_deg;     // of the tables
-  std::optional<double> max_error_mm;      // chooses the precision instead
+  std::optional<double> max_error_mm;      // of every gap, refused where it cannot be kept; not with tables
   Motion motion;                           // of the femur from the pose of the scan
   double cartilage_mm = 4.0;               // both layers together; the thesis' value
   Question question = Question::all_gaps;  // what is asked of the pose
@@ -33,7 +25,7 @@ struct PoseQuestion {
   PoseOutputs outputs;                     // with all_gaps
 
   /// Are tables used? Only if asked for: for one pose the faces are faster than filling a table.
-  bool by_tables() const { return precision_deg || max_error_mm; }
+  bool by_tables() const { return precision_deg.has_value(); }
 };
 
 }  // namespace impinge

@@ -11,8 +11,8 @@
 #include "gap/pose.hpp"
 #include "gap/simd/packed_vertices.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sphere/stored_values.hpp"
 #include "table/layer.hpp"
-#include "table/partial_table.hpp"
 
 namespace impinge {
 

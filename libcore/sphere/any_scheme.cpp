@@ -21,10 +21,6 @@ class ModelOf final : public AnyScheme::Model {
   double precision_deg() const override { return scheme_.precision_deg(); }
   std::size_t size() const override { return scheme_.size(); }
   std::size_t cells() const override { return scheme_.cells(); }
-  bool flat_cells() const override {
-    if constexpr (PlaneExactScheme<S>) return S::kFlatCells;
-    return false;
-  }
   bool has_known_borders() const override { return HasKnownBorders<S>; }
   bool meets_cells_once(const Vec3& a, const Vec3& b) const override {
     if constexpr (HasKnownBorders<S>) return impinge::meets_cells_once(scheme_, a, b);

@@ -31,7 +31,6 @@ class AnyScheme {
     virtual double precision_deg() const = 0;
     virtual std::size_t size() const = 0;
     virtual std::size_t cells() const = 0;
-    virtual bool flat_cells() const = 0;         // see AnyScheme::flat_cells()
     virtual bool has_known_borders() const = 0;  // see AnyScheme::has_known_borders()
     virtual bool meets_cells_once(const Vec3& a, const Vec3& b) const = 0;
     virtual double covering_radius() const = 0;
@@ -64,8 +63,6 @@ class AnyScheme {
   double precision_deg() const { return model_->precision_deg(); }
   std::size_t size() const { return model_->size(); }
   std::size_t cells() const { return model_->cells(); }
-  /// Is it a PlaneExactScheme whose cells are bounded by great circles?
-  bool flat_cells() const { return model_->flat_cells(); }
   /// Is it one of HasKnownBorders? Only then meets_cells_once() may be asked.
   bool has_known_borders() const { return model_->has_known_borders(); }
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return model_->meets_cells_once(a, b); }

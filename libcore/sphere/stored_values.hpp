@@ -16,6 +16,9 @@
 
 namespace impinge {
 
+/// How a number is kept: in 8, 4 or 2 bytes.
+enum class Storage { double_precision, single_precision, sixteen_bits };
+
 /// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. std::invalid_argument for a
 /// number that is too large for a float, or so small (below 2^-126, but for 0) that fewer digits are left of
 /// it.

@@ -49,19 +49,16 @@ void NearFaces::see(std::size_t f) {
   const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
   FaceCap seen = face_cap(cone.corners());
   caps_.push_back({seen.cap.axis, seen.small() ? std::cos(seen.cap.radius) - kCapSlack : -1.0, seen.side});
-  const double slope = cone.edge_on() ? kInfinity : cone.largest_slope();
-  seen.range.low = slope > kSteepSlope ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
+  if (cone.edge_on()) return;
+  seen.range.low = cone.largest_slope() > kSteepSlope ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
   seen.range.high *= 1.0 + kRangeSlack;
   const float low = std::nextafter(static_cast<float>(seen.range.low), 0.0F);
   const float high = std::nextafter(static_cast<float>(seen.range.high), HUGE_VALF);
-  const float steepest = std::nextafter(static_cast<float>(slope), HUGE_VALF);
   const double wide = seen.cap.radius + reach_;
   const double least = seen.small() && wide < kPi ? std::cos(wide) - kCapSlack : -2.0;
   index_.add(f, cone, reach_, [&](std::size_t entry, const Vec3& direction) {
     if (seen.cap.axis.dot(direction) < least) return false;
     Summary& summary = summaries_[entry];
-    summary.slope = std::max(summary.slope, steepest);
-    if (cone.edge_on()) return false;
     summary.low = std::min(summary.low, low);
     summary.high = std::max(summary.high, high);
     return true;
@@ -71,14 +68,12 @@ void NearFaces::see(std::size_t f) {
 NearFaces::Near NearFaces::near(const Vec3& x) const {
   Near common;
   common.range = {0.0, kInfinity};
-  common.slope = kInfinity;
   if (x.isZero(0.0)) return common;
   const Stencil stencil = index_.grid().stencil(x);
   for (std::size_t k = 0; k < stencil.taps; ++k) {
     const Summary& summary = summaries_[stencil.entry[k]];
     common.range.low = std::max(common.range.low, static_cast<double>(summary.low));
     common.range.high = std::min(common.range.high, static_cast<double>(summary.high));
-    common.slope = std::min(common.slope, static_cast<double>(summary.slope));
     common.rim = common.rim && summary.rim;
   }
   common.faces = index_.shortest(stencil);

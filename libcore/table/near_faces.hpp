@@ -23,19 +23,18 @@ class NearFaces {
   /// What is known of all directions within the margin of the one that was asked for.
   struct Near {
     std::span<const std::uint32_t> faces;  // every face that is met there, and perhaps some that are not
-    RadiusRange range;   // mm, holds every radius there and every mean of them; empty if there is none
-    double slope = 0.0;  // no face there has a larger tan psi
-    bool rim = true;     // may the surface end or jump there?
+    RadiusRange range;  // mm, holds every radius there and every mean of them; empty if there is none
+    bool rim = true;    // may the surface end or jump there?
 
     bool nothing() const { return range.empty(); }  // no face is met
   };
 
-  /// mesh in the centre frame; it must outlive this. margin in radians. Faces whose
-  /// plane holds the centre cover no direction and are not listed, but their slope is infinite.
+  /// mesh in the centre frame; it must outlive this. margin in radians. Faces whose plane holds the centre
+  /// cover no direction and are not listed.
   NearFaces(const TriangleMesh& mesh, double margin);
   NearFaces(const TriangleMesh&&, double) = delete;
 
-  /// x of any length. For x = 0, which has no direction, nothing is known: no faces, any radius and slope.
+  /// x of any length. For x = 0, which has no direction, nothing is known: no faces, any radius.
   Near near(const Vec3& x) const;
 
   /// Radius of the layer along unit u, mm; kNoSurface if it meets no face. Equal to what fill_exact() gives
@@ -78,7 +77,6 @@ class NearFaces {
   struct Summary {
     float low = std::numeric_limits<float>::infinity();
     float high = -std::numeric_limits<float>::infinity();
-    float slope = 0.0F;
     bool rim = false;
   };
   void see(std::size_t f);

@@ -2,10 +2,8 @@
 #include "table/partial_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "sphere/stored_table.hpp"
 #include "table/rim.hpp"
 
 namespace impinge {
@@ -13,21 +11,9 @@ namespace impinge {
 PartialTable::PartialTable(AnyScheme scheme, EntrySet entries)
     : scheme_(std::move(scheme)), kept_(std::move(entries)), radii_(kept_.count(), kNoSurface) {}
 
-double PartialTable::stored(std::size_t slot) const {
-  switch (storage_) {
-    case Storage::double_precision:
-      return radii_[slot];
-    case Storage::single_precision:
-      return floats_[slot];
-    case Storage::sixteen_bits:
-      break;
-  }
-  return codes_[slot];
-}
-
 double PartialTable::radius_of(std::size_t entry) const {
   const auto slot = kept_.slot(entry);
-  return slot ? stored(*slot) : kNoSurface;
+  return slot ? radii_[*slot] : kNoSurface;
 }
 
 bool PartialTable::keeps(const Stencil& stencil) const {
@@ -44,28 +30,9 @@ double PartialTable::radius_at(const Vec3& x) const {
   return is_rim_cell(stencil.cell) ? kNoSurface : interpolate(stencil, Radii{*this});
 }
 
-void PartialTable::store(Storage storage) {
-  if (storage_ != Storage::double_precision || storage == storage_) return;
-  if (storage == Storage::single_precision) {
-    floats_ = FloatValues(radii_);
-  } else {
-    codes_ = Uint16Values(radii_);
-  }
-  const std::vector<double> exact = std::exchange(radii_, {});
-  storage_ = storage;
-  double off = 0.0;
-  double largest = 0.0;
-  for (std::size_t slot = 0; slot < exact.size(); ++slot) {
-    if (std::isnan(exact[slot])) continue;
-    off = std::max(off, std::abs(stored(slot) - exact[slot]));
-    largest = std::max(largest, exact[slot]);
-  }
-  storage_bound_ = off + kSumRounding * largest;
-}
-
 std::size_t PartialTable::bytes() const {
-  return kept_.bytes() + radii_.size() * sizeof(double) + floats_.bytes() + codes_.bytes() +
-         rim_.size() * 2 * sizeof(std::size_t) + rim_.bucket_count() * sizeof(void*);
+  return kept_.bytes() + radii_.size() * sizeof(double) + rim_.size() * 2 * sizeof(std::size_t) +
+         rim_.bucket_count() * sizeof(void*);
 }
 
 void insert_taps(const AnyScheme& scheme, const Vec3& x, EntrySet& entries) {
@@ -73,16 +40,15 @@ void insert_taps(const AnyScheme& scheme, const Vec3& x, EntrySet& entries) {
   for (std::size_t k = 0; k < stencil.taps; ++k) entries.insert(stencil.entry[k]);
 }
 
-std::unique_ptr<PartialTable> fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries,
-                                           Layer layer) {
-  auto table = std::make_unique<PartialTable>(scheme, std::move(entries));
+PartialTable fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries, Layer layer) {
+  PartialTable table(scheme, std::move(entries));
   std::vector<Vec3> directions;
-  directions.reserve(table->kept().count());
-  table->kept().for_each([&](std::size_t entry) { directions.push_back(scheme.direction(entry)); });
+  directions.reserve(table.kept().count());
+  table.kept().for_each([&](std::size_t entry) { directions.push_back(scheme.direction(entry)); });
   for (std::size_t slot = 0; slot < directions.size(); ++slot)
-    table->set(slot, faces.radius(directions[slot], layer));
+    table.set(slot, faces.radius(directions[slot], layer));
   mask_rim_along(faces.jumps_near(directions, kRimReach * scheme.stencil_radius()), faces.mesh(), layer,
-                 *table);
+                 table);
   return table;
 }
 

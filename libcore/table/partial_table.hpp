@@ -5,23 +5,17 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <span>
 #include <unordered_set>
 #include <vector>
 
 #include "sphere/any_scheme.hpp"
 #include "sphere/entry_set.hpp"
-#include "sphere/stored_values.hpp"
+#include "sphere/radial_table.hpp"
 #include "table/near_faces.hpp"
-#include "table/radius_source.hpp"
 
 namespace impinge {
 
-/// How a radius is kept: 8, 4 or 2 bytes (sphere/stored_values.hpp).
-enum class Storage { double_precision, single_precision, sixteen_bits };
-
-class PartialTable final : public RadiusSource {
+class PartialTable {
  public:
   /// No entry has a surface yet. The set must have been numbered (EntrySet::number()).
   PartialTable(AnyScheme scheme, EntrySet entries);
@@ -31,7 +25,7 @@ class PartialTable final : public RadiusSource {
   double radius_of(std::size_t entry) const;           // mm, kNoSurface if it is not kept
   /// Radius of the entry with this slot of kept(), mm.
   void set(std::size_t slot, double radius) { radii_[slot] = radius; }
-  /// The entry has no surface from now on. To be called before store().
+  /// The entry has no surface from now on.
   void forget(std::size_t entry) {
     if (const auto slot = kept_.slot(entry)) set(*slot, kNoSurface);
   }
@@ -41,26 +35,14 @@ class PartialTable final : public RadiusSource {
   bool is_rim_cell(std::size_t cell) const { return !rim_.empty() && rim_.contains(cell); }
   void mark_rim_cell(std::size_t cell) { rim_.insert(cell); }  // from now on this cell answers kNoSurface
 
-  /// Keeps the radii in fewer bytes from now on; they must have been set before.
-  void store(Storage storage);
-  /// Largest difference of an answer from that with 8 bytes, mm (sphere/stored_table.hpp has the proof).
-  double storage_bound() const { return storage_bound_; }
-
-  double radius_at(const Vec3& x) const override;
-  std::size_t bytes() const override;
-  std::size_t entries() const override { return kept_.count(); }
+  double radius_at(const Vec3& x) const;  // mm, kNoSurface where it has no answer
+  std::size_t bytes() const;              // of memory
 
  private:
-  double stored(std::size_t slot) const;
-
   AnyScheme scheme_;
   EntrySet kept_;
-  Storage storage_ = Storage::double_precision;
-  std::vector<double> radii_;  // one of the three is in use
-  FloatValues floats_{std::span<const double>()};
-  Uint16Values codes_{std::span<const double>()};
+  std::vector<double> radii_;
   std::unordered_set<std::size_t> rim_;
-  double storage_bound_ = 0.0;
 };
 
 /// Adds the entries that a look-up along x reads.
@@ -68,8 +50,7 @@ void insert_taps(const AnyScheme& scheme, const Vec3& x, EntrySet& entries);
 
 /// The entries of the set as fill_exact() has them, from the faces near each: O(entries of the set), where
 /// rasterisation is O(faces + all entries). `faces` are those of the surface, with any margin.
-std::unique_ptr<PartialTable> fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries,
-                                           Layer layer);
+PartialTable fill_partial(const NearFaces& faces, const AnyScheme& scheme, EntrySet entries, Layer layer);
 
 /// An edge marks the cell that it crosses and those that read across it. No two directions of a cell, nor two
 /// between the entries that a cell reads, are farther apart than two stencil radii: what marks a cell is

@@ -30,6 +30,7 @@ OPTIONS = [
         "--precision: At Most 1 required but received 2; see scene --help",
     ),
     (["--precision", "1", "--max-error", "1"], "--precision excludes --max-error; see scene --help"),
+    (["--scheme", "usid", "--max-error", "1"], "--scheme excludes --max-error; see scene --help"),
     (["--max-error", "0"], "option --max-error: '0' is no accuracy; give a number of mm above 0"),
     (["--max-error", "-1"], "option --max-error: '-1' is no accuracy; give a number of mm above 0"),
     (["--max-error", "inf"], "option --max-error: 'inf' is no accuracy; give a number of mm above 0"),

@@ -96,7 +96,7 @@ class Scene(GeneratedPair):
         for number, options in enumerate((
             ["--question", "limit", "--motion", "internal_rotation", "--cartilage", "3.5"],
             ["--question", "touch", "--surfaces", "ball", "--precision", "2"],
-            ["--question", "first-contact", "--max-error", "0.1", "--scheme", "usid"],
+            ["--question", "first-contact", "--max-error", "0.1"],
             ["--outputs", "gaps,verdicts", "--precision", "2", "--scheme", "rsid"],
         )):
             with self.subTest(options):

@@ -3,7 +3,6 @@
 #include "sphere/any_scheme.hpp"
 
 #include <stdexcept>
-#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -34,7 +33,6 @@ TYPED_TEST(AnySchemeOf, HasItsNumbers) {
   EXPECT_EQ(any.size(), scheme.size());
   EXPECT_EQ(any.cells(), scheme.cells());
   EXPECT_EQ(any.precision_deg(), scheme.precision_deg());
-  EXPECT_EQ(any.flat_cells(), (std::is_same_v<TypeParam, IcosahedralGnomonic>));
   EXPECT_EQ(any.covering_radius(), scheme.covering_radius());
   EXPECT_EQ(any.stencil_radius(), scheme.stencil_radius());
   for (std::size_t i = 0; i < scheme.size(); i += 7) EXPECT_EQ(any.direction(i), scheme.direction(i));

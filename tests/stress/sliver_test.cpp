@@ -83,8 +83,9 @@ TEST_P(SliverAspects, AnswerAsAnyFaceInItsPlane) {
   EntrySet set(slivers.scheme.size());
   for (const std::size_t entry : slivers.entries) set.insert(entry);
   set.number();
-  const auto partial = fill_partial(near, AnyScheme("cube_gnomonic", 10.0), std::move(set), Layer::nearest);
-  expect_right("partial table", [&](std::size_t k) { return partial->radius_of(slivers.entries[k]); });
+  const PartialTable partial =
+      fill_partial(near, AnyScheme("cube_gnomonic", 10.0), std::move(set), Layer::nearest);
+  expect_right("partial table", [&](std::size_t k) { return partial.radius_of(slivers.entries[k]); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Sliver, SliverAspects, testing::Values(1.0, 1e-1, 1e-4, 1e-8, 1e-11, 1e-14));

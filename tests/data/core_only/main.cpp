@@ -7,7 +7,7 @@
 
 #include "hip/sphere_fit.hpp"
 #include "mesh/generated_pair.hpp"
-#include "session/scene_answer.hpp"
+#include "session/needed_work.hpp"
 
 int main() {
   using namespace impinge;
@@ -16,10 +16,10 @@ int main() {
   needs.question = Question::first_contact;
   needs.poses = {Pose{Eigen::AngleAxisd(-0.5, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()}};
   const AnyScheme scheme("rsid", 0.5);
-  const SceneAnswer smallest = answer_scene(joint, needs, scheme);
+  const SceneAnswer smallest = answer_by_table(joint, needs, scheme);
   needs.question = Question::touch;
   needs.poses.push_back({Eigen::AngleAxisd(-1.0, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()});
-  const SceneAnswer touch = answer_scene(joint, needs, scheme);
+  const SceneAnswer touch = answer_by_table(joint, needs, scheme);
   std::printf("%.3f %d %d %.3f\n", smallest.smallest->gap_mm, static_cast<int>(touch.touches[0]),
               static_cast<int>(touch.touches[1]), fit_ball(joint.socket).radius);
   return 0;

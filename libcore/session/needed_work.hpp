@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a scene is worked out; the rest is left out, and changes no bit of the answer.
+//
+//   asked                                     answered by              vertices  entries
+//   one pose: do the surfaces touch           exact signs (overlay)    none      none
+//   one pose: gaps, to an accuracy too        answer_on_faces()        needed    none
+//   gaps of a table, not their bounds         answer_by_table()        needed    needed
+//   gaps of a table and their bounds          tables of a session      all       all
+//   many poses: touch, smallest gap           caps of faces (contact)  few       none
+//   many poses: all gaps                      exact cells (gap/simd)   all       none
+//
+// An output that is not asked for is not worked out (PoseOutputs). An accuracy needs no table: gaps of the
+// faces are off by rounding alone, and for one pose they take less time than to fill one.
+//
+// Which vertices. All entries that a look-up along x reads are within the stencil radius s of x, and the
+// answer is a mean of them. NearFaces with a margin of s (of 0 where the faces answer) gives a range that
+// holds all of their radii, hence the answer, so that before anything is filled
+//   no face within the margin             there is no gap
+//   upper end of the gap, not at a rim    some gap is as small as that: the least of these ends is the limit
+//   lower end of the gap above the limit  the vertex is not the one with the smallest gap
+// For `touch` a limit above 0 is 0. A table has no answer in cells beside a rim that may be farther than the
+// margin: a limit that no gap keeps (limit_kept()) is given up, and all vertices are looked at.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/surface.hpp"
+#include "sphere/any_scheme.hpp"
+#include "sphere/entry_set.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+
+/// What is asked of the poses.
+enum class Question {
+  touch,          // of each pose: has some vertex a gap of 0 or less?
+  first_contact,  // the smallest gap of any vertex in any pose
+  all_gaps,       // the gap of every vertex in every pose
+};
+
+/// What is to be known, of which vertices, in which poses.
+struct SceneNeeds {
+  Question question = Question::all_gaps;  // what is asked of the poses
+  bool ball = true;                        // the first scan: vertices of the ball against the socket
+  bool socket = true;                      // the second scan
+  std::vector<Pose> poses{Pose{}};         // of the ball in the socket, in the order of the answer
+
+  /// Are the vertices of this surface asked about?
+  bool scans(Surface of) const { return of == Surface::ball ? ball : socket; }
+};
+
+/// What is worked out besides the answer to the question.
+struct PoseOutputs {
+  bool gaps = true;       // of every vertex
+  bool bounds = true;     // proven, of the error of every gap
+  bool distances = true;  // Euclidean
+  bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
+
+  bool need_bounds() const { return bounds || verdicts; }  // of each gap
+};
+
+/// One kind of work that was left out.
+struct LeftOut {
+  std::string_view what;     // in one word
+  std::string_view meaning;  // in one clause
+  std::string reason;        // the same, with the numbers that it rests on
+  double bytes_saved = 0.0;  // of memory; negative if leaving it out takes more
+};
+
+/// The outputs that are not asked for.
+std::vector<LeftOut> left_out_of(const PoseOutputs& outputs);
+
+/// Of each scan the vertices to look at, and what their choice rests on.
+struct NeededVertices {
+  std::array<std::vector<std::vector<VertexIndex>>, 2> of;  // ball, socket; a list for each pose, or for all
+  /// mm; some gap is proven to be as small: for `touch` of each pose, else in all of them. Infinite: nothing.
+  std::vector<double> limit_mm;
+
+  /// The list of scan 0 or 1 in a pose.
+  const std::vector<VertexIndex>& in(std::size_t scan, std::size_t pose) const {
+    return of[scan][of[scan].size() == 1 ? 0 : pose];
+  }
+};
+
+/// The faces that the vertices of ball and socket meet, those of the other surface; null: not scanned.
+using FacesMet = std::array<const NearFaces*, 2>;
+
+/// Those on the surfaces.
+NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs);
+/// Those that can change the answer. Meshes in their centre frames, mm.
+NeededVertices needed_vertices(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces);
+/// What their look-ups of a scan read.
+EntrySet needed_entries(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
+                        Surface scanned, const AnyScheme& scheme);
+
+/// The first of the smallest gaps, in the order of scans, poses and vertices.
+struct SmallestGap {
+  double gap_mm = 0.0;              // of the vertex
+  Surface scanned = Surface::ball;  // whose vertex it is
+  std::size_t pose = 0;             // of the needs
+  std::size_t vertex = 0;           // place among the vertices of its mesh
+  bool operator==(const SmallestGap&) const = default;
+};
+
+/// Gaps of all vertices of ball and socket in one pose, mm; NaN where the other surface is not met, empty
+/// where there is no such scan.
+using PoseGaps = std::array<std::vector<double>, 2>;
+
+/// The answer to a scene, and what it took.
+struct SceneAnswer {
+  std::vector<bool> touches;            // of each pose, for `touch`
+  std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
+  std::vector<PoseGaps> gaps;           // of each pose, for `all_gaps`
+  std::size_t bytes = 0;                // of tables and whatever stood in for them, not of the answer
+  std::size_t entries = 0;              // worked out
+  std::size_t look_ups = 0;             // done
+  std::vector<LeftOut> left_out;        // and why
+};
+
+/// Gap of a vertex at x in the frame of the other surface, mm, NaN where there is none; for `touch` only
+/// whether it is 0 or less counts.
+using GapAt = std::function<double(Surface scanned, std::size_t vertex, const Vec3& x)>;
+
+/// The answer from the gaps of these vertices.
+SceneAnswer answer_from(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
+                        const GapAt& gap);
+/// Has the answer a gap up to the limit wherever one was proven?
+bool limit_kept(const SceneNeeds& needs, const NeededVertices& vertices, const SceneAnswer& answer);
+
+/// By gaps that the faces give (gap/measured_gap.hpp, gap/exact_side.hpp).
+/// std::invalid_argument for a scene without poses or scans.
+SceneAnswer answer_on_faces(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces,
+                            const GapAt& gap);
+/// By a table in double of each surface, of which only what is read is filled (table/partial_table.hpp).
+SceneAnswer answer_by_table(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& scheme);
+
+}  // namespace impinge
