@@ -16,7 +16,7 @@ namespace {
 using test::TemporaryFolder;
 
 DriverRun driver_in(const std::filesystem::path& folder) {
-  return {{"test", "test", "quick", 1, folder}, std::nullopt, {}, Progress("test", nullptr)};
+  return {{"test", "test", "quick", 1, folder}, {}, Progress("test", nullptr)};
 }
 
 // Lines of a CSV without its header, split at commas.

@@ -68,7 +68,7 @@ PointCase case_of(const BenchmarkScene& scene, std::string_view name, std::strin
 std::vector<GapCase> gap_cases(const BenchmarkScene& scene) {
   std::vector<GapCase> cases =
       cases_of(gaps_methods(), &Method::gaps, AskedSurface{scene.surface(), Layer::nearest, Surface::ball},
-               GapSizes{{}, {}, {}, false, {}});
+               GapSizes{{}, {}});
   std::erase_if(cases, [](const GapCase& one) { return one.kernel || one.storage == "double"; });
   return cases;
 }
