@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gap/formatted.hpp"
+#include "files/formatted.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
