@@ -105,7 +105,7 @@ class TurnContacts {
     ProfileIndex walls;
   };
   Indices index(const TurnSurface& surface, const ProfileBox& within) const;
-  std::optional<TurnContact> in_mesh_frame(std::optional<TurnContact> found) const;
+  std::optional<TurnContact> in_mesh_frame(const std::optional<TurnContact>& found) const;
 
   Eigen::Matrix3d rotation_;  // to the frame whose +z is the axis
   TurnSurface ball_;

@@ -36,7 +36,7 @@ val rim_value(const SessionJoint& joint, std::size_t sectors) {
   std::vector<double> hours;
   if (joint.dial) {
     TriangleMesh socket = main_surface(joint.joint.socket.mesh, joint.joint.socket.parts);
-    for (Vec3& x : socket.vertices) x = joint.axes * x;
+    socket.vertices = mapped(joint.axes, socket.vertices);
     for (const RimPoint& at : rim_line(socket, *joint.dial, sectors)) {
       places.emplace_back(joint.axes.transpose() * at.place);
       hours.push_back(at.hours);
