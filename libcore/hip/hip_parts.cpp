@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -118,8 +119,8 @@ TriangleMesh mesh_of(const BonePart& part, double spacing) {
   const double halvings = std::log2(kEdgeOfIcosahedron * size / spacing);
   TriangleMesh mesh =
       icosphere(1.0, static_cast<std::size_t>(std::clamp(std::round(halvings), 1.0, kMostHalvings)));
-  for (Vec3& x : mesh.vertices) x = part.middle + part.axes * x;
-  return mesh;
+  mesh.vertices = mapped(part.axes, mesh.vertices);
+  return relative_to(std::move(mesh), -part.middle);
 }
 
 }  // namespace impinge

@@ -131,8 +131,7 @@ void check_arrangement(const JointInput& input, const Facing& found, Joint& join
   }
   if (!input.side) return;
   TriangleMesh socket = joint.socket.mesh;
-  const Eigen::Matrix3d axes = input_to_joint(input.axes);
-  for (Vec3& x : socket.vertices) x = axes * x;
+  socket.vertices = mapped(input_to_joint(input.axes), socket.vertices);
   if (!looks_lateral(socket, *input.side)) return;
   const std::string side = *input.side == Side::right ? "right" : "left";
   add_doubt(joint, input.socket.name + ": lies to the " + side + " of the ball, which no " + side +
@@ -211,8 +210,8 @@ void require_no_parts(const Joint& joint, const std::string& what) {
 void use_frames(Joint& joint, const AnatomicalFrames& frames) {
   joint.frames = frames;
   if (!frames.femur) return;
-  const Eigen::Matrix3d turn = frames.pelvis.transpose() * *frames.femur;
-  for (Vec3& x : joint.ball.mesh.vertices) x = turn * x;
+  std::vector<Vec3>& ball = joint.ball.mesh.vertices;
+  ball = mapped(frames.pelvis.transpose() * *frames.femur, ball);
 }
 
 }  // namespace impinge

@@ -47,4 +47,7 @@ std::vector<double> vertex_areas(const TriangleMesh& mesh);
 /// The same mesh with `centre` as origin (input frame to centre frame).
 TriangleMesh relative_to(TriangleMesh mesh, const Vec3& centre);
 
+/// matrix x for each point x.
+std::vector<Vec3> mapped(const Eigen::Matrix3d& matrix, const std::vector<Vec3>& points);
+
 }  // namespace impinge

@@ -43,11 +43,9 @@ class Map {
  private:
   // All rotations of the ball in the socket at rest, of the orientations of a cell and the poses of a part.
   RotationBall rotations(const OrientationCell& cell, const LegPart& part) const {
-    RotationBall poses = poses_of(asked_.legs[part.leg], part);
+    const RotationBall poses = poses_of(asked_.legs[part.leg], part);
     const Eigen::Matrix3d turned = tilt_ * cup_rotation(cell.middle, asked_.side) * from_rest_;
-    poses.rotation = turned.transpose() * poses.rotation;
-    poses.radius += spread(cell.half_deg);
-    return poses;
+    return {turned.transpose() * poses.rotation, poses.radius + spread(cell.half_deg)};
   }
 
   // theta of the header.

@@ -309,12 +309,10 @@ std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpa
   return in_mesh_frame(found.contact);
 }
 
-std::optional<TurnContact> TurnContacts::in_mesh_frame(std::optional<TurnContact> found) const {
+std::optional<TurnContact> TurnContacts::in_mesh_frame(const std::optional<TurnContact>& found) const {
   if (!found) return found;
-  found->place = rotation_.transpose() * found->place;
-  found->normal = rotation_.transpose() * found->normal;
-  found->body = body_;
-  return found;
+  return TurnContact{found->angle, found->kind, rotation_.transpose() * found->place,
+                     rotation_.transpose() * found->normal, body_};
 }
 
 }  // namespace impinge

@@ -101,7 +101,7 @@ class TurnContacts {
   double tolerance() const { return tolerance_; }  // mm
 
  private:
-  std::optional<TurnContact> in_mesh_frame(std::optional<TurnContact> found) const;
+  std::optional<TurnContact> in_mesh_frame(const std::optional<TurnContact>& found) const;
 
   Eigen::Matrix3d rotation_;  // to the frame whose +z is the axis
   TurnSurface ball_;

@@ -114,10 +114,11 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
   double from = 0.0;
   double past = kPast;
   std::optional<double> certain;
+  std::optional<TurnContact> last_contact;
   for (int contacts = 0; contacts < kMostContacts && !certain; ++contacts) {
     const std::optional<TurnContact> contact = next(AngleSpan{from, largest});
     if (!contact) break;
-    limit.contact = contact;
+    last_contact = contact;
     if (limit.state == LimitState::free)
       limit.low_deg = std::max(0.0, contact->angle - kTurnRounding) / kDegree;
     limit.state = LimitState::unknown;
@@ -128,23 +129,20 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
     if (from >= largest) break;
   }
   end_of_mesh(turn, largest, certain, limit);
-  if (certain)
-    make_limited(turn, *certain, limit);
-  else
-    limit.contact.reset();
+  if (certain) make_limited(turn, *certain, *last_contact, limit);
   return limit;
 }
 
-void TurnLimits::make_limited(const JointTurn& turn, double angle, TurnLimit& limit) const {
+// The contact is still before the turn's last part.
+void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnContact& contact,
+                              TurnLimit& limit) const {
   limit.state = LimitState::limited;
   limit.high_deg = angle / kDegree;
-  TurnContact& contact = *limit.contact;
   const double each = 1.0 / (std::abs(contact.normal.dot(turn.axis.cross(contact.place))) * kDegree);
-  contact.place = turn.outer * contact.place;
-  contact.normal = turn.outer * contact.normal;
+  const Vec3 normal = turn.outer * contact.normal;
+  limit.contact = TurnContact{contact.angle, contact.kind, turn.outer * contact.place, normal, contact.body};
   limit.deg_per_mm = each;
-  limit.centre_deg_per_mm =
-      each * (contact.normal - to_ball(pose_at(turn, contact.angle), contact.normal)).norm();
+  limit.centre_deg_per_mm = each * (normal - to_ball(pose_at(turn, contact.angle), normal)).norm();
 }
 
 // The mesh of the ball may end before the motion does.

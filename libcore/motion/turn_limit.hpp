@@ -99,7 +99,7 @@ class TurnLimits {
   template <class Next, class Reached>
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
-  void make_limited(const JointTurn& turn, double angle, TurnLimit& limit) const;
+  void make_limited(const JointTurn& turn, double angle, const TurnContact& contact, TurnLimit& limit) const;
   void end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                    TurnLimit& limit) const;
 

@@ -38,7 +38,7 @@ SurfaceAnswer surface_answer(const SessionJoint& joint, const Pose& pose, Surfac
   answer.cartilage = summarise(answer.against_cartilage, area, answer.touching);
   answer.histogram = gap_histogram(answer.gap, area);
   if (!joint.dial || answer.bone.impinged + answer.cartilage.impinged == 0) return answer;
-  for (Vec3& x : places) x = joint.axes * x;
+  places = mapped(joint.axes, places);
   const PosedGaps posed{places, answer.against_cartilage, area};
   answer.bone_zones = close_zones(*joint.dial, posed, 0.0);
   answer.cartilage_zones = close_zones(*joint.dial, posed, answer.touching);

@@ -15,7 +15,7 @@ namespace impinge {
 namespace {
 
 std::optional<ClockFace> dial_of(TriangleMesh socket, const Eigen::Matrix3d& axes) {
-  for (Vec3& x : socket.vertices) x = axes * x;
+  socket.vertices = mapped(axes, socket.vertices);
   return clock_face(socket);
 }
 
@@ -77,7 +77,7 @@ SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std
 }
 
 TriangleMesh in_joint_frame(const SessionJoint& joint, TriangleMesh mesh) {
-  for (Vec3& x : mesh.vertices) x = joint.axes * x;
+  mesh.vertices = mapped(joint.axes, mesh.vertices);
   return mesh;
 }
 

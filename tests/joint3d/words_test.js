@@ -3,27 +3,15 @@
 'use strict';
 
 const assert = require('node:assert/strict');
-const fs = require('node:fs');
-const os = require('node:os');
-const path = require('node:path');
-const { after, before, test } = require('node:test');
-const { pathToFileURL } = require('node:url');
+const { before, test } = require('node:test');
 
-// The page's modules, which a browser takes for modules without being told.
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'joint3d-words-'));
-const load = (name) => import(pathToFileURL(path.join(folder, name)));
+const { pageModules } = require('./page_modules.js');
 
 let words;
 
 before(async () => {
-  fs.cpSync(path.join(__dirname, '../../analysis/joint3d/src'), folder, { recursive: true });
-  fs.writeFileSync(path.join(folder, 'package.json'), '{ "type": "module" }');
-  fs.symlinkSync(path.join(__dirname, '../../analysis/node_modules'), path.join(folder, 'node_modules'));
-  const names = ['elements', 'files_panel', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel'];
-  words = Object.assign({}, ...await Promise.all(names.map((name) => load(`${name}.js`))));
+  words = await pageModules('elements', 'files_panel', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel');
 });
-
-after(() => fs.rmSync(folder, { recursive: true }));
 
 const LIMIT = {
   about: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20', within_mm: 0.5,

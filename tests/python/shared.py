@@ -32,6 +32,22 @@ def table(folder, name):
         return list(csv.DictReader(file))
 
 
+STANDING = {"asis_right": (120, 60, 120), "asis_left": (-120, 60, 120), "pubic_tubercle_right": (25, 60, 10),
+            "pubic_tubercle_left": (-25, 60, 10)}
+
+
+def standing(centre, tilt_deg):
+    """Landmarks of a pelvis about a joint's centre; its plane leans forward by the tilt, so that the ASIS lead."""
+    tilt = np.radians(tilt_deg)
+    lean = np.array([[1, 0, 0], [0, np.cos(tilt), np.sin(tilt)], [0, -np.sin(tilt), np.cos(tilt)]])
+    return {name: tuple(map(float, lean @ x + centre)) for name, x in STANDING.items()}
+
+
+def marked(path, places):
+    path.write_text("label,x,y,z\n" + "".join(f"{name},{','.join(map(str, map(float, x)))}\n" for name, x in places.items()), encoding="utf-8")
+    return path
+
+
 def sphere(radius, open_above=None):
     """An icosphere; with open_above without the faces that reach higher."""
     g = (1 + 5**0.5) / 2

@@ -3,30 +3,14 @@
 import impinge
 import numpy as np
 import pytest
-from shared import TURNS, program, scene, written
-
-STANDING = {"asis_right": (120, 60, 120), "asis_left": (-120, 60, 120), "pubic_tubercle_right": (25, 60, 10),
-            "pubic_tubercle_left": (-25, 60, 10)}
+from shared import TURNS, marked, standing
 
 
-def marked(path, places):
-    path.write_text("label,x,y,z\n" + "".join(f"{name},{','.join(map(str, x))}\n" for name, x in places.items()), encoding="utf-8")
-    return path
-
-
-def test_landmarks_give_the_frames_that_they_give_the_program(files, tmp_path):
-    tilt = np.radians(12)  # the plane leans forward: the ASIS lead
-    lean = np.array([[1, 0, 0], [0, np.cos(tilt), np.sin(tilt)], [0, -np.sin(tilt), np.cos(tilt)]])
+def test_landmarks_say_how_the_pelvis_leans(files, tmp_path):
     centre = impinge.Joint.read(*files, side="right").centre
-    places = {name: tuple(lean @ np.array(x, dtype=float) + centre) for name, x in STANDING.items()}
-    places |= {"epicondyle_medial": centre + (-30, -100, -380), "epicondyle_lateral": centre + (40, -100, -380)}
-    points = marked(tmp_path / "points.csv", places)
-    joint = impinge.Joint.read(*files, side="right", landmarks=points)
+    places = standing(centre, 12)
+    joint = impinge.Joint.read(*files, side="right", landmarks=marked(tmp_path / "points.csv", places))
     assert joint.landmarks["pelvic_tilt_deg"] == pytest.approx(12)
-    scene(files, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
-    theirs = written(tmp_path, "summary.json")
-    assert {"file": str(points), **joint.landmarks} == theirs["landmarks"]
-    assert joint.limits("flexion")[0]["low_deg"] == theirs["contact"][0]["low_deg"]
     assert impinge.Joint.read(*files, side="right").landmarks is None
     with pytest.raises(ValueError, match="leave out landmarks="):
         joint.certificate()
@@ -37,13 +21,11 @@ def test_landmarks_give_the_frames_that_they_give_the_program(files, tmp_path):
 
 def test_landmarks_give_joints_of_arrays_the_frames_that_they_give_those_of_files(files, tmp_path):
     read = impinge.Joint.read(*files, side="right")
-    lean = np.radians(-7)
-    places = {name: np.array([[1, 0, 0], [0, np.cos(lean), np.sin(lean)], [0, -np.sin(lean), np.cos(lean)]]) @ x + read.centre
-              for name, x in STANDING.items()}
+    places = standing(read.centre, -7)
     femur = {"Medial epicondyle": read.centre + (-30, 40, -380), "lateral EPICONDYLE": tuple(read.centre + (40, 40, -380))}
     arrays = [(s.vertices + read.centre, s.faces) for s in (read.ball, read.socket)]
     for landmarks in (places, places | femur, {**places, **femur, "sacrum": (0, 0, 0)}):
-        points = marked(tmp_path / "points.csv", {name: tuple(map(float, x)) for name, x in landmarks.items()})
+        points = marked(tmp_path / "points.csv", landmarks)
         truth = impinge.Joint.read(*files, side="right", centre=read.centre, landmarks=points)
         assert truth.landmarks["pelvic_tilt_deg"] == pytest.approx(-7)
         for given in (landmarks, points, str(points)):
@@ -100,16 +82,6 @@ def test_a_side_is_asked_for_and_a_wrong_one_warned_of(files):
     with pytest.warns(UserWarning, match="lies to the left of the ball, which no left socket does; check axes= first"):
         wrong = impinge.Joint.read(*files, side="left")
     assert any("check axes= first" in warning for warning in wrong.warnings)
-
-
-def test_files_are_refused_in_the_words_of_the_program(files, tmp_path):
-    broken = tmp_path / "broken.ply"
-    broken.write_bytes(files[0].read_bytes()[:900])
-    for ball in (tmp_path / "missing.ply", broken):
-        said = program("SCENE", "--ball", ball, "--socket", files[1], "--out", tmp_path / "out").stderr
-        with pytest.raises(impinge.FileError) as refused:
-            impinge.Joint.read(ball, files[1])
-        assert said == f"scene: error: {refused.value}\n"
 
 
 @pytest.mark.parametrize("name", impinge.schemes())

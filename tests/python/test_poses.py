@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gaps, contact and the smallest gap of poses: against NumPy and against `scene`."""
+"""Gaps, contact and the smallest gap of poses: against NumPy."""
 import signal
 import threading
 import time
@@ -7,7 +7,7 @@ import time
 import impinge
 import numpy as np
 import pytest
-from shared import TURNS, sphere, table
+from shared import TURNS, sphere
 
 
 def radial(points, surface, farthest):

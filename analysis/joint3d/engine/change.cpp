@@ -13,8 +13,7 @@ val bracket_value(const TurnLimit& limit) {
 
 val neck_value(const std::optional<NeckBar>& neck) {
   if (!neck) return val::null();
-  return object(std::pair("least_mm", neck->least), std::pair("before_mm", neck->before),
-                std::pair("after_mm", neck->after));
+  return object(std::pair("before_mm", neck->before), std::pair("after_mm", neck->after));
 }
 
 }  // namespace

@@ -31,13 +31,13 @@ val matrix_value(const Eigen::Matrix3d& rotation, const Vec3& translation) {
   return typed_array(numbers);
 }
 
-val rim_value(const SessionJoint& joint, std::size_t sectors) {
+val rim_value(const SessionJoint& joint) {
   std::vector<Vec3> places;
   std::vector<double> hours;
   if (joint.dial) {
     TriangleMesh socket = main_surface(joint.joint.socket.mesh, joint.joint.socket.parts);
-    for (Vec3& x : socket.vertices) x = joint.axes * x;
-    for (const RimPoint& at : rim_line(socket, *joint.dial, sectors)) {
+    socket.vertices = mapped(joint.axes, socket.vertices);
+    for (const RimPoint& at : rim_line(socket, *joint.dial, kRimSectors)) {
       places.emplace_back(joint.axes.transpose() * at.place);
       hours.push_back(at.hours);
     }
@@ -48,7 +48,6 @@ val rim_value(const SessionJoint& joint, std::size_t sectors) {
 val zones_value(const std::vector<ClockZone>& zones) {
   return list(zones, [](const ClockZone& zone) {
     return object(std::pair("from", clock_text(zone.from)), std::pair("to", clock_text(zone.to)),
-                  std::pair("from_hours", zone.from), std::pair("to_hours", zone.to),
                   std::pair("area_mm2", zone.area));
   });
 }
@@ -85,12 +84,8 @@ val histogram_value(const GapHistogram& ball, const GapHistogram& socket) {
   std::vector<double> edges;
   for (std::size_t k = 0; k <= ball.area.size(); ++k)
     edges.push_back(ball.first + static_cast<double>(k) * ball.width);
-  std::vector<double> both;
-  for (std::size_t k = 0; k < ball.area.size(); ++k) both.push_back(ball.area[k] + socket.area[k]);
-  return object(std::pair("edges", float_array(edges)), std::pair("counts", float_array(both)),
-                std::pair("ball", float_array(ball.area)), std::pair("socket", float_array(socket.area)),
-                std::pair("below_mm2", ball.below + socket.below),
-                std::pair("beyond_mm2", ball.beyond + socket.beyond));
+  return object(std::pair("edges", float_array(edges)), std::pair("ball", float_array(ball.area)),
+                std::pair("socket", float_array(socket.area)));
 }
 
 val end_or_null(const CentreInterval& interval) {
@@ -118,11 +113,6 @@ std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
   return points;
 }
 
-val first_zone(const std::vector<ClockZone>& zones) {
-  if (zones.empty()) return val::null();
-  return val::array(std::vector<std::string>{clock_text(zones[0].from), clock_text(zones[0].to)});
-}
-
 }  // namespace
 
 val joint_reply(const SessionJoint& joint) {
@@ -132,11 +122,11 @@ val joint_reply(const SessionJoint& joint) {
                          std::pair("points", static_cast<double>(found.fit->points)))
                 : val::null();
   const val side = joint.side ? val(*joint.side == Side::left ? "left" : "right") : val::null();
-  const val rim = rim_value(joint, kRimSectors);
+  const val rim = rim_value(joint);
   return object(std::pair("axes", found.axes), std::pair("ball", mesh_value(found.ball.mesh)),
                 std::pair("socket", mesh_value(found.socket.mesh)), std::pair("centre", point(found.centre)),
                 std::pair("fit", fit), std::pair("side", side), std::pair("rim_clock", rim["positions"]),
-                std::pair("rim_hours", rim["hours"]), std::pair("clock_marks", rim_value(joint, 12)),
+                std::pair("rim_hours", rim["hours"]),
                 std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
                 std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
                 std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })),
@@ -179,16 +169,14 @@ val pose_reply(const SessionJoint& joint, const PoseRequest& request, const Pose
       object(std::pair("ball", levels_value(Surface::ball, request.cartilage_mm)),
              std::pair("socket", levels_value(Surface::socket, request.cartilage_mm)),
              std::pair("none", list(kNoGapColour, [](std::uint8_t c) { return val(int{c}); })));
-  val reply = object(
-      std::pair("ball_gap", float_array(found.ball.gap)),
-      std::pair("socket_gap", float_array(found.socket.gap)),
-      std::pair("matrix", matrix_value(found.pose.rotation, found.pose.translation)),
-      std::pair("ms", found.scan_ms), std::pair("smallest", smallest_value(joint, found.smallest)),
-      std::pair("ball", surface_value(found.ball)), std::pair("socket", surface_value(found.socket)),
-      std::pair("impinged_area_mm2", area), std::pair("impinged_clock", first_zone(found.socket.bone_zones)),
-      std::pair("histogram", histogram_value(found.ball.histogram, found.socket.histogram)),
-      std::pair("colours", colours));
-  return reply;
+  return object(std::pair("ball_gap", float_array(found.ball.gap)),
+                std::pair("socket_gap", float_array(found.socket.gap)),
+                std::pair("matrix", matrix_value(found.pose.rotation, found.pose.translation)),
+                std::pair("ms", found.scan_ms), std::pair("smallest", smallest_value(joint, found.smallest)),
+                std::pair("ball", surface_value(found.ball)),
+                std::pair("socket", surface_value(found.socket)), std::pair("impinged_area_mm2", area),
+                std::pair("histogram", histogram_value(found.ball.histogram, found.socket.histogram)),
+                std::pair("colours", colours));
 }
 
 val limits_reply(const LimitRequest& request, const LimitAnswers& limits) {

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One joint asked three ways, question by question: what the program `scene` writes, the module of Python, and the page
+(tests/joint3d/answers.js). No other test holds these against each other.
+
+Python runs the code of the program on the same machine: its numbers are equal. The page's library is WebAssembly, and both
+compute in IEEE 754 without fused sums. They differ in their libm (sines and cosines of poses and directions, one unit in the
+last place), and in the order in which Eigen adds three products. Directions and places so differ by some 8 * 2^-53 radians; with
+tan psi up to 1e3 and radii up to 150 mm a gap changes by at most 1.4e-10 mm. SMALL allows ten times that."""
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+
+import impinge
+import numpy as np
+import pytest
+from shared import ROOT, marked, program, scene, standing, table, written
+
+SMALL = 1.4e-9  # mm, mm^2, degrees
+FINEST = np.degrees(1e-5)  # the last step towards an end that holds for every centre (motion/swept_parts.cpp)
+POSE = {"flexion": 80, "abduction": -10, "internal_rotation": 20}
+REQUIRED = ["flexion=90,internal_rotation=25", "flexion=100"]
+SCHEMES = ("rsid", "usid", "icosahedral_sine", "octahedral_equal_area", "fibonacci")  # rows, a curve, triangles, others
+CUBE = {"scheme": "cube_gnomonic", "precision_deg": 1, "storage": "uint16"}  # that Python has too, interpolated as the page does it
+STARTS = {  # of the motions that are not asked from the pose of the scan: what grows, and from where
+    **{f"internal_rotation_at_{angle}": ("internal_rotation", [angle, 0, 0]) for angle in (45, 70, 90)},
+    "external_rotation_at_90": ("external_rotation", [90, 0, 0]), "fadir": ("internal_rotation", [90, -15, 0]),
+    "faber": ("external_rotation", [45, 30, 0])}
+
+
+def number(cell):
+    return float(cell) if cell else None
+
+
+def minutes(hours):
+    """On the dial, of hours or of a text as 12:31, to whole minutes."""
+    if hours is None or hours == "":
+        return None
+    hour, minute = hours.split(":") if isinstance(hours, str) else (0, 60 * hours)
+    return (60 * int(hour) + round(float(minute))) % 720
+
+
+def texts(rows, *keys):
+    return [[row[key] for key in keys] for row in rows]
+
+
+def rows_of(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+@pytest.fixture(name="floats", scope="module")
+def made_floats(files, tmp_path_factory):
+    """The two files in floats, which the page's reader keeps."""
+    folder = tmp_path_factory.mktemp("floats")
+    for file in files:
+        head, body = file.read_bytes().split(b"end_header\n", 1)
+        numbers = 3 * int(re.search(rb"element vertex (\d+)", head)[1])
+        assert head.count(b"property double") == 3
+        points = np.frombuffer(body, "<f8", numbers).astype("<f4").tobytes()
+        (folder / file.name).write_bytes(head.replace(b"double", b"float") + b"end_header\n" + points + body[8 * numbers:])
+    return [folder / file.name for file in files]
+
+
+@pytest.fixture(name="joint", scope="module")
+def read_joint(floats):
+    return impinge.Joint.read(*floats, side="right")
+
+
+@pytest.fixture(name="page", scope="module")
+def ask_page(floats):
+    if "JOINT3D_ENGINE" not in os.environ:
+        pytest.skip("no page is built")
+    pose = {**POSE, "cartilage_mm": 4}
+    asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
+             "tables": [{"scheme": scheme, "precision_deg": 2, "storage": "double"} for scheme in SCHEMES] + [CUBE],
+             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "volume": {"width": 0.3}, "measures": {},
+             "resection": {"required": "; ".join(REQUIRED), "clearance_mm": 0.4},
+             "orientation": {"required": "flexion=30", "tilt_deg": 5, "resolution_deg": 0.75}}
+    done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(asked)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def near(mine, theirs, relative=1e-9):
+    return mine == pytest.approx(theirs, abs=SMALL, rel=relative, nan_ok=True)
+
+
+def words(motion):
+    return ",".join(f"{key}={value}" for key, value in motion.items())
+
+
+def test_gaps(joint, floats, tmp_path):
+    scene(floats, tmp_path, "--pose", words(POSE))
+    rows, summary = table(tmp_path, "gaps.csv"), written(tmp_path, "summary.json")
+    for name, gap in zip(("ball", "socket"), joint.gaps(words(POSE))):
+        theirs = np.array([float(row["gap_mm"] or "nan") for row in rows if row["surface"] == name])
+        assert theirs.shape == gap[0].shape
+        both = ~np.isnan(theirs) & ~np.isnan(gap[0])
+        assert both.sum() > 100 and (np.isnan(theirs) != np.isnan(gap[0])).sum() <= 2
+        assert abs(theirs - gap[0])[both].max() < 2e-3
+    smallest, theirs = joint.smallest_gap(words(POSE))[0], summary["smallest_gap"]
+    assert (smallest["gap_mm"], smallest["vertex"], ("ball", "socket")[smallest["surface"]]) == tuple(
+        theirs[key] for key in ("gap_mm", "vertex", "surface"))
+    assert minutes(smallest["clock"]) == minutes(theirs["clock"])
+    for pose in (POSE, {"flexion": 20}):
+        scene(floats, tmp_path, "--question", "touch", "--pose", words(pose))
+        assert written(tmp_path, "summary.json")["touch"] == joint.touch(words(pose))[0]
+
+
+@pytest.mark.parametrize("k", range(len(SCHEMES)))
+def test_gaps_of_the_page(page, floats, tmp_path, k):
+    """Of the same tables, so coarse that some vertices stay undecided."""
+    scene(floats, tmp_path, "--pose", words(POSE), "--scheme", SCHEMES[k], "--precision", "2")
+    found = page["tables"][k]
+    theirs, mine = table(tmp_path, "gaps.csv"), rows_of(found["csv"])
+    assert texts(mine, "surface", "vertex") == texts(theirs, "surface", "vertex") and len(mine) > 1000
+    for key in ("x", "y", "z", "gap_mm"):
+        assert near([number(row[key]) for row in mine], [number(row[key]) for row in theirs]), key
+    summary, smallest, verdicts = written(tmp_path, "summary.json"), found["pose"]["smallest"], found["verdicts"]
+    assert [smallest[key] for key in ("surface", "vertex", "clock")] == [summary["smallest_gap"][key] for key in ("surface", "vertex", "clock")]
+    assert near(smallest["gap_mm"], summary["smallest_gap"]["gap_mm"])
+    bound = summary["error_bound_mm"]
+    assert near([verdicts["low_mm"], verdicts["high_mm"], verdicts["largest_mm"]], [*bound["smallest_gap_between"], bound["largest"]])
+    assert verdicts["largest_mm"] <= found["bound"]["bound_mm"]
+    counts = [summary["certificate"][surface]["undecided_by_bound"] for surface in ("ball", "socket")]
+    assert verdicts["undecided"] == sum(counts) > 0
+
+
+def test_gaps_of_the_tables_of_the_page(page, joint):
+    found = page["tables"][len(SCHEMES)]["pose"]
+    for name, gap in zip(("ball", "socket"), joint.gaps(words(POSE), precision_deg=CUBE["precision_deg"])):
+        mine = np.array(found[f"{name}_gap"], dtype=float)
+        assert (np.isnan(mine) == np.isnan(gap[0])).all() and np.nanmax(abs(mine - gap[0])) < 0.5 * 100 / 65534, name
+
+
+def test_limits(joint, floats, tmp_path):
+    """Every row of limits.csv, clocks included."""
+    scene(floats, tmp_path, "--question", "limits")
+    rows = table(tmp_path, "limits.csv")
+    motions = list(dict.fromkeys(row["motion"] for row in rows))
+    assert len(motions) == 12 and set(STARTS) < set(motions)
+    for motion in motions:
+        growing, start = STARTS.get(motion, (motion, [0, 0, 0]))
+        found, theirs = joint.limits(growing, start=start), [row for row in rows if row["motion"] == motion]
+        assert [[limit["centre"], limit["state"]] for limit in found] == texts(theirs, "centre", "state")
+        for limit, row in zip(found, theirs):
+            for key in ("threshold_mm", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg"):
+                assert limit[key] == number(row[key]), (motion, key)
+            assert minutes(limit["clock"]) == minutes(row["clock"]), motion
+
+
+def test_limits_of_the_page(page, floats, tmp_path):
+    """The CSV that the page saves, row by row."""
+    scene(floats, tmp_path, "--question", "limits")
+    theirs, mine = table(tmp_path, "limits.csv"), rows_of(page["limits"])
+    same = ("joint", "motion", "threshold_mm", "centre", "state", "clock", "what")
+    assert list(mine[0]) == list(theirs[0]) and texts(mine, *same) == texts(theirs, *same)
+    assert sum(bool(row["clock"]) for row in mine) > 20
+    for one, other in zip(mine, theirs):
+        # Both brackets hold the limit, so that they meet.
+        low, high = (number(one[key]) for key in ("low_deg", "high_deg"))
+        assert low <= number(other["high_deg"]) + SMALL and number(other["low_deg"]) <= high + SMALL, one
+        assert one["state"] != "limited" or high - low < 1e-6, one
+        for key, most in (("centre_low_deg", FINEST), ("centre_high_deg", 1e-6), ("half_mm_gap_deg", 1e-6)):
+            assert number(one[key]) == pytest.approx(number(other[key]), abs=most), (one, key)
+
+
+def test_volume(joint, floats, tmp_path):
+    scene(floats, tmp_path, "--question", "volume", "--width", "0.3", "--gap", "0.2")
+    theirs, ours = written(tmp_path, "volume.json"), joint.volume(width=0.3, gap_mm=0.2)
+    for key in ("share_low", "share_high", "reachable_low", "reachable_high", "neutral_blocked", "unknown", "open", "cells_asked"):
+        assert ours[key] == theirs[key], key
+    assert [(m["motion"], m["low_deg"], m["high_deg"]) for m in ours["motions"]] == [
+        (m["motion"], m["low_deg"], m["high_deg"]) for m in theirs["motions"]]
+    rows, cells = table(tmp_path, "volume.csv"), ours["cells"]
+    assert len(rows) == len(cells) > 500
+    for key in ("level", "cell", "w", "x", "y", "z", "radius_deg", "share"):
+        assert (cells[key] == [float(row[key]) for row in rows]).all(), key
+    assert [("free", "blocked", "unknown", "open")[k] for k in cells["state"]] == [row["state"] for row in rows]
+    assert [{1: "yes", 0: "no", -1: ""}[k] for k in cells["reachable"]] == [row["reachable"] for row in rows]
+
+
+def test_volume_of_the_page(page, joint):
+    ours, mine = joint.volume(width=0.3), page["volume"]
+    assert near([mine[key] for key in ("low", "high", "reachable_low", "reachable_high")],
+                [ours[key] for key in ("share_low", "share_high", "reachable_low", "reachable_high")])
+
+
+def test_resection(joint, floats, tmp_path):
+    scene(floats, tmp_path, "--question", "resection", *(word for motion in REQUIRED for word in ("--require", motion)), "--clearance", "0.4")
+    theirs, ours = written(tmp_path, "resection.json"), joint.resection(REQUIRED, clearance_mm=0.4)
+    for key in ("volume_mm3", "area_mm2", "depth_mm"):
+        assert list(ours[key]) == theirs[key], key
+    assert dict(zip("xyz", ours["deepest"])) == theirs["deepest"] and ours["mesh_volume_mm3"] == theirs["mesh_volume_mm3"]
+    assert ours["neck"] == theirs["neck"]
+    for leg, other in zip(ours["legs"], theirs["legs"]):
+        assert {**leg, "start": dict(zip(("flexion", "abduction", "internal_rotation"), leg["start"]))} == other
+
+
+def test_resection_of_the_page(page, joint):
+    """Ends of size, and the mesh, hang on which of two faces of one size is split first, which the last bit decides."""
+    ours, mine = joint.resection(REQUIRED, clearance_mm=0.4), page["resection"]
+    for key, relative in (("volume_mm3", 1e-4), ("area_mm2", 1e-4), ("depth_mm", 1e-9), ("deepest", 1e-9)):
+        assert near(mine[key], list(ours[key]), relative), key
+    assert near([mine["neck"][key] for key in ("before_mm", "after_mm")], [ours["neck"][key] for key in ("before_mm", "after_mm")], 1e-6)
+    assert max(mine["depth"]) == pytest.approx(ours["depth"].max(), abs=1e-5)
+    for leg, other in zip(mine["legs"], ours["legs"], strict=True):
+        for when in ("before", "after"):
+            assert leg[when]["state"] == other[when]["state"] and leg[when]["low_deg"] == pytest.approx(other[when]["low_deg"], abs=1e-6)
+
+
+def test_orientation(joint, floats, tmp_path):
+    scene(floats, tmp_path, "--question", "orientation", "--require", "flexion=30", "--tilt", "5")
+    theirs, ours = written(tmp_path, "orientation.json"), joint.orientation_map([30, 0, 0], tilt_deg=5)
+    assert ours["as_scanned"] == theirs["as_scanned"] and ours["area_deg2"] == theirs["area_deg2"]
+    rows, squares = table(tmp_path, "orientation.csv"), ours["squares"]
+    assert len(rows) == len(squares) > 20
+    for key in ("inclination_deg", "anteversion_deg", "half_width_deg"):
+        assert (squares[key] == [float(row[key]) for row in rows]).all(), key
+    assert [("free", "blocked", "unknown", "open")[k] for k in squares["state"]] == [row["state"] for row in rows]
+    assert [ours["legs"][k] if k >= 0 else "" for k in squares["leg"]] == [row["motion"] for row in rows]
+
+
+def test_orientation_of_the_page(page, joint):
+    ours, mine = joint.orientation_map([30, 0, 0], tilt_deg=5, resolution_deg=0.75), page["orientation"]
+    for key in ("as_scanned", "area_deg2"):
+        assert near(mine[key], ours[key]), key
+    fields = ("inclination_deg", "anteversion_deg", "half_width_deg", "state", "leg")
+    assert near(np.reshape(mine["squares"], (-1, len(fields))), np.array([list(row) for row in ours["squares"][list(fields)].tolist()]))
+    assert mine["legs"] == ours["legs"]
+
+
+def test_measures(joint, floats, tmp_path):
+    scene(floats, tmp_path, "--question", "measures")
+    rows, ours = table(tmp_path, "measures.csv"), joint.measures()
+    assert [[m["measure"], m["unit"], m["state"]] for m in ours] == texts(rows, "measure", "unit", "state")
+    for measure, row in zip(ours, rows):
+        for key in ("value", "uncertainty", *(f"published_{part}" for part in ("mean", "sd", "median", "lower_quartile", "upper_quartile"))):
+            assert measure[key] == number(row[key])
+        for key in ("published_of", "published_source"):
+            assert measure[key] == (row[key] or None)
+
+
+def test_measures_of_the_page(page, joint):
+    for mine, ours in zip(page["measures"]["measures"], joint.measures(), strict=True):
+        assert (mine["measure"], mine["unit"]) == (ours["measure"], ours["unit"])
+        assert ours["state"] == f"refused: {mine['refused']}" if mine["refused"] else not ours["state"].startswith("refused")
+        assert near([mine["value"], mine["uncertainty"]], [ours["value"], ours["uncertainty"]], 1e-6), mine
+        published = mine["published"] or dict.fromkeys(("mean", "sd", "median", "lower_quartile", "upper_quartile", "of", "source"))
+        assert {f"published_{key}": value for key, value in published.items()} == {key: value for key, value in ours.items() if key.startswith("published")}
+
+
+def test_certificates(joint, floats, tmp_path):
+    for pose, motion, question, says in (
+            ("flexion=80", None, ["--question", "touch"], "clear: "),
+            ("flexion=120,internal_rotation=40", None, ["--question", "touch"], "blocked: "),
+            ("flexion=80", "internal_rotation", ["--question", "limit", "--motion", "internal_rotation"], "clear: ")):
+        file = tmp_path / "theirs.txt"
+        scene(floats, tmp_path, "--pose", pose, "--certificate", file, *question)
+        text = joint.certificate(pose, motion=motion)
+        assert text == file.read_text(encoding="utf-8")
+        done = subprocess.run([sys.executable, ROOT / "experiments/check_certificate.py", file, *floats], capture_output=True, text=True, check=False)
+        assert done.returncode == 0 and done.stdout.startswith(says), done.stderr + done.stdout
+    assert joint.certificate(joint.matrices("flexion=80")) == joint.certificate("flexion=80")
+
+
+def test_landmarks(joint, floats, tmp_path):
+    places = standing(joint.centre, 12) | {"epicondyle_medial": joint.centre + (30, -100, -380), "epicondyle_lateral": joint.centre + (-40, -100, -380)}
+    points = marked(tmp_path / "points.csv", places)
+    ours = impinge.Joint.read(*floats, side="right", landmarks=points)
+    scene(floats, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
+    theirs = written(tmp_path, "summary.json")
+    assert {"file": str(points), **ours.landmarks} == theirs["landmarks"]
+    assert ours.limits("flexion")[0]["low_deg"] == theirs["contact"][0]["low_deg"]
+
+
+def test_refused_files(floats, tmp_path):
+    broken = tmp_path / "broken.ply"
+    broken.write_bytes(floats[0].read_bytes()[:900])
+    for ball in (tmp_path / "missing.ply", broken):
+        said = program("SCENE", "--ball", ball, "--socket", floats[1], "--out", tmp_path / "out").stderr
+        with pytest.raises(impinge.FileError) as refused:
+            impinge.Joint.read(ball, floats[1])
+        assert said == f"scene: error: {refused.value}\n"
