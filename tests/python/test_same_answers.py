@@ -268,7 +268,7 @@ def test_certificates(joint, floats, tmp_path):
 
 
 def test_landmarks(joint, floats, tmp_path):
-    places = standing(joint.centre, 12) | {"epicondyle_medial": joint.centre + (30, -100, -380), "epicondyle_lateral": joint.centre + (-40, -100, -380)}
+    places = standing(joint.centre, 12) | {"epicondyle_medial": joint.centre + (-30, -100, -380), "epicondyle_lateral": joint.centre + (40, -100, -380)}
     points = marked(tmp_path / "points.csv", places)
     ours = impinge.Joint.read(*floats, side="right", landmarks=points)
     scene(floats, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
