@@ -262,7 +262,12 @@ class BadInput(GeneratedPair):
         ]:
             (root / name).write_bytes(scaled(mesh, factor))
         os.link(self.ball, root / "again.ply")
-        (root / "triangle.off").write_text("OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n")
+        for name, corners in {
+            "triangle": "0 0 1\n1 0 1\n0 1 1\n",
+            "far": "9000 0 0\n9001 0 0\n9000 1 0\n",  # fills less of the view than a cell of the grid that measures it
+            "flat": "30 0 0\n31 0 0\n30 1 0\n",  # its plane holds the centre
+        }.items():
+            (root / f"{name}.off").write_text(f"OFF\n3 1 0\n{corners}3 0 1 2\n")
         advice = "check that both meshes are in mm and in one frame"
         apart = "mm from the centre of rotation, and the ball {}; " + advice
         same = "is the mesh of the ball and of the socket; check the files of --ball and --socket"
@@ -294,6 +299,16 @@ class BadInput(GeneratedPair):
         ]:
             with self.subTest(message):
                 self.refused(self.scene(**keywords), 1, message)
+        nowhere = "no direction from the centre 0.000,0.000,0.000 meets the socket; check that both meshes are in one frame and in mm"
+        outside = "fills only 0 % of the view from the centre {}; give a centre inside with --centre X,Y,Z, or check that the files are not swapped and in mm"
+        for centre, keywords, message in [
+            ("0,0,0", {"socket": root / "far.off"}, f"{root}/far.off: {nowhere}"),
+            ("0,0,0", {"socket": root / "flat.off"}, f"{root}/flat.off: {nowhere}"),
+            ("300,0,0", {}, f"{self.ball}: " + outside.format("300.000,0.000,0.000, which lies outside of the ball")),
+            ("0,0,0", {"ball": root / "flat.off"}, f"{root}/flat.off: " + outside.format("0.000,0.000,0.000, and no sphere fits it")),
+        ]:
+            with self.subTest(message):
+                self.refused(self.scene("--centre", centre, **keywords), 1, message)
 
     def test_two_meshes_in_another_unit_get_a_warning(self):
         """Nothing is wrong with them but their size."""

@@ -3,7 +3,6 @@
 // everywhere gives the areas, zones and colours of that one thickness.
 #include <fstream>
 #include <string>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -126,25 +125,6 @@ TEST_F(Cartilage, GapsOfAHipAreInTheHistogram) {
   for (const double x : socket["area_mm2"]) total += x;
   EXPECT_GT(socket["area_mm2"][16], 0.95 * total);
   EXPECT_EQ(socket["without_gap_mm2"], 0.0);
-}
-
-// Stated behaviour of joints that are not as they should be.
-TEST_F(Cartilage, TheWrongSideIsWarnedOf) {
-  SceneOptions options = hip(hip_preset("patient_b"));
-  EXPECT_TRUE(load_joint(options).joint->joint.warnings.empty());
-  options.side = Side::right;
-  const Session session = load_joint(options);
-  const Joint& joint = session.joint->joint;
-  ASSERT_FALSE(joint.warnings.empty());
-  const char* advice = "check --axes first (3D Slicer and DICOM have LPS), then --side";
-  EXPECT_NE(joint.warnings[0].find(advice), std::string::npos) << joint.warnings[0];
-}
-
-TEST_F(Cartilage, SwappedFilesAreRefused) {
-  SceneOptions options = hip(hip_preset("pincer"));
-  std::swap(options.ball, options.socket);
-  const std::string message = test::thrown<FileError>([&] { load_joint(options); });
-  EXPECT_NE(message.find("swapped"), std::string::npos) << message;
 }
 
 // A ball that is too large for its socket is not taken for it.

@@ -16,7 +16,6 @@
 #include "hip/measure_list.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/io.hpp"
-#include "reference/closest_point.hpp"
 #include "scene/report.hpp"
 
 namespace impinge {
@@ -72,31 +71,6 @@ TEST(RealBones, CentreIsFoundInTheWholeFemur) {
     const auto& centre = subject["center_of_rotation_mm"];
     EXPECT_LT((fit.centre - Vec3(centre[0], centre[1], centre[2])).norm(), 0.35) << hip;
     EXPECT_NEAR(fit.radius, subject["radius_mm"].get<double>(), 0.12) << hip;
-  }
-}
-
-// Euclidean distances of vertices all over the socket, in poses that are free and deep. Few of them, as the
-// exact ones take their time; the precision of the tables plays no part.
-TEST(RealBones, DistancesHoldTheExactOnes) {
-  constexpr std::size_t kStride = 16;
-  for (const fs::path& hip : hips()) {
-    SceneOptions options = options_of(hip);
-    options.side = hip.string().ends_with("left") ? Side::left : Side::right;
-    options.precision_deg = 5.0;
-    Session session = load_joint(options);
-    const Joint& joint = session.joint->joint;
-    for (const char* motion : {"flexion=0", "flexion=90,internal_rotation=20"}) {
-      options.motion = parse_motion(motion);
-      const Measurement found = measure(session, options);
-      std::vector<Vec3> points;
-      for (std::size_t i = 0; i < joint.socket.mesh.vertices.size(); i += kStride)
-        points.push_back(to_ball(found.pose, joint.socket.mesh.vertices[i]));
-      const std::vector<double> distance = closest_distances(joint.ball.mesh, {.points = points});
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        ASSERT_LE(found.socket.distance[kStride * i].lower_mm, distance[i]) << hip << " " << motion;
-        ASSERT_GE(found.socket.distance[kStride * i].upper_mm, distance[i]) << hip << " " << motion;
-      }
-    }
   }
 }
 
