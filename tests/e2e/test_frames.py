@@ -157,6 +157,59 @@ class Frames(unittest.TestCase):
                     if ours[key] not in ("", None):
                         self.assertAlmostEqual(float(ours[key]), float(theirs[key]), delta=2e-3, msg=str((ours, theirs)))
 
+    def test_a_cut_mesh_lies_in_the_frame_of_its_files_and_lets_the_joint_turn(self):
+        """As far as was required, before it does not: of a hip that is not about the origin, in LPS."""
+        made = self.root / "walled"
+        subprocess.run([os.environ["MAKE_PAIR"], "--hip", "cam", "--set", "wall_thickness=3", "--faces", "800", "--out", made],
+                       check=True, capture_output=True)
+        walled = {name: self.read_ply(made / f"{name}.ply") for name in ("ball", "socket")}
+        for cut, more, meshes in (("ball", ("--least",), walled), ("socket", (), self.meshes)):
+            files = {}
+            for name, (vertices, faces) in meshes.items():
+                files[name] = self.root / f"{cut}_{name}.ply"
+                files[name].write_bytes(ply_text(vertices @ LPS + (3, -70, 12), faces, "comment SPACE=LPS\n"))
+            done = self.scene(cut, *files.values(), "--question", "resection", "--require", "flexion=90,internal_rotation=20", "--cut",
+                              cut, *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            folder = self.root / cut / "out"
+            said = json.loads((folder / "resection.json").read_text())
+            self.assertEqual((said["question"], said["surface"], said["require"]), ("resection", cut, "flexion=90,internal_rotation=20"))
+            self.assertIn("nothing in this may guide the treatment", said["notice"])
+            self.assertIn(said["notice"], done.stdout)
+            centre = ",".join(str(said["centre"][axis]) for axis in "xyz")
+            for socket_or_ball, limited in ((files[cut], True), (folder / f"resected_{cut}.ply", False)):
+                asked = self.scene("again", *({**files, cut: socket_or_ball}).values(), "--axes", "LPS", "--centre", centre, "--question",
+                                   "limit", "--motion", "internal_rotation", "--pose", "flexion=90")
+                self.assertEqual(asked.returncode, 0, asked.stderr)
+                low = json.loads((self.root / "again/out/summary.json").read_text())["contact"][0]["low_deg"]
+                self.assertEqual(low < 20, limited, (cut, low))
+            if cut == "ball":
+                self.assertLessEqual(said["least"]["volume_mm3"][1], said["volume_mm3"][1])
+                swept = (folder / "swept.csv").read_text().splitlines()
+                self.assertEqual(swept[0], "a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z,from_mm,to_mm")
+                self.assertGreaterEqual(len(swept) - 1, said["least"]["cells"])
+                self.assertIn("least cut of all    ", done.stdout)
+                self.assertGreater(said["neck"]["after_mm"], said["neck"]["least_mm"])
+            else:
+                self.assertIn("no closed mesh", said["volume_why"])
+
+    def test_the_map_of_orientations_is_whole(self):
+        """The cam's cup of 54 and 19 degrees, seen from above, has 15.7 of anteversion."""
+        files = self.write("cup", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n"), "ply", LPS, LPS)
+        done = self.scene("cup", *files, "--question", "orientation", "--require", "flexion=90,internal_rotation=25", "--tilt", 5)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        said = json.loads((self.root / "cup/out/orientation.json").read_text())
+        self.assertIn("nothing in this may guide the treatment", said["notice"])
+        self.assertEqual(said["tilt_deg"], 5)
+        self.assertAlmostEqual(said["as_scanned"]["anteversion_deg"], 15.7, delta=1)
+        with (self.root / "cup/out/orientation.csv").open() as file:
+            squares = list(csv.DictReader(file))
+        self.assertEqual(list(squares[0]), ["inclination_deg", "anteversion_deg", "half_width_deg", "state", "motion"])
+        for state, area in said["area_deg2"].items():
+            self.assertAlmostEqual(sum(4 * float(row["half_width_deg"]) ** 2 for row in squares if row["state"] == state), area, delta=1e-6)
+        self.assertAlmostEqual(sum(said["area_deg2"].values()), 8100, delta=1e-6)
+        self.assertTrue(said["area_deg2"]["free"] > 500 and said["area_deg2"]["open"] < 1500, said["area_deg2"])
+
     def test_what_is_said_otherwise_stays(self):
         for name, text in (
             ("none", lambda v, f: ply_text(v, f, "comment COLORSPACE=LPS\n")),

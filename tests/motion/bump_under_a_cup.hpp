@@ -65,10 +65,4 @@ inline double radius_along(const TriangleMesh& mesh, const Face& face, const Vec
   return v >= 0.0 && w >= 0.0 && v + w <= 1.0 && radius > 0.0 ? radius : HUGE_VAL;
 }
 
-inline double nearest_along(const TriangleMesh& mesh, const Vec3& u) {
-  double nearest = HUGE_VAL;
-  for (const Face& face : mesh.faces) nearest = std::min(nearest, radius_along(mesh, face, u));
-  return nearest;
-}
-
 }  // namespace impinge
