@@ -25,8 +25,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BONES = os.environ.get("IMPINGE_BONES", "")
-sys.path.insert(0, str(ROOT / "experiments"))
+sys.path[:0] = [str(ROOT / "experiments"), str(Path(__file__).resolve().parent)]
 import graph  # noqa: E402
+import kept_numbers  # noqa: E402
 
 THESIS_TABLES = [f"table-{n}" for n in range(1, 14)]
 BORROWED = {*range(2, 13), *range(14, 25), 43, 51}  # "reproduced from" others, by their captions in the thesis
@@ -279,6 +280,10 @@ class Reproduce(unittest.TestCase):
         unmeasured = [name for name, row in verdicts.items() if not row["measured"]]
         self.assertEqual(unmeasured, [("table-8", "growth", "pairwise")])  # scaled, which decides the power
         self.assert_pinned(RESULTS / "tables" / "findings.csv", here / "pinned_findings.csv", ["where", "claim"])
+
+    def test_i_data_are_those_that_are_kept(self):
+        """What experiments write that hold no time, real joints aside."""
+        self.assertEqual(kept_numbers.differences(RESULTS), [])
 
     def test_i_findings_have_verdicts(self):
         """Each statement has one, with a number that was computed; the data that it names are there."""

@@ -8,9 +8,6 @@
 
 #include "10_error_against_time/errors.hpp"
 #include "methods/benchmark_scene.hpp"
-#include "methods/table_query.hpp"
-#include "sphere/schemes/cube_gnomonic.hpp"
-#include "sphere/stored_table.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {
@@ -98,26 +95,7 @@ TEST(Violation, IsAnErrorAboveTheBound) {
   EXPECT_DOUBLE_EQ(line["bound_um"].get<double>(), 1.0);
   EXPECT_EQ(std::strtod(line["point_mm"][1].get<std::string>().c_str(), nullptr), -0.2);
   EXPECT_EQ(violation->text().find('\n'), std::string::npos);
-}
-
-// What 16 bits add is bounded; the error of the stored table on a body whose table in double is exact (each
-// of its cells has one radius) comes close to it, so that half of the bound is found to be violated.
-TEST(Violation, AHalvedBoundIsFound) {
-  RadialTable<CubeGnomonic> table(CubeGnomonic::with_precision(4.0));
-  const auto radius = [](const Vec3& x) { return 24.0 + 3.0 * std::sin(1000.0 * x.normalized().x()); };
-  for (std::size_t i = 0; i < table.scheme().size(); ++i)
-    table.radii()[i] = radius(table.scheme().direction(i));
-  const PointQuery method = table_query(Uint16Table<CubeGnomonic>(table));
-  BenchmarkProbes probes;
-  probes.points = uniform_directions(5000, 9);
-  probes.uniform = probes.points.size();
-  for (std::size_t i = 0; i < table.scheme().size(); ++i)
-    probes.points.push_back(table.scheme().direction(i));
-  probes.truth_at = [&table](const Vec3& x) { return table.radius_at(x); };
-  for (const Vec3& x : probes.points) probes.truth.push_back(probes.truth_at(x));
-  const BenchmarkErrors errors = measure_errors(method, probes, {});
-  EXPECT_FALSE(find_violation(errors, {.bound_mm = method.storage_bound}));
-  EXPECT_TRUE(find_violation(errors, {.bound_mm = 0.5 * method.storage_bound}));
+  EXPECT_THROW(require_bound(errors, {.bound_mm = 0.001}, {"scene", "rsid", "1deg"}), BoundViolated);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
-#include "sphere/schemes/rsid.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -22,43 +21,18 @@ BudgetJoint generated() {
           }};
 }
 
-std::vector<Stage> all_stages(const BudgetJoint& joint, std::size_t storage) {
-  std::vector<Stage> stages = exact_stages(joint);
-  const auto stored = table_stages(joint, Rsid::with_precision(1.0));
-  stages.insert(stages.end(), stored.at(storage).stages.begin(), stored.at(storage).stages.end());
-  return stages;
-}
-
-// Cell k of the row of a stage, read back from the CSV.
-double value(const Table& table, const std::string& stage, std::size_t column) {
-  for (const auto& row : table.rows)
-    if (row.at(4).text() == stage) return std::stod(row.at(column).text());
-  ADD_FAILURE() << "no row " << stage;
-  return std::nan("");
-}
-
-constexpr std::size_t kMax = 7;
-constexpr std::size_t kMissed = 6;
-
-TEST(ErrorBudget, StagesComeInTheirOrder) {
-  std::vector<std::string> names;
-  for (const Stage& stage : all_stages(generated(), 2)) names.emplace_back(stage.adds);
-  EXPECT_EQ(names, (std::vector<std::string>{"", "mesh", "centre", "table", "arithmetic", "storage"}));
-  BudgetJoint unknown = generated();
-  unknown.socket_radius = nullptr;
-  EXPECT_EQ(exact_stages(unknown).front().adds, "");
-  EXPECT_EQ(exact_stages(unknown).size(), 2U);
-}
-
 // The faces of a sphere's mesh lie inside of it, by the sagitta at most.
 TEST(ErrorBudget, MeshStageIsTheSagittaOfTheFaces) {
   const BudgetJoint joint = generated();
-  Table table = budget_table();
-  add_budget(table, {"generated", "rsid", 1.0, "double"}, all_stages(joint, 0));
+  const std::vector<Stage> stages = exact_stages(joint);
+  ASSERT_EQ(stages.at(1).adds, "mesh");
+  double largest = 0.0;
+  for (std::size_t i = 0; i < stages[0].gap.size(); ++i)
+    largest = std::fmax(largest, std::abs(stages[1].gap[i] - stages[0].gap[i]));
   const std::vector<double> sagittas = face_sagittas(joint.meshes.socket);
-  const double estimate = 1000.0 * *std::ranges::max_element(sagittas);
-  EXPECT_GT(value(table, "mesh", kMax), 0.3 * estimate);
-  EXPECT_LT(value(table, "mesh", kMax), 1.05 * estimate);
+  const double estimate = *std::ranges::max_element(sagittas);
+  EXPECT_GT(largest, 0.3 * estimate);
+  EXPECT_LT(largest, 1.05 * estimate);
 }
 
 // Off by e, concentric spheres of radii B and S are both seen e.u nearer: of the gap only e_t^2 / 2 (1 / B -
@@ -103,33 +77,6 @@ TEST(ErrorBudget, CentreStageIsOfSecondOrderForConcentricSpheres) {
   const MeanChange far = mean_change(2.0);
   EXPECT_NEAR(std::log2(far.measured / near.measured), 2.0, 0.1);
   EXPECT_NEAR(near.measured / near.spheres, 1.0, 0.05);
-}
-
-TEST(ErrorBudget, StorageStageKeepsItsBound) {
-  const BudgetJoint joint = generated();
-  const auto rsid = fill_exact(socket_about_wrong_centre(joint), Rsid::with_precision(1.0), Layer::nearest);
-  Table coarse = budget_table();
-  add_budget(coarse, {"generated", "rsid", 1.0, "uint16"}, all_stages(joint, 2));
-  EXPECT_LE(value(coarse, "storage", kMax), 1000.0 * Uint16Table<Rsid>(rsid).storage_bound());
-  Table fine = budget_table();
-  add_budget(fine, {"generated", "rsid", 1.0, "float"}, all_stages(joint, 1));
-  EXPECT_LT(value(fine, "storage", kMax), value(coarse, "storage", kMax));
-  EXPECT_LT(value(fine, "arithmetic", kMax), value(fine, "storage", kMax));
-}
-
-TEST(ErrorBudget, TotalIsBelowTheSum) {
-  Table table = budget_table();
-  add_budget(table, {"generated", "rsid", 1.0, "uint16"}, all_stages(generated(), 2));
-  EXPECT_LE(value(table, "total", kMax), value(table, "sum", kMax));
-  EXPECT_GT(value(table, "total", kMax), 0.3 * value(table, "sum", kMax));
-}
-
-TEST(ErrorBudget, VerticesThatOneStageMissesAreCounted) {
-  std::vector<Stage> stages{{"", {1.0, 2.0, 3.0}}, {"mesh", {1.5, kNoSurface, 3.25}}};
-  Table table = budget_table();
-  add_budget(table, {"two", "", 1.0, ""}, stages);
-  EXPECT_EQ(value(table, "mesh", kMissed), 1.0);
-  EXPECT_EQ(value(table, "mesh", kMax), 500.0);
 }
 
 TEST(FaceSagittas, AreThoseOfASphere) {

