@@ -29,25 +29,6 @@ TEST(HelixEntries, AtEqualTravelAreThoseOfUsid) {
   }
 }
 
-// Steps between entries, summed as a polygon of short chords, are all the same.
-TEST(HelixEntries, AtEqualArcAreEquallyFarApart) {
-  const HelixEntries entries = thesis_entries(12);
-  const double step = helix_total_length(12.0) / static_cast<double>(entries.count - 1);
-  for (std::size_t i = 0; i + 1 < entries.count; ++i) {
-    const double from = polar_angle_of_equal_arc(entries, i);
-    const double to = polar_angle_of_equal_arc(entries, i + 1);
-    double length = 0.0;
-    Vec3 before = to_direction({from, 24.0 * from});
-    for (int part = 1; part <= 2000; ++part) {
-      const double phi = from + (to - from) * part / 2000.0;
-      const Vec3 point = to_direction({phi, 24.0 * phi});
-      length += (point - before).norm();
-      before = point;
-    }
-    ASSERT_NEAR(length, step, 1e-6 * step);
-  }
-}
-
 // By definition: index of Eq. 10 at an entry that stands at place i, minus i.
 TEST(IndexMismatch, IsTheIndexOfEq10MinusTheEntry) {
   const HelixEntries entries = thesis_entries(229);

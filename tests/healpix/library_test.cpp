@@ -114,19 +114,5 @@ TEST(HealpixLibrary, WeightsAreThoseOfTheLibrary) {
   }
 }
 
-// The ring and the gaps of a lookup are the library's: the taps are the pixels of get_interpol().
-TEST(HealpixLibrary, TapsAreThoseOfTheLibrary) {
-  for (const std::size_t nside : {1U, 5U, 64U, 1000U}) {
-    const Both both(nside);
-    for (const Vec3& u : test::random_directions(20000, 111)) {
-      const Weights ours = weights(both.ours, u);
-      const Weights theirs = weights(both.theirs, u);
-      ASSERT_TRUE(
-          std::ranges::equal(ours, theirs, {}, &Weights::value_type::first, &Weights::value_type::first))
-          << nside << " at " << u.transpose();
-    }
-  }
-}
-
 }  // namespace
 }  // namespace impinge

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract: no proper prefix of a file is taken for the file: read_mesh throws FileError with one line "FILE: reason;
-// advice". (What is said of which fault: tests/e2e/bad_meshes.py; any damage: tests/fuzz/read_mesh.cpp.)
+// Contract: no proper prefix of a file is taken for the file: read_mesh throws FileError with one line "FILE:
+// reason; advice". (What is said of which fault: tests/e2e/bad_meshes.py; any damage:
+// tests/fuzz/read_mesh.cpp.)
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of the generated hips: a normal hip reaches what a clinician finds, a cam impinges anterosuperiorly,
-// and a left hip is the mirror image of a right one.
+// Limits of the generated hips: a normal hip reaches what a clinician finds, a cam impinges anterosuperiorly.
+// (A left hip is the mirror image of a right one: tests/python/test_motion.py.)
 #include <string>
 
 #include <gtest/gtest.h>
@@ -66,21 +66,6 @@ TEST(HipLimits, CamsImpingeAnterosuperiorlyInFadir) {
     const double hours = hip.dial.hours(limit.contact->place);
     EXPECT_TRUE(hours < 3.0 || hours > 11.75) << name << " " << clock_text(hours);
     EXPECT_LT(limit.high_deg, normal - 5.0) << name;
-  }
-}
-
-TEST(HipLimits, ALeftHipIsTheMirrorImage) {
-  HipParameters parameters = hip_preset("mixed");
-  parameters.side = Side::right;
-  const HipLimits right(parameters);
-  parameters.side = Side::left;
-  const HipLimits left(parameters);
-  for (const char* name : {"abduction", "internal_rotation_at_70", "faber"}) {
-    const TurnLimit a = right.of(name);
-    const TurnLimit b = left.of(name);
-    EXPECT_NEAR(a.low_deg, b.low_deg, 1e-6) << name;
-    ASSERT_TRUE(a.contact && b.contact);
-    EXPECT_NEAR(right.dial.hours(a.contact->place), left.dial.hours(b.contact->place), 1e-6) << name;
   }
 }
 

@@ -16,6 +16,7 @@
 #include "hip/measure_list.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/io.hpp"
+#include "mesh/validation.hpp"
 #include "scene/report.hpp"
 
 namespace impinge {
@@ -23,16 +24,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> hips() {
+std::vector<fs::path> subjects() {
   std::vector<fs::path> folders;
   const char* bones = std::getenv("IMPINGE_BONES");  // NOLINT(concurrency-mt-unsafe)
   if (bones == nullptr) return folders;
   for (const auto& entry : fs::directory_iterator(bones)) {
-    if (fs::exists(entry.path() / "femoral_head.ply") && fs::exists(entry.path() / "subject.json")) {
-      folders.push_back(entry.path());
-    }
+    if (fs::exists(entry.path() / "subject.json")) folders.push_back(entry.path());
   }
   return folders;
+}
+
+std::vector<fs::path> hips() {
+  std::vector<fs::path> folders = subjects();
+  std::erase_if(folders, [](const fs::path& folder) { return !fs::exists(folder / "femoral_head.ply"); });
+  return folders;
+}
+
+// Of every mesh that the description knows.
+TEST(RealBones, CountsAreThoseStated) {
+  for (const fs::path& subject : subjects()) {
+    const auto files = nlohmann::json::parse(read_bytes(subject / "subject.json"))["files"];
+    EXPECT_FALSE(files.empty()) << subject;
+    for (const auto& [name, stated] : files.items()) {
+      if (!name.ends_with(".ply")) continue;
+      SCOPED_TRACE(subject / name);
+      const MeshReport report = validate(read_mesh(subject / name));
+      EXPECT_EQ(report.vertices, stated["vertices"]);
+      EXPECT_EQ(report.faces, stated["triangles"]);
+      EXPECT_EQ(report.boundary_edges, stated["boundary_edges"]);
+      EXPECT_EQ(report.non_manifold_edges, stated["nonmanifold_edges"]);
+      EXPECT_EQ(report.components, stated["components"]);
+      EXPECT_EQ(report.degenerate_faces, stated["degenerate_triangles"]);
+      ASSERT_EQ(report.volume.has_value(), !stated["signed_volume_mm3"].is_null());
+      if (report.volume) {
+        EXPECT_NEAR(*report.volume, stated["signed_volume_mm3"].get<double>(), 0.1);
+      }
+      EXPECT_EQ(report.unreferenced_vertices + report.duplicate_faces + report.non_finite_vertices, 0U);
+    }
+  }
 }
 
 SceneOptions options_of(const fs::path& hip) {

@@ -32,15 +32,6 @@ TEST(SchemeMetrics, DeclaredCoveringRadiusIsThatMeasuredOrALittleMore) {
   });
 }
 
-TEST(SchemeMetrics, AreasOfAllEntriesSumToTheSphere) {
-  test::every_scheme([]<class S>() {
-    const S scheme = S::with_precision(2.5);
-    double sum = 0.0;
-    for (const double area : entry_areas(sphere_delaunay_of(scheme))) sum += area;
-    EXPECT_NEAR(sum, 4.0 * kPi, 1e-9) << S::name;
-  });
-}
-
 TEST(SchemeMetrics, NoSchemeIsBelowTheLeastCoveringConstant) {
   test::every_scheme([]<class S>() {
     const SchemeMetrics metrics = measure_scheme(S::with_precision(2.5));

@@ -83,14 +83,6 @@ TEST(Conchoid, InversesHoldUpToBothPoles) {
   }
 }
 
-TEST(Conchoid, BothPolesAreEntries) {
-  for (const ConchoidShape& shape : kShapes) {
-    const Conchoid spiral = Conchoid::with_shape(shape, 1000);
-    EXPECT_EQ(spiral.direction(0), Vec3(0, 0, 1));
-    EXPECT_EQ(spiral.direction(999), Vec3(0, 0, -1));
-  }
-}
-
 // The area of surface between any entry and the next, and the distance on the surface from an entry to the
 // next one and to the turn below it, are the same everywhere: A / (N - 1), h and h.
 TEST(Conchoid, IsUniformOnTheSurface) {

@@ -10,8 +10,6 @@
 
 #include "sphere/elliptic.hpp"
 #include "sphere/schemes/usid.hpp"
-#include "support/directions.hpp"
-#include "support/quadrature.hpp"
 
 namespace impinge {
 namespace {
@@ -28,27 +26,7 @@ TEST(UsidArc, SizesAndTurnsAreThoseOfUsid) {
   EXPECT_THROW(UsidArc::with_turns(10'000'000), std::invalid_argument);
 }
 
-// The length of the curve between two entries, integrated, is the same everywhere.
-TEST(UsidArc, EntriesAreEquallyFarApartAlongTheCurve) {
-  for (const std::size_t turns : {2U, 9U, 229U}) {
-    const UsidArc helix = UsidArc::with_turns(turns);
-    const double slope = 2.0 * static_cast<double>(turns);
-    const auto speed = [&](double phi) { return std::hypot(1.0, slope * std::sin(phi)); };
-    const double step =
-        2.0 * elliptic_e(0.5 * kPi, 1.0 + slope * slope) / static_cast<double>(helix.size() - 1);
-    for (std::size_t i = 0; i + 1 < helix.size(); i += 1 + helix.size() / 500) {
-      const double from = to_angles(helix.direction(i)).phi;
-      const double to = to_angles(helix.direction(i + 1)).phi;
-      double length = 0.0;  // of pieces that are short beside the place where the speed begins to grow
-      for (int k = 0; k < 32; ++k) {
-        length += test::integral(speed, from + (to - from) * k / 32.0, from + (to - from) * (k + 1) / 32.0);
-      }
-      ASSERT_NEAR(length, step, 1e-11) << turns << " entry " << i;
-    }
-  }
-}
-
-// theta = 2 k phi, with phi found by halving E(phi).
+// theta = 2 k phi, with phi found by halving E(phi), which grows from each to the next by as much.
 TEST(UsidArc, EntriesStandOnTheHelix) {
   for (const std::size_t turns : {2U, 229U, 4584U}) {
     const UsidArc helix = UsidArc::with_turns(turns);

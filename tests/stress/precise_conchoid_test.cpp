@@ -7,12 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sphere/direction.hpp"
-#include "stress/family.hpp"
 
 namespace impinge::lab {
-
-StabilityFamily conchoid_family();
-
 namespace {
 
 double relative(const Precise& value, const Precise& truth) {
@@ -41,23 +37,6 @@ TEST(PreciseConchoid, LengthAndAreaGrowAsTheirRates) {
       EXPECT_LT(relative(area, curve.area_rate(phi)), 1e-16);
     }
   }
-}
-
-// Ours hold up to the cusp and refuse the loop; the textbook's formulas, in the same harness, are found
-// wanting.
-TEST(ConchoidFamily, TellsGoodFormulasFromBadOnes) {
-  const StabilityFamily family = conchoid_family();
-  const std::vector<StabilityCase> cases = family.run({true, 1});
-  EXPECT_TRUE(broken(family, cases).empty());
-  std::size_t refused = 0;
-  std::size_t plain_wrong = 0;
-  for (const StabilityCase& c : cases) {
-    EXPECT_EQ(c.refused.empty(), c.magnitude >= 0.0) << c.method << " at " << c.magnitude;
-    refused += c.refused.empty() ? 0U : 1U;
-    if (c.method == "radius_as_eq_11" && c.magnitude > 0.0 && c.magnitude < 1e-6) plain_wrong += c.wrong;
-  }
-  EXPECT_EQ(refused, 8U);
-  EXPECT_GT(plain_wrong, 10U);
 }
 
 }  // namespace

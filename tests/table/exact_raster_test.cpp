@@ -80,30 +80,5 @@ TEST(ExactRaster, LayersOfAThickSocket) {
   expect_same_everywhere(wall, 1.0, Layer::farthest);
 }
 
-// The result belongs to the surface, not to the order in which its faces are listed.
-TEST(ExactRaster, OrderOfFacesDoesNotMatter) {
-  TriangleMesh mesh = make_ball_socket_pair(1000).ball;
-  const Rsid scheme = Rsid::with_precision(1.0);
-  const auto before = fill_exact(mesh, scheme, Layer::farthest);
-  std::reverse(mesh.faces.begin(), mesh.faces.end());
-  const auto after = fill_exact(test::inside_out(mesh), scheme, Layer::farthest);
-  for (std::size_t i = 0; i < scheme.size(); ++i) {
-    EXPECT_NEAR(after.radii()[i], before.radii()[i], 1e-13 * before.radii()[i]);
-  }
-}
-
-// Powers of two change no digit.
-TEST(ExactRaster, UnitsDoNotMatter) {
-  const TriangleMesh mesh = make_ball_socket_pair(300).ball;
-  const Rsid scheme = Rsid::with_precision(5.0);
-  const auto table = fill_exact(mesh, scheme, Layer::farthest);
-  for (const double unit : {0x1p-60, 0x1p-10, 0x1p60}) {
-    TriangleMesh scaled = mesh;
-    for (Vec3& v : scaled.vertices) v *= unit;
-    const auto other = fill_exact(scaled, scheme, Layer::farthest);
-    for (std::size_t i = 0; i < scheme.size(); ++i) ASSERT_EQ(other.radii()[i], unit * table.radii()[i]);
-  }
-}
-
 }  // namespace
 }  // namespace impinge
