@@ -57,6 +57,7 @@ REFUSED = [
     (RuntimeError, lambda j: j.resection("flexion=20", least=True), "the socket is no closed mesh of one orientation"),
     (RuntimeError, lambda j: j.resection("flexion=20", clearance_mm=5), "less than the clearance; give a smaller one"),
     (RuntimeError, lambda j: j.resection("flexion=90,internal_rotation=30", neck_mm=60), "or allow a thinner neck"),
+    (RuntimeError, lambda j: j.resection("flexion=150,internal_rotation=90"), "the axis of the neck at ("),
     (ValueError, lambda j: j.orientation_map("flexion=20", tilt_deg=91), "tilt_deg: is no tilt; give degrees from -90 to 90"),
     (ValueError, lambda j: j.orientation_map("flexion=20", resolution_deg=0), "resolution_deg: is none; give degrees"),
     (ValueError, lambda j: j.certificate(TURNS), "poses: a certificate is of one pose, not of 5"),
