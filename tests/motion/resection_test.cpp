@@ -255,7 +255,8 @@ void expect_ends_of_what_sweeps(const TriangleMesh& moving, Surface cut) {
       for (int i = 0; i <= 64; ++i) {
         const double angle = legs[leg].largest_deg * i / 64.0;
         const Eigen::Matrix3d rotation = poses_of(legs[leg], {leg, angle, angle}).rotation;
-        const auto radii = crossings_along(moving, ball ? rotation * u : rotation.transpose() * u);
+        const auto radii =
+            crossings_along(moving, ball ? Vec3(rotation * u) : Vec3(rotation.transpose() * u));
         if (radii.empty()) continue;
         least = std::min(least, radii.front());
         farthest = std::max(farthest, radii.back());
