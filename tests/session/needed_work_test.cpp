@@ -18,8 +18,8 @@
 #include "mesh/surface_vertices.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
-#include "sphere/schemes/fibonacci.hpp"
 #include "sphere/schemes/icosahedral_sine.hpp"
+#include "sphere/schemes/latitude_rows.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "support/poses.hpp"
@@ -34,11 +34,11 @@ BallSocketPair cam() { return make_ball_socket_pair(500, impinging_cam()); }
 // Contact along a rim, which takes answers of a table away.
 BallSocketPair tight_cup() { return {sphere(20.0, 1000), cup(19.9, 60.0, 300)}; }
 // Folds, jumps and steep faces all over the place.
-BallSocketPair faces_at_random() { return {test::soup(60, 9), test::soup(60, 10)}; }
+BallSocketPair faces_at_random() { return {test::soup(20, 9), test::soup(20, 10)}; }
 // A socket with a narrow dent towards every second entry of a coarse grid: a table reads it from beside it,
 // where the surface itself is far.
-BallSocketPair dented(const Rsid& grid) {
-  BallSocketPair joint{sphere(23.0, 400), sphere(25.0, 5000)};
+BallSocketPair dented(const Rsid& grid, std::size_t faces) {
+  BallSocketPair joint{sphere(23.0, 400), sphere(25.0, faces)};
   for (Vec3& v : joint.socket.vertices) {
     for (std::size_t entry = 0; entry < grid.size(); entry += 2) {
       if (v.dot(grid.direction(entry)) > std::cos(3.0 * kDegree) * v.norm()) v = 20.0 * v.normalized();
@@ -136,15 +136,16 @@ class NeededWork : public ::testing::Test {
     }
   }
 };
-using Schemes = ::testing::Types<Rsid, Usid, CubeGnomonic, IcosahedralSine, Fibonacci>;
+using Schemes = ::testing::Types<Rsid, Usid, CubeGnomonic, IcosahedralSine, LatitudeRows>;
 TYPED_TEST_SUITE(NeededWork, Schemes);
 
 TYPED_TEST(NeededWork, IsAllThatChangesTheAnswer) {
-  for (const double precision : {1.0, 4.0, 15.0}) {
-    this->expect_same(cam(), precision, poses(12, 31));
+  for (const double precision : {2.0, 15.0}) {
+    this->expect_same(cam(), precision, poses(10, 31));
     this->expect_same(tight_cup(), precision, test::random_poses(20, 0.05, 0.3, 33));
-    this->expect_same(faces_at_random(), precision, poses(8, 35));
-    this->expect_same(dented(Rsid::with_precision(15.0)), precision, test::random_poses(5, 3.0, 0.3, 34));
+    this->expect_same(faces_at_random(), precision, poses(6, 35));
+    this->expect_same(dented(Rsid::with_precision(15.0), 1500), precision,
+                      test::random_poses(4, 3.0, 0.3, 34));
   }
 }
 
@@ -157,7 +158,7 @@ TEST(NeededVertices, AreAllThatChangeTheAnswerOfTheFaces) {
       const CertifiedGap ends = measured_gap(of, of == Surface::ball ? socket : ball, x);
       return ends.cover == Cover::none ? kNoSurface : 0.5 * (ends.low + ends.high);
     };
-    for (const SceneNeeds& needs : all_needs(poses(30, 41))) {
+    for (const SceneNeeds& needs : all_needs(poses(20, 41))) {
       const SceneAnswer found = answer_on_faces(joint, needs, {&socket, &ball}, gap);
       const SceneAnswer all = answer_from(joint, needs, all_vertices(joint, needs), gap);
       EXPECT_TRUE(same(found, all)) << static_cast<int>(needs.question);
@@ -213,32 +214,36 @@ TEST(NeededWorkOf, ALimitIsKeptPoseByPose) {
   EXPECT_FALSE(limit_kept(needs, vertices, answer));
 }
 
-// Mutants: what leaves out more than it may is seen by the comparison.
+// Mutants: what leaves out more than it may is seen by the comparison. The ball is one face, so that no other
+// vertex touches in the place of one that is missed.
 TEST(NeededWorkOf, ANarrowerMarginOrFewerEntriesAreNotEnough) {
   const AnyScheme scheme("rsid", 15.0);
-  const BallSocketPair joint = dented(Rsid::with_precision(15.0));
+  BallSocketPair joint = dented(Rsid::with_precision(15.0), 5000);
+  joint.ball = {{{23.0, 0.0, 0.0}, {23.0, 0.5, 0.0}, {23.0, 0.0, 0.5}}, {{0, 1, 2}}};
+  SceneNeeds needs{Question::touch, true, false, test::random_poses(300, 3.0, 0.3, 34)};
+  const std::vector<PoseGaps> gaps = scans<Rsid>(joint, needs.poses, 15.0);
   const NearFaces narrow(joint.socket, 0.0);
   const NearFaces socket(joint.socket, scheme.stencil_radius());
-  const auto answer = [&](const NearFaces& of_vertices, const SceneNeeds& needs, std::size_t dropped) {
-    const NeededVertices vertices = needed_vertices(joint, needs, {&of_vertices, nullptr});
+  const auto is_same = [&](const NearFaces& faces, std::size_t dropped) {
+    const NeededVertices vertices = needed_vertices(joint, needs, {&faces, nullptr});
     EntrySet entries(scheme.size());
     needed_entries(joint, needs, vertices, Surface::ball, scheme).for_each([&](std::size_t entry) {
       if (entry != dropped) entries.insert(entry);
     });
     entries.number();
     const PartialTable table = fill_partial(socket, scheme, std::move(entries), Layer::nearest);
-    return answer_from(joint, needs, vertices, [&](Surface of, std::size_t /*vertex*/, const Vec3& x) {
-      return signed_gap(of, table.radius_at(x), x.norm());
-    });
+    const SceneAnswer answer =
+        answer_from(joint, needs, vertices, [&](Surface of, std::size_t /*vertex*/, const Vec3& x) {
+          return signed_gap(of, table.radius_at(x), x.norm());
+        });
+    return same(answer, answer_in(gaps, needs));
   };
-  SceneNeeds needs{Question::first_contact, true, false, test::random_poses(5, 3.0, 0.3, 34)};
-  const std::vector<PoseGaps> gaps = scans<Rsid>(joint, needs.poses, 15.0);
   const std::size_t none = scheme.size();
-  EXPECT_TRUE(same(answer(socket, needs, none), answer_in(gaps, needs)));
-  EXPECT_FALSE(same(answer(narrow, needs, none), answer_in(gaps, needs)));
+  EXPECT_TRUE(is_same(socket, none));
+  EXPECT_FALSE(is_same(narrow, none));
   needs.question = Question::all_gaps;
-  EXPECT_TRUE(same(answer(socket, needs, none), answer_in(gaps, needs)));
-  EXPECT_FALSE(same(answer(socket, needs, none / 2), answer_in(gaps, needs)));
+  EXPECT_TRUE(is_same(socket, none));
+  EXPECT_FALSE(is_same(socket, none / 2));
 }
 
 TEST(NeededWorkOf, WhatAsksNothingIsRefused) {
