@@ -1,38 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // joint3d_bones.cjs PAGE: gives Joint3D meshes by dialog and by drop, and holds its numbers against those of `scene`.
-// Environment: SCENE, the program; HIP, the folder of a right hip; IMPINGE_BONES, where it is set, a folder of real joints.
+// Environment: SCENE and MAKE_PAIR, the programs; IMPINGE_BONES, where it is set, a folder of real joints.
 "use strict";
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
-const os = require("node:os");
 const path = require("node:path");
-const { assert, open, posed, run, smallest, text, type } = require("./joint3d_browser.cjs");
+const { FOLDER, assert, choose, madePair, message, open, posed, run, smallest, text, type } = require("./joint3d_browser.cjs");
 
 const SIZE = [1000, 640];
-const FOLDER = fs.mkdtempSync(path.join(os.tmpdir(), "impinge-joint3d-"));
-process.on("exit", () => fs.rmSync(FOLDER, { recursive: true, force: true }));
-const message = (page) => page.waitForSelector("#message:not([hidden])").then(() => text(page, "message-text"));
 
 const TABLES = "#scheme=rsid&precision=0.5&storage=double"; // those of `scene`
 
-/** What `scene` says of the joint in a pose, of tables that fine. */
-function sceneSays({ ball, socket, side, axes }, { pose = "flexion=90", precision = "0.5", outputs = "gaps" } = {}) {
+/** What `scene` says of the joint in flexion, of such tables. */
+function sceneSays({ ball, socket, side, axes }) {
   const out = path.join(FOLDER, "scene");
-  execFileSync(process.env.SCENE, ["--ball", ball, "--socket", socket, "--side", side, "--axes", axes, "--pose", pose,
-    "--scheme", "rsid", "--precision", precision, "--outputs", outputs, "--out", out], { stdio: "pipe" });
+  execFileSync(process.env.SCENE, ["--ball", ball, "--socket", socket, "--side", side, "--axes", axes, "--pose", "flexion=90",
+    "--scheme", "rsid", "--precision", "0.5", "--outputs", "gaps", "--out", out], { stdio: "pipe" });
   return JSON.parse(fs.readFileSync(path.join(out, "summary.json")));
 }
 
-/** Two files into the page, by dialog. */
-async function choose(page, { ball, socket, side, axes }) {
-  await page.setInputFiles("#file-ball", ball);
-  await page.setInputFiles("#file-socket", socket);
-  await page.selectOption("#file-side", side);
-  await page.fill("#axes", axes);
-  await posed(page, () => page.click("#use-files"));
-}
-
-/** The same by dropping them on the page. */
+/** Files into the page by dropping them on the page. */
 async function drop(page, files) {
   const contents = files.map((file) => [path.basename(file), fs.readFileSync(file).toString("base64")]);
   await page.evaluate((named) => {
@@ -54,39 +41,12 @@ async function holdAgainstScene(page, joint) {
   [x, y, z].forEach((value, k) => assert.ok(Math.abs(value - centre[k]) < 0.006, `centre ${centre}, by scene ${[x, y, z]}`));
 }
 
-/** The bound of every vertex decides it in the page as it does in `scene`, of the same tables: of 2 degrees, so that some are undecided. */
-async function verdictsOfScene(page, joint) {
-  await posed(page, () => page.selectOption("#precision", "2"));
-  await type(page, "flexion", 90);
-  await type(page, "internal_rotation", 20);
-  const says = sceneSays(joint, { pose: "flexion=90,internal_rotation=20", precision: "2", outputs: "gaps,bounds,verdicts" });
-  const { ball, socket } = says.certificate;
-  const undecided = ball.undecided_by_bound + socket.undecided_by_bound;
-  assert.ok(undecided > 0 && ball.bounds_refuted + socket.bounds_refuted === 0);
-  const [least, most] = says.error_bound_mm.smallest_gap_between;
-  const [low, high] = [Math.floor(1000 * least), Math.ceil(1000 * most)].map((um) => (um / 1000).toFixed(3).replace("-", "−"));
-  const { largest } = says.error_bound_mm;
-  const unit = 10 ** (Math.floor(Math.log10(largest)) - 2);
-  const wanted = [low === high ? `${low} mm` : `${low} to ${high} mm`, `± ${(Math.ceil(largest / unit) * unit).toPrecision(3)} mm`, String(undecided)];
-  const ids = ["smallest-proven", "bound", "undecided"];
-  await page.waitForFunction(([names, words]) => names.every((id, k) => document.getElementById(id).textContent === words[k]), [ids, wanted])
-    .catch(async () => assert.deepEqual(await Promise.all(ids.map((id) => text(page, id))), wanted));
-  await type(page, "internal_rotation", 0);
-  await posed(page, () => page.selectOption("#precision", "0.5"));
-}
-
-function generatedPair() {
-  const folder = process.env.HIP;
-  return { ball: path.join(folder, "ball.ply"), socket: path.join(folder, "socket.ply"), side: "right", axes: "RAS" };
-}
-
 async function ownMeshes(browser) {
-  const { page, faults, close } = await open(browser, SIZE, TABLES);
-  const pair = generatedPair();
+  const { page, faults, close } = await open(browser, SIZE, { fragment: TABLES });
+  const pair = { ...madePair("cam"), side: "right", axes: "RAS" };
   await choose(page, pair);
   assert.match(await text(page, "joint-name"), /ball.ply and socket.ply, right/);
   await holdAgainstScene(page, pair);
-  await verdictsOfScene(page, pair);
   await page.check("#centre-typed");
   await page.fill("#centre", "0, 0, 0.5");
   await posed(page, () => page.click("#use-files"));
@@ -112,7 +72,7 @@ const BAD = [
 
 async function badFiles(browser) {
   const { page, faults, close } = await open(browser, SIZE);
-  const pair = generatedPair();
+  const pair = madePair("cam");
   const before = [await text(page, "joint-name"), await smallest(page)];
   for (const [name, content] of BAD) {
     const file = path.join(FOLDER, name);
@@ -148,7 +108,7 @@ async function badFiles(browser) {
 
 async function realJoints(browser) {
   const bones = process.env.IMPINGE_BONES;
-  const { page, faults, close } = await open(browser, SIZE, TABLES);
+  const { page, faults, close } = await open(browser, SIZE, { fragment: TABLES });
   for (const name of ["cargen_left", "libhip_m4_left", "vsd_z013_right"]) {
     const folder = path.join(bones, name);
     const { side, axes } = JSON.parse(fs.readFileSync(path.join(folder, "subject.json")));

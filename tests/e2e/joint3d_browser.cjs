@@ -2,15 +2,33 @@
 // What the tests of Joint3D share: its page in a browser, and what they do with it.
 "use strict";
 const assert = require("node:assert/strict");
+const { execFileSync } = require("node:child_process");
+const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
 const { PATIENCE, address, faultsOf, launch } = require("./watched_page.cjs");
 
-/** A page at that size: { page, faults }. fragment: the state in its address. */
-async function open(browser, [width, height], fragment = "") {
+/** A folder of this test, gone with it. */
+const FOLDER = fs.mkdtempSync(path.join(os.tmpdir(), "impinge-joint3d-"));
+process.on("exit", () => fs.rmSync(FOLDER, { recursive: true, force: true }));
+
+/** Two files of a generated right hip of so few faces a surface that all answers about it are quick: { ball, socket }. */
+function madePair(hip) {
+  const folder = path.join(FOLDER, hip);
+  if (!fs.existsSync(folder)) execFileSync(process.env.MAKE_PAIR, ["--hip", hip, "--set", "side=right", "--faces", "1500", "--out", folder], { stdio: "pipe" });
+  return { ball: path.join(folder, "ball.ply"), socket: path.join(folder, "socket.ply") };
+}
+
+const settled = (page) => page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
+
+/** A page at that size: { page, faults }. fragment: the state in its address; folded: panels that ask nothing, so that it takes less time. */
+async function open(browser, [width, height], { fragment = "", folded = [] } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true });
   const page = await context.newPage();
+  if (folded.length) await page.addInitScript((ids) => sessionStorage.setItem("joint3d-folds", JSON.stringify(Object.fromEntries(ids.map((id) => [id, false])))), folded);
   const faults = await faultsOf(page);
   await page.goto(address() + fragment);
-  await page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
+  await settled(page);
   return { page, faults, close: () => context.close() };
 }
 
@@ -30,10 +48,18 @@ async function posed(page, action) {
 
 const value = (page, id) => page.inputValue(`#${id}`).then(Number);
 const text = (page, id) => page.textContent(`#${id}`);
+const message = (page) => page.waitForSelector("#message:not([hidden])").then(() => text(page, "message-text"));
 const smallest = (page) => text(page, "smallest-gap").then((words) => Number(words.replace("−", "-")));
 
 /** Types a number into the field of a value. */
 const type = (page, key, number) => posed(page, () => page.fill(`#value-${key}`, String(number)));
+
+/** Two files into the page, by dialog. */
+async function choose(page, { ball, socket }) {
+  await page.setInputFiles("#file-ball", ball);
+  await page.setInputFiles("#file-socket", socket);
+  await posed(page, () => page.click("#use-files"));
+}
 
 /** The picture, coarsely: [red, green, blue] of 160 by 100 places. It leaves the page as one word, which is much faster than numbers. */
 async function picture(page) {
@@ -78,4 +104,4 @@ async function run(tests) {
   console.log(`${chosen.length - failed} passed, ${failed} failed`);
 }
 
-module.exports = { assert, difference, open, picture, posed, run, smallest, text, type, value };
+module.exports = { FOLDER, assert, choose, difference, madePair, message, open, picture, posed, run, settled, smallest, text, type, value };

@@ -2,20 +2,13 @@
 // joint3d_kept.cjs PAGE: what a reader did in Joint3D is not lost, and what is wrong with own meshes is told and mended.
 // Environment: MAKE_PAIR, the program.
 "use strict";
-const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
-const os = require("node:os");
 const path = require("node:path");
 const { address, faultsOf } = require("./watched_page.cjs");
-const { assert, open, posed, run, smallest, text, type, value } = require("./joint3d_browser.cjs");
+const { FOLDER, assert, choose, madePair, message, open, posed, run, settled, smallest, text, type, value } = require("./joint3d_browser.cjs");
 
 const SIZE = [1000, 640];
-const FOLDER = fs.mkdtempSync(path.join(os.tmpdir(), "impinge-joint3d-"));
-process.on("exit", () => fs.rmSync(FOLDER, { recursive: true, force: true }));
-
 const joint = (page) => text(page, "joint-name");
-const message = (page) => page.waitForSelector("#message:not([hidden])").then(() => text(page, "message-text"));
-const settled = (page) => page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
 
 /** How many tabs' meshes this browser keeps. */
 const keys = (page) => page.evaluate(() => new Promise((done) => {
@@ -36,11 +29,10 @@ async function kept(page) {
 
 /** The pair as OBJ files, each corner as of change(x, y, z, part). */
 function pair(name, change = (x, y, z) => [x, y, z], said = {}) {
-  const made = path.join(FOLDER, "normal");
-  if (!fs.existsSync(made)) execFileSync(process.env.MAKE_PAIR, ["--hip", "normal", "--faces", "1500", "--out", made], { stdio: "pipe" });
+  const made = madePair("normal");
   const files = {};
   for (const part of ["ball", "socket"]) {
-    const [head, body] = fs.readFileSync(path.join(made, `${part}.ply`), "latin1").split("end_header\n");
+    const [head, body] = fs.readFileSync(made[part], "latin1").split("end_header\n");
     const bytes = Buffer.from(body, "latin1");
     const [vertices, faces] = ["vertex", "face"].map((what) => Number(head.match(new RegExp(`element ${what} (\\d+)`))[1]));
     const double = /property double x/.test(head);
@@ -54,12 +46,6 @@ function pair(name, change = (x, y, z) => [x, y, z], said = {}) {
     fs.writeFileSync(files[part], `${said[part] ? `# ${said[part]}\n` : ""}${lines.join("\n")}\n`);
   }
   return files;
-}
-
-async function choose(page, { ball, socket }) {
-  await page.setInputFiles("#file-ball", ball);
-  await page.setInputFiles("#file-socket", socket);
-  await posed(page, () => page.click("#use-files"));
 }
 
 /** Before the library answers there is a line, and nothing can be pressed that would fail. */
@@ -150,7 +136,7 @@ async function ownMeshes(browser) {
   assert.deepEqual([await joint(page), await smallest(page)], before, "a hip of parameters discards them");
   await written(page, "joint=own");
   const fragment = await page.evaluate(() => location.hash);
-  const other = await open(browser, SIZE, fragment); // another browser: nothing is kept there
+  const other = await open(browser, SIZE, { fragment }); // another browser: nothing is kept there
   assert.match(await message(other.page), /not here/);
   assert.match(await joint(other.page), /Patient A/);
   await other.close();

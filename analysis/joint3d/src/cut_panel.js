@@ -2,7 +2,7 @@
 // The least radial cut of the femur with which required motions are reached: how much, and the femur before and after it.
 import { ChangePanel } from "./change_panel.js";
 import { cutRows } from "./cut_surface.js";
-import { byId, legWords, make, oneOfButtons, roundedDown, roundedUp, swatchOf } from "./elements.js";
+import { byId, keyRow, legWords, make, oneOfButtons, roundedDown, roundedUp } from "./elements.js";
 
 const ends = ([low, high], places, unit) => `${roundedDown(low, places)} to ${roundedUp(high, places)} ${unit}`;
 
@@ -53,7 +53,7 @@ export class CutPanel extends ChangePanel {
       make("th", { scope: "row", textContent: legWords(words) }),
       make("td", { textContent: reached(before, required) }), make("td", { textContent: reached(after, required) }))));
     byId("cut-shown").hidden = byId("cut-key").hidden = nothing;
-    byId("cut-key").replaceChildren(...cutRows(depth[1]).map((row) => make("b", {}, swatchOf(row), ` ${row.text}`)));
+    byId("cut-key").replaceChildren(...cutRows(depth[1]).map(keyRow));
     if (!nothing) this.switchTo(true);
   }
 }

@@ -8,7 +8,7 @@ const WHOLE = [226, 230, 222];
 const RAMPED = [...RAMP].reverse(); // the deeper the darker
 
 /** [red, green, blue] to 255 of a depth in mm. */
-export function depthColour(depth, deepest) {
+function depthColour(depth, deepest) {
   if (!(depth > 0)) return WHOLE;
   const at = Math.min(depth / deepest, 1) * (RAMPED.length - 1);
   const k = Math.min(Math.floor(at), RAMPED.length - 2);

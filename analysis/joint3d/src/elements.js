@@ -3,6 +3,9 @@
 
 export const byId = (id) => document.getElementById(id);
 
+/** Writes a text only where it is another. */
+export const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
+
 /** A small length in mm, as one reads it. */
 export const length = (mm) => (mm < 0.1 ? `${Number((1000 * mm).toPrecision(3))} µm` : `${mm.toPrecision(3)} mm`);
 
@@ -40,6 +43,9 @@ export function swatchOf({ colours: [first, ...others] }) {
   swatch.style.background = others.length ? `linear-gradient(90deg, ${[first, ...others].join()})` : first;
   return swatch;
 }
+
+/** A row of a legend in a line of text: { colours, text }. */
+export const keyRow = (row) => make("b", {}, swatchOf(row), ` ${row.text}`);
 
 /** An SVG element with attributes. */
 export function drawn(tag, attributes = {}, text = null) {

@@ -3,7 +3,7 @@
 import { Told } from "./messages.js";
 
 /** The answer came too late: a newer question of the same kind had been asked. */
-export class Stale extends Error {}
+class Stale extends Error {}
 
 export class EngineClient {
   /** source: the text of the engine and its worker. onLost: called with a message when the worker itself fails. */

@@ -18,7 +18,7 @@ function axes(turn, side) {
 }
 
 /** How much each angle changes, degrees, for a turn vector in radians: { flexion, abduction, internal_rotation }. */
-export function angleChange(turnVector, turn, side) {
+function angleChange(turnVector, turn, side) {
   const columns = axes(turn, side);
   if (!columns) return null;
   const [f, a, r] = columns;

@@ -58,7 +58,7 @@ function start() {
   const sweep = new SweepPanel(app, (request) => slow.ask("sweep", { ...poses.shape(), ...request }), goTo);
   const limits = new LimitsPanel({ ask: (request) => slow.ask("limits", request), shape: () => poses.shape(), fault,
     onPose: (along, degrees) => goTo(poseAlong(along, degrees)) });
-  const volume = new VolumePanel(app, () => new EngineClient(source, lost), fault);
+  const volume = new VolumePanel(app, () => new EngineClient(source, lost));
   const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => view.setCut(cut)),
     new OrientationPanel(app, () => new EngineClient(source, lost))];
   changes.forEach((panel) => { panel.onRequired = () => changes.forEach((each) => each.again()); });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In which orientations of the socket required motions are free: a map over inclination and anteversion, and the socket as it is.
 import { ChangePanel } from "./change_panel.js";
-import { byId, drawn, legWords, make, roundedDown, roundedUp } from "./elements.js";
+import { byId, drawn, keyRow, legWords, roundedDown, roundedUp } from "./elements.js";
+import { MAP, mapLabels } from "./plots.js";
 
-const [WIDTH, HEIGHT] = [320, 312];
-const AREA = { left: 40, right: 8, top: 8, bottom: 34 };
+const HEIGHT = 312;
 const SQUARE = 5; // numbers each: inclination, anteversion, half width, state, and which part of a motion is so
 const STATES = [["free", "#2a6f97"], ["blocked", "#f1e3a0"], ["unknown: the mesh ends", "#c9ccd1"], ["undecided", "#8d949c"]];
 const WORDS = ["All required motions are free", "Blocked", "Not known, since the ball's mesh ends under the socket", "Undecided"];
@@ -40,7 +40,7 @@ export class OrientationPanel extends ChangePanel {
   point({ clientX, clientY }) {
     if (!this.found) return;
     const { left, top, width, height } = byId("orientation-plot").getBoundingClientRect();
-    this.look(this.angles(((clientX - left) / width) * WIDTH, ((clientY - top) / height) * HEIGHT));
+    this.look(this.angles(((clientX - left) / width) * MAP.width, ((clientY - top) / height) * HEIGHT));
   }
 
   step(event) {
@@ -67,31 +67,23 @@ export class OrientationPanel extends ChangePanel {
 
   draw() {
     const { squares, map, as_scanned: now, area_deg2: area } = this.found;
-    const across = (WIDTH - AREA.left - AREA.right) / map.width_deg;
-    const up = (HEIGHT - AREA.top - AREA.bottom) / map.width_deg;
-    const x = (inclination) => AREA.left + (inclination - map.least_inclination_deg) * across;
-    const y = (anteversion) => HEIGHT - AREA.bottom - (anteversion - map.least_anteversion_deg) * up;
-    this.angles = (px, py) => ({ inclination_deg: map.least_inclination_deg + (px - AREA.left) / across, anteversion_deg: map.least_anteversion_deg + (HEIGHT - AREA.bottom - py) / up });
+    const across = (MAP.width - MAP.left - MAP.right) / map.width_deg;
+    const up = (HEIGHT - MAP.top - MAP.bottom) / map.width_deg;
+    const x = (inclination) => MAP.left + (inclination - map.least_inclination_deg) * across;
+    const y = (anteversion) => HEIGHT - MAP.bottom - (anteversion - map.least_anteversion_deg) * up;
+    this.angles = (px, py) => ({ inclination_deg: map.least_inclination_deg + (px - MAP.left) / across, anteversion_deg: map.least_anteversion_deg + (HEIGHT - MAP.bottom - py) / up });
     this.rectangle = (k) => {
       const [inclination, anteversion, half] = squares.subarray(k, k + 3);
       return { x: x(inclination - half), y: y(anteversion + half), width: 2 * half * across + 0.15, height: 2 * half * up + 0.15 };
     };
     const cells = Array.from({ length: squares.length / SQUARE }, (_, k) => drawn("rect", { ...this.rectangle(SQUARE * k), fill: STATES[squares[SQUARE * k + 3]][1] }));
     this.mark = drawn("rect", { class: "mark" });
-    const tick = (angle, at) => drawn("text", { class: "tick middle", ...at }, String(angle));
     byId("orientation-plot").replaceChildren(...cells,
-      ...[0, 30, 60, 90].map((angle) => tick(angle, { x: x(angle), y: HEIGHT - AREA.bottom + 14 })),
-      ...[-30, 0, 30, 60].map((angle) => tick(angle, { x: AREA.left - 14, y: y(angle) + 3.5 })),
-      drawn("text", { class: "title middle", x: (AREA.left + WIDTH) / 2, y: HEIGHT - 4 }, "inclination, °"),
-      drawn("text", { class: "title middle", transform: `translate(10 ${(AREA.top + HEIGHT - AREA.bottom) / 2}) rotate(-90)` }, "anteversion, °"),
+      ...mapLabels(HEIGHT, { x, y, xs: [0, 30, 60, 90], ys: [-30, 0, 30, 60], xTitle: "inclination, °", yTitle: "anteversion, °" }),
       drawn("circle", { r: 4, class: "now", cx: x(now.inclination_deg), cy: y(now.anteversion_deg) }), this.mark);
     const there = STATES.filter((_, state) => [area.free, area.blocked, area.unknown, area.open][state] > 0);
-    byId("orientation-key").replaceChildren(...there.map(([word, colour]) => {
-      const swatch = make("span", { className: "swatch" });
-      swatch.style.background = colour;
-      return make("b", {}, swatch, ` ${word}`);
-    }));
-    byId("orientation-say").textContent = `As it is, at inclination ${now.inclination_deg.toFixed(1)}° and anteversion ${now.anteversion_deg.toFixed(1)}°: `
-      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.`;
+    byId("orientation-key").replaceChildren(...there.map(([text, colour]) => keyRow({ colours: [colour], text })));
+    this.say(`As it is, at inclination ${now.inclination_deg.toFixed(1)}° and anteversion ${now.anteversion_deg.toFixed(1)}°: `
+      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.`);
   }
 }

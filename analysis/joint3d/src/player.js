@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recorded motions of the thesis' Table 11, played: from the pose of the scan to the recorded angle and back.
 import { byId, fillChoice } from "./elements.js";
+import { TURNS } from "./state.js";
 
 const SPEED = 30; // degrees a second
-const AXES = {
-  flexion: ["flexion", 1], extension: ["flexion", -1],
-  abduction: ["abduction", 1], adduction: ["abduction", -1],
-  internal_rotation: ["internal_rotation", 1], external_rotation: ["internal_rotation", -1],
-};
 
 export class Player {
   /** onMove() after the state's motion was changed. */
@@ -40,7 +36,7 @@ export class Player {
   load() {
     const [patient, wanted] = byId("play-motion").value.split(" ");
     const chosen = this.recorded.filter(({ motion }) => wanted === "all" || motion === wanted);
-    this.steps = chosen.map((motion) => ({ axis: AXES[motion.motion], most: motion[patient] }));
+    this.steps = chosen.map((motion) => ({ axis: TURNS[motion.motion], most: motion[patient] }));
   }
 
   length() {

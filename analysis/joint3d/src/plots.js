@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two plots in SVG: the area over the gaps, and the smallest gap along a motion.
+// Plots in SVG: the area over the gaps, the smallest gap along a motion, and what maps over two angles share.
 import { colourOf, css } from "./colours.js";
 import { drawn, roundedDown } from "./elements.js";
 
@@ -31,6 +31,18 @@ function frame(svg, x, y, { xs, ys, xTitle, yTitle }) {
     drawn("text", { x: (AREA.left + WIDTH - AREA.right) / 2, y: HEIGHT - 4, class: "title middle" }, xTitle),
     drawn("text", { transform: `translate(10 ${(AREA.top + bottom) / 2}) rotate(-90)`, class: "title middle" }, yTitle));
   svg.replaceChildren(...parts);
+}
+
+export const MAP = { width: 320, left: 40, right: 8, top: 8, bottom: 34 };
+
+/** The labels of a map that is so high. x, y: where an angle is; xs, ys: the angles that are named. */
+export function mapLabels(height, { x, y, xs, ys, xTitle, yTitle }) {
+  const tick = (angle, at) => drawn("text", { class: "tick middle", ...at }, String(angle));
+  const middle = (MAP.top + height - MAP.bottom) / 2;
+  return [...xs.map((angle) => tick(angle, { x: x(angle), y: height - MAP.bottom + 14 })),
+    ...ys.map((angle) => tick(angle, { x: MAP.left - 14, y: y(angle) + 3.5 })),
+    drawn("text", { class: "title middle", x: (MAP.left + MAP.width) / 2, y: height - 4 }, xTitle),
+    drawn("text", { class: "title middle", transform: `translate(10 ${middle}) rotate(-90)` }, yTitle)];
 }
 
 /** histogram and colours: of the library's reply to `pose`. */

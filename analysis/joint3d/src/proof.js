@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is proven about the pose at hand. The slow worker bounds the tables once and then decides pose after pose, the newest
 // alone, so that no pose waits for a proof.
-import { boundLength, byId, roundedDown, roundedUp } from "./elements.js";
+import { boundLength, byId, put, roundedDown, roundedUp } from "./elements.js";
 import { newestOnly } from "./engine_client.js";
 
-const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
 const signed = (gap) => gap.replace("-", "−");
 const between = (low, high) => (low === high ? `${low} mm` : `${low} to ${high} mm`);
 const vertices = (count) => (count === 1 ? "1 vertex" : `${count.toLocaleString("en")} vertices`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of a pose.
-import { byId } from "./elements.js";
+import { byId, put } from "./elements.js";
 
 const SPOKEN = 1200; // ms of rest before a screen reader is told
 
@@ -8,7 +8,6 @@ const area = (mm2) => `${mm2 < 10 ? mm2.toFixed(1) : Math.round(mm2)} mm²`;
 const zone = ({ from, to }) => (from === to ? "all round" : `${from} to ${to}`);
 const zones = (list) => (list.length ? list.slice(0, 3).map(zone).join(", ") : "–");
 const signed = (gap) => gap.toFixed(2).replace("-", "−");
-const put = (id, text) => { if (byId(id).textContent !== text) byId(id).textContent = text; };
 
 /** The smallest gap of the library's reply to `pose`, in a line. */
 export const gapWords = (smallest) => (smallest

@@ -2,11 +2,16 @@
 // What the page shows, as plain data, and the same as a link fragment. Angles in degrees, lengths in mm.
 
 export const ANGLES = ["flexion", "abduction", "internal_rotation"];
-export const VIEWS = ["free", "anterior", "posterior", "medial", "lateral", "superior", "inferior"];
-export const DRAWINGS = ["filled", "lines", "blended"];
+export const TURNS = { // of each motion: the angle that changes, and which way
+  flexion: ["flexion", 1], extension: ["flexion", -1],
+  abduction: ["abduction", 1], adduction: ["abduction", -1],
+  internal_rotation: ["internal_rotation", 1], external_rotation: ["internal_rotation", -1],
+};
+const VIEWS = ["free", "anterior", "posterior", "medial", "lateral", "superior", "inferior"];
+const DRAWINGS = ["filled", "lines", "blended"];
 export const COLOURS = ["levels", "safe"];
 export const OWN = "own"; // the name of a reader's own joint
-export const SHOWN = ["ball", "socket", "pelvis", "clock", "points", "smallest"];
+const SHOWN = ["ball", "socket", "pelvis", "clock", "points", "smallest"];
 
 export function firstState() {
   return {

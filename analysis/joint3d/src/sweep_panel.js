@@ -3,17 +3,13 @@
 import { byId, fillChoice, make, roundedDown, roundedUp } from "./elements.js";
 import { inWords } from "./messages.js";
 import { drawSweep } from "./plots.js";
+import { TURNS } from "./state.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
-const SIGNS = { extension: -1, adduction: -1, external_rotation: -1 };
-const ANGLES = { extension: "flexion", adduction: "abduction", external_rotation: "internal_rotation" };
-
-/** The angle that grows in a motion of the catalogue, and which way. */
-const growingOf = ({ growing }) => ({ angle: ANGLES[growing] ?? growing, sign: SIGNS[growing] ?? 1 });
 
 /** The pose at an angle of a motion. */
 export function poseAlong(motion, degrees) {
-  const { angle, sign } = growingOf(motion);
+  const [angle, sign] = TURNS[motion.growing];
   return { ...motion.start, [angle]: motion.start[angle] + sign * Math.round(degrees * 1e4) / 1e4 };
 }
 
@@ -86,12 +82,12 @@ export class SweepPanel {
   }
 
   growing() {
-    return growingOf(this.motion());
+    return TURNS[this.motion().growing];
   }
 
   start() {
     const { motion, held } = this.app.state;
-    return held ? { ...motion, [this.growing().angle]: 0 } : this.motion().start;
+    return held ? { ...motion, [this.growing()[0]]: 0 } : this.motion().start;
   }
 
   show() {
@@ -150,7 +146,7 @@ export class SweepPanel {
 
   /** The angle of the pose along the motion, or null where another angle is not as in it. */
   at() {
-    const { angle, sign } = this.growing();
+    const [angle, sign] = this.growing();
     const start = this.start();
     const { motion } = this.app.state;
     const same = Object.keys(start).every((key) => key === angle || Math.abs(start[key] - motion[key]) < 1e-6);
