@@ -7,8 +7,8 @@
 // @links     harness real_joints methods session
 //
 // Everything is done with RSID tables at 0.1 degrees, for three questions about each joint: all gaps in one
-// pose, the smallest gap in it, and touch along a motion there and back in 19 poses. Left out are vertices
-// and entries that cannot change the answer, each by itself and both (session/needed_work.hpp). The gaps
+// pose, the smallest gap in it, and touch along a motion there and back in 19 poses. Left out are entries
+// that no vertex reads, then also vertices that cannot change the answer (session/needed_work.hpp). The gaps
 // along the motion in 181 poses, to within 0.05 mm, need no table: exact cells give them. Distances and exact
 // verdicts are outputs that a scene of one pose may leave out. Answers are compared before anything is timed,
 // and one that is not the same fails the run.
@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -96,27 +97,21 @@ SceneAnswer answer_with(const BallSocketPair& joint, const SceneNeeds& needs, co
 SceneAnswer answer_of(const BallSocketPair& joint, const SceneNeeds& needs, std::string_view left_out) {
   const AnyScheme scheme(Rsid::name, kPrecision);
   if (left_out == "all") return answer_by_table(joint, needs, scheme);
-  const auto whole_tables = [&] {
+  const NeededVertices vertices = all_vertices(joint, needs);
+  if (left_out == "nothing") {
     const Rsid rsid = Rsid::with_precision(kPrecision);
-    return std::array{fill_exact(joint.socket, rsid, Layer::nearest),
-                      fill_exact(joint.ball, rsid, Layer::farthest)};
-  };
-  NeededVertices vertices = all_vertices(joint, needs);
-  if (left_out == "nothing") return answer_with(joint, needs, vertices, whole_tables());
+    const std::array tables{fill_exact(joint.socket, rsid, Layer::nearest),
+                            fill_exact(joint.ball, rsid, Layer::farthest)};
+    return answer_with(joint, needs, vertices, tables);
+  }
   const NearFaces socket(joint.socket, scheme.stencil_radius());
   const NearFaces ball(joint.ball, scheme.stencil_radius());
-  SceneAnswer answer;
-  if (left_out == "vertices") {
-    vertices = needed_vertices(joint, needs, {&socket, &ball});
-    answer = answer_with(joint, needs, vertices, whole_tables());
-  } else {
-    const auto table = [&](const NearFaces& faces, Surface scanned) {
-      return fill_partial(faces, scheme, needed_entries(joint, needs, vertices, scanned, scheme),
-                          facing_layer(other(scanned)));
-    };
-    const std::array tables{table(socket, Surface::ball), table(ball, Surface::socket)};
-    answer = answer_with(joint, needs, vertices, tables);
-  }
+  const auto table = [&](const NearFaces& faces, Surface scanned) {
+    return fill_partial(faces, scheme, needed_entries(joint, needs, vertices, scanned, scheme),
+                        facing_layer(other(scanned)));
+  };
+  const std::array tables{table(socket, Surface::ball), table(ball, Surface::socket)};
+  SceneAnswer answer = answer_with(joint, needs, vertices, tables);
   answer.bytes += socket.bytes() + ball.bytes();
   return answer;
 }
@@ -137,7 +132,7 @@ void require_same(const SceneAnswer& a, const SceneAnswer& b, const std::string&
 void add_question(const std::string& scene, const JointPtr& joint, const SceneNeeds& needs,
                   std::vector<NeedsCase>& cases) {
   const SceneAnswer everything = answer_of(*joint, needs, "nothing");
-  for (const char* left_out : {"nothing", "vertices", "entries", "all"}) {
+  for (const char* left_out : {"nothing", "entries", "all"}) {
     const SceneAnswer answer = answer_of(*joint, needs, left_out);
     require_same(answer, everything, scene + ", left out " + left_out);
     const auto run = [=] { benchmark::DoNotOptimize(answer_of(*joint, needs, left_out).look_ups); };
@@ -190,7 +185,7 @@ void add_accurate_gaps(const std::string& scene, const JointPtr& joint, const Ve
     }
   }
   const auto tables = [=] { benchmark::DoNotOptimize(answer_of(*joint, needs, "nothing").look_ups); };
-  const double bytes = 2.0 * sizeof(double) * static_cast<double>(AnyScheme(Rsid::name, kPrecision).size());
+  const double bytes = 2.0 * static_cast<double>(RadialTable<Rsid>::bytes(Rsid::with_precision(kPrecision)));
   cases.push_back({scene, "nothing", tables, bytes});
   const auto cells = [=] {
     std::array anew{CellScan(*joint, Surface::ball), CellScan(*joint, Surface::socket)};
@@ -207,15 +202,13 @@ void add_accurate_gaps(const std::string& scene, const JointPtr& joint, const Ve
 template <class Make>
 void add_output(const std::string& scene, const char* output, const Make& make,
                 std::vector<NeedsCase>& cases) {
-  const double before = heap_bytes();
-  double bytes = 0.0;
   const auto run = [make] {
     const auto product = make();
     benchmark::DoNotOptimize(&product);
     return heap_bytes();
   };
-  bytes = run() - before;
-  cases.push_back({scene, output, run, bytes, true});
+  const double before = heap_bytes();
+  cases.push_back({scene, output, run, run() - before, true});
 }
 
 void add_outputs(const std::string& scene, const JointPtr& joint, const Pose& pose,
@@ -279,7 +272,7 @@ TimingRun timed(const std::vector<NeedsCase>& cases, int rounds, Progress& progr
 // scene_needs.csv and scene_needs_totals.csv.
 std::pair<Table, Table> tables_of(const std::vector<NeedsCase>& cases, const TimingRun& timing) {
   Table needs{{{"scene", "", "joint and question"},
-               {"left_out", "", "vertices, entries, all that can be, or an output"},
+               {"left_out", "", "entries that no vertex reads, all that can be, or an output"},
                {"bytes_saved", "bytes", "memory of tables and what stands in for them, or of the output"},
                {"time_saved_us", "us", "median of the time; below 0 where it takes longer"},
                {"identical", "", "yes: the same answer bit for bit; gaps in a motion within 0.05 mm"}},
@@ -293,8 +286,10 @@ std::pair<Table, Table> tables_of(const std::vector<NeedsCase>& cases, const Tim
   const auto us = [&](const NeedsCase& work) { return 1000.0 * find(timing, key_of(work)).summary.median; };
   std::map<std::string, const NeedsCase*> everything;
   for (const NeedsCase& work : cases) {
-    if (work.left_out == "nothing") everything[work.scene] = &work;
-    if (work.left_out == "nothing") continue;
+    if (work.left_out == "nothing") {
+      everything[work.scene] = &work;
+      continue;
+    }
     const NeedsCase& full = *everything.at(work.scene);
     needs.add_row({work.scene, work.left_out, work.output ? work.bytes : full.bytes - work.bytes,
                    work.output ? us(work) : us(full) - us(work), true});
