@@ -75,7 +75,7 @@ def ask_page(floats):
         pytest.skip("no page is built")
     pose = {**POSE, "cartilage_mm": 4}
     asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
-             "tables": [{"scheme": scheme, "precision_deg": 2, "storage": "double"} for scheme in SCHEMES] + [CUBE],
+             "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
              "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "volume": {"width": 0.3}, "measures": {},
              "resection": {"required": "; ".join(REQUIRED), "clearance_mm": 0.4},
              "orientation": {"required": "flexion=30", "tilt_deg": 5, "resolution_deg": 0.75}}
@@ -113,7 +113,7 @@ def test_gaps(joint, floats, tmp_path):
 @pytest.mark.parametrize("k", range(len(SCHEMES)))
 def test_gaps_of_the_page(page, floats, tmp_path, k):
     """Of the same tables, so coarse that some vertices stay undecided."""
-    scene(floats, tmp_path, "--pose", words(POSE), "--scheme", SCHEMES[k], "--precision", "2")
+    scene(floats, tmp_path, "--pose", words(POSE), "--scheme", SCHEMES[k], "--precision", "4")
     found = page["tables"][k]
     theirs, mine = table(tmp_path, "gaps.csv"), rows_of(found["csv"])
     assert texts(mine, "surface", "vertex") == texts(theirs, "surface", "vertex") and len(mine) > 1000
