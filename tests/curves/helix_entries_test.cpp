@@ -60,22 +60,6 @@ TEST(IndexMismatch, LargestIsWhereItIsSaidToBe) {
   }
 }
 
-// With the true spacing the index passes the table: at the end by (4 k + 1) / L(pi) - 1 of it, about k / 4.
-// The largest mismatch is a little before. With Eq. 10's own spacing both ends are met.
-TEST(IndexMismatch, GrowsWithTheTurns) {
-  const HelixEntries entries = thesis_entries(229);
-  const double end = 52440.0 * (917.0 / helix_total_length(229.0) - 1.0);
-  EXPECT_NEAR(index_mismatch(entries, HelixSpacing::true_arc, kPi), end, 1e-8);
-  EXPECT_NEAR(end, 56.25, 5e-3);
-  EXPECT_NEAR(largest_index_mismatch(entries, HelixSpacing::true_arc).index, 56.48, 5e-3);
-  EXPECT_NEAR(index_mismatch(entries, HelixSpacing::travelled, kPi), 0.0, 1e-8);
-  EXPECT_LT(largest_index_mismatch(thesis_entries(4584), HelixSpacing::travelled).index, 0.0)
-      << "north first";
-  EXPECT_GT(largest_index_mismatch(thesis_entries(100000), HelixSpacing::true_arc).index, 24000.0);
-  const double fine = largest_index_mismatch(thesis_entries(100000), HelixSpacing::travelled).index;
-  EXPECT_TRUE(std::abs(fine) > 0.3 && std::abs(fine) < 1.0) << fine;
-}
-
 TEST(HelixEntries, RefusesWhatIsNone) {
   EXPECT_THROW(polar_angle_of_equal_arc(thesis_entries(1), 0), std::invalid_argument);
   EXPECT_THROW(polar_angle_of_equal_travel(thesis_entries(0), 0), std::invalid_argument);

@@ -10,6 +10,12 @@ import unittest
 from pathlib import Path
 
 
+def run(*words, **keywords) -> subprocess.CompletedProcess:
+    """A program to its end; words may be names of any bytes."""
+    words = [word if isinstance(word, bytes) else str(word) for word in words]
+    return subprocess.run(words, capture_output=True, text=True, errors="surrogateescape", check=False, **keywords)
+
+
 class GeneratedPair(unittest.TestCase):
     """`root` is a folder of its own, gone at the end; `ball` and `socket` are files in it."""
 
@@ -18,8 +24,7 @@ class GeneratedPair(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="impinge-scene-")
         cls.root = Path(cls.folder.name)
         pair = cls.root / "pair"
-        words = [os.environ["MAKE_PAIR"], "--faces", "1000", "--out", str(pair)]
-        made = subprocess.run(words, capture_output=True, text=True, check=False)
+        made = run(os.environ["MAKE_PAIR"], "--faces", "1000", "--out", pair)
         assert made.returncode == 0, made.stderr
         cls.ball = pair / "ball.ply"
         cls.socket = pair / "socket.ply"

@@ -23,21 +23,13 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bad_meshes import MESHES  # noqa: E402
 from bad_options import OPTIONS  # noqa: E402
-from generated_pair import GeneratedPair  # noqa: E402
+from generated_pair import GeneratedPair, run  # noqa: E402
 
 FIVE = ["ball.ply", "socket.ply", "gaps.csv", "distances.csv", "summary.json"]  # in the order of writing
 NOBODY = 65534
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMES = ", ".join(sorted(file.stem for file in (ROOT / "libcore" / "sphere" / "schemes").glob("*.hpp")))
 PAGE = 4096
-
-
-def run(*arguments, **keywords) -> subprocess.CompletedProcess:
-    """A program to its end."""
-    words = [a if isinstance(a, bytes) else str(a) for a in arguments]
-    return subprocess.run(
-        words, capture_output=True, text=True, errors="surrogateescape", check=False, **keywords
-    )
 
 
 def scaled(mesh: bytes, factor: float) -> bytes:

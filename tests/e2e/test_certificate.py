@@ -15,16 +15,12 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from generated_pair import GeneratedPair  # noqa: E402
+from generated_pair import GeneratedPair, run  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 CHECKER = ROOT / "experiments" / "check_certificate.py"
 BONES = os.environ.get("IMPINGE_BONES", "")
 LIMIT = ["--question", "limit", "--motion", "internal_rotation", "--pose", "flexion=80"]
-
-
-def run(*words) -> subprocess.CompletedProcess:
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
 
 
 def read_mesh(file: Path) -> tuple[list, list]:

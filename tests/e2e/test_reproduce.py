@@ -283,7 +283,7 @@ class Reproduce(unittest.TestCase):
 
     def test_i_data_are_those_that_are_kept(self):
         """What experiments write that hold no time, real joints aside."""
-        self.assertEqual(kept_numbers.differences(RESULTS), [])
+        self.assertEqual(kept_numbers.differences(RESULTS), [], kept_numbers.__doc__)
 
     def test_i_findings_have_verdicts(self):
         """Each statement has one, with a number that was computed; the data that it names are there."""

@@ -16,15 +16,11 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from generated_pair import GeneratedPair  # noqa: E402
+from generated_pair import GeneratedPair, run  # noqa: E402
 
 SCENE = os.environ["SCENE"]
 MAKE_PAIR = os.environ["MAKE_PAIR"]
 HIP = Path(os.environ["HIP"])
-
-
-def run(*arguments: str | Path) -> subprocess.CompletedProcess:
-    return subprocess.run([str(a) for a in arguments], capture_output=True, text=True, check=False)
 
 
 class Scene(GeneratedPair):
