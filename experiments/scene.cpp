@@ -91,7 +91,7 @@ void run_all_gaps(Session& session, const SceneOptions& options) {
 void run_question(const Session& session, const SceneOptions& options) {
   const QuestionAnswer found = answer_question(*session.joint, options);
   write_if_changed(options.out / "summary.json", json_text(question_summary(options, *session.joint, found)));
-  std::cout << describe_question(options, found);
+  std::cout << describe_question(options, session.joint->joint, found);
   if (options.explain) std::cout << describe_way(found.way, found.answer.left_out);
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_parts.hpp"
 
+#include <algorithm>
+
+#include "mesh/weld.hpp"
+
 namespace impinge {
 namespace {
 
@@ -37,14 +41,31 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
   return between(mesh, parts[k], k + 1 < parts.size() ? parts[k + 1] : end);
 }
 
+// Parts of the main bone come first.
+static std::size_t rests(std::span<const MeshPart> parts) {
+  const auto other = std::ranges::find(parts, false, &MeshPart::of_main);
+  return static_cast<std::size_t>(other - parts.begin());
+}
+
 std::string body_name(std::span<const MeshPart> parts, std::size_t body) {
-  return body == 0 ? "" : parts[body - 1].name;
+  return body == 0 ? "" : parts[rests(parts) + body - 1].name;
 }
 
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
   std::vector<TriangleMesh> surfaces;
-  for (std::size_t k = 0; k < parts.size(); ++k) surfaces.push_back(part_surface(mesh, parts, k));
+  for (std::size_t k = rests(parts); k < parts.size(); ++k) surfaces.push_back(part_surface(mesh, parts, k));
   return surfaces;
+}
+
+std::optional<TriangleMesh> whole_bone(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
+  const std::size_t rest = rests(parts);
+  if (rest == 0) return std::nullopt;
+  return weld(main_surface(mesh, parts.subspan(rest)));
+}
+
+BoneParts bone_parts(const MeshWithParts& ball, const MeshWithParts& socket) {
+  return {part_surfaces(ball.mesh, ball.parts), part_surfaces(socket.mesh, socket.parts),
+          whole_bone(ball.mesh, ball.parts), whole_bone(socket.mesh, socket.parts)};
 }
 
 }  // namespace impinge

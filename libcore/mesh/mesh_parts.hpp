@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct MeshPart {
   std::string name;              // in words, such as "greater trochanter"
   std::size_t first_vertex = 0;  // places in the mesh
   std::size_t first_face = 0;    // the same of its faces
+  bool of_main = false;          // the rest of the bone that the main surface is of; such parts come first
 };
 
 /// Appends a part to a mesh and to its list of parts.
@@ -29,15 +31,26 @@ TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
 /// Part k of the mesh.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
 
-/// The name of a body of a mesh: empty for body 0, the main surface; body k + 1 is part k.
+/// The name of a body of a mesh: empty for body 0, the bone of the main surface; the others are the parts
+/// that are not of it.
 std::string body_name(std::span<const MeshPart> parts, std::size_t body);
 
 /// Parts alone, each a surface of its own, mm.
 struct BoneParts {
-  std::vector<TriangleMesh> ball;    // beside the ball
-  std::vector<TriangleMesh> socket;  // beside the socket
+  std::vector<TriangleMesh> ball;            // beside the ball
+  std::vector<TriangleMesh> socket;          // beside the socket
+  std::optional<TriangleMesh> whole_ball;    // the bone of the ball, if that is more than the ball
+  std::optional<TriangleMesh> whole_socket;  // the bone of the socket, likewise
 };
-/// All parts of a mesh.
+/// All parts of a mesh but those of the main bone.
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+/// The main surface with the rest of its bone, welded; nothing if it has none.
+std::optional<TriangleMesh> whole_bone(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+
+struct MeshWithParts {
+  const TriangleMesh& mesh;
+  std::span<const MeshPart> parts;
+};
+BoneParts bone_parts(const MeshWithParts& ball, const MeshWithParts& socket);
 
 }  // namespace impinge

@@ -2,7 +2,9 @@
 #include "motion/body_pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -14,30 +16,47 @@
 #include "mesh/meeting_faces.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
+#include "sphere/plane_side.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kNodeRounding = 1e-9;  // of lengths
-// Where a segment from a point ends, off every edge and vertex of usual meshes: beside the centre, and
-// outside.
-const Vec3 kBesideCentre(1.3e-3, -0.7e-3, 0.9e-3);  // mm
-const Vec3 kOutside(0.47311, -0.28713, 0.83291);    // of more than the size
+constexpr double kWidestHole = 0.1;     // of the size of a body, of one that is no sheet
+constexpr int kRays = 16;               // that are asked whether a point is inside
 
-std::vector<TurnFace> faces_with_area(const TriangleMesh& mesh) {
-  std::vector<TurnFace> faces;
-  for (const Face& face : mesh.faces) {
-    const auto [a, b, c] = corners_of(mesh, face);
-    if (!collinear(a, b, c)) faces.push_back(turn_face(a, b, c));
+// Evenly over all directions, none of them along an axis or a diagonal.
+std::array<Vec3, kRays> ways_out() {
+  std::array<Vec3, kRays> ways;
+  for (int k = 0; k < kRays; ++k) {
+    const double z = 0.9973 - 2.0 * (k + 0.5) / kRays * 0.9973;
+    const double azimuth = 2.39996 * k + 0.7;
+    const double rho = std::sqrt(1.0 - z * z);
+    ways[static_cast<std::size_t>(k)] = {rho * std::cos(azimuth), rho * std::sin(azimuth), z};
   }
-  return faces;
+  return ways;
 }
 
-TurnParts without_walls(const TriangleMesh& mesh) {
-  TurnParts parts(mesh);
-  parts.jumps.clear();
-  parts.rim_vertices.clear();
-  return parts;
+TriangleMesh without_flat_faces(TriangleMesh mesh) {
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    return collinear(a, b, c);
+  });
+  return mesh;
+}
+
+// Does the segment pass the box?
+bool passes(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& to) {
+  double first = 0.0;
+  double last = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double along = to[k] - from[k];  // not 0 along any of the ways out
+    const double low = (box.min()[k] - from[k]) / along;
+    const double high = (box.max()[k] - from[k]) / along;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  return first <= last + kNodeRounding;
 }
 
 // Calls visit(triangle) for those near the segment until it returns true.
@@ -125,146 +144,145 @@ TriangleMesh once(TriangleMesh mesh) {
   return mesh;
 }
 
-// Where walls that are counted end: edges of one face, or three.
-std::vector<Edge> odd_edges(const TriangleMesh& mesh) {
-  std::vector<Edge> odd;
-  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
-    if (half_edges.size() % 2 == 1) odd.push_back(ends(mesh, half_edges[0]));
-  });
-  return odd;
-}
-
-// From these edges away from beside the centre, to farther than all bodies.
-std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, std::span<const Edge> from, double farthest) {
-  std::vector<TurnFace> walls;
-  for (const auto& [first, last] : from) {
-    const Vec3& a = mesh.vertices[first];
-    const Vec3& b = mesh.vertices[last];
-    const double middle =
-        0.5 * (a.stableNormalized() + b.stableNormalized()).norm();  // how near their chord comes
-    const double least = std::max(1e-6, std::min(a.norm(), b.norm()) * middle);
-    const double times = std::max(2.0, 4.0 * farthest / least);
-    const Vec3 a_far = kBesideCentre + times * (a - kBesideCentre);
-    const Vec3 b_far = kBesideCentre + times * (b - kBesideCentre);
-    walls.push_back(turn_face(a, b, b_far));
-    walls.push_back(turn_face(a, b_far, a_far));
-  }
-  return walls;
-}
-
 }  // namespace
 
-BodyPairs::Body::Body(TriangleMesh of, bool main, bool ball, double farthest)
-    : mesh(once(std::move(of))),
-      parts(without_walls(mesh)),
-      faces(faces_with_area(mesh)),
-      beyond(std::vector<TurnFace>{}) {
+BodyPairs::Body::Body(const TriangleMesh& of)
+    : mesh(without_flat_faces(once(of))), parts(mesh, false), faces(turn_faces(mesh)) {
+  find_openings(once(of));
   find_pieces();
-  if (faces.nodes().empty()) return;
-  const SweptParts::Node& all = faces.nodes().front();
-  const std::vector<Edge> odd = odd_edges(mesh);
-  about_centre = main;
-  anchor_inside = main && ball;
-  anchored = anchor_inside || odd.empty();
-  anchor = main ? kBesideCentre : Vec3(all.centre + 2.0 * all.radius * kOutside);
-  if (!anchor_inside) return;
+}
+
+// Edges of one face, or of three, that share a vertex are the border of one opening. Faces without area count
+// here: they close what is between their neighbours.
+void BodyPairs::Body::find_openings(const TriangleMesh& all) {
+  DisjointSets sets(all.vertices.size());
+  std::vector<Edge> odd;
+  for_each_edge(all, [&](std::span<const HalfEdge> half_edges) {
+    if (half_edges.size() % 2 == 0) return;
+    odd.push_back(ends(all, half_edges[0]));
+    sets.join(odd.back()[0], odd.back()[1], false);
+  });
+  std::map<std::size_t, Eigen::AlignedBox3d> boxes;
   for (const Edge& edge : odd) {
-    for (const VertexIndex v : edge) stretch = std::max(stretch, farthest / mesh.vertices[v].norm());
+    for (const VertexIndex v : edge) boxes[sets.find(v).root].extend(all.vertices[v]);
   }
-  const std::vector<TurnFace> walls = walls_beyond(mesh, odd, farthest);
-  for (const TurnFace& wall : walls) {
-    const auto next = static_cast<VertexIndex>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), wall.corner.begin(), wall.corner.end());
-    mesh.faces.push_back({next, next + 1, next + 2});
+  Eigen::AlignedBox3d whole;
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) whole.extend(mesh.vertices[v]);
   }
-  beyond = SweptParts(walls);
-  parts = without_walls(mesh);
+  for (const auto& [root, box] : boxes) {
+    openings.push_back(box);
+    sheet = sheet || box.diagonal().norm() > kWidestHole * whole.diagonal().norm();
+  }
 }
 
 void BodyPairs::Body::find_pieces() {
   DisjointSets sets(mesh.vertices.size());
-  std::vector<bool> seen(mesh.vertices.size(), false);
   for (const Face& face : mesh.faces) {
-    const auto [a, b, c] = corners_of(mesh, face);
-    if (collinear(a, b, c)) continue;
-    for (const VertexIndex v : face) {
-      sets.join(face[0], v, false);
-      seen[v] = true;
-    }
+    for (const VertexIndex v : face) sets.join(face[0], v, false);
   }
   for (const VertexIndex v : parts.vertices) {
-    if (!seen[v])
-      loose.push_back(mesh.vertices[v]);
-    else if (sets.find(v).root == v)
-      pieces.push_back(mesh.vertices[v]);
+    if (sets.find(v).root == v) pieces.push_back(mesh.vertices[v]);
   }
 }
 
-// The walls between the point and the anchor are counted.
-bool BodyPairs::Body::holds(const Vec3& x) const {
-  if (!anchored || (!about_centre && (x - faces.nodes()[0].centre).norm() > faces.nodes()[0].radius))
-    return false;
-  bool inside = anchor_inside;
-  visit_near(faces, x, anchor, [&](const Triangle& face) {
-    if (meets_segment(face, x, anchor)) inside = !inside;
+// What the faces that a segment outwards crosses add up to; none where it touches a side of one.
+std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) const {
+  int sum = 0;
+  const bool touches = visit_near(faces, from, to, [&](const Triangle& face) {
+    if (!meets_segment(face, from, to)) return false;
+    const auto& [a, b, c] = face;
+    const int start = plane_side(a, b, c, from);
+    const int end = plane_side(a, b, c, to);
+    const int first = plane_side(from, to, a, b);
+    if (start * end >= 0 || first == 0 || plane_side(from, to, b, c) == 0 || plane_side(from, to, c, a) == 0)
+      return true;
+    sum += end;
     return false;
   });
-  return inside;
+  return touches ? std::nullopt : std::optional(sum);
 }
 
-BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside) {
-  if (beside.ball.empty() && beside.socket.empty()) return;
-  double farthest = 0.0;
-  const auto reach_to = [&](const TriangleMesh& mesh) {
-    for (const Vec3& x : mesh.vertices) farthest = std::max(farthest, x.norm());
-  };
-  for (const TriangleMesh* mesh : {&main.ball, &main.socket}) reach_to(*mesh);
-  for (const auto* parts : {&beside.ball, &beside.socket}) {
-    for (const TriangleMesh& part : *parts) reach_to(part);
+Contact BodyPairs::Body::holds(const Vec3& x) const {
+  static const std::array<Vec3, kRays> kWays = ways_out();
+  if (faces.nodes().empty()) return Contact::no;
+  const SweptParts::Node& all = faces.nodes()[0];
+  const double away = (x - all.centre).norm();
+  if (away > all.radius) return Contact::no;
+  bool inside = false;
+  bool outside = false;
+  for (const Vec3& way : kWays) {
+    const Vec3 to = x + 2.0 * (away + all.radius) * way;
+    if (std::ranges::any_of(openings, [&](const auto& box) { return passes(box, x, to); })) continue;
+    const std::optional<int> sum = crossings(x, to);
+    if (!sum) continue;
+    if (openings.empty()) return *sum % 2 == 0 ? Contact::no : Contact::yes;
+    (*sum > 0 ? inside : outside) = true;
   }
-  const auto add = [&](auto& bodies, const TriangleMesh& mesh, bool is_main, bool is_ball) {
-    bodies.push_back(std::make_unique<Body>(mesh, is_main, is_ball, farthest));
+  if (inside == outside) return Contact::unknown;
+  return inside ? Contact::yes : Contact::no;
+}
+
+BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
+    : main_only_(!beside.whole_ball && !beside.whole_socket) {
+  const auto add = [](auto& bodies, const TriangleMesh& bone, const std::vector<TriangleMesh>& parts) {
+    bodies.push_back(std::make_unique<Body>(bone));
+    for (const TriangleMesh& part : parts) bodies.push_back(std::make_unique<Body>(part));
   };
-  add(ball_, main.ball, true, true);
-  add(socket_, main.socket, true, false);
-  for (const TriangleMesh& part : beside.ball) add(ball_, part, false, true);
-  for (const TriangleMesh& part : beside.socket) add(socket_, part, false, false);
+  add(ball_, beside.whole_ball ? *beside.whole_ball : main.ball, beside.ball);
+  add(socket_, beside.whole_socket ? *beside.whole_socket : main.socket, beside.socket);
+  if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
-    for (std::size_t s = b == 0 ? 1 : 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
+    for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
 }
 
-// Calls found(body, x), x a vertex of the other one in its frame, until it returns true.
-template <class Found>
-bool BodyPairs::any_vertex_of(const Pair& pair, const Pose& pose, const Found& found) const {
+BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
   const Body& ball = *ball_[pair.ball];
   const Body& socket = *socket_[pair.socket];
-  return std::ranges::any_of(
-             ball.parts.vertices,
-             [&](VertexIndex v) { return found(socket, to_socket(pose, ball.mesh.vertices[v])); }) ||
-         std::ranges::any_of(socket.parts.vertices, [&](VertexIndex v) {
-           return found(ball, to_ball(pose, socket.mesh.vertices[v]));
-         });
+  if (surfaces_meet(ball.faces, socket.faces, pose)) return {Contact::yes, ContactRule::surfaces, pair};
+  Verdict found{Contact::no, ContactRule::inside, pair};
+  const auto ask = [&](const Body& body, const Vec3& x) {
+    const Contact holds = body.holds(x);
+    if (holds == Contact::yes || found.contact == Contact::no) found.contact = holds;
+  };
+  for (const Vec3& x : ball.pieces) ask(socket, to_socket(pose, x));
+  for (const Vec3& y : socket.pieces) ask(ball, to_ball(pose, y));
+  return found;
 }
 
-template <class Found>
-bool BodyPairs::any_vertex(const Pose& pose, const Found& found) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return any_vertex_of(pair, pose, found); });
+// ask(pair) gives a verdict: the first yes, else the first that is not known.
+template <class Ask>
+BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
+  Verdict first;
+  for (const Pair& pair : pairs_) {
+    const Verdict found = ask(pair);
+    if (found.contact == Contact::yes) return found;
+    if (first.contact == Contact::no) first = found;
+  }
+  return first;
 }
 
-bool BodyPairs::touch(const Pair& pair, const Pose& pose) const {
-  return surfaces_meet(ball_[pair.ball]->faces, socket_[pair.socket]->faces, pose) ||
-         any_vertex_of(pair, pose, [](const Body& body, const Vec3& x) { return body.holds(x); });
+BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
+  const bool overlap = radial_ && radial_->overlay.impinged(pose);
+  return first_of([&](const Pair& pair) {
+    if (!radial_ || !is_main(pair)) return verdict(pair, pose);
+    if (!overlap && main_only_) return Verdict{Contact::no, ContactRule::surfaces, pair};
+    Verdict found = verdict(pair, pose);
+    return found.contact == Contact::yes || !overlap ? found
+                                                     : Verdict{Contact::yes, ContactRule::radii, pair};
+  });
 }
 
-bool BodyPairs::impinged(const Pose& pose) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(pair, pose); });
+bool BodyPairs::meet(const Pose& pose) const {
+  return first_of([&](const Pair& pair) { return verdict(pair, pose); }).contact == Contact::yes;
 }
 
-std::optional<BodyPairs::Nearest> BodyPairs::nearest(const Pose& pose) const {
+std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) const {
   std::optional<Nearest> found;
   for (const Pair& pair : pairs_) {
-    if (touch(pair, pose)) return Nearest{pair, 0.0, true};
+    if (is_main(pair)) continue;
+    if (verdict(pair, pose).contact == Contact::yes) return Nearest{pair, 0.0, true};
     double least = found ? found->distance_mm : HUGE_VAL;
     const SweptParts& ball = ball_[pair.ball]->faces;
     const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
@@ -283,52 +301,29 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest(const Pose& pose) const {
   return found;
 }
 
-bool BodyPairs::vertex_within(const Pose& pose, double gap_mm) const {
-  return any_vertex(pose, [gap_mm](const Body& body, const Vec3& x) {
-    const Vec3 reach = gap_mm * x.stableNormalized();
-    const Vec3 from = x.norm() > gap_mm ? Vec3(x - reach) : Vec3::Zero();
-    const Vec3 to = x + reach;
-    return visit_near(body.faces, from, to,
-                      [&](const Triangle& face) { return meets_segment(face, from, to); }) ||
-           body.holds(x);
-  });
-}
-
-bool BodyPairs::vertex_inside_by(const Pose& pose, double depth_mm, double centre_mm) const {
-  return any_vertex(pose, [&](const Body& body, const Vec3& x) {
-    return body.holds(x) && body.faces.farther_than(depth_mm, x) &&
-           body.beyond.farther_than(depth_mm + body.stretch * centre_mm, x);
-  });
-}
-
 double BodyPairs::Moved::reach(double from_centre) const {
   return 2.0 * from_centre * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) +
          poses.shift_mm;
 }
 
-// x, of this body, is farther from the surface of the other one than the poses take it, by so much.
-bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x, double by_mm) const {
-  const double near = by_mm + reach(x.norm()) + kNodeRounding * x.norm();
-  return other.faces.farther_than(near, rotation * x) &&
-         other.beyond.farther_than(near + other.stretch * poses.centre_mm, rotation * x);
+// x, of this body, is farther from the surface of the other one than the poses take it.
+bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
+  return other.faces.farther_than(reach(x.norm()) + kNodeRounding * x.norm(), rotation * x);
 }
 
 // x, of this body, is within the gap of the other one in all poses.
 bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
-  return other.faces.within(poses.gap_mm - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
+  return other.faces.within(gap - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
 }
 
 // Where the surfaces are apart.
 bool BodyPairs::Moved::may_enter(const Body& other) const {
-  const auto holds = [&](const Vec3& x) { return other.holds(rotation * x); };
-  return std::ranges::any_of(body.pieces, holds) || std::ranges::any_of(body.loose, [&](const Vec3& x) {
-           return holds(x) || !is_off(other, x, poses.gap_mm);
-         });
+  return std::ranges::any_of(body.pieces,
+                             [&](const Vec3& x) { return other.holds(rotation * x) != Contact::no; });
 }
 
 bool BodyPairs::Moved::is_within(const Body& other) const {
-  const bool may_be = other.anchored || poses.gap_mm > 0.0;
-  if (!may_be || body.faces.nodes().empty() || other.faces.nodes().empty()) return false;
+  if (body.faces.nodes().empty() || other.faces.nodes().empty()) return false;
   const SweptParts::Node& whole = other.faces.nodes()[0];
   std::vector<std::uint32_t> pending{0};
   while (!pending.empty()) {
@@ -338,34 +333,31 @@ bool BodyPairs::Moved::is_within(const Body& other) const {
     // the poses take it, or nearer than the gap by as much.
     const Vec3 middle = rotation * node.centre;
     const double least = reach(node.nearest);
-    if (poses.gap_mm <= least && other.faces.within(least - node.radius, middle)) continue;
-    const double near = std::max(0.0, node.radius + poses.gap_mm - least);
+    if (gap <= least && other.faces.within(least - node.radius, middle)) continue;
+    const double near = std::max(0.0, node.radius + gap - least);
     if ((middle - whole.centre).norm() > near + whole.radius) continue;
-    if (other.faces.farther_than(near, middle) && !other.holds(middle)) continue;  // none is, mostly
+    if (other.faces.farther_than(near, middle) && other.holds(middle) != Contact::yes) continue;  // none is, mostly
     if (!node.leaf) {
       pending.insert(pending.end(), {node.at, node.at + 1});
       continue;
     }
     const Vec3& x = body.faces.parts()[node.at].corner[0];
-    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x))) return true;
+    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes))
+      return true;
   }
   return false;
 }
 
-std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses) const {
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool main_apart) const {
   for (const Pair& pair : pairs_) {
+    if (is_main(pair) && main_apart && main_only_) continue;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
-    const Moved out{ball, poses, poses.rotation};
-    const Moved back{socket, poses, poses.rotation.transpose()};
-    const double apart = poses.shift_mm + poses.gap_mm;
-    const double of_walls = ball.stretch * poses.centre_mm;
-    const auto reach = [&](double from_centre) { return out.reach(from_centre) + poses.gap_mm; };
-    const auto to_shadow = [&](double from_centre) { return reach(from_centre) + of_walls; };
-    const auto near = [&](const SweptParts& of, double shift, const auto& within) {
-      return may_come_near(of, socket.faces, poses.rotation, shift, within);
-    };
-    if (near(ball.faces, apart, reach) || near(ball.beyond, apart + of_walls, to_shadow) ||
+    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
+    const Moved out{ball, poses, poses.rotation, gap};
+    const Moved back{socket, poses, poses.rotation.transpose(), gap};
+    const auto reach = [&](double from_centre) { return out.reach(from_centre) + gap; };
+    if (may_come_near(ball.faces, socket.faces, poses.rotation, poses.shift_mm + gap, reach) ||
         out.may_enter(socket) || back.may_enter(ball))
       return pair;
   }
@@ -376,13 +368,13 @@ bool BodyPairs::overlap(const NearPoses& poses) const {
   return std::ranges::any_of(pairs_, [&](const Pair& pair) {
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
-    const Moved out{ball, poses, poses.rotation};
-    const Moved back{socket, poses, poses.rotation.transpose()};
-    return out.is_within(socket) || back.is_within(ball);
+    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
+    return Moved{ball, poses, poses.rotation, gap}.is_within(socket) ||
+           Moved{socket, poses, poses.rotation.transpose(), gap}.is_within(ball);
   });
 }
 
-std::vector<TurnContacts> BodyPairs::contacts(const JointTurn& turn, double largest_gap) const {
+std::vector<TurnContacts> BodyPairs::contacts(const JointTurn& turn) const {
   std::vector<TurnContacts> found;
   for (const Pair& pair : pairs_) {
     const Body& ball = *ball_[pair.ball];
@@ -390,23 +382,17 @@ std::vector<TurnContacts> BodyPairs::contacts(const JointTurn& turn, double larg
     found.emplace_back(TurnScene{{ball.mesh, ball.parts, turn.inner},
                                  {socket.mesh, socket.parts, turn.outer.transpose()},
                                  turn.axis,
-                                 largest_gap,
+                                 0.0,
                                  {pair.ball, pair.socket}});
   }
   return found;
 }
 
 double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
-                               const WithinSpan& within, double centre_mm, double largest) const {
+                               const WithinSpan& within, double largest) const {
   for (const Pair& pair : pairs_) {
-    const Body& turning = *ball_[pair.ball];
-    const SweptParts resting = socket_[pair.socket]->faces.rotated(socket);
-    largest = impinge::first_within(turning.faces.rotated(ball), resting, within, largest);
-    if (turning.beyond.nodes().empty()) continue;
-    const WithinSpan of_walls = [&](const AngleSpan& span) {
-      return within(span) + turning.stretch * centre_mm;
-    };
-    largest = impinge::first_within(turning.beyond.rotated(ball), resting, of_walls, largest);
+    largest = impinge::first_within(ball_[pair.ball]->faces.rotated(ball),
+                                    socket_[pair.socket]->faces.rotated(socket), within, largest);
   }
   return largest;
 }

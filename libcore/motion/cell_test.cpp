@@ -139,7 +139,7 @@ CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& 
 CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside)
     : question_(checked(joint, question)),
       growth_(growth_of(joint.ball, question.gap_mm)),
-      beside_(joint, beside) {
+      bodies_(joint, beside) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
     sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
@@ -155,7 +155,7 @@ NearPoses CellTest::poses_near(const RotationBall& rotations) const {
   const double turn = rotations.radius + kTurnSlack;
   const double most = std::min(kPi, turned + turn);
   const double within = question_.centre_within_mm;
-  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance), within,
+  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance),
           question_.gap_mm};
 }
 
@@ -399,12 +399,25 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
                     CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
   if (asked.angle.wide) return {};
   CellVerdict verdict = facing(asked, from);
-  if (verdict.state == CellState::blocked || test_.beside_.empty()) return verdict;
-  if (!test_.beside_.may_meet(poses)) return verdict;
-  const bool overlap = test_.beside_.overlap(poses);
-  if (overlap || verdict.state != CellState::open) verdict.hint = {};  // the main surfaces do not stop it
+  // By radii: of main surfaces, a gap, or contact where bones have no inside (motion/body_pairs.hpp).
+  const BodyPairs& bodies = test_.bodies_;
+  const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
+  if (by_radii && verdict.state == CellState::blocked) return verdict;
+  const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
+  if (!bodies.may_meet(poses, apart)) {
+    if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
+    return verdict;
+  }
+  const bool overlap = bodies.overlap(poses);
+  if (overlap || apart) verdict.hint = {};  // the main surfaces do not stop it
   verdict.state = overlap ? CellState::blocked : CellState::open;
   return verdict;
+}
+
+// Nothing touches: does the ball's mesh end under the socket?
+CellState CellSearch::state_of_free(const Asked& asked) const {
+  if (test_.side(Surface::ball).holes.tree.blocks().empty() || !may_leave(asked)) return CellState::free;
+  return leaves(asked) ? CellState::unknown : CellState::open;
 }
 
 CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
@@ -416,8 +429,7 @@ CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
     if (blocks(reach, of)) return verdict;
   }
   if (!find_pair(asked, verdict.hint)) {
-    const bool whole = test_.side(Surface::ball).holes.tree.blocks().empty() || !may_leave(asked);
-    verdict.state = whole ? CellState::free : leaves(asked) ? CellState::unknown : CellState::open;
+    verdict.state = state_of_free(asked);
     return verdict;
   }
   if (find_reach(asked, Surface::socket, verdict.hint, best) ||

@@ -62,7 +62,7 @@ std::string_view name(CellState state);
 /// What counts as contact, and for which centres.
 struct CellQuestion {
   double gap_mm = 0.0;  // a gap as small as that counts as contact; 0 or more. Along rays between the
-                        // main surfaces; with bone beside them, the distance
+                        // main surfaces; the distance of parts
   double centre_within_mm = 0.0;  // for every common centre within that of the meshes' origin; 0 or more
 };
 
@@ -93,7 +93,7 @@ struct CellVerdict {
 /// A joint made ready for the test. Several threads may use it at the same time.
 class CellTest {
  public:
-  /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and bone beside them
+  /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and what else is bone
   /// (motion/body_pairs.hpp). std::invalid_argument for a gap or centre below 0, or a surface without a face.
   CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
@@ -101,8 +101,7 @@ class CellTest {
   /// Unit direction of the face of the ball that a hint names, as the ball lies at rest.
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
-  /// The bone beside the main surfaces.
-  const BodyPairs& beside() const { return beside_; }
+  const BodyPairs& bodies() const { return bodies_; }
   /// All poses that these rotations stand for, with the doubt about the centre.
   NearPoses poses_near(const RotationBall& rotations) const;
 
@@ -128,7 +127,7 @@ class CellTest {
   double least_ball_;    // mm, radius of all faces, without the gap
   double least_socket_;  // the same
   bool edge_on_;         // do edge-on faces count, of which the limits know nothing?
-  BodyPairs beside_;
+  BodyPairs bodies_;
 };
 
 /// Asks a test, one cell at a time; each thread has its own.
@@ -171,7 +170,8 @@ class CellSearch {
   };
   static constexpr std::size_t kMostVertices = 64;  // asked of a surface and a cell
 
-  CellVerdict facing(const Asked& asked, const CellHint& from);  // of the main surfaces
+  CellVerdict facing(const Asked& asked, const CellHint& from);  // of the main surfaces, by radii
+  CellState state_of_free(const Asked& asked) const;
   CapAngle angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
   PosedFace posed(const Asked& asked, std::uint32_t socket_face) const;
   bool may_touch(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;

@@ -11,6 +11,8 @@
 #include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "motion/centre_walls.hpp"
+#include "sphere/orientation.hpp"
+#include "sphere/plane_side.hpp"
 
 namespace impinge {
 namespace {
@@ -58,14 +60,6 @@ Sinusoid trace_of(const JointTurn& turn) {
   return {m(0, 0) + m(1, 1), m(0, 1) - m(1, 0), m(2, 2)};
 }
 
-std::vector<TurnFace> faces_of(const TriangleMesh& mesh) {
-  std::vector<TurnFace> faces;
-  faces.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces)
-    faces.push_back(turn_face(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
-  return faces;
-}
-
 std::vector<TurnFace> points_of(const TriangleMesh& mesh, const std::vector<VertexIndex>& chosen) {
   std::vector<TurnFace> points;
   points.reserve(chosen.size());
@@ -74,40 +68,32 @@ std::vector<TurnFace> points_of(const TriangleMesh& mesh, const std::vector<Vert
   return points;
 }
 
-// Ends of edges, each once; or all vertices of the surface.
-std::vector<VertexIndex> asked_of(const TriangleMesh& mesh, const std::vector<Edge>& edges, bool all) {
-  if (all) return surface_vertices(mesh);
-  std::vector<VertexIndex> ends;
-  for (const Edge& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
-  std::ranges::sort(ends);
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return ends;
-}
-
 }  // namespace
 
 CentreIntervals::CentreIntervals(const CulledJoint& joint, const CentreQuestion& question,
-                                 const BodyPairs* beside)
+                                 const BodyPairs& bodies)
     : joint_(joint),
       question_(question),
-      beside_(beside),
+      bodies_(bodies),
       ball_(side(joint.meshes().ball, joint.meshes().socket, false)),
       socket_(side(joint.meshes().socket, joint.meshes().ball, true)) {}
 
 CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const TriangleMesh& other,
                                             bool is_socket) const {
   const double r = question_.within_mm;
-  const bool all = question_.gap_mm > 0.0;
+  if (question_.gap_mm == 0.0)
+    return {SweptParts(turn_faces(mesh)), SweptParts({}), SweptParts({}), jump_edges(mesh),
+            boundary_edges(mesh), 0.0};
   const std::vector<Edge> edges = possible_jumps(mesh, r);
-  const std::vector<VertexIndex> facing = asked_of(other, possible_jumps(other, r), all);
+  const std::vector<VertexIndex> facing = surface_vertices(other);
   WallQuestion walls{is_socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
   for (const VertexIndex v : facing) {
     walls.nearest = std::min(walls.nearest, other.vertices[v].norm());
     walls.farthest = std::max(walls.farthest, other.vertices[v].norm());
   }
-  Side made{SweptParts(faces_of(mesh)),
+  Side made{SweptParts(turn_faces(mesh)),
             SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
-            SweptParts(points_of(mesh, asked_of(mesh, edges, all))), jump_edges(mesh), HUGE_VAL};
+            SweptParts(points_of(mesh, surface_vertices(mesh))), jump_edges(mesh), {}, HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
     made.nearest = std::min(made.nearest, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
@@ -117,7 +103,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
 
 double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   const double nearest = std::min(ball_.nearest, socket_.nearest);
-  if (!(nearest > question_.within_mm * (1.0 + kCertainMargin))) return 0.0;
+  if (question_.gap_mm > 0.0 && !(nearest > question_.within_mm * (1.0 + kCertainMargin))) return 0.0;
   const Sinusoid trace = trace_of(turn);
   const bool common = question_.doubt == CentreDoubt::common;
   const WithinSpan within = [&](const AngleSpan& span) {
@@ -128,29 +114,79 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   const Eigen::Matrix3d ball = upright * turn.inner;
   const Eigen::Matrix3d socket = upright * turn.outer.transpose();
   double first = to_deg * kDegree;
-  first = first_within(ball_.points.rotated(ball), socket_.walls.rotated(socket), within, first);
-  first = first_within(ball_.walls.rotated(ball), socket_.points.rotated(socket), within, first);
-  first = first_within(ball_.faces.rotated(ball), socket_.faces.rotated(socket), within, first);
-  if (beside_ != nullptr) first = beside_->first_within(ball, socket, within, question_.within_mm, first);
+  if (question_.gap_mm > 0.0) {
+    first = first_within(ball_.points.rotated(ball), socket_.walls.rotated(socket), within, first);
+    first = first_within(ball_.walls.rotated(ball), socket_.points.rotated(socket), within, first);
+    first = first_within(ball_.faces.rotated(ball), socket_.faces.rotated(socket), within, first);
+  }
+  first = bodies_.first_within(ball, socket, within, first);
   return std::min(first / kDegree, to_deg);
 }
 
-double CentreIntervals::shift(const Pose& pose) const {
-  if (question_.doubt == CentreDoubt::play) return question_.within_mm;
-  return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - pose.rotation.trace()));
+// Layers of the other surface that a vertex of the ball at x is beyond, or one of the socket within.
+int CentreIntervals::layers_passed(const ScannedVertex& at, const Vec3& x) const {
+  const NearFaces& faces = joint_.faces(other(at.scanned));
+  int passed = 0;
+  faces.any_hit(x, [&](std::uint32_t f, int side) {
+    const auto [a, b, c] = corners_of(faces.mesh(), faces.mesh().faces[f]);
+    if (orientation(a, b, x) * side < 0 || orientation(b, c, x) * side < 0 || orientation(c, a, x) * side < 0)
+      return false;
+    const int beyond = side * plane_side(a, b, c, x);
+    passed += at.scanned == Surface::ball ? beyond > 0 : beyond < 0;
+    return false;
+  });
+  return passed;
 }
 
-// See the header. x is the vertex in the frame of the other surface.
-bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, double shift) const {
+// See the header.
+bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const {
+  constexpr double kStep = 0.25;     // degrees, along the way
+  constexpr double kBeside = 1e-9;  // radians
+  const Side& facing = at.scanned == Surface::ball ? socket_ : ball_;
+  const TriangleMesh& mesh = mesh_of(joint_.meshes(), other(at.scanned));
+  const Vec3& from = mesh_of(joint_.meshes(), at.scanned).vertices[at.vertex];
+  const auto place = [&](double angle_deg) {
+    return to_other(at.scanned, pose_of(way.turn, angle_deg), from);
+  };
+  const Vec3 end = place(way.angle_deg);
+  const double rounding = kCertainMargin * (from.norm() + facing.faces.nodes()[0].farthest);
+  const double moved = most_shift(way) + rounding;
+  if (layers_passed(at, end) % 2 == 0 || layers_passed(at, place(way.free_deg)) != 0 ||
+      !facing.faces.farther_than(moved, end) ||
+      !facing.faces.farther_than(shift(pose_of(way.turn, 0.0)) + rounding, place(0.0)))
+    return false;
+  const double half = 0.5 * kStep * kDegree * (1.0 + kBeside);
+  for (double angle = 0.5 * kStep; angle < way.angle_deg + 0.5 * kStep; angle += kStep) {
+    const Vec3 x = place(std::min(angle, way.angle_deg));
+    const double near = moved + from.norm() * half;
+    for (const Edge& edge : facing.border) {
+      if (squared_distance_to_segment(x, mesh.vertices[edge[0]], mesh.vertices[edge[1]]) <= near * near)
+        return false;
+    }
+    if (angle + 0.5 * kStep > way.free_deg && !clear_of_jumps(mesh, facing.jumps, x, half + kBeside))
+      return false;
+  }
+  return true;
+}
+
+// On all of the way.
+double CentreIntervals::most_shift(const Way& way) const {
+  if (question_.doubt == CentreDoubt::play) return question_.within_mm;
+  const double least = least_in(trace_of(way.turn), {0.0, way.angle_deg * kDegree});
+  return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - least));
+}
+
+// Of a threshold. x is the vertex in the frame of the other surface.
+bool CentreIntervals::is_certain(const Way& way, const ScannedVertex& at) const {
   const bool of_ball = at.scanned == Surface::ball;
   const Side& facing = of_ball ? socket_ : ball_;
   const BallSocketPair& meshes = joint_.meshes();
-  const Vec3 x = to_other(at.scanned, pose, mesh_of(meshes, at.scanned).vertices[at.vertex]);
+  const Vec3 x = to_other(at.scanned, way.pose, mesh_of(meshes, at.scanned).vertices[at.vertex]);
   const double r = question_.within_mm;
   const double length = x.norm() + (of_ball ? question_.gap_mm : -question_.gap_mm);
   if (!(x.norm() > 4.0 * r) || !(length > 4.0 * r)) return false;
   const double rounding = kCertainMargin * (x.norm() + facing.nearest);
-  const double moved = shift + 2.0 * question_.gap_mm * r / std::min(length, x.norm()) + rounding;
+  const double moved = way.shift_mm + 2.0 * question_.gap_mm * r / std::min(length, x.norm()) + rounding;
   const double sine = of_ball ? std::max(r, moved) / facing.nearest : (r + moved) / length;
   if (!(sine < 0.5)) return false;
   const Vec3 p = length / x.norm() * x;
@@ -159,43 +195,55 @@ bool CentreIntervals::is_certain(const Pose& pose, const ScannedVertex& at, doub
                         std::asin(sine) + kCertainMargin);
 }
 
-bool CentreIntervals::always(const JointTurn& turn, double angle_deg) const {
-  const Pose pose = pose_of(turn, angle_deg);
-  const double moved = shift(pose);
-  const double certain = moved * (1.0 + kCertainMargin) + kCertainMargin;
-  if (beside_ != nullptr && beside_->vertex_inside_by(pose, certain, question_.within_mm)) return true;
-  const double enough = question_.gap_mm - moved;
-  const auto least = joint_.least_gap(pose);
+bool CentreIntervals::always(const Way& way) const {
+  const double certain = way.shift_mm * (1.0 + kCertainMargin) + kCertainMargin;
+  if (bodies_.overlap({way.pose.rotation, 0.0, certain, 0.0})) return true;
+  const bool of_gap = question_.gap_mm > 0.0;
+  if (!of_gap && bodies_.has_inside()) return false;
+  const auto proves = [&](const ScannedVertex& at) {
+    return of_gap ? is_certain(way, at) : has_crossed(way, at);
+  };
+  const double enough = question_.gap_mm - way.shift_mm;
+  const auto least = joint_.least_gap(way.pose);
   if (!least || !(least->gap_mm < enough)) return false;
-  if (is_certain(pose, least->at, moved)) return true;
+  if (proves(least->at)) return true;
   std::vector<std::pair<double, ScannedVertex>> deep;
   for (const CulledScan& scan : joint_.scans()) {
     const TriangleMesh& mesh = mesh_of(joint_.meshes(), scan.scanned());
     for (const VertexIndex v : surface_vertices(mesh)) {
-      const double gap = joint_.gap(scan.scanned(), to_other(scan.scanned(), pose, mesh.vertices[v]));
+      const double gap = joint_.gap(scan.scanned(), to_other(scan.scanned(), way.pose, mesh.vertices[v]));
       if (gap < enough) deep.emplace_back(gap, ScannedVertex{scan.scanned(), v});
     }
   }
   std::ranges::sort(deep, [](const auto& a, const auto& b) { return a.first < b.first; });
   deep.resize(std::min(deep.size(), kMostVertices));
-  return std::ranges::any_of(deep, [&](const auto& at) { return is_certain(pose, at.second, moved); });
+  return std::ranges::any_of(deep, [&](const auto& at) { return proves(at.second); });
 }
 
-std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, double from_deg) const {
-  double before = from_deg;
-  if (always(turn, before)) return before;
+std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, const AngleSpan& limit_deg) const {
+  const auto ask = [&](double angle_deg) {
+    const Pose pose = pose_of(turn, angle_deg);
+    return always({turn, limit_deg.from, angle_deg, pose, shift(pose)});
+  };
+  double before = limit_deg.to;
+  if (ask(before)) return before;
   for (double step = kFirstStep; before < question_.largest_deg; step *= 2.0) {
-    double at = std::min(from_deg + step, question_.largest_deg);
-    if (always(turn, at)) {
+    double at = std::min(limit_deg.to + step, question_.largest_deg);
+    if (ask(at)) {
       for (int k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (before + at);
-        (always(turn, middle) ? at : before) = middle;
+        (ask(middle) ? at : before) = middle;
       }
       return at;
     }
     before = at;
   }
   return std::nullopt;
+}
+
+double CentreIntervals::shift(const Pose& pose) const {
+  if (question_.doubt == CentreDoubt::play) return question_.within_mm;
+  return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - pose.rotation.trace()));
 }
 
 }  // namespace impinge

@@ -112,12 +112,6 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   found.note(ContactKind::edges, socket.from + std::clamp(share, 0.0, 1.0) * b, across);
 }
 
-// The piece of its ray within a gap of a point.
-TurnEdge along_ray(const Vec3& x, double gap) {
-  const double length = x.norm();
-  return {std::max(length - gap, 0.0) / length * x, (length + gap) / length * x};
-}
-
 // Points with a tree.
 struct Points {
   std::vector<Vec3> places;  // mm
@@ -141,19 +135,6 @@ Points moved_out(const TurnSurface& surface, double out, double nearest, double 
   return moved;
 }
 
-Points rim_points(const TurnSurface& surface, double margin) {
-  Points rim;
-  std::vector<TurnBox> boxes;
-  for (const VertexIndex v : surface.parts->rim_vertices) {
-    const TurnPoint& point = surface.points[v];
-    if (point.r == 0.0) continue;
-    boxes.push_back(turn_box(std::array{&point}, point.r, margin));
-    rim.places.push_back(point.x);
-  }
-  rim.tree = TurnTree(boxes, order_by_place(rim.places));
-  return rim;
-}
-
 TurnTree tree_of_walls(const std::vector<TurnFace>& walls, double margin) {
   std::vector<TurnBox> boxes;
   std::vector<Vec3> middles;
@@ -165,29 +146,6 @@ TurnTree tree_of_walls(const std::vector<TurnFace>& walls, double margin) {
     middles.emplace_back(a + b + c);
   }
   return {boxes, order_by_place(middles)};
-}
-
-// The pieces of their rays within a gap of the vertices, with a tree.
-struct Rays {
-  std::vector<TurnEdge> pieces;
-  TurnTree tree;
-};
-
-Rays rays_of(const TurnSurface& surface, double gap, double margin) {
-  Rays rays;
-  std::vector<TurnBox> boxes;
-  std::vector<std::uint32_t> order;
-  for (const std::uint32_t k : surface.parts->by_vertex) {
-    const Vec3& x = surface.points[surface.parts->vertices[k]].x;
-    if (x.isZero(0.0)) continue;
-    const TurnEdge& piece = rays.pieces.emplace_back(along_ray(x, gap));
-    const TurnPoint from(piece.from);
-    const TurnPoint to(piece.to);
-    order.push_back(static_cast<std::uint32_t>(boxes.size()));
-    boxes.push_back(turn_box(std::array{&from, &to}, from.r, margin));
-  }
-  rays.tree = TurnTree(boxes, order);
-  return rays;
 }
 
 // Calls visit(side) for those sides of a face that no face before it has.
@@ -247,21 +205,11 @@ TurnContacts::TurnContacts(const TurnScene& scene)
 
 std::optional<TurnContact> TurnContacts::first(const AngleSpan& angles) const {
   Found found{{angles, tolerance_}, {}};
-  const auto visit = [&](const TurnTree& ball, const TurnTree& socket, const auto& attempt) {
-    visit_meetings(ball, socket, angles.from, found.search.first(), [&](std::uint32_t i, std::uint32_t j) {
-      attempt(i, j);
-      return found.search.first();
-    });
-  };
-  visit(ball_faces_, socket_faces_,
-        [&](std::uint32_t f, std::uint32_t g) { try_faces(ball_, f, socket_, g, found); });
-  if (ball_.walls.empty() || socket_.walls.empty()) return in_mesh_frame(found.contact);
-  const Points ball = rim_points(ball_, tolerance_);
-  const Points socket = rim_points(socket_, tolerance_);
-  visit(ball.tree, tree_of_walls(socket_.walls, tolerance_),
-        [&](std::uint32_t x, std::uint32_t f) { try_ball_point(ball.places[x], socket_.walls[f], found); });
-  visit(tree_of_walls(ball_.walls, tolerance_), socket.tree,
-        [&](std::uint32_t f, std::uint32_t y) { try_socket_point(socket.places[y], ball_.walls[f], found); });
+  visit_meetings(ball_faces_, socket_faces_, angles.from, found.search.first(),
+                 [&](std::uint32_t f, std::uint32_t g) {
+                   try_faces(ball_, f, socket_, g, found);
+                   return found.search.first();
+                 });
   return in_mesh_frame(found.contact);
 }
 
@@ -292,20 +240,6 @@ std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpa
               [&](std::uint32_t f) { return socket_.walls[f]; });
   socket_points(-gap_mm, half_way, tree_of_walls(ball_.walls, tolerance_),
                 [&](std::uint32_t f) { return ball_.walls[f]; });
-  if (body_ != std::array<std::size_t, 2>{}) {
-    ball_points(-gap_mm, socket_faces_, socket_face);
-    socket_points(gap_mm, 0.0, ball_faces_, ball_face);
-    const Rays of_ball = rays_of(ball_, gap_mm, tolerance_);
-    visit(of_ball.tree, socket_faces_, [&](std::uint32_t x, std::uint32_t f) {
-      for_each_first_side(socket_, f,
-                          [&](const TurnEdge& side) { try_edges(of_ball.pieces[x], side, found); });
-    });
-    const Rays of_socket = rays_of(socket_, gap_mm, tolerance_);
-    visit(ball_faces_, of_socket.tree, [&](std::uint32_t f, std::uint32_t y) {
-      for_each_first_side(ball_, f,
-                          [&](const TurnEdge& side) { try_edges(side, of_socket.pieces[y], found); });
-    });
-  }
   return in_mesh_frame(found.contact);
 }
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first contact in a turn about an axis through the centre, in closed form: no step, so no tunnelling.
 //
-// The ball X turns by t about an axis through the centre of both surfaces, the socket Y rests. The pose is
-// impinged if x = s y for some x in X(t), y in Y and s >= 1 (gap/overlay.hpp). Start from a pose that
-// is not, and let t0 be the first angle that is. Then one of these happens at t0:
-//   (a) the surfaces have a common point. Two triangles that were apart and now meet do so in a convex set
-//       whose extreme points are a corner of one in the other or a crossing of their edges. (An edge that
-//       pierces the inside of a face across its plane did so before.)
-//   (b) they have none, so that s > 1 in all such pairs. If x lies where X goes on in all directions round
-//       it, some x' in X(t) was beyond the same y a little earlier, and likewise for y in Y: hence both lie
-//       on jump edges (mesh/jump_edges.hpp). As the centre sees it two arcs meet for the first time: an end
-//       of one comes to lie on the other. (Were they to cross with s < 1 and s to grow to 1, that is (a).) In
-//       other words an end of a jump edge of the ball comes into the wall { k y : k >= 1 } beyond a jump edge
-//       of the socket, or an end of one of the socket into the wall { k x : 0 <= k <= 1 } within one of the
-//       ball.
-// Corner and plane, edge and edge, corner and wall each give a sinusoid (motion/sinusoid.hpp). Only pairs
+// The ball turns about an axis, the socket rests. Start from a pose in which their surfaces have no common
+// point. Two triangles that were apart and now meet do so, at the first angle, in a convex set whose extreme
+// points are a corner of one in the other or a crossing of their edges. (An edge that pierces the inside of a
+// face across its plane did so before.)
+// Corner and plane, edge and edge each give a sinusoid (motion/sinusoid.hpp). Only pairs
 // that are at one height, distance and azimuth can meet, and those that may do so first are looked at
 // first (motion/turn_tree.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the two
 // parts, less the tolerance, over that of the turning one from the axis: no point comes nearer by more. The
@@ -23,13 +14,12 @@
 //
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
 // socket |y| - B <= t, when x (|x| + t) / |x| meets the socket or is beyond it, or y (|y| - t) / |y| meets
-// the ball or is within it. These are corners and faces again, and walls of all jump edges, for every vertex.
-// A vertex of the socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is looked
-// for no nearer to the centre than half the way to the nearest point of the ball, where only walls are.
-// What it finds is the first angle at which the two scans of vertices have a gap of t or less.
-//
-// Where one of the bodies is a part (motion/body_pairs.hpp) surfaces must meet: there are no walls. For a
-// threshold the piece of its ray within t of a vertex meets a face: an end of it does, or it meets an edge.
+// the ball or is within it. If none did, it is first beyond or within where it meets the surface, corners and
+// faces again, or passes a jump edge (mesh/jump_edges.hpp) as the centre sees it: then it comes into the wall
+// { k y : k >= 1 } beyond one of the socket, or { k x : 0 <= k <= 1 } within one of the ball. A vertex of the
+// socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is looked for no nearer to
+// the centre than half the way to the nearest point of the ball, where only walls are. What it finds is the
+// first angle at which the two scans of vertices have a gap of t or less.
 //
 // What rounding may do. With u = 2^-53 and R the largest radius: vertices are turned to the frame of the axis
 // and by the angle, within 20 u R each; distances of parts that are not thin are right to 16 u D / 1e-2 with
@@ -52,8 +42,8 @@
 
 namespace impinge {
 
-/// Which of the parts touch: a corner of one and a face of the other, two edges, or two rims as the centre
-/// sees them.
+/// Which of the parts touch: a corner of one and a face of the other, two edges, or, for a threshold, a vertex
+/// and a rim as the centre sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
 
 /// "ball vertex", "socket vertex", "edges", "rims".
@@ -64,7 +54,7 @@ struct TurnContact {
   ContactKind kind = ContactKind::edges;  // what touches
   Vec3 place = Vec3::Zero();              // mm, in the frame of the axis, the socket at rest
   Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
-  std::array<std::size_t, 2> body{};      // of ball and socket: 0 the main surface, k the kth part beside it
+  std::array<std::size_t, 2> body{};      // of ball and socket (motion/body_pairs.hpp)
 };
 
 /// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x. TurnContacts
@@ -81,9 +71,7 @@ struct TurnScene {
   TurnMesh socket;            // that rests
   Vec3 axis = Vec3::UnitZ();  // unit vector, in the frame of both after `before`
   double largest_gap = 0.0;   // threshold that will be asked for, mm
-  /// Which bodies they are (mesh/mesh_parts.hpp). With a part, a gap is along a ray to either side of a
-  /// vertex.
-  std::array<std::size_t, 2> body{};
+  std::array<std::size_t, 2> body{};  // which bodies they are (motion/body_pairs.hpp)
 };
 
 /// The search, made ready for one axis.
@@ -92,7 +80,7 @@ class TurnContacts {
   /// Takes the parts of both surfaces to the frame of the axis.
   explicit TurnContacts(const TurnScene& scene);
 
-  /// The first contact in these angles (radians, 0 <= from <= to <= 2 pi), if there is one.
+  /// The first contact of the surfaces in these angles (radians, 0 <= from <= to <= 2 pi), if there is one.
   std::optional<TurnContact> first(const AngleSpan& angles) const;
   /// The first angle at which a vertex of either surface has a gap of gap_mm (0 or more) or less; none must
   /// have it at `from`.

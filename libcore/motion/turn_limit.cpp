@@ -42,7 +42,7 @@ std::string_view name(LimitState state) {
   return "unknown";
 }
 
-// The earliest of all.
+// The earliest of all pairs of bodies.
 template <class Next>
 static std::optional<TurnContact> earliest(const std::vector<TurnContacts>& contacts, AngleSpan span,
                                            const Next& next) {
@@ -56,35 +56,24 @@ static std::optional<TurnContact> earliest(const std::vector<TurnContacts>& cont
   return first;
 }
 
-TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& bone)
-    : beside(joint, bone),
+TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
+    : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
       vertices(meshes),
-      surfaces(vertices),
+      ends(bodies.ball_ends() ? boundary_edges(meshes.ball) : std::vector<Edge>{}),
       seen(surface_vertices(meshes.socket)) {}
 
 TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
     : answers_(std::make_unique<const Answers>(std::move(joint), beside)),
-      ball_parts_(answers_->meshes.ball),
-      socket_parts_(answers_->meshes.socket) {}
-
-// Of the main surfaces first.
-std::vector<TurnContacts> TurnLimits::contacts(const JointTurn& turn, double largest_gap) const {
-  std::vector<TurnContacts> found = answers_->beside.contacts(turn, largest_gap);
-  found.emplace(found.begin(), TurnScene{{answers_->meshes.ball, ball_parts_, turn.inner},
-                                         {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
-                                         turn.axis,
-                                         largest_gap,
-                                         {}});
-  return found;
-}
+      ball_parts_(answers_->meshes.ball, true),
+      socket_parts_(answers_->meshes.socket, true) {}
 
 std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
   return answers_->vertices.least_gap(pose_at(turn, angle_deg * kDegree));
 }
 
-bool TurnLimits::impinged(const JointTurn& turn, double angle_deg) const {
-  return answers_->impinged(pose_at(turn, angle_deg * kDegree));
+BodyPairs::Verdict TurnLimits::verdict(const JointTurn& turn, double angle_deg) const {
+  return answers_->bodies.verdict(pose_at(turn, angle_deg * kDegree));
 }
 
 // An angle that is reached, asked for in steps; next to it, within kPast, is one that is not.
@@ -102,13 +91,20 @@ static std::optional<double> first_reached(double from, double to, const Reached
   return std::nullopt;
 }
 
-// next(span) is the first contact that may be in it, reached(angle) makes certain.
+// next(span) is the first contact that may be in it; gap_reached(angle) makes certain of a threshold.
 template <class Next, class Reached>
 TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const Next& next,
-                              const Reached& reached) const {
+                              const Reached& gap_reached) const {
   if (!(largest_deg > 0.0 && largest_deg <= 360.0))
     throw std::invalid_argument("the largest angle of a motion is above 0 and no more than 360 degrees");
-  if (reached(0.0)) return {LimitState::blocked, 0.0, 0.0, std::nullopt, 0.0, 0.0, std::nullopt};
+  const Contact start = verdict(turn, 0.0).contact;
+  if (start == Contact::yes || gap_reached(0.0))
+    return {LimitState::blocked, 0.0, 0.0, std::nullopt, 0.0, 0.0, std::nullopt};
+  if (start == Contact::unknown)
+    return {LimitState::unknown, 0.0, largest_deg, std::nullopt, 0.0, 0.0, std::nullopt};
+  const auto reached = [&](double angle) {
+    return gap_reached(angle) || answers_->bodies.meet(pose_at(turn, angle));
+  };
   const double largest = largest_deg * kDegree;
   TurnLimit limit{LimitState::free, largest_deg, largest_deg, std::nullopt, 0.0, 0.0, std::nullopt};
   double from = 0.0;
@@ -148,14 +144,14 @@ void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnCon
 // The mesh of the ball may end before the motion does.
 void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                              TurnLimit& limit) const {
-  if (ball_parts_.jumps.empty()) return;
+  if (answers_->ends.empty()) return;
   const BallSocketPair& meshes = answers_->meshes;
   const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
   const Eigen::Matrix3d ball_turn = upright * turn.inner;
   const Eigen::Matrix3d socket_turn = upright * turn.outer.transpose();
   MeshEnd end;
+  end.border = answers_->ends;
   for (const Vec3& x : meshes.ball.vertices) end.ball.push_back(ball_turn * x);
-  for (const JumpEdge& jump : ball_parts_.jumps) end.border.push_back({jump.from, jump.to});
   for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * meshes.socket.vertices[v]);
   end.covered = [&](std::size_t point, double angle) {
     const Vec3& y = meshes.socket.vertices[answers_->seen[point]];
@@ -169,29 +165,35 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
 }
 
 TurnLimit TurnLimits::first_contact(const JointTurn& turn, double largest_deg) const {
-  const std::vector<TurnContacts> found = contacts(turn, 0.0);
+  const std::vector<TurnContacts> bodies = answers_->bodies.contacts(turn);
   return bracket(
       turn, largest_deg,
       [&](const AngleSpan& span) {
-        return earliest(found, span,
+        return earliest(bodies, span,
                         [](const TurnContacts& of, const AngleSpan& in) { return of.first(in); });
       },
-      [&](double angle) { return answers_->impinged(pose_at(turn, angle)); });
+      [](double) { return false; });
 }
 
 TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const {
-  const std::vector<TurnContacts> found = contacts(turn, gap_mm);
+  const std::vector<TurnContacts> bodies = answers_->bodies.contacts(turn);
+  const TurnContacts vertices({{answers_->meshes.ball, ball_parts_, turn.inner},
+                               {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
+                               turn.axis,
+                               gap_mm,
+                               {}});
   return bracket(
       turn, largest_deg,
-      [&](const AngleSpan& span) {
-        return earliest(found, span, [gap_mm](const TurnContacts& of, const AngleSpan& in) {
-          return of.first_gap(gap_mm, in);
-        });
+      [&](AngleSpan span) {
+        const auto gap = vertices.first_gap(gap_mm, span);
+        if (gap) span.to = gap->angle;
+        const auto contact = earliest(
+            bodies, span, [](const TurnContacts& of, const AngleSpan& in) { return of.first(in); });
+        return contact ? contact : gap;
       },
       [&](double angle) {
-        const Pose pose = pose_at(turn, angle);
-        const auto smallest = answers_->vertices.least_gap(pose);
-        return (smallest && smallest->gap_mm <= gap_mm) || answers_->beside.vertex_within(pose, gap_mm);
+        const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
+        return smallest && smallest->gap_mm <= gap_mm;
       });
 }
 
@@ -201,7 +203,7 @@ CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimi
 }
 
 CentreIntervals TurnLimits::centre_intervals(const CentreQuestion& question) const {
-  return {answers_->vertices, question, &answers_->beside};
+  return {answers_->vertices, question, answers_->bodies};
 }
 
 CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
@@ -210,7 +212,7 @@ CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn
   CentreInterval interval{0.0, largest, false};
   if (limit.state != LimitState::blocked) interval.low_deg = intervals.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
-    const std::optional<double> high = intervals.high_deg(turn, limit.high_deg);
+    const std::optional<double> high = intervals.high_deg(turn, {limit.low_deg, limit.high_deg});
     interval.limited = high.has_value();
     interval.high_deg = high.value_or(largest);
   }

@@ -3,14 +3,14 @@
 /// How far can the ball turn before it touches the socket, or before a gap falls to a threshold? A bracket
 /// [low, high] that no step can jump over.
 ///
-///   low    no angle from the start to here is impinged (motion/turn_contact.hpp has the proof, and how near
+///   low    no angle from the start to here has a contact (motion/turn_contact.hpp has the proof, and how near
 ///          parts may come before they count as touching)
-///   high   here the pose is impinged, decided exactly (contact/culled_overlay.hpp); for a threshold, a
-///          vertex has that gap or less, in double
-/// First contact is that of the surfaces, edges across edges and rims included. A threshold of the gap is
-/// about the vertices of both surfaces, as the thesis' scans are: between vertices a gap may be smaller by
-/// about the sagitta of a face. The surfaces are the meshes without faces that are edge-on at rest
-/// (mesh/surface_vertices.hpp).
+///   high   here there is one, decided exactly for the vertices as the pose rounds them (body_pairs.hpp); for
+///          a threshold, it may be that a vertex has that gap or less, in double
+/// Contact is that of bones: of the ball's whole bone and its parts with those of the socket. A threshold of
+/// the gap is about the vertices of both main surfaces, as the thesis' scans are: between vertices a gap may
+/// be smaller by about the sagitta of a face. These are the meshes without faces that are edge-on at rest
+/// (mesh/surface_vertices.hpp). The limit of a threshold is no larger than that of contact.
 ///
 /// The bracket is about 1e-7 degrees wide, and wider only after a graze: parts come so near that doubles
 /// cannot tell whether they touch, and the exact test finds no contact. Then low stays at the
@@ -47,7 +47,7 @@ namespace impinge {
 enum class LimitState {
   limited,  // low and high as above
   free,     // nowhere impinged up to the largest angle asked for: low and high are that angle
-  blocked,  // impinged, or a gap at or below the threshold, at the start: low and high are 0
+  blocked,  // contact, or a gap at or below the threshold, at the start: low and high are 0
   unknown,  // none up to low; from there to high, the largest angle asked for, nothing is certain
 };
 
@@ -62,9 +62,10 @@ struct TurnLimit {
   std::optional<TurnContact> contact;  // where limited, the last place up to `high` where parts touch
   double deg_per_mm = 0.0;             // where limited, see above; infinite where the contact is tangential
   double centre_deg_per_mm = 0.0;
-  /// The first angle at which a vertex of the socket leaves the ball's mesh: its ray met the ball so far and
-  /// does not any more. From there on the limit is that of what is left of the mesh. Nothing where no vertex
-  /// does. Where no contact is found, the state is then `unknown` and low no larger than this angle.
+  /// Of a ball whose mesh has an opening, the first angle at which a vertex of the socket leaves it: its ray
+  /// met the ball so far and does not any more. From there on the limit is that of what is left of the mesh.
+  /// Nothing where no vertex does. Where no contact is found, the state is then `unknown` and low no larger
+  /// than this angle.
   std::optional<double> leaves_mesh_deg;
 };
 
@@ -72,13 +73,13 @@ struct TurnLimit {
 /// ball beforehand where needed, as to the socket's own centre.
 class TurnLimits {
  public:
-  /// Takes the meshes, and sorts their parts once. Contact with bone beside them is as in
-  /// motion/body_pairs.hpp; leaves_mesh_deg is about the main surfaces.
+  /// Takes the meshes, and sorts their parts once.
   explicit TurnLimits(BallSocketPair joint, const BoneParts& beside = {});
 
   /// The bracket of the first contact. largest_deg in (0, 360], else std::invalid_argument.
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
-  /// The bracket of the turn at which some vertex has a gap of gap_mm or less; throws likewise.
+  /// The bracket of the turn at which some vertex has a gap of gap_mm or less, or bones touch; throws
+  /// likewise.
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
   /// Where the limit, one of the above, may be for another centre.
@@ -91,11 +92,10 @@ class TurnLimits {
   /// surface.
   std::optional<LeastGap> smallest_gap(const JointTurn& turn, double angle_deg) const;
 
-  /// Is the pose at that angle impinged? Exact (gap/overlay.hpp).
-  bool impinged(const JointTurn& turn, double angle_deg) const;
+  /// Is there contact in the pose at that angle? Exact.
+  BodyPairs::Verdict verdict(const JointTurn& turn, double angle_deg) const;
 
  private:
-  std::vector<TurnContacts> contacts(const JointTurn& turn, double largest_gap) const;
   template <class Next, class Reached>
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
@@ -103,14 +103,12 @@ class TurnLimits {
   void end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                    TurnLimit& limit) const;
 
-  /// The meshes without their edge-on faces, and what answers for them.
   struct Answers {
-    Answers(BallSocketPair joint, const BoneParts& bone);
-    bool impinged(const Pose& pose) const { return surfaces.impinged(pose) || beside.impinged(pose); }
-    BodyPairs beside;  // made before the meshes are taken
-    BallSocketPair meshes;
+    Answers(BallSocketPair joint, const BoneParts& beside);
+    BodyPairs bodies;       // made before the meshes are taken
+    BallSocketPair meshes;  // the main surfaces, without their edge-on faces
     CulledJoint vertices;
-    CulledOverlay surfaces;
+    std::vector<Edge> ends;         // of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // of the socket: those of its faces
   };
 

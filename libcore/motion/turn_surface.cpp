@@ -84,11 +84,19 @@ TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c) {
   return face;
 }
 
-TurnParts::TurnParts(const TriangleMesh& mesh)
+std::vector<TurnFace> turn_faces(const TriangleMesh& mesh) {
+  std::vector<TurnFace> faces;
+  faces.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces)
+    faces.push_back(turn_face(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
+  return faces;
+}
+
+TurnParts::TurnParts(const TriangleMesh& mesh, bool walls)
     : nearest(mesh.faces.size()),
       first_corner(mesh.faces.size(), {false, false, false}),
       first_side(mesh.faces.size(), {false, false, false}),
-      jumps(jump_edges(mesh)) {
+      jumps(walls ? jump_edges(mesh) : std::vector<JumpEdge>{}) {
   std::vector<bool> chosen(mesh.vertices.size(), false);
   std::vector<Vec3> middles;
   middles.reserve(mesh.faces.size());

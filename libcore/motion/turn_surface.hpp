@@ -26,6 +26,8 @@ struct TurnFace {
 
 /// The triangle, mm; not of a wall.
 TurnFace turn_face(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Those of a mesh, mm.
+std::vector<TurnFace> turn_faces(const TriangleMesh& mesh);
 
 /// A side of a face, mm.
 struct TurnEdge {
@@ -45,7 +47,8 @@ struct WallReach {
 
 /// What of a mesh stays the same whatever the axis.
 struct TurnParts {
-  explicit TurnParts(const TriangleMesh& mesh);  // in its centre frame, mm
+  /// mesh in its centre frame, mm. Jumps are found where walls are asked for.
+  TurnParts(const TriangleMesh& mesh, bool walls);
 
   std::vector<VertexIndex> vertices;              // of faces
   std::vector<std::uint32_t> by_vertex;           // places in `vertices`, those of near vertices together

@@ -148,8 +148,10 @@ std::string row_of(const SessionJoint& joint, const PoseList& list, std::size_t 
                    const SeriesAnswer& answer) {
   std::vector<Cell> cells{pose + 1, Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell()};
   if (answer.touch) {
-    cells[1] = *answer.touch;
-    cells[2] = true;
+    const BodyPairs::Verdict& touch = *answer.touch;
+    if (touch.contact != Contact::unknown) cells[1] = touch.contact == Contact::yes;
+    cells[2] = touch.contact == Contact::no ||
+               (touch.contact == Contact::yes && touch.rule != ContactRule::radii);
   }
   if (const auto& smallest = answer.smallest) {
     cells[3] = smallest->least.gap_mm;

@@ -6,6 +6,7 @@
 
 #include "files/formatted.hpp"
 #include "scene/asked.hpp"
+#include "scene/contact.hpp"
 #include "scene/json_values.hpp"
 
 namespace impinge {
@@ -69,10 +70,12 @@ std::string json_text(const json& summary) {
 json question_summary(const SceneOptions& options, const SessionJoint& joint, const QuestionAnswer& found) {
   const SceneAnswer& answer = found.answer;
   const bool touch = options.question == Question::touch;
+  const bool known = touch && (!found.contact || found.contact->contact != Contact::unknown);
   json report = asked_json(options, joint.joint);
   report["units"]["memory"] = "bytes";
   report.update(
-      {{"touch", touch ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
+      {{"touch", known ? json(static_cast<bool>(answer.touches.front())) : json(nullptr)},
+       {"contact", found.contact ? contact_json(joint.joint, *found.contact) : json(nullptr)},
        {"smallest_gap", answer.smallest ? smallest_json(*answer.smallest, joint, found.pose) : json(nullptr)},
        {"way", found.way},
        {"left_out", left_out_json(answer.left_out)},
@@ -83,7 +86,8 @@ json question_summary(const SceneOptions& options, const SessionJoint& joint, co
   return report;
 }
 
-std::string describe_question(const SceneOptions& options, const QuestionAnswer& found) {
+std::string describe_question(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found) {
+  if (found.contact) return describe_contact(joint, *found.contact);
   if (options.question == Question::touch)
     return std::string("touch               ") + (found.answer.touches.front() ? "yes" : "no") + "\n";
   const auto& smallest = found.answer.smallest;

@@ -30,6 +30,6 @@ nlohmann::json question_summary(const SceneOptions& options, const SessionJoint&
                                 const QuestionAnswer& found);
 
 /// The same as text for a terminal.
-std::string describe_question(const SceneOptions& options, const QuestionAnswer& found);
+std::string describe_question(const SceneOptions& options, const Joint& joint, const QuestionAnswer& found);
 
 }  // namespace impinge

@@ -3,6 +3,7 @@
 
 #include "files/file_set.hpp"
 #include "files/formatted.hpp"
+#include "scene/contact.hpp"
 #include "scene/proof_json.hpp"
 #include "scene/question.hpp"
 #include "session/joint_files.hpp"
@@ -29,13 +30,12 @@ std::string describe_table(const SceneOptions& options, const Measurement& found
   return formatted("table               none: gaps within %g mm, of the faces\n", *options.max_error_mm);
 }
 
+// Of the main surfaces, along rays.
 std::string describe_certificate(const std::optional<Certificate>& found) {
   if (!found) return "";
-  std::string text = std::string("bone on bone        surfaces ") + verdict_name(found->surfaces_impinged);
-  if (found->deepest) {
-    text += ", by up to " + rounded_up(found->deepest->depth, 3) + " mm at a " + name(found->deepest->kind);
-  }
-  return text + "; vertices " + verdict_name(found->vertices_impinged()) + " (both decided exactly)\n";
+  if (!found->deepest) return "radial overlap      none\n";
+  return "radial overlap      by up to " + rounded_up(found->deepest->depth, 3) + " mm at a " +
+         name(found->deepest->kind) + (found->vertices_impinged() ? "" : "; of no vertex") + "\n";
 }
 
 std::string describe_part(const std::optional<NearestPart>& part) {
@@ -92,6 +92,7 @@ std::string describe_level(const SessionJoint& joint, const Measurement& found, 
 
 std::string describe_scene(const SceneOptions& options, const SessionJoint& joint, const Measurement& found) {
   std::string text = describe_centre(joint.joint) + describe_table(options, found) +
+                     (found.contact ? describe_contact(joint.joint, *found.contact) : "") +
                      describe_certificate(found.certificate) + describe_part(found.part);
   if (!found.smallest) return text + "smallest gap        none: the surfaces do not face each other\n";
   text += describe_smallest(*found.smallest, found.of(found.smallest->surface));

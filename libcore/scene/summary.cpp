@@ -3,6 +3,7 @@
 
 #include "hip/gap_levels.hpp"
 #include "scene/asked.hpp"
+#include "scene/contact.hpp"
 #include "scene/json_values.hpp"
 #include "scene/proof_json.hpp"
 #include "scene/question.hpp"
@@ -149,7 +150,7 @@ json times_json(const Measurement& found) {
           {"scan", found.scan_ms},
           {"error_bounds", found.bound_ms},
           {"euclidean_distances", found.distance_ms},
-          {"certificate", found.certificate ? json(1000.0 * found.certificate->seconds) : json(nullptr)}};
+          {"radial_overlap", found.certificate ? json(1000.0 * found.certificate->seconds) : json(nullptr)}};
 }
 
 }  // namespace
@@ -179,7 +180,8 @@ nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, c
                  {"impingement", impingement_json(joint, found)},
                  {"error_bound_mm", bounds_json(found.proven)},
                  {"euclidean_distance_mm", distances_json(found)},
-                 {"certificate", certificate_json(found.certificate)},
+                 {"contact", found.contact ? contact_json(read, *found.contact) : json(nullptr)},
+                 {"radial_overlap", certificate_json(found.certificate)},
                  {"colours",
                   {{"ball", levels_json(Surface::ball, found.ball, map)},
                    {"socket", levels_json(Surface::socket, found.socket, map)},

@@ -34,7 +34,7 @@ void name_parts(const Joint& joint, LimitAnswer& limit) {
 
 TurnLimits limits_of(const Joint& joint, const TriangleMesh& ball, const TriangleMesh& socket) {
   return TurnLimits({main_surface(ball, joint.ball.parts), main_surface(socket, joint.socket.parts)},
-                    {part_surfaces(ball, joint.ball.parts), part_surfaces(socket, joint.socket.parts)});
+                    bone_parts({ball, joint.ball.parts}, {socket, joint.socket.parts}));
 }
 
 // The centre of the socket, in the joint frame; none where no sphere fits it.

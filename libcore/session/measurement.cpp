@@ -14,7 +14,6 @@
 #include "gap/exact_side.hpp"
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
-#include "motion/body_pairs.hpp"
 #include "motion/euclidean_distance.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
@@ -32,7 +31,7 @@ constexpr const char* kPartialTables =
     "tables of what the vertices read, filled from the faces near each entry";
 constexpr const char* kFaces =
     "each vertex is measured on the faces near it: for one pose this saves the tables";
-constexpr const char* kExactSigns = "both surfaces are compared, edges and all, by exact signs";
+constexpr const char* kExactSigns = "the surfaces of all bones are compared, edges and all, by exact signs";
 
 // std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
 // memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
@@ -168,13 +167,6 @@ Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
   return result;
 }
 
-// Edges and all, and bone beside the main surfaces.
-bool surfaces_touch(const SessionJoint& joint, const Pose& pose) {
-  const BallSocketPair main{joint.main(Surface::ball), joint.main(Surface::socket)};
-  return SurfaceOverlay(main.ball, main.socket).impinged(pose) ||
-         BodyPairs(main, joint.beside()).impinged(pose);
-}
-
 // They are those of the meshes, whatever the table.
 void measure_distances(const SessionJoint& joint, Measurement& result) {
   Stopwatch watch;
@@ -210,16 +202,17 @@ Measurement measure_main(Session& session, const PoseQuestion& asked) {
   return result;
 }
 
-NearestPart nearest_part(const SessionJoint& joint, const Pose& pose) {
-  const BodyPairs bodies({joint.main(Surface::ball), joint.main(Surface::socket)}, joint.beside());
-  const BodyPairs::Nearest found = bodies.nearest(pose).value();
-  return {found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
+std::optional<NearestPart> nearest_part(SessionJoint& joint, const Pose& pose) {
+  const auto nearest = joint.bodies().nearest_part(pose);
+  if (!nearest) return std::nullopt;
+  const BodyPairs::Nearest& found = *nearest;
+  return NearestPart{found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
           body_name(joint.joint.socket.parts, found.pair.socket)};
 }
 
 // Vertices of parts lie behind those of the main surface.
 Measurement measure_with_parts(Session& session, const PoseQuestion& asked) {
-  const SessionJoint& joint = *session.joint;
+  SessionJoint& joint = *session.joint;
   Session alone = without_parts(joint);
   alone.tables.settings = session.tables.settings;
   Measurement result = measure_main(alone, asked);
@@ -238,6 +231,7 @@ Measurement measure_with_parts(Session& session, const PoseQuestion& asked) {
 Measurement measure(Session& session, const PoseQuestion& asked) {
   Measurement result =
       session.joint->joint.has_parts() ? measure_with_parts(session, asked) : measure_main(session, asked);
+  if (asked.outputs.verdicts) result.contact = session.joint->bodies().verdict(result.pose);
   if (asked.outputs.distances) measure_distances(*session.joint, result);
   for (LeftOut& output : left_out_of(asked.outputs)) result.left_out.push_back(std::move(output));
   return result;
@@ -256,7 +250,8 @@ QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
     found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
   } else if (asked.question == Question::touch && asked.scan_ball && asked.scan_socket) {
     found.way = kExactSigns;
-    found.answer.touches = {surfaces_touch(joint, found.pose)};
+    found.contact = joint.bodies().verdict(found.pose);
+    found.answer.touches = {found.contact->contact == Contact::yes};
   } else {
     VertexBounds unused;
     found.way = kFaces;

@@ -33,7 +33,8 @@ struct Measurement : PoseAnswer {
   double bound_ms = 0.0;                   // the bounds of all gaps
   double distance_ms = 0.0;                // all Euclidean distances
   std::optional<PoseVerdicts> proven;      // by the bounds, where they are asked for
-  std::optional<Certificate> certificate;  // exact verdicts on vertices and surfaces
+  std::optional<BodyPairs::Verdict> contact;  // of the bones, where verdicts are asked for
+  std::optional<Certificate> certificate;     // of radial overlap, likewise
   std::optional<NearestPart> part;         // if the joint has parts
   std::string way;                         // how the gaps were found and why so, one clause
   std::vector<LeftOut> left_out;           // work and memory that the question did not need
@@ -50,6 +51,7 @@ Measurement measure(Session& session, const PoseQuestion& asked);
 struct QuestionAnswer {
   Pose pose;                  // of the ball, in the centre frame
   SceneAnswer answer;         // to the question
+  std::optional<BodyPairs::Verdict> contact;  // of the bones, for `touch` of all of them
   std::string way;            // as that of a Measurement
   double milliseconds = 0.0;  // of answering
 };

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/culled_overlay.hpp"
+#include "contact/culled_joint.hpp"
 #include "gap/pose.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
@@ -38,9 +38,7 @@ struct SeriesGap {
 };
 
 struct SeriesAnswer {
-  /// Do the surfaces impinge, edges and all (gap/overlay.hpp), or bone beside them (motion/body_pairs.hpp)?
-  /// Exact. None if not asked for.
-  std::optional<bool> touch;
+  std::optional<BodyPairs::Verdict> touch;         // exact; none if not asked for
   std::optional<SeriesGap> smallest;               // none also where the surfaces do not face each other
   std::optional<std::array<SeriesArea, 2>> areas;  // of ball and socket; none if not asked for
 };
@@ -68,9 +66,8 @@ class PoseSeries {
 
   SeriesOutputs outputs_;
   BallSocketPair meshes_;  // the main surfaces
-  BodyPairs beside_;
+  BodyPairs bodies_;
   CulledJoint joint_;
-  std::optional<CulledOverlay> overlay_;  // if touch is asked for
   std::vector<Scan> scans_;               // of ball and socket, if areas are
 };
 

@@ -45,9 +45,9 @@ void require_nearer(const ClearanceProof& proof, const std::string& where) {
 
 void require_no_contact(const Joint& joint, const Joint& main, const Pose& pose) {
   const BodyPairs bodies({main.ball.mesh, main.socket.mesh},
-                         {part_surfaces(joint.ball.mesh, joint.ball.parts),
-                          part_surfaces(joint.socket.mesh, joint.socket.parts)});
-  const auto found = bodies.nearest(pose);
+                         bone_parts({joint.ball.mesh, joint.ball.parts},
+                                    {joint.socket.mesh, joint.socket.parts}));
+  const auto found = bodies.nearest_part(pose);
   if (!found || !found->touch) return;
   const std::string ball = body_name(joint.ball.parts, found->pair.ball);
   const std::string socket = body_name(joint.socket.parts, found->pair.socket);

@@ -36,15 +36,14 @@ std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
 }
 
 // The pose of the scan must be one that is kept.
-void require_free_start(const Joint& joint, const BallSocketPair& main, const BoneParts& beside,
-                        const TurnLimits& limits, const RequiredLeg& leg, double clearance) {
+void require_free_start(const Joint& joint, const TurnLimits& limits, const RequiredLeg& leg,
+                        double clearance) {
   JointTurn still = leg.turn;
   still.inner = still.outer = Eigen::Matrix3d::Identity();
-  if (limits.impinged(still, 0.0)) {
-    const auto part = BodyPairs(main, beside).nearest({});
-    const auto [ball, socket] = part && part->touch ? part->pair : BodyPairs::Pair{0, 0};
+  const BodyPairs::Verdict start = limits.verdict(still, 0.0);
+  if (start.contact == Contact::yes) {
     throw std::runtime_error(
-        meet(joint, ball, socket) +
+        meet(joint, start.pair.ball, start.pair.socket) +
         " in the pose of the scan, before any required motion; check the meshes and the centre");
   }
   const auto gap = limits.smallest_gap(still, 0.0);
@@ -190,6 +189,9 @@ BoneParts beside_in_joint_frame(const SessionJoint& joint) {
   for (auto* parts : {&beside.ball, &beside.socket}) {
     for (TriangleMesh& part : *parts) part = in_joint_frame(joint, std::move(part));
   }
+  for (auto* whole : {&beside.whole_ball, &beside.whole_socket}) {
+    if (*whole) *whole = in_joint_frame(joint, std::move(**whole));
+  }
   return beside;
 }
 
@@ -244,7 +246,7 @@ ResectionAnswer answer_resection(Session& session, const ResectionRequest& reque
   const BoneParts beside = beside_in_joint_frame(joint);
   const BallSocketPair meshes{ball, socket};
   const TurnLimits limits(meshes, beside);
-  require_free_start(joint.joint, meshes, beside, limits, legs.front(), request.clearance_mm);
+  require_free_start(joint.joint, limits, legs.front(), request.clearance_mm);
   const TriangleMesh& other = of_ball ? socket : ball;
   const SweptRadius swept(other, legs, request.cut);
   CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;

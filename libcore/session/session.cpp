@@ -85,6 +85,7 @@ void SessionJoint::shift_to(const Vec3& to) {
   TriangleMesh moved = relative_to(joint.socket.mesh, to);
   socket = SessionPart(moved, joint.socket.parts);
   faces_[1].reset();
+  bodies_.reset();
   probes[1].reset();
   seen = std::move(moved);
   shift = to;
@@ -94,6 +95,13 @@ const NearFaces& SessionJoint::faces(Surface of) {
   auto& made = faces_[of == Surface::ball ? 0 : 1];
   if (!made) made = std::make_unique<NearFaces>(mesh(of), 0.0);
   return *made;
+}
+
+const BodyPairs& SessionJoint::bodies() {
+  if (!bodies_)
+    bodies_ = std::make_unique<const BodyPairs>(BallSocketPair{main(Surface::ball), main(Surface::socket)},
+                                                beside());
+  return *bodies_;
 }
 
 void shift_ball(Session& session, const Vec3& shift) {

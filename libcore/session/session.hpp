@@ -52,10 +52,12 @@ struct SessionJoint {
   TriangleMesh main(Surface of) const {
     return main_surface(mesh(of), (of == Surface::ball ? joint.ball : joint.socket).parts);
   }
-  /// The parts of both.
+  /// What of both is bone beside the main surfaces.
   BoneParts beside() const {
-    return {part_surfaces(joint.ball.mesh, joint.ball.parts), part_surfaces(seen, joint.socket.parts)};
+    return bone_parts({joint.ball.mesh, joint.ball.parts}, {seen, joint.socket.parts});
   }
+  /// The bodies of the joint about the centre of the ball; made when first asked for.
+  const BodyPairs& bodies();
   /// The faces of a surface, for gap/measured_gap.hpp; made when first asked for.
   const NearFaces& faces(Surface of);
 
@@ -73,6 +75,7 @@ struct SessionJoint {
 
  private:
   std::array<std::unique_ptr<const NearFaces>, 2> faces_;
+  std::unique_ptr<const BodyPairs> bodies_;
 };
 
 /// A mesh of the joint in the axes of the joint frame, about the same origin.

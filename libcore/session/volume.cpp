@@ -7,13 +7,6 @@
 namespace impinge {
 namespace {
 
-std::vector<TriangleMesh> parts_of(const SessionJoint& joint, const TriangleMesh& mesh,
-                                   const std::vector<MeshPart>& parts) {
-  std::vector<TriangleMesh> surfaces = part_surfaces(mesh, parts);
-  for (TriangleMesh& surface : surfaces) surface = in_joint_frame(joint, std::move(surface));
-  return surfaces;
-}
-
 VolumeStop stop_of(const SessionJoint& joint, const CellTest& test, const MotionVolume& volume,
                    const NamedMotion& motion) {
   const MotionName& growing = motion_name(motion.growing);
@@ -22,7 +15,7 @@ VolumeStop stop_of(const SessionJoint& joint, const CellTest& test, const Motion
   if (!stop.limit.stops) return stop;
   const CellHint& hint = stop.limit.stops->hint;
   if (hint.socket_face == CellHint::kNone) {
-    if (const auto pair = test.beside().may_meet(test.poses_near(ball_about(stop.limit.stops->cell)))) {
+    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(stop.limit.stops->cell)))) {
       stop.ball_part = body_name(joint.joint.ball.parts, pair->ball);
       stop.socket_part = body_name(joint.joint.socket.parts, pair->socket);
     }
@@ -38,12 +31,13 @@ VolumeStop stop_of(const SessionJoint& joint, const CellTest& test, const Motion
 }  // namespace
 
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
-  const JointPart& ball = joint.joint.ball;
+  const JointPart& of_ball = joint.joint.ball;
+  const TriangleMesh ball = in_joint_frame(joint, of_ball.mesh);
+  const TriangleMesh facing = in_joint_frame(joint, socket);
   const std::vector<MeshPart>& of_socket = joint.joint.socket.parts;
-  return {{in_joint_frame(joint, main_surface(ball.mesh, ball.parts)),
-           in_joint_frame(joint, main_surface(socket, of_socket))},
+  return {{main_surface(ball, of_ball.parts), main_surface(facing, of_socket)},
           question,
-          {parts_of(joint, ball.mesh, ball.parts), parts_of(joint, socket, of_socket)}};
+          bone_parts({ball, of_ball.parts}, {facing, of_socket})};
 }
 
 VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request) {
