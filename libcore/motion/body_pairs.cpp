@@ -13,6 +13,7 @@
 
 #include "mesh/collinear.hpp"
 #include "mesh/disjoint_sets.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/meeting_faces.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
@@ -146,10 +147,12 @@ TriangleMesh once(TriangleMesh mesh) {
 
 }  // namespace
 
-BodyPairs::Body::Body(const TriangleMesh& of)
-    : mesh(without_flat_faces(once(of))), parts(mesh, false), faces(turn_faces(mesh)) {
-  find_openings(once(of));
-  find_pieces();
+BodyPairs::Body::Body(const TriangleMesh& of) {
+  const TriangleMesh each = once(of);
+  const TriangleMesh mesh = without_flat_faces(each);
+  turn = TurnBody(mesh);
+  find_openings(each);
+  find_pieces(mesh);
 }
 
 // Edges of one face, or of three, that share a vertex are the border of one opening. Faces without area count
@@ -166,30 +169,28 @@ void BodyPairs::Body::find_openings(const TriangleMesh& all) {
   for (const Edge& edge : odd) {
     for (const VertexIndex v : edge) boxes[sets.find(v).root].extend(all.vertices[v]);
   }
-  Eigen::AlignedBox3d whole;
-  for (const Face& face : mesh.faces) {
-    for (const VertexIndex v : face) whole.extend(mesh.vertices[v]);
-  }
+  if (boxes.empty()) return;
+  const double size = 2.0 * faces().nodes()[0].radius;
   for (const auto& [root, box] : boxes) {
     openings.push_back(box);
-    sheet = sheet || box.diagonal().norm() > kWidestHole * whole.diagonal().norm();
+    sheet = sheet || box.diagonal().norm() > kWidestHole * size;
   }
 }
 
-void BodyPairs::Body::find_pieces() {
+void BodyPairs::Body::find_pieces(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const Face& face : mesh.faces) {
     for (const VertexIndex v : face) sets.join(face[0], v, false);
   }
-  for (const VertexIndex v : parts.vertices) {
-    if (sets.find(v).root == v) pieces.push_back(mesh.vertices[v]);
-  }
+  std::set<std::size_t> roots;
+  for (const Face& face : mesh.faces) roots.insert(sets.find(face[0]).root);
+  for (const std::size_t root : roots) pieces.push_back(mesh.vertices[root]);
 }
 
 // What the faces that a segment outwards crosses add up to; none where it touches a side of one.
 std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) const {
   int sum = 0;
-  const bool touches = visit_near(faces, from, to, [&](const Triangle& face) {
+  const bool touches = visit_near(faces(), from, to, [&](const Triangle& face) {
     if (!meets_segment(face, from, to)) return false;
     const auto& [a, b, c] = face;
     const int start = plane_side(a, b, c, from);
@@ -205,8 +206,8 @@ std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) 
 
 Contact BodyPairs::Body::holds(const Vec3& x) const {
   static const std::array<Vec3, kRays> kWays = ways_out();
-  if (faces.nodes().empty()) return Contact::no;
-  const SweptParts::Node& all = faces.nodes()[0];
+  if (faces().empty()) return Contact::no;
+  const SweptParts::Node& all = faces().nodes()[0];
   const double away = (x - all.centre).norm();
   if (away > all.radius) return Contact::no;
   bool inside = false;
@@ -240,7 +241,7 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
 BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
   const Body& ball = *ball_[pair.ball];
   const Body& socket = *socket_[pair.socket];
-  if (surfaces_meet(ball.faces, socket.faces, pose)) return {Contact::yes, ContactRule::surfaces, pair};
+  if (surfaces_meet(ball.faces(), socket.faces(), pose)) return {Contact::yes, ContactRule::surfaces, pair};
   Verdict found{Contact::no, ContactRule::inside, pair};
   const auto ask = [&](const Body& body, const Vec3& x) {
     const Contact holds = body.holds(x);
@@ -284,7 +285,7 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
     if (is_main(pair)) continue;
     if (verdict(pair, pose).contact == Contact::yes) return Nearest{pair, 0.0, true};
     double least = found ? found->distance_mm : HUGE_VAL;
-    const SweptParts& ball = ball_[pair.ball]->faces;
+    const SweptParts& ball = ball_[pair.ball]->faces();
     const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
       const double spheres = (to_socket(pose, a.centre) - b.centre).norm() - a.radius - b.radius;
       return spheres > least + kNodeRounding * (a.farthest + b.farthest);
@@ -292,10 +293,10 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
     const auto measure = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
       const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
       const TurnFace moved = turn_face(to_socket(pose, c0), to_socket(pose, c1), to_socket(pose, c2));
-      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces.parts()[b.at]));
+      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces().parts()[b.at]));
       return false;
     };
-    any_pair(ball, socket_[pair.socket]->faces, apart, measure);
+    any_pair(ball, socket_[pair.socket]->faces(), apart, measure);
     if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
   }
   return found;
@@ -308,12 +309,12 @@ double BodyPairs::Moved::reach(double from_centre) const {
 
 // x, of this body, is farther from the surface of the other one than the poses take it.
 bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
-  return other.faces.farther_than(reach(x.norm()) + kNodeRounding * x.norm(), rotation * x);
+  return other.faces().farther_than(reach(x.norm()) + kNodeRounding * x.norm(), rotation * x);
 }
 
 // x, of this body, is within the gap of the other one in all poses.
 bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
-  return other.faces.within(gap - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
+  return other.faces().within(gap - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
 }
 
 // Where the surfaces are apart.
@@ -323,25 +324,25 @@ bool BodyPairs::Moved::may_enter(const Body& other) const {
 }
 
 bool BodyPairs::Moved::is_within(const Body& other) const {
-  if (body.faces.nodes().empty() || other.faces.nodes().empty()) return false;
-  const SweptParts::Node& whole = other.faces.nodes()[0];
+  if (body.faces().nodes().empty() || other.faces().nodes().empty()) return false;
+  const SweptParts::Node& whole = other.faces().nodes()[0];
   std::vector<std::uint32_t> pending{0};
   while (!pending.empty()) {
-    const SweptParts::Node& node = body.faces.nodes()[pending.back()];
+    const SweptParts::Node& node = body.faces().nodes()[pending.back()];
     pending.pop_back();
     // A point of the node is at most its radius deeper or nearer than the middle, and has to be deeper than
     // the poses take it, or nearer than the gap by as much.
     const Vec3 middle = rotation * node.centre;
     const double least = reach(node.nearest);
-    if (gap <= least && other.faces.within(least - node.radius, middle)) continue;
+    if (gap <= least && other.faces().within(least - node.radius, middle)) continue;
     const double near = std::max(0.0, node.radius + gap - least);
     if ((middle - whole.centre).norm() > near + whole.radius) continue;
-    if (other.faces.farther_than(near, middle) && other.holds(middle) != Contact::yes) continue;  // none is, mostly
+    if (other.faces().farther_than(near, middle) && other.holds(middle) != Contact::yes) continue;  // none is, mostly
     if (!node.leaf) {
       pending.insert(pending.end(), {node.at, node.at + 1});
       continue;
     }
-    const Vec3& x = body.faces.parts()[node.at].corner[0];
+    const Vec3& x = body.faces().parts()[node.at].corner[0];
     if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes))
       return true;
   }
@@ -357,7 +358,7 @@ std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool 
     const Moved out{ball, poses, poses.rotation, gap};
     const Moved back{socket, poses, poses.rotation.transpose(), gap};
     const auto reach = [&](double from_centre) { return out.reach(from_centre) + gap; };
-    if (may_come_near(ball.faces, socket.faces, poses.rotation, poses.shift_mm + gap, reach) ||
+    if (may_come_near(ball.faces(), socket.faces(), poses.rotation, poses.shift_mm + gap, reach) ||
         out.may_enter(socket) || back.may_enter(ball))
       return pair;
   }
@@ -374,25 +375,46 @@ bool BodyPairs::overlap(const NearPoses& poses) const {
   });
 }
 
-std::vector<TurnContacts> BodyPairs::contacts(const JointTurn& turn) const {
-  std::vector<TurnContacts> found;
-  for (const Pair& pair : pairs_) {
-    const Body& ball = *ball_[pair.ball];
-    const Body& socket = *socket_[pair.socket];
-    found.emplace_back(TurnScene{{ball.mesh, ball.parts, turn.inner},
-                                 {socket.mesh, socket.parts, turn.outer.transpose()},
-                                 turn.axis,
-                                 0.0,
-                                 {pair.ball, pair.socket}});
+std::vector<BodyPairs::Vertex> BodyPairs::near(const Pair& pair, const Pose& pose, const Vec3& place,
+                                               double within) const {
+  std::vector<Vertex> found;
+  for (const bool of_ball : {true, false}) {
+    const TurnBody& body = of_ball ? ball_[pair.ball]->turn : socket_[pair.socket]->turn;
+    const Vec3 at = of_ball ? to_ball(pose, place) : place;
+    body.faces.visit_near(at, within, [&](std::uint32_t f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& x = body.faces.parts()[f].corner[k];
+        if (body.first_corner[f][k] && (x - at).norm() <= within) found.push_back({pair, of_ball, x});
+      }
+    });
   }
   return found;
+}
+
+bool BodyPairs::is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const {
+  const Body& other = vertex.of_ball ? *socket_[vertex.pair.socket] : *ball_[vertex.pair.ball];
+  const Vec3 x = vertex.of_ball ? to_socket(pose, vertex.x) : to_ball(pose, vertex.x);
+  return other.faces().farther_than(depth_mm, x) && other.holds(x) == Contact::yes;
+}
+
+std::optional<TurnContact> BodyPairs::first_contact(const JointTurn& turn, AngleSpan angles) const {
+  std::optional<TurnContact> first;
+  for (const Pair& pair : pairs_) {
+    const auto found =
+        impinge::first_contact({ball_[pair.ball]->turn, socket_[pair.socket]->turn, turn}, angles);
+    if (!found || (first && found->angle >= first->angle)) continue;
+    first = found;
+    first->body = {pair.ball, pair.socket};
+    angles.to = found->angle;
+  }
+  return first;
 }
 
 double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
                                const WithinSpan& within, double largest) const {
   for (const Pair& pair : pairs_) {
-    largest = impinge::first_within(ball_[pair.ball]->faces.rotated(ball),
-                                    socket_[pair.socket]->faces.rotated(socket), within, largest);
+    largest = impinge::first_within(
+        {ball_[pair.ball]->faces(), ball, socket_[pair.socket]->faces(), socket}, within, largest);
   }
   return largest;
 }

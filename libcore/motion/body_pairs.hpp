@@ -41,7 +41,6 @@
 #include "hip/motion.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/mesh_parts.hpp"
-#include "motion/swept_parts.hpp"
 #include "motion/turn_contact.hpp"
 
 namespace impinge {
@@ -97,8 +96,18 @@ class BodyPairs {
   std::optional<Pair> may_meet(const NearPoses& poses, bool main_apart = false) const;
   /// Is some vertex inside another body, or within the gap of it, in all of the poses? Yes is proven.
   bool overlap(const NearPoses& poses) const;
-  /// The search for first contacts in the turn, one for each pair.
-  std::vector<TurnContacts> contacts(const JointTurn& turn) const;
+  /// A vertex, as its body lies at rest, mm.
+  struct Vertex {
+    Pair pair;
+    bool of_ball;
+    Vec3 x;
+  };
+  /// The vertices of two bodies within that distance, mm, of a place in the socket's frame.
+  std::vector<Vertex> near(const Pair& pair, const Pose& pose, const Vec3& place, double within) const;
+  /// Is it inside the other body, and farther than that from its surface?
+  bool is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const;
+  /// The first contact of all pairs in these angles of a turn, radians, if there is one.
+  std::optional<TurnContact> first_contact(const JointTurn& turn, AngleSpan angles) const;
   /// The least first_within() (swept_parts.hpp) of all pairs, radians. `ball` and `socket` are the rotations
   /// to the frame whose +z is the axis.
   double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
@@ -107,16 +116,15 @@ class BodyPairs {
  private:
   struct Body {
     explicit Body(const TriangleMesh& of);
-    TriangleMesh mesh;  // each face once, none without area
-    TurnParts parts;
-    SweptParts faces;
+    TurnBody turn;  // each face once, none without area
     std::vector<Eigen::AlignedBox3d> openings;
     bool sheet = false;
     std::vector<Vec3> pieces;  // a vertex of each connected piece
     Contact holds(const Vec3& x) const;
+    const SweptParts& faces() const { return turn.faces; }
     std::optional<int> crossings(const Vec3& from, const Vec3& to) const;
     void find_openings(const TriangleMesh& all);
-    void find_pieces();
+    void find_pieces(const TriangleMesh& mesh);
   };
   /// A body in these poses, as the frame of the other one has it.
   struct Moved {

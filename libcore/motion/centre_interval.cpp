@@ -21,6 +21,7 @@ constexpr double kCertainMargin = 1e-9;    // of the radius: of lengths in the u
 constexpr double kFirstStep = 0.1;         // degrees past a limit, where the upper end is looked for; doubled
 constexpr int kHalvings = 5;               // of the last step
 constexpr std::size_t kMostVertices = 40;  // that are tried in a pose, deepest first
+constexpr double kNear = 5.0;              // mm, of a contact: the vertices that are tried
 
 Pose pose_of(const JointTurn& turn, double angle_deg) {
   const Eigen::AngleAxisd about(angle_deg * kDegree, turn.axis);
@@ -60,11 +61,9 @@ Sinusoid trace_of(const JointTurn& turn) {
   return {m(0, 0) + m(1, 1), m(0, 1) - m(1, 0), m(2, 2)};
 }
 
-std::vector<TurnFace> points_of(const TriangleMesh& mesh, const std::vector<VertexIndex>& chosen) {
+std::vector<TurnFace> points_of(const TriangleMesh& mesh) {
   std::vector<TurnFace> points;
-  points.reserve(chosen.size());
-  for (const VertexIndex v : chosen)
-    points.push_back(turn_face(mesh.vertices[v], mesh.vertices[v], mesh.vertices[v]));
+  for (const VertexIndex v : surface_vertices(mesh)) points.push_back(turn_point(mesh.vertices[v]));
   return points;
 }
 
@@ -82,7 +81,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
                                             bool is_socket) const {
   const double r = question_.within_mm;
   if (question_.gap_mm == 0.0)
-    return {SweptParts(turn_faces(mesh)), SweptParts({}), SweptParts({}), jump_edges(mesh),
+    return {SweptParts(turn_faces(mesh)), SweptParts(), SweptParts(), jump_edges(mesh),
             boundary_edges(mesh), 0.0};
   const std::vector<Edge> edges = possible_jumps(mesh, r);
   const std::vector<VertexIndex> facing = surface_vertices(other);
@@ -93,7 +92,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
   }
   Side made{SweptParts(turn_faces(mesh)),
             SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
-            SweptParts(points_of(mesh, surface_vertices(mesh))), jump_edges(mesh), {}, HUGE_VAL};
+            SweptParts(points_of(mesh)), jump_edges(mesh), {}, HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
     made.nearest = std::min(made.nearest, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
@@ -115,9 +114,9 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   const Eigen::Matrix3d socket = upright * turn.outer.transpose();
   double first = to_deg * kDegree;
   if (question_.gap_mm > 0.0) {
-    first = first_within(ball_.points.rotated(ball), socket_.walls.rotated(socket), within, first);
-    first = first_within(ball_.walls.rotated(ball), socket_.points.rotated(socket), within, first);
-    first = first_within(ball_.faces.rotated(ball), socket_.faces.rotated(socket), within, first);
+    first = first_within({ball_.points, ball, socket_.walls, socket}, within, first);
+    first = first_within({ball_.walls, ball, socket_.points, socket}, within, first);
+    first = first_within({ball_.faces, ball, socket_.faces, socket}, within, first);
   }
   first = bodies_.first_within(ball, socket, within, first);
   return std::min(first / kDegree, to_deg);
@@ -195,18 +194,11 @@ bool CentreIntervals::is_certain(const Way& way, const ScannedVertex& at) const 
                         std::asin(sine) + kCertainMargin);
 }
 
-bool CentreIntervals::always(const Way& way) const {
-  const double certain = way.shift_mm * (1.0 + kCertainMargin) + kCertainMargin;
-  if (bodies_.overlap({way.pose.rotation, 0.0, certain, 0.0})) return true;
-  const bool of_gap = question_.gap_mm > 0.0;
-  if (!of_gap && bodies_.has_inside()) return false;
-  const auto proves = [&](const ScannedVertex& at) {
-    return of_gap ? is_certain(way, at) : has_crossed(way, at);
-  };
+bool CentreIntervals::gap_always(const Way& way) const {
   const double enough = question_.gap_mm - way.shift_mm;
   const auto least = joint_.least_gap(way.pose);
   if (!least || !(least->gap_mm < enough)) return false;
-  if (proves(least->at)) return true;
+  if (is_certain(way, least->at)) return true;
   std::vector<std::pair<double, ScannedVertex>> deep;
   for (const CulledScan& scan : joint_.scans()) {
     const TriangleMesh& mesh = mesh_of(joint_.meshes(), scan.scanned());
@@ -217,18 +209,45 @@ bool CentreIntervals::always(const Way& way) const {
   }
   std::ranges::sort(deep, [](const auto& a, const auto& b) { return a.first < b.first; });
   deep.resize(std::min(deep.size(), kMostVertices));
-  return std::ranges::any_of(deep, [&](const auto& at) { return proves(at.second); });
+  return std::ranges::any_of(deep, [&](const auto& at) { return is_certain(way, at.second); });
 }
 
-std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, const AngleSpan& limit_deg) const {
+// Vertices near where bodies first touched are asked.
+bool CentreIntervals::contact_always(const Way& way, const NearContact& near) const {
+  const double certain = way.shift_mm * (1.0 + kCertainMargin) + kCertainMargin;
+  return std::ranges::any_of(
+             near.vertices,
+             [&](const BodyPairs::Vertex& at) { return bodies_.is_inside_by(at, way.pose, certain); }) ||
+         std::ranges::any_of(near.scanned, [&](const ScannedVertex& at) { return has_crossed(way, at); });
+}
+
+CentreIntervals::NearContact CentreIntervals::near_contact(const JointTurn& turn,
+                                                           const TurnContact& contact) const {
+  const Pose pose = pose_of(turn, contact.angle / kDegree);
+  const BodyPairs::Pair pair{contact.body[0], contact.body[1]};
+  NearContact near{bodies_.near(pair, pose, contact.place, kNear), {}};
+  if (bodies_.has_inside() || contact.body != std::array<std::size_t, 2>{}) return near;
+  for (const Surface of : kSurfaces) {
+    const TriangleMesh& mesh = mesh_of(joint_.meshes(), of);
+    const Vec3 at = of == Surface::ball ? to_ball(pose, contact.place) : contact.place;
+    for (const VertexIndex v : surface_vertices(mesh)) {
+      if ((mesh.vertices[v] - at).norm() <= kNear) near.scanned.push_back({of, v});
+    }
+  }
+  return near;
+}
+
+std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, const CentreLimit& limit) const {
+  const NearContact near = limit.contact ? near_contact(turn, *limit.contact) : NearContact{};
   const auto ask = [&](double angle_deg) {
     const Pose pose = pose_of(turn, angle_deg);
-    return always({turn, limit_deg.from, angle_deg, pose, shift(pose)});
+    const Way way{turn, limit.low_deg, angle_deg, pose, shift(pose)};
+    return contact_always(way, near) || (question_.gap_mm > 0.0 && gap_always(way));
   };
-  double before = limit_deg.to;
+  double before = limit.high_deg;
   if (ask(before)) return before;
-  for (double step = kFirstStep; before < question_.largest_deg; step *= 2.0) {
-    double at = std::min(limit_deg.to + step, question_.largest_deg);
+  for (double step = kFirstStep; before < limit.largest_deg; step *= 2.0) {
+    double at = std::min(limit.high_deg + step, limit.largest_deg);
     if (ask(at)) {
       for (int k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (before + at);

@@ -38,6 +38,7 @@
 // 2 g r / |p| to s.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contact/culled_joint.hpp"
@@ -59,7 +60,6 @@ struct CentreQuestion {
   CentreDoubt doubt = CentreDoubt::common;  // what is not known
   double within_mm = 0.0;                   // r
   double gap_mm = 0.0;                      // threshold; 0 for first contact of the surfaces
-  double largest_deg = 0.0;                 // largest angle of the motion, as for the limit itself
 };
 
 /// Contains the limit for every such centre.
@@ -67,6 +67,14 @@ struct CentreInterval {
   double low_deg = 0.0;   // with none of them there is contact, or the gap, up to here
   double high_deg = 0.0;  // with each of them there is up to here; the largest angle if no such is known
   bool limited = false;   // is such an angle known?
+};
+
+/// The limit of the origin.
+struct CentreLimit {
+  double low_deg = 0.0;                // no contact, and no gap as small, up to here
+  double high_deg = 0.0;               // there is one here
+  double largest_deg = 0.0;            // of the motion
+  std::optional<TurnContact> contact;  // in the socket's frame
 };
 
 /// The intervals of several turns of one joint.
@@ -84,8 +92,7 @@ class CentreIntervals {
   /// which first_within() would not see.
   double low_deg(const JointTurn& turn, double to_deg) const;
   /// The least angle found at which every centre has come to a contact, or the gap; none if none was found.
-  /// `limit`: that of the origin, no contact up to its lower end.
-  std::optional<double> high_deg(const JointTurn& turn, const AngleSpan& limit_deg) const;
+  std::optional<double> high_deg(const JointTurn& turn, const CentreLimit& limit) const;
 
  private:
   /// A surface as the other one meets it.
@@ -106,8 +113,16 @@ class CentreIntervals {
     Pose pose;        // there
     double shift_mm;  // there
   };
-  /// Was there a contact up to that angle, or is the gap reached there, whatever the centre is? Yes is proven.
-  bool always(const Way& way) const;
+  /// Vertices near a contact, of bodies and, where these have no inside, of the main surfaces.
+  struct NearContact {
+    std::vector<BodyPairs::Vertex> vertices;
+    std::vector<ScannedVertex> scanned;
+  };
+  NearContact near_contact(const JointTurn& turn, const TurnContact& contact) const;
+  /// Was there a contact up to that angle, whatever the centre is? Yes is proven.
+  bool contact_always(const Way& way, const NearContact& near) const;
+  /// The same of the gap.
+  bool gap_always(const Way& way) const;
   bool is_certain(const Way& way, const ScannedVertex& at) const;
   bool has_crossed(const Way& way, const ScannedVertex& at) const;
   int layers_passed(const ScannedVertex& at, const Vec3& x) const;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <queue>
 
 #include <Eigen/Geometry>
 
@@ -50,166 +49,100 @@ bool plane_separates(const TurnFace& s, const TurnFace& t, double distance) {
   return low > far || high < -far;
 }
 
-// The sphere of a node, by the axis.
-struct Place {
-  double z;        // mm, height
-  double arm;      // mm, from the axis
-  double azimuth;  // radians
-  double radius;   // mm
-};
-
-std::vector<Place> places_of(const SweptParts& surface) {
-  std::vector<Place> places;
-  places.reserve(surface.nodes().size());
-  for (const SweptParts::Node& node : surface.nodes()) {
-    const Vec3& c = node.centre;
-    places.push_back({c.z(), std::hypot(c.x(), c.y()), std::atan2(c.y(), c.x()), node.radius});
-  }
-  return places;
-}
-
-// A pair of nodes and when they may first be near.
-struct PairOfNodes {
-  double first;
-  std::uint32_t turning;
-  std::uint32_t resting;
-  bool operator<(const PairOfNodes& other) const { return first > other.first; }  // the earliest on top
-};
-
-class SweptSearch {
+// Halves a span of angles until nothing is near in one half, or a pair of parts is.
+class FirstNear {
  public:
-  SweptSearch(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within, double largest)
-      : turning_(turning),
-        resting_(resting),
-        within_(within),
-        first_(largest),
-        turning_places_(places_of(turning)),
-        resting_places_(places_of(resting)) {
-    for (const SweptParts* surface : {&turning, &resting}) {
-      for (const TurnFace& face : surface->parts()) {
-        for (const Vec3& x : face.corner) rounding_ = std::max(rounding_, kSweptRounding * x.norm());
-      }
-    }
-  }
+  FirstNear(const TurnFace& turning, const TurnFace& resting, const WithinSpan& within, double doubt)
+      : turning_(turning), resting_(resting), within_(within), arm_(arm_of(turning)), doubt_(doubt) {}
 
-  double run() {
-    if (turning_.nodes().empty() || resting_.nodes().empty()) return first_;
-    consider(0, 0);
-    while (!pending_.empty() && pending_.top().first < first_) {
-      const PairOfNodes next = pending_.top();
-      pending_.pop();
-      open(next);
-    }
-    return first_;
+  std::optional<double> in(double from, double to) {
+    const double middle = 0.5 * (from + to);
+    const double half = 0.5 * (to - from);
+    const double near = doubt_ + within_({from, to}) + arm_ * half;
+    if (farther_than(turned_face(turning_, middle), resting_, near)) return std::nullopt;
+    if (half <= kFinest || --steps_ <= 0) return from;
+    const auto early = in(from, middle);
+    return early ? early : in(middle, to);
   }
 
  private:
-  void open(const PairOfNodes& pair) {
-    const SweptParts::Node& a = turning_.nodes()[pair.turning];
-    const SweptParts::Node& b = resting_.nodes()[pair.resting];
-    if (a.leaf && b.leaf) return meet(pair);
-    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      if (open_a)
-        consider(a.at + k, pair.resting);
-      else
-        consider(pair.turning, b.at + k);
-    }
-  }
-
-  // Angles in which the spheres may be within the distance: at most two spans, the first that begins first.
-  AngleSpans spans_of(std::uint32_t turning, std::uint32_t resting, double within) const {
-    const Place& a = turning_places_[turning];
-    const Place& b = resting_places_[resting];
-    const double reach = a.radius + b.radius + within + rounding_;
-    const double rise = a.z - b.z;
-    const double apart = a.arm - b.arm;
-    // 2 a b (1 - cos of what they are apart by) is at most this.
-    const double rest = (reach - rise) * (reach + rise) - apart * apart;
-    AngleSpans spans;
-    if (rest < 0.0) return spans;
-    const double both = 2.0 * a.arm * b.arm;
-    if (rest >= 2.0 * both) {
-      spans.span[spans.count++] = {0.0, kWholeTurn};
-      return spans;
-    }
-    const double half = 2.0 * std::asin(std::sqrt(rest / (2.0 * both))) + kSpanRounding;
-    double middle = b.azimuth - a.azimuth;
-    if (middle < 0.0) middle += kWholeTurn;
-    if (middle - half < 0.0) {
-      spans.span[spans.count++] = {0.0, std::min(middle + half, kWholeTurn)};
-      spans.span[spans.count++] = {std::max(middle - half + kWholeTurn, 0.0), kWholeTurn};
-    } else if (middle + half > kWholeTurn) {
-      spans.span[spans.count++] = {0.0, middle + half - kWholeTurn};
-      spans.span[spans.count++] = {middle - half, kWholeTurn};
-    } else {
-      spans.span[spans.count++] = {middle - half, middle + half};
-    }
-    return spans;
-  }
-
-  // Of all angles that are still looked at.
-  double most_within() {
-    if (most_for_ != first_) most_ = within_({0.0, first_});
-    most_for_ = first_;
-    return most_;
-  }
-
-  // Is one of them that much farther from the origin than the other, whatever the angle?
-  bool never_near(std::uint32_t turning, std::uint32_t resting, double within) const {
-    const SweptParts::Node& a = turning_.nodes()[turning];
-    const SweptParts::Node& b = resting_.nodes()[resting];
-    return std::max(a.nearest - b.farthest, b.nearest - a.farthest) > within + rounding_;
-  }
-
-  void consider(std::uint32_t turning, std::uint32_t resting) {
-    if (never_near(turning, resting, most_within())) return;
-    double earliest = first_;
-    for (const AngleSpan& span : spans_of(turning, resting, most_within()))
-      earliest = std::min(earliest, span.from);
-    if (earliest < first_) pending_.push({earliest, turning, resting});
-  }
-
-  void meet(const PairOfNodes& pair) {
-    const SweptParts::Node& a = turning_.nodes()[pair.turning];
-    const SweptParts::Node& b = resting_.nodes()[pair.resting];
-    const TurnFace& turning = turning_.parts()[a.at];
-    const TurnFace& resting = resting_.parts()[b.at];
-    const double arm = arm_of(turning);
-    const double doubt = turning.doubt + resting.doubt + rounding_;
-    int steps = kMostSteps;
-    const auto first_in = [&](const auto& again, double from, double to) -> std::optional<double> {
-      const double middle = 0.5 * (from + to);
-      const double half = 0.5 * (to - from);
-      const double near = doubt + within_({from, to}) + arm * half;
-      const double spheres = (turned(a.centre, middle) - b.centre).norm() - a.radius - b.radius;
-      if (spheres > near) return std::nullopt;
-      if (farther_than(turned_face(turning, middle), resting, near)) return std::nullopt;
-      if (half <= kFinest || --steps <= 0) return from;
-      const auto early = again(again, from, middle);
-      return early ? early : again(again, middle, to);
-    };
-    for (const AngleSpan& span : spans_of(pair.turning, pair.resting, most_within())) {
-      const double to = std::min(span.to, first_);
-      if (span.from > to) continue;
-      const auto found = first_in(first_in, span.from, to);
-      if (found) first_ = std::min(first_, *found);
-    }
-  }
-
-  const SweptParts& turning_;
-  const SweptParts& resting_;
+  const TurnFace& turning_;
+  const TurnFace& resting_;
   const WithinSpan& within_;
-  double first_;
-  std::vector<Place> turning_places_;
-  std::vector<Place> resting_places_;
-  double most_ = 0.0;
-  double most_for_ = -1.0;
-  double rounding_ = 0.0;
-  std::priority_queue<PairOfNodes> pending_;
+  double arm_;    // mm
+  double doubt_;  // mm
+  int steps_ = kMostSteps;
 };
 
 }  // namespace
+
+SweptSpheres::SweptSpheres(const SweptPair& pair)
+    : pair_(pair),
+      turning_(pair.turning.nodes().size()),
+      resting_(pair.resting.nodes().size()),
+      rounding_(kSweptRounding *
+                std::max(pair.turning.nodes()[0].farthest, pair.resting.nodes()[0].farthest)) {}
+
+static void place(const SweptParts::Node& node, const Eigen::Matrix3d& frame, Vec3& centre, double& arm) {
+  centre = frame * node.centre;
+  arm = std::sqrt(centre.head<2>().squaredNorm());
+}
+
+const SweptSpheres::Place& SweptSpheres::turning(std::uint32_t node) {
+  Place& at = turning_[node];
+  if (at.arm < 0.0) place(pair_.turning.nodes()[node], pair_.turning_frame, at.centre, at.arm);
+  return at;
+}
+
+const SweptSpheres::Place& SweptSpheres::resting(std::uint32_t node) {
+  Place& at = resting_[node];
+  if (at.arm < 0.0) place(pair_.resting.nodes()[node], pair_.resting_frame, at.centre, at.arm);
+  return at;
+}
+
+AngleSpans SweptSpheres::spans(std::uint32_t turning_node, std::uint32_t resting_node, double within) {
+  AngleSpans spans;
+  const SweptParts::Node& turning_of = pair_.turning.nodes()[turning_node];
+  const SweptParts::Node& resting_of = pair_.resting.nodes()[resting_node];
+  const double near = within + rounding_;
+  if (std::max(turning_of.nearest - resting_of.farthest, resting_of.nearest - turning_of.farthest) > near)
+    return spans;
+  const Place& a = turning(turning_node);
+  const Place& b = resting(resting_node);
+  const double reach = turning_of.radius + resting_of.radius + near;
+  const double rise = a.centre.z() - b.centre.z();
+  const double apart = a.arm - b.arm;
+  // 2 a b (1 - cos of what they are apart by) is at most this.
+  const double rest = (reach - rise) * (reach + rise) - apart * apart;
+  if (rest < 0.0) return spans;
+  const double both = 2.0 * a.arm * b.arm;
+  if (rest >= 2.0 * both) {
+    spans.span[spans.count++] = {0.0, kWholeTurn};
+    return spans;
+  }
+  const double half = 2.0 * std::asin(std::sqrt(rest / (2.0 * both))) + kSpanRounding;
+  double middle = std::atan2(a.centre.x() * b.centre.y() - a.centre.y() * b.centre.x(),
+                             a.centre.head<2>().dot(b.centre.head<2>()));
+  if (middle < 0.0) middle += kWholeTurn;
+  if (middle - half < 0.0) {
+    spans.span[spans.count++] = {0.0, std::min(middle + half, kWholeTurn)};
+    spans.span[spans.count++] = {std::max(middle - half + kWholeTurn, 0.0), kWholeTurn};
+  } else if (middle + half > kWholeTurn) {
+    spans.span[spans.count++] = {0.0, middle + half - kWholeTurn};
+    spans.span[spans.count++] = {middle - half, kWholeTurn};
+  } else {
+    spans.span[spans.count++] = {middle - half, middle + half};
+  }
+  return spans;
+}
+
+double SweptSpheres::earliest(std::uint32_t turning_node, std::uint32_t resting_node, double within,
+                              double from) {
+  for (const AngleSpan& span : spans(turning_node, resting_node, within)) {
+    if (span.to >= from) return std::max(span.from, from);
+  }
+  return HUGE_VAL;
+}
 
 bool farther_than(const TurnFace& s, const TurnFace& t, double distance) {
   return plane_separates(s, t, distance) || plane_separates(t, s, distance) ||
@@ -264,47 +197,41 @@ void SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t 
   nodes_[node] = made;
 }
 
-SweptParts SweptParts::rotated(const Eigen::Matrix3d& rotation) const {
-  SweptParts moved = *this;
-  for (TurnFace& face : moved.parts_) {
-    const double doubt = face.doubt;
-    face = turn_face(rotation * face.corner[0], rotation * face.corner[1], rotation * face.corner[2]);
-    face.doubt = doubt;
-  }
-  for (Node& node : moved.nodes_) node.centre = rotation * node.centre;
-  return moved;
-}
-
-// Calls found(part) for those whose spheres are that near until it returns true.
-template <class Found>
-bool SweptParts::any_part(double distance, const Vec3& x, const Found& found) const {
-  std::vector<std::uint32_t> pending;
-  if (!nodes_.empty()) pending.push_back(0);
-  while (!pending.empty()) {
-    const Node node = nodes_[pending.back()];
-    pending.pop_back();
-    if ((node.centre - x).norm() - node.radius > distance) continue;
-    if (!node.leaf)
-      pending.insert(pending.end(), {node.at, node.at + 1});
-    else if (found(parts_[node.at]))
-      return true;
-  }
-  return false;
-}
-
 bool SweptParts::farther_than(double distance, const Vec3& x) const {
-  return !any_part(distance, x, [&](const TurnFace& part) { return least_distance(x, part) <= distance; });
+  return !any_part(distance, x,
+                   [&](std::uint32_t part) { return least_distance(x, parts_[part]) <= distance; });
 }
 
 bool SweptParts::within(double distance, const Vec3& x) const {
-  return distance >= 0.0 && any_part(distance, x, [&](const TurnFace& part) {
-           return squared_distance_to_point_of(x, part.corner) <= distance * distance;
+  return distance >= 0.0 && any_part(distance, x, [&](std::uint32_t part) {
+           return squared_distance_to_point_of(x, parts_[part].corner) <= distance * distance;
          });
 }
 
-double first_within(const SweptParts& turning, const SweptParts& resting, const WithinSpan& within,
-                    double largest) {
-  return SweptSearch(turning, resting, within, largest).run();
+double first_within(const SweptPair& pair, const WithinSpan& within, double largest) {
+  double first = largest;
+  if (pair.turning.empty() || pair.resting.empty()) return first;
+  SweptSpheres spheres(pair);
+  double asked = -1.0;
+  double found_most = 0.0;
+  const auto most = [&](double to) {
+    if (to != asked) found_most = within({0.0, to});
+    asked = to;
+    return found_most;
+  };
+  visit_meetings(pair, 0.0, first, most, [&](std::uint32_t a, std::uint32_t b) {
+    const TurnFace& resting = pair.resting.parts()[pair.resting.nodes()[b].at];
+    const TurnFace moved = turned_by(pair.turning_frame, pair.turning.parts()[pair.turning.nodes()[a].at]);
+    const TurnFace still = turned_by(pair.resting_frame, resting);
+    FirstNear near(moved, still, within, moved.doubt + still.doubt + spheres.rounding());
+    for (const AngleSpan& span : spheres.spans(a, b, most(first))) {
+      if (span.from > first) continue;
+      const auto found = near.in(span.from, std::min(span.to, first));
+      if (found) first = std::min(first, *found);
+    }
+    return first;
+  });
+  return first;
 }
 
 }  // namespace impinge

@@ -25,10 +25,10 @@ ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double thr
   told.threshold_mm = threshold_mm;
   told.limit =
       contact ? limits.first_contact(turn, largest_deg) : limits.gap_of(turn, threshold_mm, largest_deg);
-  CentreQuestion question{CentreDoubt::common, kErrorOfInput, threshold_mm, largest_deg};
-  told.common = limits.centre_interval(turn, told.limit, question);
+  CentreQuestion question{CentreDoubt::common, kErrorOfInput, threshold_mm};
+  told.common = limits.centre_interval(turn, told.limit, largest_deg, question);
   question.doubt = CentreDoubt::play;
-  told.play = limits.centre_interval(turn, told.limit, question);
+  told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
   if (contact) told.half_mm_gap_deg = first_reached(limits.gap_of(turn, kErrorOfInput, largest_deg));
   if (told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();  // where nothing is known
   return told;

@@ -8,15 +8,16 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/edges.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "motion/part_distance.hpp"
-#include "motion/sinusoid.hpp"
-#include "motion/turn_tree.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kTolerance = 1e-12;   // of the largest radius
+constexpr double kWithin = 4.0;        // times it: parts that a search has to see
 constexpr int kMostAdvances = 10'000;  // of a pair of parts
 
 // What a pair of parts is asked with. f is near zero, by `bound` times a distance, whenever the parts are
@@ -112,69 +113,65 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   found.note(ContactKind::edges, socket.from + std::clamp(share, 0.0, 1.0) * b, across);
 }
 
-// Points with a tree.
-struct Points {
-  std::vector<Vec3> places;  // mm
-  TurnTree tree;
-};
-
-// Vertices, moved out by `out` mm but not nearer to the centre than `nearest`. A moved vertex keeps its ray.
-Points moved_out(const TurnSurface& surface, double out, double nearest, double margin) {
-  Points moved;
-  std::vector<TurnBox> boxes;
-  std::vector<std::uint32_t> order;
-  for (const std::uint32_t k : surface.parts->by_vertex) {
-    const TurnPoint& vertex = surface.points[surface.parts->vertices[k]];
-    if (vertex.r == 0.0) continue;
-    const TurnPoint point(std::max(vertex.r + out, nearest) / vertex.r * vertex.x);
-    order.push_back(static_cast<std::uint32_t>(boxes.size()));
-    boxes.push_back(turn_box(std::array{&point}, point.r, margin));
-    moved.places.push_back(point.x);
-  }
-  moved.tree = TurnTree(boxes, order);
-  return moved;
-}
-
-TurnTree tree_of_walls(const std::vector<TurnFace>& walls, double margin) {
-  std::vector<TurnBox> boxes;
-  std::vector<Vec3> middles;
-  for (const TurnFace& wall : walls) {
-    const auto& [a, b, c] = wall.corner;
-    const std::array points{TurnPoint(a), TurnPoint(b), TurnPoint(c)};
-    const double nearest = std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c));
-    boxes.push_back(turn_box(std::array{&points[0], &points[1], &points[2]}, nearest, margin + wall.doubt));
-    middles.emplace_back(a + b + c);
-  }
-  return {boxes, order_by_place(middles)};
-}
-
-// Calls visit(side) for those sides of a face that no face before it has.
-template <class Visit>
-void for_each_first_side(const TurnSurface& surface, std::size_t f, const Visit& visit) {
-  const Face& face = surface.mesh->faces[f];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (surface.parts->first_side[f][k])
-      visit(TurnEdge{surface.points[face[k]].x, surface.points[face[(k + 1) % 3]].x});
-  }
-}
-
-template <class Visit>
-void for_each_first_corner(const TurnSurface& surface, std::size_t f, const Visit& visit) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (surface.parts->first_corner[f][k]) visit(surface.points[surface.mesh->faces[f][k]].x);
-  }
+// A face as the frame of the axis has it.
+TurnFace face_in(const Eigen::Matrix3d& frame, const SweptParts& parts, std::uint32_t node) {
+  return turned_by(frame, parts.parts()[parts.nodes()[node].at]);
 }
 
 // Two faces, by what of them is in no face before.
-void try_faces(const TurnSurface& ball, std::size_t f, const TurnSurface& socket, std::size_t g,
-               Found& found) {
-  const TurnFace turning = ball.face(f);
-  const TurnFace resting = socket.face(g);
-  for_each_first_corner(ball, f, [&](const Vec3& x) { try_ball_point(x, resting, found); });
-  for_each_first_corner(socket, g, [&](const Vec3& y) { try_socket_point(y, turning, found); });
-  for_each_first_side(ball, f, [&](const TurnEdge& a) {
-    for_each_first_side(socket, g, [&](const TurnEdge& b) { try_edges(a, b, found); });
-  });
+void try_faces(const TurnScene& scene, std::uint32_t f, const TurnFace& turning, std::uint32_t g,
+               const TurnFace& resting, Found& found) {
+  const auto& ball_corner = scene.ball.first_corner[f];
+  const auto& socket_corner = scene.socket.first_corner[g];
+  const auto& ball_side = scene.ball.first_side[f];
+  const auto& socket_side = scene.socket.first_side[g];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (ball_corner[k]) try_ball_point(turning.corner[k], resting, found);
+    if (socket_corner[k]) try_socket_point(resting.corner[k], turning, found);
+    for (std::size_t l = 0; l < 3 && ball_side[k]; ++l) {
+      if (socket_side[l])
+        try_edges({turning.corner[k], turning.corner[(k + 1) % 3]},
+                  {resting.corner[l], resting.corner[(l + 1) % 3]}, found);
+    }
+  }
+}
+
+struct Frames {
+  explicit Frames(const JointTurn& turn)
+      : upright(rotation_to_z(turn.axis)),
+        ball(upright * turn.inner),
+        socket(upright * turn.outer.transpose()) {}
+  Eigen::Matrix3d upright;  // takes the axis to +z
+  Eigen::Matrix3d ball;
+  Eigen::Matrix3d socket;
+};
+
+double tolerance_of(const TurnScene& scene) {
+  double farthest = 0.0;
+  for (const TurnBody* body : {&scene.ball, &scene.socket}) {
+    if (!body->faces.empty()) farthest = std::max(farthest, body->faces.nodes()[0].farthest);
+  }
+  return kTolerance * farthest;
+}
+
+std::optional<TurnContact> in_axis_frame(const Frames& frames, std::optional<TurnContact> found) {
+  if (!found) return found;
+  const Vec3 place = frames.upright.transpose() * found->place;
+  const Vec3 normal = frames.upright.transpose() * found->normal;
+  found->place = place;
+  found->normal = normal;
+  return found;
+}
+
+// Moved out by `out` mm but not nearer to the centre than `nearest`. A moved vertex keeps its ray.
+SweptParts moved_out(const TriangleMesh& mesh, double out, double nearest) {
+  std::vector<TurnFace> points;
+  for (const VertexIndex v : surface_vertices(mesh)) {
+    const Vec3& x = mesh.vertices[v];
+    const double r = x.norm();
+    if (r > 0.0) points.push_back(turn_point(std::max(r + out, nearest) / r * x));
+  }
+  return SweptParts(std::move(points));
 }
 
 }  // namespace
@@ -193,60 +190,76 @@ std::string_view name(ContactKind kind) {
   return "rims";
 }
 
-TurnContacts::TurnContacts(const TurnScene& scene)
-    : rotation_(rotation_to_z(scene.axis)),
-      ball_(scene.ball.mesh, scene.ball.parts, rotation_ * scene.ball.before, {WallSide::within, 0.0}),
-      socket_(scene.socket.mesh, scene.socket.parts, rotation_ * scene.socket.before,
-              {WallSide::beyond, ball_.largest_radius + scene.largest_gap}),
-      tolerance_(kTolerance * std::max(ball_.largest_radius, socket_.largest_radius)),
-      body_(scene.body),
-      ball_faces_(ball_.tree(tolerance_)),
-      socket_faces_(socket_.tree(tolerance_)) {}
+TurnBody::TurnBody(const TriangleMesh& mesh)
+    : faces(turn_faces(mesh)),
+      first_corner(mesh.faces.size(), {false, false, false}),
+      first_side(mesh.faces.size(), {false, false, false}) {
+  std::vector<bool> seen(mesh.vertices.size(), false);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexIndex v = mesh.faces[f][k];
+      first_corner[f][k] = !seen[v];
+      seen[v] = true;
+    }
+  }
+  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
+    first_side[half_edges[0].face][half_edges[0].side] = true;
+  });
+}
 
-std::optional<TurnContact> TurnContacts::first(const AngleSpan& angles) const {
-  Found found{{angles, tolerance_}, {}};
-  visit_meetings(ball_faces_, socket_faces_, angles.from, found.search.first(),
-                 [&](std::uint32_t f, std::uint32_t g) {
-                   try_faces(ball_, f, socket_, g, found);
+std::optional<TurnContact> first_contact(const TurnScene& scene, const AngleSpan& angles) {
+  const Frames frames(scene.turn);
+  const double tolerance = tolerance_of(scene);
+  const SweptParts& ball = scene.ball.faces;
+  const SweptParts& socket = scene.socket.faces;
+  Found found{{angles, tolerance}, {}};
+  visit_meetings({ball, frames.ball, socket, frames.socket}, angles.from, angles.to,
+                 [&](double) { return kWithin * tolerance; },
+                 [&](std::uint32_t a, std::uint32_t b) {
+                   try_faces(scene, ball.nodes()[a].at, face_in(frames.ball, ball, a), socket.nodes()[b].at,
+                             face_in(frames.socket, socket, b), found);
                    return found.search.first();
                  });
-  return in_mesh_frame(found.contact);
+  return in_axis_frame(frames, found.contact);
 }
 
-std::optional<TurnContact> TurnContacts::first_gap(double gap_mm, const AngleSpan& angles) const {
-  Found found{{angles, tolerance_}, {}};
-  const auto visit = [&](const TurnTree& ball, const TurnTree& socket, const auto& attempt) {
-    visit_meetings(ball, socket, angles.from, found.search.first(), [&](std::uint32_t i, std::uint32_t j) {
-      attempt(i, j);
-      return found.search.first();
-    });
-  };
-  const auto ball_points = [&](double out, const TurnTree& faces, const auto& face) {
-    const Points points = moved_out(ball_, out, 0.0, tolerance_);
-    visit(points.tree, faces,
-          [&](std::uint32_t x, std::uint32_t f) { try_ball_point(points.places[x], face(f), found); });
-  };
-  const auto socket_points = [&](double out, double nearest, const TurnTree& faces, const auto& face) {
-    const Points points = moved_out(socket_, out, nearest, tolerance_);
-    visit(faces, points.tree,
-          [&](std::uint32_t f, std::uint32_t y) { try_socket_point(points.places[y], face(f), found); });
-  };
-  const auto ball_face = [&](std::uint32_t f) { return ball_.face(f); };
-  const auto socket_face = [&](std::uint32_t f) { return socket_.face(f); };
-  const double half_way = 0.5 * ball_.smallest_radius;
-  ball_points(gap_mm, socket_faces_, socket_face);
-  socket_points(-gap_mm, half_way, ball_faces_, ball_face);
-  ball_points(gap_mm, tree_of_walls(socket_.walls, tolerance_),
-              [&](std::uint32_t f) { return socket_.walls[f]; });
-  socket_points(-gap_mm, half_way, tree_of_walls(ball_.walls, tolerance_),
-                [&](std::uint32_t f) { return ball_.walls[f]; });
-  return in_mesh_frame(found.contact);
+TurnGap::TurnGap(const BallSocketPair& meshes, double gap)
+    : gap_mm(gap), ball_points(moved_out(meshes.ball, gap, 0.0)) {
+  double nearest = HUGE_VAL;
+  for (const Face& face : meshes.ball.faces) {
+    const auto [a, b, c] = corners_of(meshes.ball, face);
+    nearest = std::min(nearest, squared_distance_to_triangle(Vec3::Zero(), a, b, c));
+  }
+  socket_points = moved_out(meshes.socket, -gap, 0.5 * std::sqrt(nearest));
+  double farthest = 0.0;
+  for (const VertexIndex v : surface_vertices(meshes.ball))
+    farthest = std::max(farthest, meshes.ball.vertices[v].norm());
+  ball_walls = SweptParts(walls_within(meshes.ball, jump_edges(meshes.ball)));
+  socket_walls = SweptParts(walls_beyond(meshes.socket, jump_edges(meshes.socket), farthest + gap));
 }
 
-std::optional<TurnContact> TurnContacts::in_mesh_frame(const std::optional<TurnContact>& found) const {
-  if (!found) return found;
-  return TurnContact{found->angle, found->kind, rotation_.transpose() * found->place,
-                     rotation_.transpose() * found->normal, body_};
+std::optional<TurnContact> first_gap(const TurnScene& scene, const TurnGap& gap, const AngleSpan& angles) {
+  const Frames frames(scene.turn);
+  const double tolerance = tolerance_of(scene);
+  const auto within = [&](double) { return kWithin * tolerance; };
+  Found found{{angles, tolerance}, {}};
+  for (const SweptParts* socket : {&scene.socket.faces, &gap.socket_walls}) {
+    visit_meetings({gap.ball_points, frames.ball, *socket, frames.socket}, angles.from, found.search.first(),
+                   within, [&](std::uint32_t a, std::uint32_t b) {
+                     try_ball_point(face_in(frames.ball, gap.ball_points, a).corner[0],
+                                    face_in(frames.socket, *socket, b), found);
+                     return found.search.first();
+                   });
+  }
+  for (const SweptParts* ball : {&scene.ball.faces, &gap.ball_walls}) {
+    visit_meetings({*ball, frames.ball, gap.socket_points, frames.socket}, angles.from, found.search.first(),
+                   within, [&](std::uint32_t a, std::uint32_t b) {
+                     try_socket_point(face_in(frames.socket, gap.socket_points, b).corner[0],
+                                      face_in(frames.ball, *ball, a), found);
+                     return found.search.first();
+                   });
+  }
+  return in_axis_frame(frames, found.contact);
 }
 
 }  // namespace impinge

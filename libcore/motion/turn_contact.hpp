@@ -7,7 +7,7 @@
 // face across its plane did so before.)
 // Corner and plane, edge and edge each give a sinusoid (motion/sinusoid.hpp). Only pairs
 // that are at one height, distance and azimuth can meet, and those that may do so first are looked at
-// first (motion/turn_tree.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the two
+// first (motion/swept_parts.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the two
 // parts, less the tolerance, over that of the turning one from the axis: no point comes nearer by more. The
 // first angle at which they are within twice the tolerance counts as touching, and so does the one that
 // 10,000 steps reach.
@@ -36,9 +36,12 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "hip/motion.hpp"
+#include "mesh/ball_socket_pair.hpp"
 #include "motion/sinusoid.hpp"
-#include "motion/turn_surface.hpp"
+#include "motion/swept_parts.hpp"
 
 namespace impinge {
 
@@ -52,52 +55,47 @@ std::string_view name(ContactKind kind);
 struct TurnContact {
   double angle = 0.0;                     // radians; nothing touches before
   ContactKind kind = ContactKind::edges;  // what touches
-  Vec3 place = Vec3::Zero();              // mm, in the frame of the axis, the socket at rest
+  Vec3 place = Vec3::Zero();              // mm, see TurnScene
   Vec3 normal = Vec3::UnitX();            // unit vector across both parts there, either way
   std::array<std::size_t, 2> body{};      // of ball and socket (motion/body_pairs.hpp)
 };
 
-/// A mesh in its centre frame, mm, its parts, and how it is turned before: x -> before x. TurnContacts
-/// borrows both.
-struct TurnMesh {
-  const TriangleMesh& mesh;                              // borrowed
-  const TurnParts& parts;                                // those of the mesh, borrowed
-  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // a rotation
+/// What of a surface is asked for in turns about any axis.
+struct TurnBody {
+  TurnBody() = default;
+  explicit TurnBody(const TriangleMesh& mesh);  // in its centre frame, mm, without faces that have no area
+
+  SweptParts faces;                               // of the mesh, in its order
+  std::vector<std::array<bool, 3>> first_corner;  // of each face: is it the first face of this corner?
+  std::vector<std::array<bool, 3>> first_side;    // the same of the side from each corner to the next
 };
 
-/// The centres coincide. The ball turns about the unit axis.
+/// The ball x goes to inner x, turns about the axis, and outer takes it to the socket's frame
+/// (hip/motion.hpp); both about one centre. Places of a contact are in
+/// the frame of the axis, the socket at rest, before `outer` takes them to the socket's.
 struct TurnScene {
-  TurnMesh ball;              // that turns
-  TurnMesh socket;            // that rests
-  Vec3 axis = Vec3::UnitZ();  // unit vector, in the frame of both after `before`
-  double largest_gap = 0.0;   // threshold that will be asked for, mm
-  std::array<std::size_t, 2> body{};  // which bodies they are (motion/body_pairs.hpp)
+  const TurnBody& ball;    // borrowed
+  const TurnBody& socket;  // borrowed
+  const JointTurn& turn;   // borrowed
 };
 
-/// The search, made ready for one axis.
-class TurnContacts {
- public:
-  /// Takes the parts of both surfaces to the frame of the axis.
-  explicit TurnContacts(const TurnScene& scene);
+/// The first contact of the surfaces in these angles (radians, 0 <= from <= to <= 2 pi), if there is one.
+std::optional<TurnContact> first_contact(const TurnScene& scene, const AngleSpan& angles);
 
-  /// The first contact of the surfaces in these angles (radians, 0 <= from <= to <= 2 pi), if there is one.
-  std::optional<TurnContact> first(const AngleSpan& angles) const;
-  /// The first angle at which a vertex of either surface has a gap of gap_mm (0 or more) or less; none must
-  /// have it at `from`.
-  std::optional<TurnContact> first_gap(double gap_mm, const AngleSpan& angles) const;
+/// What a threshold of the gap asks for besides faces, whatever the axis: vertices moved by it, and walls.
+struct TurnGap {
+  /// Both meshes about one centre, mm, without edge-on faces. gap_mm: 0 or more.
+  TurnGap(const BallSocketPair& meshes, double gap_mm);
 
-  double tolerance() const { return tolerance_; }  // mm
-
- private:
-  std::optional<TurnContact> in_mesh_frame(const std::optional<TurnContact>& found) const;
-
-  Eigen::Matrix3d rotation_;  // to the frame whose +z is the axis
-  TurnSurface ball_;
-  TurnSurface socket_;
-  double tolerance_;
-  std::array<std::size_t, 2> body_;
-  TurnTree ball_faces_;
-  TurnTree socket_faces_;
+  double gap_mm;
+  SweptParts ball_points;
+  SweptParts socket_points;
+  SweptParts ball_walls;
+  SweptParts socket_walls;
 };
+
+/// The first angle in these at which a vertex of either surface has that gap or less; none must have it at
+/// `from`.
+std::optional<TurnContact> first_gap(const TurnScene& scene, const TurnGap& gap, const AngleSpan& angles);
 
 }  // namespace impinge

@@ -42,31 +42,22 @@ std::string_view name(LimitState state) {
   return "unknown";
 }
 
-// The earliest of all pairs of bodies.
-template <class Next>
-static std::optional<TurnContact> earliest(const std::vector<TurnContacts>& contacts, AngleSpan span,
-                                           const Next& next) {
-  std::optional<TurnContact> first;
-  for (const TurnContacts& of : contacts) {
-    const std::optional<TurnContact> found = next(of, span);
-    if (!found || (first && found->angle >= first->angle)) continue;
-    first = found;
-    span.to = found->angle;
-  }
-  return first;
-}
-
 TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
     : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
       vertices(meshes),
       ends(bodies.ball_ends() ? boundary_edges(meshes.ball) : std::vector<Edge>{}),
-      seen(surface_vertices(meshes.socket)) {}
+      seen(surface_vertices(meshes.socket)),
+      ball(meshes.ball),
+      socket(meshes.socket) {}
 
 TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
-    : answers_(std::make_unique<const Answers>(std::move(joint), beside)),
-      ball_parts_(answers_->meshes.ball, true),
-      socket_parts_(answers_->meshes.socket, true) {}
+    : answers_(std::make_unique<Answers>(std::move(joint), beside)) {}
+
+const TurnGap& TurnLimits::gap(double gap_mm) const {
+  const std::lock_guard lock(answers_->making);
+  return answers_->gaps.try_emplace(gap_mm, answers_->meshes, gap_mm).first->second;
+}
 
 std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
   return answers_->vertices.least_gap(pose_at(turn, angle_deg * kDegree));
@@ -165,31 +156,21 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
 }
 
 TurnLimit TurnLimits::first_contact(const JointTurn& turn, double largest_deg) const {
-  const std::vector<TurnContacts> bodies = answers_->bodies.contacts(turn);
+  const BodyPairs& bodies = answers_->bodies;
   return bracket(
-      turn, largest_deg,
-      [&](const AngleSpan& span) {
-        return earliest(bodies, span,
-                        [](const TurnContacts& of, const AngleSpan& in) { return of.first(in); });
-      },
+      turn, largest_deg, [&](const AngleSpan& span) { return bodies.first_contact(turn, span); },
       [](double) { return false; });
 }
 
 TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const {
-  const std::vector<TurnContacts> bodies = answers_->bodies.contacts(turn);
-  const TurnContacts vertices({{answers_->meshes.ball, ball_parts_, turn.inner},
-                               {answers_->meshes.socket, socket_parts_, turn.outer.transpose()},
-                               turn.axis,
-                               gap_mm,
-                               {}});
+  const TurnGap& asked = gap(gap_mm);
   return bracket(
       turn, largest_deg,
       [&](AngleSpan span) {
-        const auto gap = vertices.first_gap(gap_mm, span);
-        if (gap) span.to = gap->angle;
-        const auto contact = earliest(
-            bodies, span, [](const TurnContacts& of, const AngleSpan& in) { return of.first(in); });
-        return contact ? contact : gap;
+        const auto vertex = first_gap({answers_->ball, answers_->socket, turn}, asked, span);
+        if (vertex) span.to = vertex->angle;
+        const auto contact = answers_->bodies.first_contact(turn, span);
+        return contact ? contact : vertex;
       },
       [&](double angle) {
         const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
@@ -197,24 +178,22 @@ TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double larges
       });
 }
 
-CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit,
+const CentreIntervals& TurnLimits::intervals(const CentreQuestion& question) const {
+  const std::lock_guard lock(answers_->making);
+  const std::array key{static_cast<double>(question.doubt), question.within_mm, question.gap_mm};
+  return answers_->intervals.try_emplace(key, answers_->vertices, question, answers_->bodies).first->second;
+}
+
+CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,
                                            const CentreQuestion& question) const {
-  return impinge::centre_interval(centre_intervals(question), turn, limit);
-}
-
-CentreIntervals TurnLimits::centre_intervals(const CentreQuestion& question) const {
-  return {answers_->vertices, question, answers_->bodies};
-}
-
-CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
-                               const TurnLimit& limit) {
-  const double largest = intervals.question().largest_deg;
-  CentreInterval interval{0.0, largest, false};
-  if (limit.state != LimitState::blocked) interval.low_deg = intervals.low_deg(turn, limit.low_deg);
+  const CentreIntervals& centres = intervals(question);
+  CentreInterval interval{0.0, largest_deg, false};
+  if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
-    const std::optional<double> high = intervals.high_deg(turn, {limit.low_deg, limit.high_deg});
+    const auto high =
+        centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});
     interval.limited = high.has_value();
-    interval.high_deg = high.value_or(largest);
+    interval.high_deg = high.value_or(largest_deg);
   }
   return interval;
 }

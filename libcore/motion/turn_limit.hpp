@@ -28,7 +28,10 @@
 /// graze becomes a contact: centre_interval() holds for every centre.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -83,10 +86,8 @@ class TurnLimits {
   TurnLimit gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const;
 
   /// Where the limit, one of the above, may be for another centre.
-  CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit,
+  CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,
                                  const CentreQuestion& question) const;
-  /// The same made ready for several turns. This object must outlive it.
-  CentreIntervals centre_intervals(const CentreQuestion& question) const;
 
   /// Smallest gap of a vertex of the main surfaces at that angle; none where no vertex meets the other
   /// surface.
@@ -110,15 +111,17 @@ class TurnLimits {
     CulledJoint vertices;
     std::vector<Edge> ends;         // of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // of the socket: those of its faces
+    TurnBody ball;                  // of the main surfaces
+    TurnBody socket;
+    std::mutex making;  // of what follows, when it is first asked for
+    std::map<double, TurnGap> gaps;
+    std::map<std::array<double, 3>, CentreIntervals> intervals;  // by doubt, reach and gap
   };
 
-  std::unique_ptr<const Answers> answers_;
-  TurnParts ball_parts_;
-  TurnParts socket_parts_;
-};
+  const TurnGap& gap(double gap_mm) const;
+  const CentreIntervals& intervals(const CentreQuestion& question) const;
 
-/// TurnLimits::centre_interval() for one of several turns.
-CentreInterval centre_interval(const CentreIntervals& intervals, const JointTurn& turn,
-                               const TurnLimit& limit);
+  std::unique_ptr<Answers> answers_;
+};
 
 }  // namespace impinge

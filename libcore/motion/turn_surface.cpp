@@ -18,14 +18,6 @@ constexpr double kWidestPiece = kPi / 3.0;  // of a wall, as the centre sees it
 // pieces, may move a point of it by. A wall beyond stretches that with the point.
 constexpr double kEdgeError = 64.0 * 0x1p-53;
 
-std::vector<VertexIndex> listed(const std::vector<bool>& chosen) {
-  std::vector<VertexIndex> list;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (chosen[i]) list.push_back(static_cast<VertexIndex>(i));
-  }
-  return list;
-}
-
 // Points that cut the edge a - b in pieces of no more than kWidestPiece as the centre sees it, ends included.
 std::vector<Vec3> cut_by_angle(const Vec3& a, const Vec3& b) {
   const Vec3 along = (b - a).stableNormalized();
@@ -51,14 +43,9 @@ TurnFace wall_face(const Vec3& a, const Vec3& b, const Vec3& c, double doubt) {
   return face;
 }
 
-// The wall of a jump edge a - b.
-void add_wall(const Vec3& a, const Vec3& b, const WallReach& walls, std::vector<TurnFace>& faces) {
-  if (walls.side == WallSide::within) {
-    faces.push_back(wall_face(Vec3::Zero(), a, b, 0.0));
-    return;
-  }
-  // A chord of the arc at this distance is nowhere nearer than the reach.
-  const double reach = kBeyond * walls.reach / std::cos(0.5 * kWidestPiece);
+// A chord of the arc at this distance is nowhere nearer than the reach.
+void add_wall_beyond(const Vec3& a, const Vec3& b, double least, std::vector<TurnFace>& faces) {
+  const double reach = kBeyond * least / std::cos(0.5 * kWidestPiece);
   const double nearest = std::sqrt(squared_distance_to_segment(Vec3::Zero(), a, b));
   const double farthest = std::max(a.norm(), b.norm());
   const double doubt = kEdgeError * reach * farthest / nearest;
@@ -92,63 +79,29 @@ std::vector<TurnFace> turn_faces(const TriangleMesh& mesh) {
   return faces;
 }
 
-TurnParts::TurnParts(const TriangleMesh& mesh, bool walls)
-    : nearest(mesh.faces.size()),
-      first_corner(mesh.faces.size(), {false, false, false}),
-      first_side(mesh.faces.size(), {false, false, false}),
-      jumps(walls ? jump_edges(mesh) : std::vector<JumpEdge>{}) {
-  std::vector<bool> chosen(mesh.vertices.size(), false);
-  std::vector<Vec3> middles;
-  middles.reserve(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexIndex v = mesh.faces[f][k];
-      first_corner[f][k] = !chosen[v];
-      chosen[v] = true;
-    }
-    const auto [a, b, c] = corners_of(mesh, mesh.faces[f]);
-    nearest[f] = std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c));
-    middles.emplace_back(a + b + c);
-  }
-  by_face = order_by_place(middles);
-  vertices = listed(chosen);
-  std::vector<Vec3> places;
-  places.reserve(vertices.size());
-  for (const VertexIndex v : vertices) places.push_back(mesh.vertices[v]);
-  by_vertex = order_by_place(places);
-  chosen.assign(chosen.size(), false);
-  for (const JumpEdge& jump : jumps) chosen[jump.from] = chosen[jump.to] = true;
-  rim_vertices = listed(chosen);
-  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
-    first_side[half_edges[0].face][half_edges[0].side] = true;
-  });
+TurnFace turn_point(const Vec3& x) { return turn_face(x, x, x); }
+
+TurnFace turned_by(const Eigen::Matrix3d& rotation, const TurnFace& face) {
+  TurnFace moved =
+      turn_face(rotation * face.corner[0], rotation * face.corner[1], rotation * face.corner[2]);
+  moved.wall = face.wall;
+  moved.doubt = face.doubt;
+  return moved;
 }
 
-TurnSurface::TurnSurface(const TriangleMesh& of, const TurnParts& its_parts, const Eigen::Matrix3d& rotation,
-                         const WallReach& reach)
-    : mesh(&of), parts(&its_parts), points(of.vertices.size()) {
-  for (const VertexIndex v : parts->vertices) {
-    points[v] = TurnPoint(rotation * mesh->vertices[v]);
-    largest_radius = std::max(largest_radius, points[v].r);
-  }
-  for (const double nearest : parts->nearest) smallest_radius = std::min(smallest_radius, nearest);
-  for (const JumpEdge& jump : parts->jumps) add_wall(points[jump.from].x, points[jump.to].x, reach, walls);
+std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps,
+                                   double reach) {
+  std::vector<TurnFace> walls;
+  for (const JumpEdge& jump : jumps)
+    add_wall_beyond(mesh.vertices[jump.from], mesh.vertices[jump.to], reach, walls);
+  return walls;
 }
 
-TurnFace TurnSurface::face(std::size_t f) const {
-  const Face& face = mesh->faces[f];
-  return turn_face(points[face[0]].x, points[face[1]].x, points[face[2]].x);
-}
-
-TurnTree TurnSurface::tree(double margin) const {
-  std::vector<TurnBox> boxes;
-  boxes.reserve(mesh->faces.size());
-  for (std::size_t f = 0; f < mesh->faces.size(); ++f) {
-    const Face& face = mesh->faces[f];
-    const std::array corners{&points[face[0]], &points[face[1]], &points[face[2]]};
-    boxes.push_back(turn_box(corners, parts->nearest[f], margin));
-  }
-  return {boxes, parts->by_face};
+std::vector<TurnFace> walls_within(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps) {
+  std::vector<TurnFace> walls;
+  for (const JumpEdge& jump : jumps)
+    walls.push_back(wall_face(Vec3::Zero(), mesh.vertices[jump.from], mesh.vertices[jump.to], 0.0));
+  return walls;
 }
 
 }  // namespace impinge
