@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_parts.hpp"
 
+#include <algorithm>
+
+#include "mesh/weld.hpp"
+
 namespace impinge {
 namespace {
 
@@ -13,6 +17,11 @@ TriangleMesh between(const TriangleMesh& mesh, const MeshPart& from, const MeshP
     part.faces.push_back(face);
   }
   return part;
+}
+
+// What ends where a part begins, or with the mesh.
+TriangleMesh up_to(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {
+  return k < parts.size() ? between(mesh, {}, parts[k]) : mesh;
 }
 
 }  // namespace
@@ -29,7 +38,13 @@ void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::st
 }
 
 TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
-  return parts.empty() ? mesh : between(mesh, {}, parts.front());
+  return up_to(mesh, parts, 0);
+}
+
+TriangleMesh whole_main(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
+  const auto other = std::ranges::find(parts, false, &MeshPart::of_main);
+  const auto k = static_cast<std::size_t>(other - parts.begin());
+  return k == 0 ? main_surface(mesh, parts) : weld(up_to(mesh, parts, k));
 }
 
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {

@@ -17,6 +17,8 @@ struct MeshPart {
   std::string name;              // in words, such as "greater trochanter"
   std::size_t first_vertex = 0;  // places in the mesh
   std::size_t first_face = 0;    // the same of its faces
+  bool of_main = false;          // goes on from the main surface, with which it is one bone: they share the
+                                 // places of the vertices between them. Such parts come first
 };
 
 /// Appends a part to a mesh and to its list of parts.
@@ -25,6 +27,9 @@ void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::st
 
 /// The mesh without its parts. Spheres, rims, axes and measures are those of this surface.
 TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+
+/// The main surface with the parts that go on from it, as one mesh again (weld.hpp).
+TriangleMesh whole_main(const TriangleMesh& mesh, std::span<const MeshPart> parts);
 
 /// Part k of the mesh.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);

@@ -168,11 +168,15 @@ Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
   return result;
 }
 
-// Edges and all, and bone beside the main surfaces.
+// Bone beside the main surfaces.
+bool parts_touch(const SessionJoint& joint, const Pose& pose) {
+  return BodyPairs({joint.main(Surface::ball), joint.main(Surface::socket)}, joint.beside()).impinged(pose);
+}
+
+// Edges and all.
 bool surfaces_touch(const SessionJoint& joint, const Pose& pose) {
-  const BallSocketPair main{joint.main(Surface::ball), joint.main(Surface::socket)};
-  return SurfaceOverlay(main.ball, main.socket).impinged(pose) ||
-         BodyPairs(main, joint.beside()).impinged(pose);
+  return SurfaceOverlay(joint.main(Surface::ball), joint.main(Surface::socket)).impinged(pose) ||
+         parts_touch(joint, pose);
 }
 
 // They are those of the meshes, whatever the table.
@@ -246,15 +250,19 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
   if (joint.joint.has_parts() && asked.question != Question::touch)
     return answer_question(*without_parts(joint).joint, asked);
-  if (asked.by_tables() || !asked.scan_ball || !asked.scan_socket)
-    require_no_parts(joint.joint, "touch of vertices");
+  const bool of_vertices = asked.by_tables() || !asked.scan_ball || !asked.scan_socket;
   QuestionAnswer found;
+  if (joint.joint.has_parts() && of_vertices) {
+    found = answer_question(*without_parts(joint).joint, asked);
+    found.answer.touches.front() = found.answer.touches.front() || parts_touch(joint, found.pose);
+    return found;
+  }
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;
   if (asked.by_tables()) {
     found.way = kPartialTables;
     found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
-  } else if (asked.question == Question::touch && asked.scan_ball && asked.scan_socket) {
+  } else if (asked.question == Question::touch && !of_vertices) {
     found.way = kExactSigns;
     found.answer.touches = {surfaces_touch(joint, found.pose)};
   } else {

@@ -56,7 +56,7 @@ struct SessionJoint {
   BoneParts beside() const {
     return {part_surfaces(joint.ball.mesh, joint.ball.parts), part_surfaces(seen, joint.socket.parts)};
   }
-  /// The faces of a surface, for gap/measured_gap.hpp; made when first asked for.
+  /// The faces of a main surface, for gap/measured_gap.hpp; made when first asked for.
   const NearFaces& faces(Surface of);
 
   Joint joint;                                         // as it was put together
@@ -72,7 +72,12 @@ struct SessionJoint {
   std::array<std::unique_ptr<const ScannedVertices>, 2> probes;
 
  private:
-  std::array<std::unique_ptr<const NearFaces>, 2> faces_;
+  struct MainFaces {
+    explicit MainFaces(TriangleMesh main) : mesh(std::move(main)), faces(mesh, 0.0) {}
+    TriangleMesh mesh;
+    NearFaces faces;
+  };
+  std::array<std::unique_ptr<const MainFaces>, 2> faces_;
 };
 
 /// A mesh of the joint in the axes of the joint frame, about the same origin.
@@ -118,8 +123,7 @@ void shift_ball(Session& session, const Vec3& shift);
 /// meshes, where the exact radius has its kinks. Faster when called again for the same joint.
 void measure_tables(Session& session);
 
-/// Proves bounds for both tables, unless they have some. May take some seconds. std::runtime_error for a
-/// joint with parts of bone.
+/// Proves bounds for both tables, unless they have some. May take some seconds.
 void bound_tables(Session& session);
 
 /// The larger of both tables' bounds over all directions, mm; call bound_tables() before.
