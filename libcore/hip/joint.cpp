@@ -188,34 +188,24 @@ std::optional<double> head_radius(const Joint& joint) {
   }
 }
 
-// Leaves of a whole bone its surface of the joint.
-void take_surface(Surface of, double radius, const Vec3& centre, NamedMesh& whole, JointPart& part) {
-  if (!is_whole_bone(part.mesh, part.star_shape.violating, radius)) return;
+// Leaves of a whole bone its surface of the joint. False if it is said to be a ball and is none: no head
+// closes about the centre.
+bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
+  JointPart& part = of == Surface::ball ? joint.ball : joint.socket;
+  if (!is_whole_bone(part.mesh, part.star_shape.violating, radius)) return true;
   const std::vector<bool> taken = faces_of_joint(part.mesh, of, radius);
   const auto faces = static_cast<std::size_t>(std::ranges::count(taken, true));
-  if (faces == 0 || faces == taken.size()) return;
-  split_bone(whole.mesh, whole.parts, taken, "rest of " + std::filesystem::path(whole.name).stem().string());
-  part.mesh = relative_to(main_surface(whole.mesh, whole.parts), centre);
-  part.star_shape = star_shape(part.mesh);
+  if (faces == 0 || faces == taken.size()) return of == Surface::socket;
+  NamedMesh split = whole;
+  split_bone(split.mesh, split.parts, taken, "rest of " + std::filesystem::path(whole.name).stem().string());
+  TriangleMesh main = relative_to(main_surface(split.mesh, split.parts), joint.centre);
+  const StarShapeReport seen = star_shape(main);
+  if (of == Surface::ball && std::abs(seen.solid_angle) < kHalfOfTheSphere) return false;
+  whole = std::move(split);
+  part.mesh = std::move(main);
+  part.star_shape = seen;
   part.taken = TakenFaces{faces, taken.size(), kJointEnds * radius};
-}
-
-// Both meshes, about the centre, without their parts.
-void examine_both(JointInput& input, std::array<NamedMesh*, 2> whole, Joint& joint) {
-  const auto both = [&](const auto& work) {
-    on_threads(kSurfaces.size(), [&](std::size_t k) {
-      work(kSurfaces[k] == Surface::ball ? joint.ball : joint.socket, kSurfaces[k], *whole[k]);
-    });
-  };
-  both([&](JointPart& part, Surface of, NamedMesh& all) {
-    part = examine(std::move((of == Surface::ball ? input.ball : input.socket).mesh), joint.centre);
-    if (!all.parts.empty()) part.validation = validate(all.mesh);
-  });
-  const auto radius = head_radius(joint);
-  if (!radius) return;
-  both([&](JointPart& part, Surface of, NamedMesh& all) {
-    take_surface(of, *radius, joint.centre, all, part);
-  });
+  return true;
 }
 
 }  // namespace
@@ -227,7 +217,16 @@ Joint assemble_joint(JointInput input) {
   Joint joint;
   joint.axes = input.axes;
   place_centre(input, joint);
-  examine_both(input, {&ball, &socket}, joint);
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const bool of_ball = kSurfaces[k] == Surface::ball;
+    const NamedMesh& whole = of_ball ? ball : socket;
+    JointPart& part = of_ball ? joint.ball : joint.socket;
+    part = examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
+    if (!whole.parts.empty()) part.validation = validate(whole.mesh);
+  });
+  const auto radius = head_radius(joint);
+  if (radius && take_surface(Surface::ball, *radius, ball, joint))
+    take_surface(Surface::socket, *radius, socket, joint);
   check_view(input, joint);
   const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
   check_units(input, found, joint);

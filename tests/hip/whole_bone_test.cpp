@@ -67,7 +67,7 @@ TriangleMesh femur() { return test::moved(make_hip({.shaft_length = 200.0}, 6000
 TriangleMesh pelvis() {
   const TriangleMesh inner = cup(25.0, 85.0, 1500);
   const TriangleMesh outer = test::inside_out(cup(29.0, 85.0, 1000));
-  const TriangleMesh wing = sphere(40.0, 400, Vec3(0.0, 0.0, 160.0));
+  const TriangleMesh wing = test::moved(octahedron(40.0), Vec3(0.0, 0.0, 160.0));
   return test::moved(test::joined(test::joined(inner, outer), wing), kScanned);
 }
 
@@ -142,6 +142,10 @@ TEST(WholeBone, PartsThatAreGivenStayBehindTheRest) {
   EXPECT_EQ(test::thrown<std::runtime_error>([&] { require_no_parts(joint, "this"); }),
             "this: bone beside the joint, such as spine, is not taken into account here; leave it out");
   EXPECT_NO_THROW(require_no_parts(assemble_joint(whole_joint(femur(), pelvis())), "this"));
+}
+
+TEST(WholeBone, TwoThatChangedPlacesAreRefused) {
+  EXPECT_NE(test::thrown<std::exception>([] { assemble_joint(whole_joint(pelvis(), femur())); }), "");
 }
 
 TEST(WholeBone, WhatIsCutOrGeneratedStaysAsItIs) {
