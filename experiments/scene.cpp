@@ -162,7 +162,8 @@ void run_proof(Session& session, const SceneOptions& options) {
 void run(const SceneOptions& options) {
   if (options.bones) return run_bones(options);
   Session session = load_joint(options);
-  std::cout << describe_frames(options, session.joint->joint);
+  std::cout << describe_taken(options, session.joint->joint)
+            << describe_frames(options, session.joint->joint);
   for (const std::string& warning : session.joint->joint.warnings)
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
   if (options.certificate) run_proof(session, options);

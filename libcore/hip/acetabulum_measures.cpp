@@ -24,8 +24,6 @@ constexpr double kOnPlane = 0.1;       // mm
 constexpr double kEnough = 1.0 / 3.0;  // of the points, on the plane
 constexpr int kTrials = 2000;
 constexpr unsigned kSeed = 1;
-constexpr double kReach = 1.5;  // head radii from the centre: the socket is nearer
-constexpr double kInner = 0.8;  // and farther than that
 constexpr std::size_t kMeridians = 180;
 constexpr double kFirst = 30.0 * kDegree;  // from the pole: within is the fossa
 constexpr double kFloor = 75.0 * kDegree;  // before that a meridian has met the sphere
@@ -33,23 +31,6 @@ constexpr double kLast = 130.0 * kDegree;  // beyond is no rim
 constexpr double kStep = 0.5 * kDegree;
 constexpr double kAtEnd = 0.5;           // mm
 constexpr double kDent = 3.0 * kDegree;  // of the rim, that is bridged
-
-bool looks_to(const TriangleMesh& mesh, const Face& face, const Vec3& centre) {
-  return area_vector(mesh, face).dot(corner(mesh, face, 0) - centre) < 0.0;
-}
-
-// The sphere of the faces round the head that look to it: a wall has an outer one about the same centre.
-SphereFit fit_inside(const TriangleMesh& socket, const SphereFit& head, double trim) {
-  TriangleMesh inside{socket.vertices, {}};
-  std::ranges::copy_if(socket.faces, std::back_inserter(inside.faces), [&](const Face& face) {
-    const double from = (corner(socket, face, 0) - head.centre).norm() / head.radius;
-    return from > kInner && from < kReach && looks_to(socket, face, head.centre);
-  });
-  if (inside.faces.empty()) throw std::invalid_argument("no face of the socket looks to its centre");
-  BallFitOptions fit;
-  fit.trim = trim;
-  return fit_ball(inside, fit);
-}
 
 // The faces that may bound the socket, about its centre.
 TriangleMesh near_socket(const TriangleMesh& socket, const SphereFit& sphere) {
@@ -229,7 +210,7 @@ std::optional<double> lateral_centre_edge(const Rim& rim, const Vec3& centre, do
 AcetabulumMeasures measure_acetabulum(const TriangleMesh& socket, const SphereFit& head, Side side,
                                       const MeasureChoices& choices) {
   AcetabulumMeasures found;
-  found.socket = fit_inside(socket, head, choices.trim);
+  found.socket = fit_socket(socket, head, {.trim = choices.trim});
   const TriangleMesh near = near_socket(socket, found.socket);
   const NearFaces faces(near, 0.0);
   const Sphere sphere{faces, found.socket.radius, choices.rim_band};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -25,6 +26,8 @@ constexpr double kFirstTolerance = 0.10;  // of the first fit after the vote, as
 constexpr double kFinest = 1e-4;          // smallest trim, the same: what rounding leaves of a true sphere
 constexpr double kNormalScale = 1.4826;   // standard deviation over median of absolute normal deviates
 constexpr int kMostRefinements = 60;
+constexpr double kSocketEnd = 1.5;    // head radii from the centre: the socket is nearer
+constexpr double kSocketStart = 0.8;  // and farther than that
 
 // A vertex that stands for some area, with its unit normal.
 struct Voter {
@@ -195,6 +198,17 @@ SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options) {
     chosen = std::move(region.vertices);
   }
   return fit;
+}
+
+SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const BallFitOptions& options) {
+  TriangleMesh inside{socket.vertices, {}};
+  std::ranges::copy_if(socket.faces, std::back_inserter(inside.faces), [&](const Face& face) {
+    const Vec3 arm = corner(socket, face, 0) - head.centre;
+    const double from = arm.norm() / head.radius;
+    return from > kSocketStart && from < kSocketEnd && area_vector(socket, face).dot(arm) < 0.0;
+  });
+  if (inside.faces.empty()) throw std::invalid_argument("no face of the socket looks to its centre");
+  return fit_ball(inside, options);
 }
 
 std::vector<double> sphere_deviations(const TriangleMesh& mesh, const SphereFit& fit) {

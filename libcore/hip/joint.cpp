@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hip/joint.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +16,7 @@
 #include "gap/surface.hpp"
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
+#include "hip/whole_bone.hpp"
 #include "mesh/surface_vertices.hpp"
 
 namespace impinge {
@@ -160,11 +165,47 @@ NamedMesh take_whole(NamedMesh& of) {
 
 void add_parts(NamedMesh whole, const Vec3& centre, JointPart& to) {
   if (whole.parts.empty()) return;
-  to.validation = validate(whole.mesh);
   to.mesh = relative_to(std::move(whole.mesh), centre);
   to.parts = std::move(whole.parts);
   for (std::size_t f = to.parts.front().first_face; f < to.mesh.faces.size(); ++f)
     to.star_shape.edge_on += is_edge_on(to.mesh, to.mesh.faces[f]) ? 1U : 0U;
+}
+
+// Of the ball, mm; none where nothing is a whole bone, or no sphere round the centre fits the ball.
+std::optional<double> head_radius(const Joint& joint) {
+  if (joint.fit) return joint.fit->radius;
+  double nearest = std::numeric_limits<double>::infinity();  // no head has a smaller radius
+  for (const Vec3& x : joint.ball.mesh.vertices) nearest = std::min(nearest, x.norm());
+  if (std::ranges::none_of(std::array{&joint.ball, &joint.socket}, [&](const JointPart* part) {
+        return is_whole_bone(part->mesh, part->star_shape.violating, nearest);
+      }))
+    return std::nullopt;
+  try {
+    const SphereFit fit = fit_ball(joint.ball.mesh);
+    return fit.centre.norm() < fit.radius ? std::optional(fit.radius) : std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+// Leaves of a whole bone its surface of the joint. False if it is said to be a ball and is none: no head
+// closes about the centre.
+bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
+  JointPart& part = of == Surface::ball ? joint.ball : joint.socket;
+  if (!is_whole_bone(part.mesh, part.star_shape.violating, radius)) return true;
+  const std::vector<bool> taken = faces_of_joint(part.mesh, of, radius);
+  const auto faces = static_cast<std::size_t>(std::ranges::count(taken, true));
+  if (faces == 0 || faces == taken.size()) return of == Surface::socket;
+  NamedMesh split = whole;
+  split_bone(split.mesh, split.parts, taken, "rest of " + std::filesystem::path(whole.name).stem().string());
+  TriangleMesh main = relative_to(main_surface(split.mesh, split.parts), joint.centre);
+  const StarShapeReport seen = star_shape(main);
+  if (of == Surface::ball && std::abs(seen.solid_angle) < kHalfOfTheSphere) return false;
+  whole = std::move(split);
+  part.mesh = std::move(main);
+  part.star_shape = seen;
+  part.taken = TakenFaces{faces, taken.size(), kJointEnds * radius};
+  return true;
 }
 
 }  // namespace
@@ -178,9 +219,14 @@ Joint assemble_joint(JointInput input) {
   place_centre(input, joint);
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const bool of_ball = kSurfaces[k] == Surface::ball;
-    (of_ball ? joint.ball : joint.socket) =
-        examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
+    const NamedMesh& whole = of_ball ? ball : socket;
+    JointPart& part = of_ball ? joint.ball : joint.socket;
+    part = examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
+    if (!whole.parts.empty()) part.validation = validate(whole.mesh);
   });
+  const auto radius = head_radius(joint);
+  if (radius && take_surface(Surface::ball, *radius, ball, joint))
+    take_surface(Surface::socket, *radius, socket, joint);
   check_view(input, joint);
   const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
   check_units(input, found, joint);
@@ -200,11 +246,28 @@ Joint without_parts(Joint joint) {
   return joint;
 }
 
+Joint with_whole_socket(Joint joint) {
+  JointPart& socket = joint.socket;
+  if (!socket.taken.has_value()) return joint;
+  NamedMesh whole{"", whole_main(socket.mesh, socket.parts), {}};
+  for (std::size_t k = 0; k < socket.parts.size(); ++k) {
+    if (!socket.parts[k].of_main)
+      append_part(whole.mesh, whole.parts, socket.parts[k].name, part_surface(socket.mesh, socket.parts, k));
+  }
+  socket.mesh = std::move(whole.mesh);
+  socket.parts = std::move(whole.parts);
+  socket.taken.reset();
+  return joint;
+}
+
 void require_no_parts(const Joint& joint, const std::string& what) {
-  if (!joint.has_parts()) return;
-  const std::string& name = (joint.ball.parts.empty() ? joint.socket : joint.ball).parts.front().name;
-  throw std::runtime_error(what + ": bone beside the joint, such as " + name +
-                           ", is not taken into account here; leave it out");
+  for (const JointPart* bone : {&joint.ball, &joint.socket}) {
+    for (const MeshPart& part : bone->parts) {
+      if (part.of_main) continue;
+      throw std::runtime_error(what + ": bone beside the joint, such as " + part.name +
+                               ", is not taken into account here; leave it out");
+    }
+  }
 }
 
 void use_frames(Joint& joint, const AnatomicalFrames& frames) {

@@ -18,12 +18,20 @@
 
 namespace impinge {
 
+/// What was taken of a whole bone (hip/whole_bone.hpp) as the surface of the joint.
+struct TakenFaces {
+  std::size_t faces = 0;   // taken
+  std::size_t of = 0;      // faces of the bone
+  double within_mm = 0.0;  // of the centre
+};
+
 /// One surface of a joint, and what was found out about it.
 struct JointPart {
   TriangleMesh mesh;            // centre frame, mm
   std::vector<MeshPart> parts;  // of the mesh, behind its main surface
-  MeshReport validation;        // what is wrong with the mesh
+  MeshReport validation;        // what is wrong with the mesh, as it was given
   StarShapeReport star_shape;   // is the main surface star-shaped about the centre? `edge_on` is of the mesh
+  std::optional<TakenFaces> taken{};  // if the mesh is a whole bone: the main surface is these of its faces
 };
 
 struct Joint {
@@ -67,19 +75,24 @@ struct JointInput {
   JointWording wording;        // of messages
 };
 
-/// Puts both meshes into the centre frame and examines them. std::runtime_error, one line with the name of
-/// the mesh and what to do, if one mesh is given for both, no sphere fits the ball, the centre is outside of
-/// the ball, no ray from the centre meets the socket, the two are swapped (arrangement.hpp), or one of them
-/// is in another unit of length (length_unit.hpp). Warnings are given for a size that no human joint has in
-/// mm, a socket lateral to the ball (left and right mixed up) or far from it, a ball that is only a cap, and
-/// faulty faces. All but the last are checked on the main surfaces alone.
+/// Puts both meshes into the centre frame and examines them. Of a whole bone the faces of the joint become
+/// the main surface, in the order that they had, and the rest its first part (whole_bone.hpp), unless it has
+/// none or a centre that is given lies outside of the sphere that fits the ball. std::runtime_error, one line
+/// with the name of the mesh and what to do, if one mesh is given for both, no sphere fits the ball, the
+/// centre is outside of the ball, no ray from the centre meets the socket, the two are swapped
+/// (arrangement.hpp), or one of them is in another unit of length (length_unit.hpp). Warnings are given for a
+/// size that no human joint has in mm, a socket lateral to the ball (left and right mixed up) or far from it,
+/// a ball that is only a cap, and faulty faces. All but the last are checked on the main surfaces alone.
 Joint assemble_joint(JointInput input);
 
 /// The joint without its parts of bone.
 Joint without_parts(Joint joint);
 
-/// std::runtime_error, one line, if the joint has parts of bone beside it; `what` names the question that
-/// takes only the main surfaces into account.
+/// The joint with the socket's main surface as whole as it was given.
+Joint with_whole_socket(Joint joint);
+
+/// std::runtime_error, one line, if the joint has parts of bone that were given beside it; `what` names the
+/// question that takes only the main surfaces into account.
 void require_no_parts(const Joint& joint, const std::string& what);
 
 /// Makes the pelvic frame the joint frame. If `frames` has a femur, the ball's mesh is turned to be aligned

@@ -34,8 +34,8 @@ struct BallFitOptions {
   unsigned seed = 1;              // of the choice of trial spheres
 };
 
-/// Centre of a ball whose mesh may hold more than the ball, such as a whole femur; also of a socket with its
-/// rim and fossa. The thesis cut the region by hand (Figure 38); here
+/// Centre of a ball whose mesh may hold more than the ball, such as a whole femur; also of a socket of one
+/// wall, with its rim and fossa. The thesis cut the region by hand (Figure 38); here
 ///   1. trial spheres go through four vertices, or through two with their normals. The one wins of whose own
 ///      area the largest share is covered by vertices that lie on it with a normal along the radius; so a
 ///      large sphere that only a few bumps touch does not win;
@@ -44,6 +44,11 @@ struct BallFitOptions {
 ///      hardly changes), until these vertices stay the same.
 /// Deterministic. std::invalid_argument as for fit_sphere().
 SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options = {});
+
+/// Centre of a socket: fit_ball() of the faces that are 0.8 to 1.5 radii of the head away from its centre and
+/// look to it, since a wall has an outer side, about nearly the same centre, and a whole pelvis has more.
+/// Both in one frame. std::invalid_argument as for fit_sphere(), or if no face is so.
+SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const BallFitOptions& options = {});
 
 /// The deviation map of Figures 38 and 39: distance of each vertex from the sphere, positive outside of it,
 /// mm.

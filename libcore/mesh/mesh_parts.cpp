@@ -19,6 +19,11 @@ TriangleMesh between(const TriangleMesh& mesh, const MeshPart& from, const MeshP
   return part;
 }
 
+// What ends where a part begins, or with the mesh.
+TriangleMesh up_to(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {
+  return k < parts.size() ? between(mesh, {}, parts[k]) : mesh;
+}
+
 }  // namespace
 
 void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::string& name,
@@ -33,7 +38,7 @@ void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::st
 }
 
 TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
-  return parts.empty() ? mesh : between(mesh, {}, parts.front());
+  return up_to(mesh, parts, 0);
 }
 
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {
@@ -57,15 +62,18 @@ std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<cons
   return surfaces;
 }
 
-std::optional<TriangleMesh> whole_bone(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
-  const std::size_t rest = rests(parts);
-  if (rest == 0) return std::nullopt;
-  return weld(main_surface(mesh, parts.subspan(rest)));
+TriangleMesh whole_main(const TriangleMesh& mesh, std::span<const MeshPart> parts) {
+  const std::size_t k = rests(parts);
+  return k == 0 ? main_surface(mesh, parts) : weld(up_to(mesh, parts, k));
+}
+
+static std::optional<TriangleMesh> whole_bone(const MeshWithParts& of) {
+  return rests(of.parts) == 0 ? std::nullopt : std::optional(whole_main(of.mesh, of.parts));
 }
 
 BoneParts bone_parts(const MeshWithParts& ball, const MeshWithParts& socket) {
   return {part_surfaces(ball.mesh, ball.parts), part_surfaces(socket.mesh, socket.parts),
-          whole_bone(ball.mesh, ball.parts), whole_bone(socket.mesh, socket.parts)};
+          whole_bone(ball), whole_bone(socket)};
 }
 
 }  // namespace impinge

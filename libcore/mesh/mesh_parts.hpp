@@ -18,7 +18,8 @@ struct MeshPart {
   std::string name;              // in words, such as "greater trochanter"
   std::size_t first_vertex = 0;  // places in the mesh
   std::size_t first_face = 0;    // the same of its faces
-  bool of_main = false;          // the rest of the bone that the main surface is of; such parts come first
+  bool of_main = false;          // goes on from the main surface, with which it is one bone: they share the
+                                 // places of the vertices between them. Such parts come first
 };
 
 /// Appends a part to a mesh and to its list of parts.
@@ -27,6 +28,9 @@ void append_part(TriangleMesh& mesh, std::vector<MeshPart>& parts, const std::st
 
 /// The mesh without its parts. Spheres, rims, axes and measures are those of this surface.
 TriangleMesh main_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts);
+
+/// The main surface with the parts that go on from it, as one mesh again (weld.hpp).
+TriangleMesh whole_main(const TriangleMesh& mesh, std::span<const MeshPart> parts);
 
 /// Part k of the mesh.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
@@ -44,9 +48,6 @@ struct BoneParts {
 };
 /// All parts of a mesh but those of the main bone.
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);
-/// The main surface with the rest of its bone, welded; nothing if it has none.
-std::optional<TriangleMesh> whole_bone(const TriangleMesh& mesh, std::span<const MeshPart> parts);
-
 struct MeshWithParts {
   const TriangleMesh& mesh;
   std::span<const MeshPart> parts;

@@ -27,14 +27,23 @@ Key key_of(const Vec3& v) {  // adding 0 turns -0 into 0
 
 }  // namespace
 
+std::vector<VertexIndex> first_at_place(const std::vector<Vec3>& vertices) {
+  std::vector<VertexIndex> first;
+  std::unordered_map<Key, VertexIndex, KeyHash> kept;
+  for (const Vec3& v : vertices) {
+    const auto own = static_cast<VertexIndex>(first.size());
+    first.push_back(v.hasNaN() ? own : kept.emplace(key_of(v), own).first->second);
+  }
+  return first;
+}
+
 TriangleMesh weld(const TriangleMesh& mesh) {
   TriangleMesh welded;
-  std::vector<VertexIndex> map;
-  std::unordered_map<Key, VertexIndex, KeyHash> kept;
-  for (const Vec3& v : mesh.vertices) {
-    const auto next = static_cast<VertexIndex>(welded.vertices.size());
-    map.push_back(v.hasNaN() ? next : kept.emplace(key_of(v), next).first->second);
-    if (map.back() == next) welded.vertices.push_back(v);
+  std::vector<VertexIndex> map = first_at_place(mesh.vertices);
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    const bool kept = map[v] == v;
+    map[v] = kept ? static_cast<VertexIndex>(welded.vertices.size()) : map[map[v]];
+    if (kept) welded.vertices.push_back(mesh.vertices[v]);
   }
   for (const Face& face : mesh.faces) {
     const Face moved{map.at(face[0]), map.at(face[1]), map.at(face[2])};

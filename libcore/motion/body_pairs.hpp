@@ -77,8 +77,8 @@ class BodyPairs {
 
   /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
   bool has_inside() const { return !radial_; }
-  /// Has the mesh of the ball's bone an opening?
-  bool ball_ends() const { return !ball_[0]->openings.empty(); }
+  /// Does the ball's mesh end where its bone goes on?
+  bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
   /// Are any in contact? Exact, for the ball's vertices as the pose rounds them.
   Verdict verdict(const Pose& pose) const;
   /// The same without the rule of radii: for what a motion from a clear pose comes to.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include <pybind11/stl.h>
@@ -33,11 +34,25 @@ Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py
   return Floats(given);
 }
 
+// The gaps of all poses, one row each.
+struct GapRows {
+  explicit GapRows(Floats& gaps)
+      : first(gaps.mutable_data()), width(static_cast<std::size_t>(gaps.shape(1))) {}
+  // Those of the main surface, which has `of_main` vertices; parts behind it have none.
+  std::span<float> main(std::size_t pose, std::size_t of_main) const {
+    const std::span<float> row(first + pose * width, width);
+    std::ranges::fill(row.subspan(of_main), std::numeric_limits<float>::quiet_NaN());
+    return row.first(of_main);
+  }
+  float* first;
+  std::size_t width;
+};
+
 template <class Table>
-void scan_all(const PackedJoint<Table>& packed, const std::vector<Pose>& poses, float* ball, float* socket) {
-  const std::size_t width[] = {packed.ball.size(), packed.socket.size()};
+void scan_all(const PackedJoint<Table>& packed, const std::vector<Pose>& poses, const GapRows& ball,
+              const GapRows& socket) {
   without_lock(poses.size(), [&](std::size_t k) {
-    scan_joint(packed, poses[k], {ball + k * width[0], width[0]}, {socket + k * width[1], width[1]});
+    scan_joint(packed, poses[k], ball.main(k, packed.ball.size()), socket.main(k, packed.socket.size()));
   });
 }
 
@@ -46,20 +61,20 @@ py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<do
   const std::vector<Pose> poses = poses_of(joint.joint(), given);
   Floats ball = gap_array(joint, Surface::ball, poses.size(), out ? out->first : py::none());
   Floats socket = gap_array(joint, Surface::socket, poses.size(), out ? out->second : py::none());
-  float* const ball_gap = ball.mutable_data();
-  float* const socket_gap = socket.mutable_data();
+  const GapRows ball_gaps(ball);
+  const GapRows socket_gaps(socket);
   if (precision_deg) {
     const auto make = [&]() -> const PackedJoint<PoseTable>& {
       const py::gil_scoped_release released;
       return joint.tables(*precision_deg);
     };
-    scan_all(make(), poses, ball_gap, socket_gap);
+    scan_all(make(), poses, ball_gaps, socket_gaps);
   } else {
     const auto make = [&]() -> const PackedJoint<ExactCells>& {
       const py::gil_scoped_release released;
       return joint.cells();
     };
-    scan_all(make(), poses, ball_gap, socket_gap);
+    scan_all(make(), poses, ball_gaps, socket_gaps);
   }
   return py::make_tuple(ball, socket);
 }

@@ -16,9 +16,9 @@ PoseTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
 
 const PackedJoint<ExactCells>& PoseJoint::cells() {
   const std::scoped_lock lock(busy_);
-  const TriangleMesh& ball = joint().joint.ball.mesh;
-  const TriangleMesh& socket = joint().joint.socket.mesh;
   if (!cells_) {
+    const TriangleMesh ball = joint().main(Surface::ball);
+    const TriangleMesh socket = joint().main(Surface::socket);
     cells_ = std::make_unique<const PackedJoint<ExactCells>>(
         packed_joint(exact_cells(ball, facing_layer(Surface::ball)),
                      exact_cells(socket, facing_layer(Surface::socket)), ball, socket));
@@ -28,10 +28,10 @@ const PackedJoint<ExactCells>& PoseJoint::cells() {
 
 const PackedJoint<PoseTable>& PoseJoint::tables(double precision_deg) {
   const std::scoped_lock lock(busy_);
-  const TriangleMesh& ball = joint().joint.ball.mesh;
-  const TriangleMesh& socket = joint().joint.socket.mesh;
   auto& made = tables_[precision_deg];
   if (!made) {
+    const TriangleMesh ball = joint().main(Surface::ball);
+    const TriangleMesh socket = joint().main(Surface::socket);
     made = std::make_unique<const PackedJoint<PoseTable>>(
         packed_joint(filled(ball, Surface::ball, precision_deg),
                      filled(socket, Surface::socket, precision_deg), ball, socket));

@@ -66,6 +66,8 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
              {"landmarks", landmarks_json(options, joint)},
              {"question", question_name(options)},
              {"warnings", joint.warnings}};
+  add_taken(joint.ball, asked["ball"]);
+  add_taken(joint.socket, asked["socket"]);
   if (!options.ball_parts.empty()) asked["ball"]["parts"] = names_of(options.ball_parts);
   if (!options.socket_parts.empty()) asked["socket"]["parts"] = names_of(options.socket_parts);
   if (options.many()) {
@@ -88,6 +90,11 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
     asked["max_error_mm"] = options.max_error_mm ? json(*options.max_error_mm) : json(nullptr);
   }
   return asked;
+}
+
+void add_taken(const JointPart& part, json& found) {
+  const auto& taken = part.taken;
+  if (taken) found["taken"] = {{"faces", taken->faces}, {"of", taken->of}, {"within_mm", taken->within_mm}};
 }
 
 void add_part_names(const Joint& joint, const std::string& ball, const std::string& socket, json& found) {

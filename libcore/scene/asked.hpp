@@ -18,6 +18,9 @@ namespace impinge {
 /// what was not given.
 nlohmann::json asked_json(const SceneOptions& options, const Joint& joint);
 
+/// Adds to `found` what of a whole bone was taken as the surface of the joint, if the mesh is one.
+void add_taken(const JointPart& part, nlohmann::json& found);
+
 /// Adds to `found` the names of the parts that stop a motion (mesh/mesh_parts.hpp), as ball_part and
 /// socket_part: null for the main surface, no key if the joint has no parts on that side.
 void add_part_names(const Joint& joint, const std::string& ball, const std::string& socket,

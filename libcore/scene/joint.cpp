@@ -71,6 +71,21 @@ Session load_joint(const SceneOptions& options) {
   return {std::move(joint), options.side, axes};
 }
 
+std::string describe_taken(const SceneOptions& options, const Joint& joint) {
+  std::string text;
+  for (const Surface of : kSurfaces) {
+    const bool ball = of == Surface::ball;
+    const auto& taken = (ball ? joint.ball : joint.socket).taken;
+    if (!taken) continue;
+    text +=
+        formatted("%-20s%zu of %zu faces of %s, within %.1f mm of the centre%s; the rest counts as bone\n",
+                  name(of).data(), taken->faces, taken->of,
+                  (ball ? options.ball : options.socket).filename().string().c_str(), taken->within_mm,
+                  ball ? "" : " and looking to it");
+  }
+  return text;
+}
+
 std::string describe_frames(const SceneOptions& options, const Joint& joint) {
   std::string text;
   if (!options.axes_given && joint.axes != options.axes)

@@ -14,6 +14,9 @@ namespace impinge {
 /// FileError for a file that cannot be used; otherwise throws as assemble_joint(), with the files' names.
 Session load_joint(const SceneOptions& options);
 
+/// A line for each whole bone: what of it was taken as the surface of the joint.
+std::string describe_taken(const SceneOptions& options, const Joint& joint);
+
 /// Lines on how the frames were found, where not by --axes alone.
 std::string describe_frames(const SceneOptions& options, const Joint& joint);
 

@@ -14,22 +14,24 @@ namespace {
 
 using nlohmann::json;
 
-json part_json(const std::filesystem::path& file, const JointPart& part, const SurfaceAnswer& found) {
+json part_json(const std::filesystem::path& file, const JointPart& part, std::size_t met) {
   const MeshReport& mesh = part.validation;
   const StarShapeReport& star = part.star_shape;
-  return {{"file", file.string()},
-          {"vertices", mesh.vertices},
-          {"faces", mesh.faces},
-          {"boundary_edges", mesh.boundary_edges},
-          {"non_manifold_edges", mesh.non_manifold_edges},
-          {"degenerate_faces", mesh.degenerate_faces},
-          {"duplicate_faces", mesh.duplicate_faces},
-          {"flipped_faces", mesh.flipped_faces},
-          {"components", mesh.components},
-          {"star_shaped", star.star_shaped},
-          {"directions_covered", star.covered},
-          {"directions_met_more_than_once", star.violating},
-          {"vertices_that_meet_the_other_surface", found.all.met}};
+  json found{{"file", file.string()},
+             {"vertices", mesh.vertices},
+             {"faces", mesh.faces},
+             {"boundary_edges", mesh.boundary_edges},
+             {"non_manifold_edges", mesh.non_manifold_edges},
+             {"degenerate_faces", mesh.degenerate_faces},
+             {"duplicate_faces", mesh.duplicate_faces},
+             {"flipped_faces", mesh.flipped_faces},
+             {"components", mesh.components},
+             {"star_shaped", star.star_shaped},
+             {"directions_covered", star.covered},
+             {"directions_met_more_than_once", star.violating},
+             {"vertices_that_meet_the_other_surface", met}};
+  add_taken(part, found);
+  return found;
 }
 
 json outputs_json(const PoseOutputs& outputs) {
@@ -160,8 +162,8 @@ nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, c
   const bool map = read.cartilage.has_value();
   const GapHistogram bins;
   json report = asked_json(options, read);
-  report.update({{"ball", part_json(options.ball, read.ball, found.ball)},
-                 {"socket", part_json(options.socket, read.socket, found.socket)},
+  report.update({{"ball", part_json(options.ball, read.ball, found.ball.all.met)},
+                 {"socket", part_json(options.socket, read.socket, found.socket.all.met)},
                  {"outputs", outputs_json(options.outputs)},
                  // null for 0: of the faces.
                  {"precision_deg", found.precision_deg > 0.0 ? json(found.precision_deg) : json(nullptr)},

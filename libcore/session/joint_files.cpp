@@ -26,11 +26,13 @@ std::string gaps_csv(const SessionJoint& joint, const PoseAnswer& found) {
 
 std::string distances_csv(const PoseAnswer& found) {
   Table table;
-  table.columns = {{"surface", "", "ball or socket"},
-                   {"vertex", "1", "index in the input mesh after welding"},
-                   {"gap_mm", "mm", "radial, as in gaps.csv"},
-                   {"distance_lower_mm", "mm", "Euclidean distance from the other surface, lower end"},
-                   {"distance_upper_mm", "mm", "upper end"}};
+  table.columns = {
+      {"surface", "", "ball or socket"},
+      {"vertex", "1",
+       "place in ball.ply or socket.ply: that of the input mesh after welding, unless it is a whole bone"},
+      {"gap_mm", "mm", "radial, as in gaps.csv"},
+      {"distance_lower_mm", "mm", "Euclidean distance from the other surface, lower end"},
+      {"distance_upper_mm", "mm", "upper end"}};
   for (const Surface surface : kSurfaces) {
     const SurfaceAnswer& of = found.of(surface);
     for (std::size_t i = 0; i < of.distance.size(); ++i)

@@ -7,8 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "hip/sphere_fit.hpp"
 #include "mesh/mesh_parts.hpp"
+#include "mesh/triangle_distance.hpp"
 #include "session/volume.hpp"
 
 namespace impinge {
@@ -18,64 +21,96 @@ double largest_of(const LimitRequest& request) {
   return std::min(request.largest_deg, largest_growth(request.start, motion_name(request.growing)));
 }
 
-// The dial is about the socket's centre, the contact about the centre of the turn.
-LimitAnswer answered(const SessionJoint& joint, const char* about, const Vec3& centre, ToldLimit told) {
-  LimitAnswer limit{about, joint.joint.centre + centre, std::move(told), std::nullopt, "", ""};
-  if (limit.told.limit.contact && joint.dial)
-    limit.hours = joint.dial->hours(limit.told.limit.contact->place + joint.axes * joint.shift);
+
+// The main surface of a bone that goes on is named nothing, the rest of the bone by its part.
+std::string name_at(const TriangleMesh& mesh, const std::vector<MeshPart>& parts, std::size_t body,
+                    const Vec3& place) {
+  if (body > 0 || parts.empty() || !parts.front().of_main) return body_name(parts, body);
+  const auto nearest = [&](std::size_t from, std::size_t to) {
+    double least = HUGE_VAL;
+    for (std::size_t f = from; f < to; ++f) {
+      const auto [a, b, c] = corners_of(mesh, mesh.faces[f]);
+      least = std::min(least, squared_distance_to_triangle(place, a, b, c));
+    }
+    return least;
+  };
+  const std::size_t rest = parts.front().first_face;
+  const std::size_t end = parts.size() > 1 ? parts[1].first_face : mesh.faces.size();
+  return nearest(0, rest) <= nearest(rest, end) ? "" : parts.front().name;
+}
+
+// The dial is about the joint's centre, the contact about the centre of the turn.
+LimitAnswer answered(const SessionJoint& joint, const char* about, const CentredLimits& centred,
+                     const JointTurn& turn, double threshold, double largest) {
+  LimitAnswer limit{about,        joint.joint.centre + joint.axes.transpose() * centred.centre,
+                    told_limit(centred.limits, turn, threshold, largest),
+                    std::nullopt, "",
+                    ""};
+  const auto& contact = limit.told.limit.contact;
+  if (!contact) return limit;
+  if (joint.dial) limit.hours = joint.dial->hours(contact->place + centred.centre);
+  const Eigen::Matrix3d rotation =
+      turn.outer * Eigen::AngleAxisd(contact->angle, turn.axis).toRotationMatrix() * turn.inner;
+  limit.ball_part = name_at(centred.meshes.ball, joint.joint.ball.parts, contact->body[0],
+                            rotation.transpose() * contact->place);
+  limit.socket_part =
+      name_at(centred.meshes.socket, joint.joint.socket.parts, contact->body[1], contact->place);
   return limit;
 }
 
-void name_parts(const Joint& joint, LimitAnswer& limit) {
-  if (!limit.told.limit.contact) return;
-  limit.ball_part = body_name(joint.ball.parts, limit.told.limit.contact->body[0]);
-  limit.socket_part = body_name(joint.socket.parts, limit.told.limit.contact->body[1]);
-}
-
-TurnLimits limits_of(const Joint& joint, const TriangleMesh& ball, const TriangleMesh& socket) {
-  return TurnLimits({main_surface(ball, joint.ball.parts), main_surface(socket, joint.socket.parts)},
-                    bone_parts({ball, joint.ball.parts}, {socket, joint.socket.parts}));
-}
-
 // The centre of the socket, in the joint frame; none where no sphere fits it.
-std::optional<Vec3> centre_of(const TriangleMesh& socket) {
+std::optional<Vec3> socket_centre(const Joint& joint, const BallSocketPair& meshes) {
   try {
-    return fit_ball(socket).centre;
+    return fit_socket(main_surface(meshes.socket, joint.socket.parts),
+                      fit_ball(main_surface(meshes.ball, joint.ball.parts)))
+        .centre;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
 }
 
+// Of the joint's own meshes about the centre of the ball, and about that of the socket where it has one.
+void make_limits(Session& session, bool about_socket) {
+  const SessionJoint& joint = *session.joint;
+  if (!session.limits) {
+    session.limits = std::make_unique<CentredLimits>(
+        joint.joint,
+        BallSocketPair{in_joint_frame(joint, joint.mesh(Surface::ball)),
+                       in_joint_frame(joint, joint.mesh(Surface::socket))},
+        joint.axes * joint.shift);
+  }
+  if (!about_socket || session.socket_limits || session.no_socket_centre) return;
+  const BallSocketPair& meshes = session.limits->meshes;
+  const std::optional<Vec3> centre = socket_centre(joint.joint, meshes);
+  session.no_socket_centre = !centre;
+  if (!centre) return;
+  session.socket_limits = std::make_unique<CentredLimits>(
+      joint.joint,
+      BallSocketPair{relative_to(meshes.ball, *centre), relative_to(meshes.socket, *centre)}, *centre);
+}
+
 }  // namespace
 
+CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre)
+    : meshes(std::move(about)),
+      centre(from_centre),
+      limits({main_surface(meshes.ball, joint.ball.parts), main_surface(meshes.socket, joint.socket.parts)},
+             bone_parts({meshes.ball, joint.ball.parts}, {meshes.socket, joint.socket.parts})) {}
+
 LimitAnswers answer_limits(Session& session, const LimitRequest& request) {
-  const MotionName& growing = motion_name(request.growing);
   const double largest = largest_of(request);
   shift_ball(session, request.translation);
+  const bool shifted = !request.translation.isZero(0.0);
+  make_limits(session, !shifted);
   const SessionJoint& joint = *session.joint;
-  const JointTurn turn = joint_turn(request.start, growing, joint.side);
-  const TriangleMesh ball = in_joint_frame(joint, joint.mesh(Surface::ball));
-  const TriangleMesh seen = in_joint_frame(joint, joint.mesh(Surface::socket));
-  if (!session.limits) session.limits = std::make_unique<TurnLimits>(limits_of(joint.joint, ball, seen));
-  const auto about_ball = [&](double threshold) {
-    LimitAnswer limit =
-        answered(joint, "ball", joint.shift, told_limit(*session.limits, turn, threshold, largest));
-    name_parts(joint.joint, limit);
-    return limit;
-  };
-  const LimitAnswer contact = about_ball(0.0);
-  LimitAnswers answer{largest, contact, std::nullopt,
-                      request.cartilage_mm > 0.0 ? about_ball(request.cartilage_mm) : contact};
-  if (!request.translation.isZero(0.0)) return answer;
-  const TriangleMesh socket = in_joint_frame(joint, joint.joint.socket.mesh);
-  const std::optional<Vec3> centre = centre_of(main_surface(socket, joint.joint.socket.parts));
-  if (!centre) return answer;
-  const TriangleMesh about_socket = relative_to(socket, *centre);
-  if (!session.socket_limits)
-    session.socket_limits = std::make_unique<TurnLimits>(limits_of(joint.joint, ball, about_socket));
-  answer.socket = answered(joint, "socket", joint.axes.transpose() * *centre,
-                           told_limit(*session.socket_limits, turn, 0.0, largest));
-  name_parts(joint.joint, *answer.socket);
+  const JointTurn turn = joint_turn(request.start, motion_name(request.growing), joint.side);
+  const LimitAnswer contact = answered(joint, "ball", *session.limits, turn, 0.0, largest);
+  const double threshold = request.cartilage_mm;
+  LimitAnswers answer{
+      largest, contact, std::nullopt,
+      threshold > 0.0 ? answered(joint, "ball", *session.limits, turn, threshold, largest) : contact};
+  if (!shifted && session.socket_limits)
+    answer.socket = answered(joint, "socket", *session.socket_limits, turn, 0.0, largest);
   return answer;
 }
 

@@ -240,15 +240,19 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
 QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
   if (joint.joint.has_parts() && asked.question != Question::touch)
     return answer_question(*without_parts(joint).joint, asked);
-  if (asked.by_tables() || !asked.scan_ball || !asked.scan_socket)
-    require_no_parts(joint.joint, "touch of vertices");
+  const bool of_vertices = asked.by_tables() || !asked.scan_ball || !asked.scan_socket;
   QuestionAnswer found;
+  if (joint.joint.has_parts() && of_vertices) {
+    found = answer_question(*without_parts(joint).joint, asked);
+    found.answer.touches.front() = found.answer.touches.front() || joint.bodies().meet(found.pose);
+    return found;
+  }
   found.pose = pose_of(joint, asked.motion);
   Stopwatch watch;
   if (asked.by_tables()) {
     found.way = kPartialTables;
     found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
-  } else if (asked.question == Question::touch && asked.scan_ball && asked.scan_socket) {
+  } else if (asked.question == Question::touch && !of_vertices) {
     found.way = kExactSigns;
     found.contact = joint.bodies().verdict(found.pose);
     found.answer.touches = {found.contact->contact == Contact::yes};

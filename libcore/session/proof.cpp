@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/proof.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -69,8 +70,12 @@ ClearanceProof prove_with_parts(const Joint& joint, const Joint& main, const Pos
   return proof;
 }
 
+// The rest of a whole bone is in the file of its main surface.
 std::array<std::size_t, 2> bodies_of(const Joint& joint) {
-  return {1 + joint.ball.parts.size(), 1 + joint.socket.parts.size()};
+  const auto files = [](const JointPart& part) {
+    return 1 + static_cast<std::size_t>(std::ranges::count(part.parts, false, &MeshPart::of_main));
+  };
+  return {files(joint.ball), files(joint.socket)};
 }
 
 }  // namespace

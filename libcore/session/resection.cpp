@@ -215,7 +215,7 @@ void reach(const SessionJoint& joint, const TriangleMesh& other, const BoneParts
     const double farthest =
         std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
     reached.after = after.first_contact(leg.turn, farthest);
-    require_whole_ball(reached);
+    if (!joint.joint.ball.taken) require_whole_ball(reached);  // else the rest of it is a part
     if (reached.after.low_deg >= leg.largest_deg) continue;
     require_no_part_in_the_way(joint.joint, reached);
     throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
@@ -236,6 +236,10 @@ void nest(CutSize& inner, CutSize& outer) {
 
 ResectionAnswer answer_resection(Session& session, const ResectionRequest& request) {
   const SessionJoint& joint = *session.joint;
+  if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
+    Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);
+    return answer_resection(whole, request);
+  }
   const std::vector<RequiredLeg> legs = required_legs(request.required, joint.side);
   if (legs.empty()) throw std::runtime_error("no motion is required");
   const bool of_ball = request.cut == Surface::ball;

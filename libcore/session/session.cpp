@@ -55,6 +55,7 @@ void use(Session& session, std::unique_ptr<SessionJoint> joint) {
   session.joint = std::move(joint);
   session.limits.reset();
   session.socket_limits.reset();
+  session.no_socket_centre = false;
 }
 
 }  // namespace
@@ -93,8 +94,8 @@ void SessionJoint::shift_to(const Vec3& to) {
 
 const NearFaces& SessionJoint::faces(Surface of) {
   auto& made = faces_[of == Surface::ball ? 0 : 1];
-  if (!made) made = std::make_unique<NearFaces>(mesh(of), 0.0);
-  return *made;
+  if (!made) made = std::make_unique<const MainFaces>(main(of));
+  return made->faces;
 }
 
 const BodyPairs& SessionJoint::bodies() {
@@ -151,12 +152,11 @@ void measure_tables(Session& session) {
 void bound_tables(Session& session) {
   SessionTables& tables = session.tables;
   const SessionJoint& joint = *session.joint;
-  require_no_parts(joint.joint, "bounds");
   if (!tables.ball_bounds)
-    tables.ball_bounds = tables.ball->bounds(tables.settings, joint.mesh(Surface::ball), Layer::farthest);
+    tables.ball_bounds = tables.ball->bounds(tables.settings, joint.main(Surface::ball), Layer::farthest);
   if (!tables.socket_bounds)
     tables.socket_bounds =
-        tables.socket->bounds(tables.settings, joint.mesh(Surface::socket), Layer::nearest);
+        tables.socket->bounds(tables.settings, joint.main(Surface::socket), Layer::nearest);
 }
 
 double whole_bound(const SessionTables& tables) {

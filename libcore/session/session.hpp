@@ -58,7 +58,7 @@ struct SessionJoint {
   }
   /// The bodies of the joint about the centre of the ball; made when first asked for.
   const BodyPairs& bodies();
-  /// The faces of a surface, for gap/measured_gap.hpp; made when first asked for.
+  /// The faces of a main surface, for gap/measured_gap.hpp; made when first asked for.
   const NearFaces& faces(Surface of);
 
   Joint joint;                                         // as it was put together
@@ -74,7 +74,12 @@ struct SessionJoint {
   std::array<std::unique_ptr<const ScannedVertices>, 2> probes;
 
  private:
-  std::array<std::unique_ptr<const NearFaces>, 2> faces_;
+  struct MainFaces {
+    explicit MainFaces(TriangleMesh main) : mesh(std::move(main)), faces(mesh, 0.0) {}
+    TriangleMesh mesh;
+    NearFaces faces;
+  };
+  std::array<std::unique_ptr<const MainFaces>, 2> faces_;
   std::unique_ptr<const BodyPairs> bodies_;
 };
 
@@ -92,6 +97,15 @@ struct SessionTables {
   std::unique_ptr<SurfaceBounds> socket_bounds;  // the same
 };
 
+/// Turns of a joint about one centre, which the meshes are about, in the axes of the joint frame.
+struct CentredLimits {
+  CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre);
+
+  BallSocketPair meshes;  // mm
+  Vec3 centre;            // mm from the joint's
+  TurnLimits limits;
+};
+
 /// One joint with all that was worked out about it.
 struct Session {
   Session() = default;  // no joint yet
@@ -102,8 +116,9 @@ struct Session {
   std::unique_ptr<SessionJoint> joint;  // none yet after Session()
   SessionTables tables;                 // filled where fill_tables() or use_*() has
   /// Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
-  std::unique_ptr<TurnLimits> limits;
-  std::unique_ptr<TurnLimits> socket_limits;
+  std::unique_ptr<CentredLimits> limits;
+  std::unique_ptr<CentredLimits> socket_limits;
+  bool no_socket_centre = false;  // no sphere fits the socket
 };
 
 /// Replaces the joint by a hip made from parameters, with tables of the present settings.
@@ -121,8 +136,7 @@ void shift_ball(Session& session, const Vec3& shift);
 /// meshes, where the exact radius has its kinks. Faster when called again for the same joint.
 void measure_tables(Session& session);
 
-/// Proves bounds for both tables, unless they have some. May take some seconds. std::runtime_error for a
-/// joint with parts of bone.
+/// Proves bounds for both tables, unless they have some. May take some seconds.
 void bound_tables(Session& session);
 
 /// The larger of both tables' bounds over all directions, mm; call bound_tables() before.

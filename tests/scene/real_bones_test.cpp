@@ -103,6 +103,24 @@ TEST(RealBones, CentreIsFoundInTheWholeFemur) {
   }
 }
 
+// Of both whole bones as much is taken as was cut out by hand: the faces of acetabulum_facing.ply are within
+// 1.45 head radii, ours within 1.5.
+TEST(RealBones, TheJointIsFoundInWholeBones) {
+  for (const fs::path& hip : hips()) {
+    if (!fs::exists(hip / "femur.ply") || !fs::exists(hip / "pelvis.ply")) continue;
+    SceneOptions options = options_of(hip);
+    options.ball = hip / "femur.ply";
+    options.socket = hip / "pelvis.ply";
+    const Session whole = load_joint(options);
+    const Joint& joint = whole.joint->joint;
+    const auto facing = static_cast<double>(read_mesh(hip / "acetabulum_facing.ply").faces.size());
+    EXPECT_NEAR(static_cast<double>(joint.socket.taken.value().faces), facing, 0.02 * facing) << hip;
+    EXPECT_GT(joint.ball.star_shape.solid_angle, 0.9 * 4.0 * kPi) << hip;
+    EXPECT_LT(joint.ball.star_shape.violating, 0.001) << hip;
+    EXPECT_LT(joint.socket.star_shape.violating, 0.001) << hip;
+  }
+}
+
 // Shares of directions that the description counted with its own rays.
 TEST(RealBones, CoverageIsThatOfTheDescription) {
   for (const fs::path& hip : hips()) {

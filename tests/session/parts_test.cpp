@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -338,17 +337,23 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const std::string cure =
       ": bone beside the joint, such as greater trochanter, is not taken into account here; leave it out";
-  const auto refused = [&](const std::string& what, const std::function<void()>& ask) {
-    EXPECT_EQ(test::thrown<std::runtime_error>(ask), what + cure);
-  };
-  refused("touch of vertices", [&] {
+  EXPECT_EQ(test::thrown<std::runtime_error>(
+                [&] { answer_resection(session, requiring("flexion=60", /*least=*/true)); }),
+            "the least cut of all" + cure);
+}
+
+// The vertices of one surface, and parts all the same.
+TEST(Parts, StopATouchOfVertices) {
+  const Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  for (const double turn : {0.0, 55.0}) {
     PoseQuestion asked;
     asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0, .internal_rotation = turn};
+    const bool all = answer_question(*session.joint, asked).answer.touches.front();
     asked.scan_socket = false;
-    answer_question(*session.joint, asked);
-  });
-  refused("the least cut of all",
-          [&] { answer_resection(session, requiring("flexion=60", /*least=*/true)); });
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.front(), all);
+    EXPECT_EQ(all, turn > 0.0);
+  }
 }
 
 }  // namespace

@@ -144,12 +144,13 @@ val tables_reply(const SessionTables& tables) {
 
 val points_reply(const Session& session) {
   const TableSettings& settings = session.tables.settings;
-  const Joint& joint = session.joint->joint;
+  const SessionJoint& joint = *session.joint;
   return object(
       std::pair("entries", static_cast<double>(session.tables.ball->entries())),
-      std::pair("ball", typed_array(sample_points(settings, joint.ball.mesh, Layer::farthest))),
-      std::pair("socket", typed_array(in_socket(sample_points(settings, session.joint->seen, Layer::nearest),
-                                                session.joint->shift))));
+      std::pair("ball", typed_array(sample_points(settings, joint.main(Surface::ball), Layer::farthest))),
+      std::pair("socket",
+                typed_array(in_socket(sample_points(settings, joint.main(Surface::socket), Layer::nearest),
+                                      joint.shift))));
 }
 
 val verdicts_reply(const PoseVerdicts& found) {
