@@ -14,9 +14,11 @@ namespace {
 
 constexpr auto kCells = LeastRadii::kFinest;
 // Of a piece, the radius of a ball round it over its distance:
-constexpr double kNarrow = 2.0 / kCells;  // is not cut
-constexpr double kWide = 0.25;            // counts in all directions, if it cannot be cut
-constexpr int kMostCuts = 16;             // of a triangle, one after the other
+constexpr double kNarrow = 2.0 / kCells;                    // is not cut
+constexpr double kWide = 0.125;                             // counts in all directions, if it cannot be cut
+constexpr int kMostCuts = 16;                               // of a triangle, one after the other
+constexpr std::size_t kCutsOfMesh = std::size_t{1} << 17U;  // and of all
+constexpr std::size_t kCutsOfFace = 2;
 // From the direction of a ball's middle to that of any point in it, over that share: 2 sin(a / 2) / sin(a) is
 // 1 / cos(a / 2), and this for a = 30 degrees.
 constexpr double kLongestChord = 1.04;
@@ -38,7 +40,7 @@ double least_radius(const Triangle& piece, double distance, double radius) {
 // Marks the cells of triangles, cut into pieces that are narrow as the centre sees them.
 class LeastMarks {
  public:
-  explicit LeastMarks(LeastRadii& radii) : radii_(radii) {}
+  LeastMarks(LeastRadii& radii, std::size_t cuts) : radii_(radii), cuts_left_(cuts) {}
 
   void mark(const Triangle& piece, int cuts = 0) {
     const Vec3 middle = (piece[0] + piece[1] + piece[2]) / 3.0;
@@ -81,7 +83,7 @@ class LeastMarks {
   }
 
   LeastRadii& radii_;
-  int cuts_left_ = 1 << 20;
+  std::size_t cuts_left_;
   float everywhere_ = HUGE_VALF;
 };
 
@@ -114,7 +116,7 @@ LeastRadii::LeastRadii(const FaceRuns& surface) {
   for (std::size_t level = 0; level < kLevels; ++level)
     first[level + 1] = first[level] + static_cast<std::uint32_t>(cube(level));
   square.assign(first.back() + 1, HUGE_VALF);
-  LeastMarks marks(*this);
+  LeastMarks marks(*this, kCutsOfMesh + kCutsOfFace * surface.faces.size());
   for (const Face& f : surface.faces)
     marks.mark({surface.vertices[f[0]], surface.vertices[f[1]], surface.vertices[f[2]]});
   marks.finish();

@@ -18,11 +18,14 @@ constexpr std::size_t kWidth = FaceRuns::kWidth;
 using Lanes = std::array<float, kWidth>;
 using WholeLanes = std::array<std::int32_t, kWidth>;
 
-constexpr float kFloatSlack = 2e-6F;   // of a length: a point, rounded to floats, is moved in them
-constexpr float kSquareSlack = 1e-5F;  // of a square
-constexpr float kGridSlack = 1e-4F;    // of a cell
-constexpr float kTiny = 1e-30F;        // mm^2, of squares that are still precise
-constexpr float kFirst = 1e9F;         // before what is not in a cell of the surface
+constexpr float kFloatSlack = 2e-6F;    // of a length: a point, rounded to floats, is moved in them
+constexpr float kSquareSlack = 1e-5F;   // of a square
+constexpr float kGridSlack = 1e-4F;     // of a cell
+constexpr float kTiny = 1e-30F;         // mm^2, of squares that are still precise
+constexpr float kLongestChord = 1.04F;  // of a ball's radius over its distance: see least_radii.cpp
+constexpr float kChordSlack = 1e-3F;    // of a cell of directions
+constexpr float kUnknown = 1e6F;        // cells: no level has such wide ones
+constexpr float kFirst = 4096.0F;       // before what is not in a cell of the surface
 
 // A block that waits for its turn in a search.
 struct Pending {
@@ -142,48 +145,57 @@ inline float within(float x, float most) {
   return low < most ? low : most;
 }
 
-inline void move_ball(const MovedFaces::Balls& balls, const FloatPose& pose, std::size_t k,
+using FloatPoint = std::array<float, 3>;
+
+inline float dot(const FloatPoint& a, const FloatPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline void find_cell(const FloatPoint& middle, float radius, const FloatPose& pose, std::size_t k,
                       MovedBalls& moved) {
-  const auto& r = pose.rotation;
-  std::array<float, 3> turned;
-  std::array<float, 3> middle;
-  for (std::size_t i = 0; i < 3; ++i) {
-    turned[i] = r[i][0] * balls.x[k] + r[i][1] * balls.y[k] + r[i][2] * balls.z[k];
-    middle[i] = turned[i] + pose.translation[i];
-  }
+  FloatPoint cell;
   float outside = 0.0F;
-  std::array<std::int32_t, 3> cell;
   for (std::size_t i = 0; i < 3; ++i) {
     const float at = (middle[i] - pose.origin[i]) * pose.per_mm;
     const float inside = within(at, pose.last[i]);
     outside += (at - inside) * (at - inside);
-    cell[i] = static_cast<std::int32_t>(inside);
+    cell[i] = static_cast<float>(static_cast<std::int32_t>(inside));
   }
+  const float reach = radius * pose.per_mm + pose.slack;
   moved.outside[k] = outside;
-  moved.cell[k] =
-      static_cast<std::int32_t>(static_cast<float>(cell[0]) + static_cast<float>(cell[1]) * pose.row +
-                                static_cast<float>(cell[2]) * pose.layer);
-  const float reach = balls.radius[k] * pose.per_mm + pose.slack;
   moved.reach[k] = reach * std::abs(reach);
-  // |R x + t|^2 = |x|^2 + 2 R x . t + |t|^2
-  const float along = turned[0] * pose.translation[0] + turned[1] * pose.translation[1] +
-                      turned[2] * pose.translation[2] + balls.radius[k] * pose.shift;
-  const float lengths = balls.square[k] + pose.shift_square;
-  moved.farthest[k] = lengths * (1.0F + kSquareSlack) + 2.0F * along + kTiny;
-  const float square = middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2];
-  const float inverse = 1.0F / std::sqrt(square);
+  moved.cell[k] = static_cast<std::int32_t>(cell[0] + cell[1] * pose.row + cell[2] * pose.layer);
+}
+
+inline void find_direction(const FloatPoint& middle, float radius, std::size_t k, MovedBalls& moved) {
   constexpr float kHalf = 0.5F * LeastRadii::kFinest;
-  const float asked = balls.radius[k] * inverse * (1.04F * kHalf) + 1e-3F;  // cells of the finest level
-  const float wide = square > kTiny && asked < 1e6F ? asked : 1e6F;
+  const float square = dot(middle, middle);
+  const float inverse = 1.0F / std::sqrt(square);
+  const float asked = radius * inverse * (kLongestChord * kHalf) + kChordSlack;  // cells of the finest level
+  const float wide = square > kTiny && asked < kUnknown ? asked : kUnknown;
   const float chord = wide > 1.0F ? wide : 1.0F;
   const std::int32_t octave = ((std::bit_cast<std::int32_t>(chord) + 0x7fffff) >> 23) - 127;  // rounded up
   moved.level[k] = octave < LeastRadii::kLevels ? octave : LeastRadii::kLevels;
   const float half = kHalf * std::bit_cast<float>((127 - moved.level[k]) << 23);  // cells of that level
-  for (std::size_t i = 0; i < 3; ++i)
-    cell[i] = static_cast<std::int32_t>(within((middle[i] * inverse + 1.0F) * half, 2.0F * half - 1.0F));
-  moved.about[k] = static_cast<std::int32_t>(
-      static_cast<float>(cell[0]) +
-      2.0F * half * (static_cast<float>(cell[1]) + 2.0F * half * static_cast<float>(cell[2])));
+  FloatPoint cell;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float at = within((middle[i] * inverse + 1.0F) * half, 2.0F * half - 1.0F);
+    cell[i] = static_cast<float>(static_cast<std::int32_t>(at));
+  }
+  moved.about[k] = static_cast<std::int32_t>(cell[0] + 2.0F * half * (cell[1] + 2.0F * half * cell[2]));
+}
+
+inline void move_ball(const MovedFaces::Balls& balls, const FloatPose& pose, std::size_t k,
+                      MovedBalls& moved) {
+  const FloatPoint of{balls.x[k], balls.y[k], balls.z[k]};
+  const float radius = balls.radius[k];
+  const FloatPoint turned{dot(pose.rotation[0], of), dot(pose.rotation[1], of), dot(pose.rotation[2], of)};
+  FloatPoint middle;
+  for (std::size_t i = 0; i < 3; ++i) middle[i] = turned[i] + pose.translation[i];
+  // |R x + t|^2 = |x|^2 + 2 R x . t + |t|^2
+  const float along = dot(turned, pose.translation) + radius * pose.shift;
+  const float lengths = balls.square[k] + pose.shift_square;
+  moved.farthest[k] = lengths * (1.0F + kSquareSlack) + 2.0F * along + kTiny;
+  find_cell(middle, radius, pose, k, moved);
+  find_direction(middle, radius, k, moved);
 }
 
 // For each ball: positive where it is clear of the surface; else the less, the sooner it is opened.

@@ -27,7 +27,7 @@
 
 namespace impinge {
 
-/// A mesh that is moved, prepared once: 27 bytes a face and its own.
+/// A mesh that is moved, prepared once: 23 bytes a face and itself.
 class MovedFaces {
  public:
   /// Eight balls, each round the points of a run.
@@ -46,7 +46,7 @@ class MovedFaces {
   std::vector<Balls> balls_;  // a block each
 };
 
-/// A mesh that stays where it is, prepared once: 28 bytes a face, its own, and up to 2.2 MB.
+/// A mesh that stays where it is, prepared once: 27 bytes a face, itself, and at most 2.2 MB.
 class FixedFaces {
  public:
   /// Eight boxes, each round the points of a run.
@@ -69,8 +69,8 @@ class FixedFaces {
   std::optional<LeastRadii> radii_;
 };
 
-/// Have the two a common point in this pose? May be called from several threads at once. The meshes' finite
-/// coordinates are as plane_side() wants them, and the rotation is orthogonal to 1e-7.
+/// Have the two a common point in this pose? May be called from several threads at once. Coordinates are up
+/// to 1e15 mm and as plane_side() wants them, and the rotation is orthogonal to 1e-7.
 bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose);
 
 }  // namespace impinge

@@ -15,7 +15,7 @@ namespace impinge {
 namespace {
 
 constexpr double kCellsOfFace = 32.0;  // what is worth while
-constexpr double kPiecesOfCell = 4.0;  // of faces that are marked
+constexpr double kPiecesOfCell = 1.0;  // of faces that are marked
 constexpr double kMostAlong = 1000.0;  // cells
 constexpr double kLeastSize = 1e-30;   // mm: floats lose no digits
 constexpr double kCellSlack = 1e-3;    // of a cell: more than the rounding of corners and halves
@@ -137,7 +137,7 @@ NearCells::NearCells(const FaceRuns& surface) {
   std::vector<std::uint8_t> scratch;
   for (std::size_t at = 0; at < square.size(); at += row) pass_along(square.data() + at, nx, apart);
   for (std::size_t at = 0; at < square.size(); at += layer) pass(square.data() + at, ny, row, row, scratch);
-  for (std::size_t at = 0; at < layer; at += row) pass(square.data() + at, nz, layer, row, scratch);
+  pass(square.data(), nz, layer, layer, scratch);
   for (std::size_t at = 0; at < square.size(); ++at)
     square[at] = marked[at] == 0 ? 0 : static_cast<std::uint8_t>(square[at] + 1);
 }
