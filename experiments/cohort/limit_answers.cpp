@@ -20,11 +20,6 @@ class TurningHip {
   TurningHip(const BallSocketPair& meshes, const std::optional<Side>& side)
       : side_(side), dial_(clock_face(meshes.socket)), limits_(meshes) {}
 
-  // What all motions share that are asked for another centre: those of named_motions() may all grow as far.
-  CentreIntervals for_centres() const {
-    return limits_.centre_intervals({CentreDoubt::common, kErrorOfInput, 0.0, kLargestAngle});
-  }
-
   // Is the motion known without a side?
   bool knows(const NamedMotion& motion) const {
     return side_ || motion_name(motion.growing).angle == &Motion::flexion;
@@ -34,6 +29,10 @@ class TurningHip {
   }
   TurnLimit limit(const NamedMotion& motion) const {
     return limits_.first_contact(turn(motion), largest(motion));
+  }
+  CentreInterval for_centres(const NamedMotion& motion, const TurnLimit& limit) const {
+    return limits_.centre_interval(turn(motion), limit, largest(motion),
+                                   {CentreDoubt::common, kErrorOfInput, 0.0});
   }
   const std::optional<ClockFace>& dial() const { return dial_; }
   static double largest(const NamedMotion& motion) {
@@ -122,7 +121,6 @@ std::vector<Cell> limit_cells(const CohortQuestions& asked, const BallSocketPair
   const TurningHip hip(meshes, side);
   std::optional<ZoneScan> zones;
   if (asked.zones && hip.dial()) zones.emplace(meshes, asked.zone_gap_mm);
-  const CentreIntervals centres = hip.for_centres();
   std::vector<Cell> cells;
   for (const NamedMotion& motion : named_motions()) {
     if (!hip.knows(motion)) {
@@ -130,7 +128,7 @@ std::vector<Cell> limit_cells(const CohortQuestions& asked, const BallSocketPair
       continue;
     }
     const TurnLimit limit = hip.limit(motion);
-    add_limit(hip, limit, centre_interval(centres, hip.turn(motion), limit), cells);
+    add_limit(hip, limit, hip.for_centres(motion, limit), cells);
     if (!asked.zones) continue;
     const Pose end = pose_at(hip.turn(motion), limit.low_deg);
     add_zone(zones ? zones->largest(*hip.dial(), end) : std::nullopt, cells);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_parts.hpp"
 
-#include <algorithm>
-
 #include "mesh/weld.hpp"
 
 namespace impinge {
@@ -48,8 +46,9 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
 
 // Parts of the main bone come first.
 static std::size_t rests(std::span<const MeshPart> parts) {
-  const auto other = std::ranges::find(parts, false, &MeshPart::of_main);
-  return static_cast<std::size_t>(other - parts.begin());
+  std::size_t k = 0;
+  while (k < parts.size() && parts[k].of_main) ++k;
+  return k;
 }
 
 std::string body_name(std::span<const MeshPart> parts, std::size_t body) {

@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include "files/thread_team.hpp"
+#include "gap/surface.hpp"
 #include "mesh/collinear.hpp"
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/edges.hpp"
@@ -99,19 +101,6 @@ bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apa
   return false;
 }
 
-bool surfaces_meet(const SweptParts& ball, const SweptParts& socket, const Pose& pose) {
-  const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-    const double reach = a.radius + b.radius;
-    const double slack = kNodeRounding * (reach + a.centre.norm() + b.centre.norm());
-    return (to_socket(pose, a.centre) - b.centre).norm() > reach + slack;
-  };
-  return any_pair(ball, socket, apart, [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-    Triangle moved = ball.parts()[a.at].corner;
-    for (Vec3& x : moved) x = to_socket(pose, x);
-    return faces_meet(moved, socket.parts()[b.at].corner);
-  });
-}
-
 // May a point of one come within reach of a point of the other? `reach(r)` is of points r from the centre,
 // and `shift` what may take points to another distance from it.
 template <class Reach>
@@ -147,10 +136,14 @@ TriangleMesh once(TriangleMesh mesh) {
 
 }  // namespace
 
-BodyPairs::Body::Body(const TriangleMesh& of) {
+BodyPairs::Body::Body(const TriangleMesh& of, bool turns) {
   const TriangleMesh each = once(of);
   const TriangleMesh mesh = without_flat_faces(each);
   turn = TurnBody(mesh);
+  if (turns)
+    moved.emplace(mesh);
+  else
+    fixed.emplace(mesh);
   find_openings(each);
   find_pieces(mesh);
 }
@@ -226,12 +219,14 @@ Contact BodyPairs::Body::holds(const Vec3& x) const {
 
 BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     : main_only_(!beside.whole_ball && !beside.whole_socket) {
-  const auto add = [](auto& bodies, const TriangleMesh& bone, const std::vector<TriangleMesh>& parts) {
-    bodies.push_back(std::make_unique<Body>(bone));
-    for (const TriangleMesh& part : parts) bodies.push_back(std::make_unique<Body>(part));
-  };
-  add(ball_, beside.whole_ball ? *beside.whole_ball : main.ball, beside.ball);
-  add(socket_, beside.whole_socket ? *beside.whole_socket : main.socket, beside.socket);
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const bool ball = kSurfaces[k] == Surface::ball;
+    const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;
+    auto& bodies = ball ? ball_ : socket_;
+    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball));
+    for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
+      bodies.push_back(std::make_unique<Body>(part, ball));
+  });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
@@ -241,7 +236,7 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
 BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
   const Body& ball = *ball_[pair.ball];
   const Body& socket = *socket_[pair.socket];
-  if (surfaces_meet(ball.faces(), socket.faces(), pose)) return {Contact::yes, ContactRule::surfaces, pair};
+  if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
   Verdict found{Contact::no, ContactRule::inside, pair};
   const auto ask = [&](const Body& body, const Vec3& x) {
     const Contact holds = body.holds(x);

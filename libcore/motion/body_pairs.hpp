@@ -37,6 +37,7 @@
 #include <Eigen/Geometry>
 
 #include "contact/culled_overlay.hpp"
+#include "contact/moved_faces.hpp"
 #include "gap/pose.hpp"
 #include "hip/motion.hpp"
 #include "mesh/ball_socket_pair.hpp"
@@ -115,8 +116,10 @@ class BodyPairs {
 
  private:
   struct Body {
-    explicit Body(const TriangleMesh& of);
-    TurnBody turn;  // each face once, none without area
+    Body(const TriangleMesh& of, bool turns);
+    TurnBody turn;                    // each face once, none without area
+    std::optional<MovedFaces> moved;  // the same, of the ball's side
+    std::optional<FixedFaces> fixed;  // of the socket's
     std::vector<Eigen::AlignedBox3d> openings;
     bool sheet = false;
     std::vector<Vec3> pieces;  // a vertex of each connected piece
