@@ -43,9 +43,10 @@ struct Joint {
 
 /// A mesh in the input frame, mm, and what messages call it.
 struct NamedMesh {
-  std::string name;               // such as that of its file
-  TriangleMesh mesh;              // mm, input frame
-  std::vector<MeshPart> parts{};  // of the mesh, behind its main surface
+  std::string name;                       // such as that of its file
+  TriangleMesh mesh;                      // mm, input frame
+  std::vector<MeshPart> parts{};          // of the mesh, behind its main surface
+  std::vector<std::string> part_names{};  // what messages call each part; `name` where there is none
 };
 
 /// What the calling program names its inputs, so that messages tell its user what to do.
@@ -55,6 +56,7 @@ struct JointWording {
   /// How side and axes are given. Axes come first: to change the side where the axes are wrong would swap
   /// front and back.
   std::string side = "--axes first (3D Slicer and DICOM have LPS), then --side";
+  std::string keep = "--keep largest";  // how all but the largest piece of a mesh are left out
 };
 
 /// What a joint is put together from.
@@ -71,8 +73,9 @@ struct JointInput {
 /// the mesh and what to do, if one mesh is given for both, no sphere fits the ball, the centre is outside of
 /// the ball, no ray from the centre meets the socket, the two are swapped (arrangement.hpp), or one of them
 /// is in another unit of length (length_unit.hpp). Warnings are given for a size that no human joint has in
-/// mm, a socket lateral to the ball (left and right mixed up) or far from it, a ball that is only a cap, and
-/// faulty faces. All but the last are checked on the main surfaces alone.
+/// mm, a socket lateral to the ball (left and right mixed up) or far from it, a ball that is only a cap, a
+/// centre that is given far from that of the sphere that fits, meshes of several pieces, and faulty faces.
+/// All but the last two are checked on the main surfaces alone.
 Joint assemble_joint(JointInput input);
 
 /// The joint without its parts of bone.

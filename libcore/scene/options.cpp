@@ -50,6 +50,8 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "one or more");
   app.add_option("--socket-part", options.socket_parts,
                  "the same beside the socket, such as the anterior inferior iliac spine; one or more");
+  app.add_option("--keep", typed.keep,
+                 "all, or of each file only the largest of the pieces that do not hang together [all]");
   app.add_option(
       "--bones", options.bones,
       "instead of --ball and --socket: a folder with one sub-folder per joint; answers any question but "

@@ -358,6 +358,9 @@ void set_cartilage(const TypedOptions& typed, SceneOptions& options) {
 
 void interpret(const TypedOptions& typed, SceneOptions& options) {
   if (typed.centre != "fit") options.centre = parse_centre(typed.centre);
+  if (typed.keep != "all" && typed.keep != "largest")
+    refuse_option("--keep", typed.keep, "is no choice of pieces; give all or largest");
+  options.keep_largest = typed.keep == "largest";
   set_accuracy(typed, options);
   for_option("--axes", [&] { return input_to_joint(options.axes); });
   if (!typed.side.empty()) options.side = for_option("--side", [&] { return parse_side(typed.side); });

@@ -10,7 +10,8 @@ Poses are
 Arrays of doubles in C order are read where they are; others are copied once. Long questions run without Python's lock,
 and Ctrl-C ends many poses, many motions and the volume; the other questions end when they are answered. Errors are
 ValueError for what is given, FileError or RuntimeError for meshes, with one line that says what to do; what looks wrong in
-a joint is a UserWarning, and in Joint.warnings."""
+a joint is a UserWarning, and in Joint.warnings; matrices that move the ball farther than its radius, and limits of a gap
+that is there from the start, are a UserWarning too."""
 from os import PathLike
 from typing import Any, Sequence, TypedDict
 
@@ -179,6 +180,7 @@ class Joint:
         axes: str | None = None,
         centre: Point | None = None,
         landmarks: Marked | None = None,
+        keep: str = "all",
     ) -> Joint:
         """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
@@ -196,6 +198,7 @@ class Joint:
         axes: str = "RAS",
         centre: Point | None = None,
         landmarks: Marked | None = None,
+        keep: str = "all",
     ) -> Joint:
         """The same of arrays. Equal points become one."""
     @staticmethod
