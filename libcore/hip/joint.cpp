@@ -216,6 +216,21 @@ void add_parts(NamedMesh whole, JointPart& to, Joint& joint) {
     to.star_shape.edge_on += is_edge_on(to.mesh, to.mesh.faces[f]) ? 1U : 0U;
 }
 
+// Seen from the centre, the surface remains what it was.
+void make_smaller(const JointInput& input, Joint& joint) {
+  if (input.overlap_mm == 0.0) return;
+  for (Vec3& x : joint.ball.mesh.vertices) {
+    const double radius = x.norm();
+    if (radius <= input.overlap_mm)
+      refuse_mesh(input.ball,
+                  formatted("has a point %.3g mm from the centre, which an overlap of %g mm takes "
+                            "beyond it; give less",
+                            radius, input.overlap_mm));
+    x *= 1.0 - input.overlap_mm / radius;
+  }
+  joint.overlap_mm = input.overlap_mm;
+}
+
 }  // namespace
 
 Joint assemble_joint(JointInput input) {
@@ -240,6 +255,7 @@ Joint assemble_joint(JointInput input) {
   add_parts(std::move(socket), joint.socket, joint);
   warn_of_layers(joint.ball, input.ball.name, "outermost", joint);
   warn_of_layers(joint.socket, input.socket.name, "nearest", joint);
+  make_smaller(input, joint);
   return joint;
 }
 

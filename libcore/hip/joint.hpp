@@ -35,6 +35,7 @@ struct Joint {
   Vec3 centre = Vec3::Zero();              // mm, input frame
   std::optional<SphereFit> fit;            // if the centre was fitted
   std::optional<CartilageMap> cartilage;   // centre frame; none: one thickness everywhere
+  double overlap_mm = 0.0;                 // by which the ball was made smaller; see JointInput
   std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   std::optional<AnatomicalFrames> frames;  // from landmarks; see use_frames()
   std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
@@ -67,6 +68,9 @@ struct JointInput {
   std::optional<Side> side;    // of the body; unknown if not given
   std::string axes = "RAS";    // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   JointWording wording;        // of messages
+  /// How deep the surfaces may overlap along a ray before it is contact: the ball, parts and all, is taken so
+  /// much smaller along each ray, after all checks.
+  double overlap_mm = 0.0;
 };
 
 /// Puts both meshes into the centre frame and examines them. std::runtime_error, one line with the name of

@@ -72,7 +72,7 @@ py::list limits(PoseJoint& joint, const py::object& motions, const py::object& s
   }
   if (below)
     warn(describe_threshold(contact_in(joint.joint(), pose_of(joint.joint(), from)), "at the start",
-                            cartilage_mm, "cartilage_mm="));
+                            {.overlap = "", .threshold_mm = cartilage_mm, .threshold = "cartilage_mm="}));
   return rows;
 }
 

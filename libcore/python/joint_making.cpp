@@ -5,6 +5,7 @@
 #include <charconv>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <variant>
 
@@ -62,10 +63,14 @@ struct Placed {
   OptionalPoint centre;
   std::optional<Marked> landmarks;
   std::string keep = "all";
+  double overlap_mm = 0.0;
 };
 
 SharedJoint joint_of(JointInput input, const Placed& placed) {
+  if (!(placed.overlap_mm >= 0.0 && placed.overlap_mm < std::numeric_limits<double>::infinity()))
+    throw std::invalid_argument("overlap_mm: is no length; give a number of mm, 0 or more");
   input.axes = placed.axes;
+  input.overlap_mm = placed.overlap_mm;
   if (placed.side) input.side = parse_side(*placed.side);
   if (placed.centre) input.centre = Vec3((*placed.centre)[0], (*placed.centre)[1], (*placed.centre)[2]);
   input.wording = {"with centre=(x, y, z)", "ball and socket",
@@ -99,7 +104,7 @@ SharedJoint with_warnings(SharedJoint joint) {
 SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem::path& socket,
                        const std::optional<std::string>& side, const std::optional<std::string>& axes,
                        const OptionalPoint& centre, const std::optional<Marked>& landmarks,
-                       const std::string& keep) {
+                       const std::string& keep, double overlap_mm) {
   JointInput input;
   std::string code;
   {
@@ -108,7 +113,7 @@ SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem:
     input.socket = {socket.string(), read_mesh(socket)};
     code = agreed_axes(ball, socket, axes, "axes=").code;
   }
-  return with_warnings(joint_of(std::move(input), {side, code, centre, landmarks, keep}));
+  return with_warnings(joint_of(std::move(input), {side, code, centre, landmarks, keep, overlap_mm}));
 }
 
 using MeshArrays = std::pair<Doubles, Indices>;
@@ -127,11 +132,11 @@ NamedMesh mesh_of_arrays(const char* name, const MeshArrays& arrays) {
 SharedJoint joint_of_arrays(const MeshArrays& ball, const MeshArrays& socket,
                             const std::optional<std::string>& side, const std::string& axes,
                             const OptionalPoint& centre, const std::optional<Marked>& landmarks,
-                            const std::string& keep) {
+                            const std::string& keep, double overlap_mm) {
   JointInput input;
   input.ball = mesh_of_arrays("ball", ball);
   input.socket = mesh_of_arrays("socket", socket);
-  return with_warnings(joint_of(std::move(input), {side, axes, centre, landmarks, keep}));
+  return with_warnings(joint_of(std::move(input), {side, axes, centre, landmarks, keep, overlap_mm}));
 }
 
 // As the programs type it.
@@ -165,14 +170,14 @@ void bind_making(JointClass& joint) {
       .def_static(
           "read", &read_joint, py::arg("ball"), py::arg("socket"), py::kw_only(), py::arg("side") = none,
           py::arg("axes") = none, py::arg("centre") = none, py::arg("landmarks") = none,
-          py::arg("keep") = "all",
+          py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
           "A joint of two mesh files in one frame, mm. side: left or right; axes: where +x, +y and +z "
           "point; centre: (x, y, z), fitted to the ball where it is not given; "
           "landmarks: marked points, of a file or a dict, which give the frames; keep: all, or of each mesh "
-          "the largest piece.")
+          "the largest piece; overlap_mm: along a ray, that is no contact.")
       .def_static("from_arrays", &joint_of_arrays, py::arg("ball"), py::arg("socket"), py::kw_only(),
                   py::arg("side") = none, py::arg("axes") = "RAS", py::arg("centre") = none,
-                  py::arg("landmarks") = none, py::arg("keep") = "all",
+                  py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
                   "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).")
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
                   py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.");

@@ -30,7 +30,7 @@ class PoseJoint {
  public:
   PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
       : axes_(axes), session_(std::move(joint), side, axes) {
-    warn_of_contact(*session_.joint);
+    warn_of_contact(*session_.joint, {.overlap = "overlap_mm="});
   }
   PoseJoint(const PoseJoint&) = delete;
   PoseJoint& operator=(const PoseJoint&) = delete;

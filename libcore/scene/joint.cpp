@@ -70,8 +70,10 @@ NamedMesh read_bone(const std::filesystem::path& file, const std::vector<std::fi
 
 // A gap of this size or less counts as contact too, where one is asked about.
 void warn_of_start(const SceneOptions& options, SessionJoint& joint) {
-  if (options.limit != nullptr) return warn_of_contact(joint, options.cartilage_mm, "--cartilage");
-  warn_of_contact(joint, options.volume ? options.volume->gap_mm : 0.0, "--gap");
+  ScanContactOptions told{.overlap = "--overlap", .threshold_mm = 0.0, .threshold = "--cartilage"};
+  if (options.limit != nullptr) told.threshold_mm = options.cartilage_mm;
+  if (options.volume) told = {"--overlap", options.volume->gap_mm, "--gap"};
+  warn_of_contact(joint, told);
 }
 
 }  // namespace
@@ -85,6 +87,7 @@ Session load_joint(const SceneOptions& options) {
   input.centre = options.centre;
   input.side = options.side;
   input.axes = axes_of(options);
+  input.overlap_mm = options.overlap_mm;
   Joint joint = assemble_joint(std::move(input));
   if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
   if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);

@@ -58,6 +58,9 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "all-gaps for all of them in one table");
   app.add_option("--out", options.out,
                  "output folder, created if missing; which files it gets depends on the question");
+  app.add_option(
+      "--overlap", typed.overlap,
+      "depth along a ray to which the surfaces may overlap, mm [0]: the ball is taken so much smaller");
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
   auto* scheme =
       app.add_option("--scheme", typed.scheme,

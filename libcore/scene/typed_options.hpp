@@ -14,6 +14,7 @@ namespace impinge {
 struct TypedOptions {
   std::string centre = "fit";
   std::string keep = "all";
+  std::string overlap;
   std::string scheme;
   std::string precision;
   std::string max_error;

@@ -34,37 +34,43 @@ ScanContact contact_in(const SessionJoint& joint, const Pose& pose) {
   return contact_in(joint, PoseSeries(joint.joint, {}), pose);
 }
 
-std::string describe_contact(const ScanContact& found, const std::string& pose) {
+std::string describe_contact(const ScanContact& found, const std::string& pose,
+                             const ScanContactOptions& options) {
   if (!found.touch) return {};
-  const std::string depth = found.gap_mm && *found.gap_mm < 0.0
-                                ? ", " + rounded_up(-*found.gap_mm, 3) + " mm deep" + place_of(found)
-                                : "";
+  const bool overlap = found.gap_mm && *found.gap_mm < 0.0;
+  const std::string depth =
+      overlap ? ", " + rounded_up(-*found.gap_mm, 3) + " mm deep along a ray" + place_of(found) : "";
+  const std::string on_top =
+      overlap && !options.overlap.empty()
+          ? "; " + options.overlap + " with a little more than that depth asks for what comes on top"
+          : "";
   return found.bodies + " touch " + pose + depth +
          ": what begins there is blocked; check the centre, the frame and the segmentation of both (a head "
          "and "
-         "a liner of one nominal radius need their play)";
+         "a liner of one nominal radius need their play)" +
+         on_top;
 }
 
-std::string describe_threshold(const ScanContact& found, const std::string& pose, double threshold_mm,
-                               const std::string& option) {
-  if (found.touch || !found.gap_mm || *found.gap_mm > threshold_mm) return {};
+std::string describe_threshold(const ScanContact& found, const std::string& pose,
+                               const ScanContactOptions& options) {
+  if (found.touch || !found.gap_mm || *found.gap_mm > options.threshold_mm) return {};
   return "the smallest gap " + pose + " is " + rounded_down(*found.gap_mm, 3) + " mm" + place_of(found) +
-         formatted(", not above the %g mm of ", threshold_mm) + option +
+         formatted(", not above the %g mm of ", options.threshold_mm) + options.threshold +
          ": what asks for a gap of that size is blocked from the start; give less";
 }
 
-void warn_of_contact(SessionJoint& joint, double threshold_mm, const std::string& option) {
+void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
   const PoseSeries series(joint.joint, {});
   const auto& frames = joint.joint.frames;
   const bool turned = frames && frames->femur;
   const std::string start = turned ? "in the neutral pose of the landmarks" : "as scanned";
   const ScanContact found = contact_in(joint, series, Pose());
-  warn(describe_contact(found, start), joint);
-  if (threshold_mm > 0.0) warn(describe_threshold(found, start, threshold_mm, option), joint);
+  warn(describe_contact(found, start, options), joint);
+  if (options.threshold_mm > 0.0) warn(describe_threshold(found, start, options), joint);
   if (!turned) return;
   Pose scanned;
   scanned.rotation = frames->femur->transpose() * frames->pelvis;
-  warn(describe_contact(contact_in(joint, series, scanned), "as scanned"), joint);
+  warn(describe_contact(contact_in(joint, series, scanned), "as scanned", options), joint);
 }
 
 }  // namespace impinge

@@ -21,17 +21,25 @@ struct ScanContact {
 /// The contact of a joint in a pose of the ball in the socket.
 ScanContact contact_in(const SessionJoint& joint, const Pose& pose);
 
+/// How a reader gives what the lines below tell him to; empty: he cannot.
+struct ScanContactOptions {
+  std::string overlap{};      // an overlap that is no contact (JointInput::overlap_mm)
+  double threshold_mm = 0.0;  // gaps of this size or less are asked about, too; 0: none are
+  std::string threshold{};    // the option that gave it
+};
+
 /// One line for the reader: how deep, where, and what to do; empty where nothing touches. `pose` names it, as
 /// "as scanned".
-std::string describe_contact(const ScanContact& found, const std::string& pose);
+std::string describe_contact(const ScanContact& found, const std::string& pose,
+                             const ScanContactOptions& options);
 
-/// One line where the gap is below a threshold (mm) although nothing touches, so that each answer about a
-/// gap of that size is "blocked"; else empty. `option` is how the threshold is given.
-std::string describe_threshold(const ScanContact& found, const std::string& pose, double threshold_mm,
-                               const std::string& option);
+/// One line where the gap is not above the threshold although nothing touches, so that each answer about a
+/// gap of that size is "blocked"; else empty.
+std::string describe_threshold(const ScanContact& found, const std::string& pose,
+                               const ScanContactOptions& options);
 
 /// Adds these lines to the warnings of the joint for the pose that motions begin at, that of the scan; where
-/// landmarks of the femur turned the ball to neutral, for both. No threshold: 0.
-void warn_of_contact(SessionJoint& joint, double threshold_mm = 0.0, const std::string& option = "");
+/// landmarks of the femur turned the ball to neutral, for both.
+void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options = {});
 
 }  // namespace impinge

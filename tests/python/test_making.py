@@ -117,3 +117,10 @@ def test_pieces_centres_and_contact_are_warned_of(files):
     with pytest.warns(UserWarning, match=r"ball and socket touch as scanned, 0.\d+ mm deep"):
         joint = impinge.Joint.from_arrays(sphere(24.2), socket, centre=(0, 0, 0))
     assert joint.touch([0, 0, 0])[0]
+    joint = impinge.Joint.from_arrays(sphere(24.2), socket, centre=(0, 0, 0), overlap_mm=0.5)
+    assert not joint.touch([0, 0, 0])[0] and not joint.warnings
+    assert joint.smallest_gap([0, 0, 0])["gap_mm"][0] == pytest.approx(0.3, abs=0.1)
+    with pytest.raises(ValueError, match="leave out overlap_mm="):
+        joint.certificate()
+    with pytest.raises(ValueError, match="overlap_mm: is no length"):
+        impinge.Joint.from_arrays(ball, socket, overlap_mm=-1)

@@ -14,6 +14,7 @@
 #include "session/scan_contact.hpp"
 #include "support/joined.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -107,10 +108,27 @@ TEST_F(SceneWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
     const std::string& line = lines[0];
     EXPECT_EQ(line.rfind("ball and socket touch as scanned, 0.2", 0), 0U) << line;
     EXPECT_NE(line.find(" o'clock: what begins there is blocked; check the centre"), line.npos) << line;
+    EXPECT_NE(line.find("; --overlap with a little more than that depth asks for"), line.npos) << line;
   }
   options_.limit = nullptr;
   options_.volume = VolumeOptions{};
   EXPECT_EQ(said().size(), 1U);
+}
+
+// As a smaller ball has it: where the whole overlap is allowed there is a gap.
+TEST_F(SceneWarnings, AnOverlapThatIsAllowedIsNoContact) {
+  options_.ball = written("ball.ply", sphere(25.25, 3000));
+  for (const double overlap : {0.2, 0.35, 1.25}) {
+    options_.overlap_mm = overlap;
+    EXPECT_EQ(said().size(), overlap > 0.3 ? 0U : 1U) << overlap;
+    const Session session = load_joint(options_);
+    const ScanContact found = contact_in(*session.joint, Pose());
+    EXPECT_NEAR(*found.gap_mm, overlap - 0.25, 0.05);
+    EXPECT_EQ(found.touch, overlap < 0.3);
+  }
+  options_.overlap_mm = 30.0;
+  const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_); });
+  EXPECT_NE(refused.find("ball.ply: has a point 25"), std::string::npos) << refused;
 }
 
 TEST_F(SceneWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
@@ -131,18 +149,20 @@ TEST_F(SceneWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
 }
 
 TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
+  const ScanContactOptions options{.overlap = "--overlap", .threshold_mm = 4.0, .threshold = "--cartilage"};
   ScanContact found;
-  EXPECT_EQ(describe_contact(found, "as scanned"), "");
+  const auto said = [&] { return describe_contact(found, "as scanned", options); };
+  EXPECT_EQ(said(), "");
   found.touch = true;
   found.bodies = "trochanter and spine";
-  EXPECT_EQ(
-      describe_contact(found, "as scanned").rfind("trochanter and spine touch as scanned: what begins", 0),
-      0U);
-  EXPECT_EQ(describe_threshold(found, "as scanned", 4.0, "--cartilage"), "");
+  EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: what begins", 0), 0U);
+  EXPECT_EQ(said().find("--overlap"), std::string::npos);
+  EXPECT_EQ(describe_threshold(found, "as scanned", options), "");
   found.gap_mm = -1.25;
-  EXPECT_NE(describe_contact(found, "as scanned").find("as scanned, 1.250 mm deep: what"), std::string::npos);
+  EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: what"), std::string::npos);
   found.hours = 1.5;
-  EXPECT_NE(describe_contact(found, "as scanned").find("1.250 mm deep at 1:30 o'clock: "), std::string::npos);
+  EXPECT_NE(said().find("1.250 mm deep along a ray at 1:30 o'clock: "), std::string::npos);
+  EXPECT_NE(said().find("--overlap"), std::string::npos);
 }
 
 }  // namespace

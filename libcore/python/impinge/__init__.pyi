@@ -181,6 +181,7 @@ class Joint:
         centre: Point | None = None,
         landmarks: Marked | None = None,
         keep: str = "all",
+        overlap_mm: float = 0.0,
     ) -> Joint:
         """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
@@ -188,7 +189,8 @@ class Joint:
         landmarks: markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z, mm, with the labels of `scene --landmarks`; or a
         dict of places by these labels, in the frame of the meshes. They give the frame of the pelvis, and Joint.landmarks
         its tilt; with epicondyles that of the femur too, and the ball is turned to neutral, from which angles are then
-        counted."""
+        counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
+        along a ray the surfaces may overlap; the ball is taken so much smaller."""
     @staticmethod
     def from_arrays(
         ball: Mesh,
@@ -199,6 +201,7 @@ class Joint:
         centre: Point | None = None,
         landmarks: Marked | None = None,
         keep: str = "all",
+        overlap_mm: float = 0.0,
     ) -> Joint:
         """The same of arrays. Equal points become one."""
     @staticmethod
