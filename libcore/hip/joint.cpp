@@ -17,6 +17,7 @@
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
 #include "hip/whole_bone.hpp"
+#include "mesh/mesh_pieces.hpp"
 #include "mesh/surface_vertices.hpp"
 
 namespace impinge {
@@ -28,6 +29,9 @@ constexpr double kHalfOfTheView = 0.5;
 constexpr double kHalfOfTheSphere = 2.0 * kPi;
 // mm between the surfaces as scanned: both layers of cartilage have 3 to 5.
 constexpr double kFarApart = 12.0;
+// How far a centre may be from that of the sphere that fits the ball: mm, or a share of its radius.
+constexpr double kOffCentre = 5.0;
+constexpr double kOffCentreShare = 0.25;
 
 [[noreturn]] void refuse_mesh(const NamedMesh& mesh, const std::string& reason) {
   throw std::runtime_error(mesh.name + ": " + reason);
@@ -59,6 +63,22 @@ void place_centre(const JointInput& input, Joint& joint) {
 
 bool is_cap(const StarShapeReport& ball) {
   return std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView;
+}
+
+// A centre that is given is taken, wherever a sphere fits.
+void check_centre(const JointInput& input, Joint& joint) {
+  if (joint.fit || is_cap(joint.ball.star_shape)) return;
+  try {
+    const SphereFit fit = fit_ball(joint.ball.mesh);
+    const double off = fit.centre.norm();
+    if (off <= std::min(kOffCentre, kOffCentreShare * fit.radius)) return;
+    joint.warnings.push_back(input.ball.name + ": the centre that was given, " + text_of(joint.centre) +
+                             formatted(", is %.1f mm from ", off) + text_of(joint.centre + fit.centre) +
+                             formatted(", that of the sphere of radius %.1f mm that fits the ball; "
+                                       "check it, or leave it out",
+                                       fit.radius));
+  } catch (const std::invalid_argument&) {  // no sphere fits it
+  }
 }
 
 // The sphere that fits a ball, or all of a cap that is too small for that.
@@ -143,29 +163,60 @@ void check_arrangement(const JointInput& input, const Facing& found, Joint& join
                        " socket does; check " + input.wording.side);
 }
 
-void warn(const JointPart& part, const std::string& name, const std::string& policy, Joint& joint) {
-  const MeshReport& report = part.validation;
+void warn_of_flaws(const MeshReport& report, const std::string& name, Joint& joint) {
   if (report.degenerate_faces + report.duplicate_faces + report.flipped_faces + report.non_manifold_edges +
-          report.unreferenced_vertices >
-      0) {
-    std::string found = describe(report);
-    for (char& c : found) c = c == '\n' ? ' ' : c;
-    joint.warnings.push_back(name + ": " + found);
-  }
-  if (!part.star_shape.star_shaped) {
-    joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; " + policy);
-  }
+          report.unreferenced_vertices ==
+      0)
+    return;
+  std::string found = describe(report);
+  for (char& c : found) c = c == '\n' ? ' ' : c;
+  joint.warnings.push_back(name + ": " + found);
+}
+
+// Specks of a segmentation are bone like all else. Of a mesh as it was given.
+void warn_of_pieces(const TriangleMesh& mesh, const std::string& name, const JointWording& wording,
+                    Joint& joint) {
+  const std::vector<MeshPiece> pieces = mesh_pieces(mesh);
+  if (pieces.size() < 2) return;
+  joint.warnings.push_back(
+      name + formatted(": has %zu pieces that do not hang together, ", pieces.size()) + sizes_text(pieces) +
+      "; each counts as bone, and a speck of a segmentation can block all motion: remove what is no bone" +
+      (wording.keep.empty() ? "" : ", or take the largest piece alone with " + wording.keep));
+}
+
+const std::string& name_of_part(const NamedMesh& of, std::size_t k) {
+  return k < of.part_names.size() ? of.part_names[k] : of.name;
+}
+
+void warn_of_pieces(const NamedMesh& of, const JointWording& wording, Joint& joint) {
+  warn_of_pieces(main_surface(of.mesh, of.parts), of.name, wording, joint);
+  for (std::size_t k = 0; k < of.parts.size(); ++k)
+    warn_of_pieces(part_surface(of.mesh, of.parts, k), name_of_part(of, k), wording, joint);
+}
+
+// What gaps are where a ray meets a surface more than once.
+void warn_of_layers(const JointPart& part, const std::string& name, const std::string& layer, Joint& joint) {
+  if (part.star_shape.star_shaped) return;
+  joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; gaps are to the " + layer +
+                           " layer along each ray, contact is that of the surfaces");
 }
 
 // Leaves the main surface, and returns all.
 NamedMesh take_whole(NamedMesh& of) {
   TriangleMesh main = main_surface(of.mesh, of.parts);
-  return {of.name, std::exchange(of.mesh, std::move(main)), std::move(of.parts)};
+  return {of.name, std::exchange(of.mesh, std::move(main)), std::move(of.parts), of.part_names};
 }
 
-void add_parts(NamedMesh whole, const Vec3& centre, JointPart& to) {
+void add_parts(NamedMesh whole, JointPart& to, Joint& joint) {
+  warn_of_flaws(to.validation, whole.name, joint);
   if (whole.parts.empty()) return;
-  to.mesh = relative_to(std::move(whole.mesh), centre);
+  for (std::size_t k = 0; k < whole.parts.size(); ++k) {
+    if (whole.parts[k].of_main) continue;  // was examined with the main surface
+    const MeshReport report = validate(part_surface(whole.mesh, whole.parts, k));
+    warn_of_flaws(report, name_of_part(whole, k), joint);
+    to.validation += report;
+  }
+  to.mesh = relative_to(std::move(whole.mesh), joint.centre);
   to.parts = std::move(whole.parts);
   for (std::size_t f = to.parts.front().first_face; f < to.mesh.faces.size(); ++f)
     to.star_shape.edge_on += is_edge_on(to.mesh, to.mesh.faces[f]) ? 1U : 0U;
@@ -208,33 +259,49 @@ bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   return true;
 }
 
+// Seen from the centre, the surface remains what it was.
+void make_smaller(const JointInput& input, Joint& joint) {
+  if (input.overlap_mm == 0.0) return;
+  for (Vec3& x : joint.ball.mesh.vertices) {
+    const double radius = x.norm();
+    if (radius <= input.overlap_mm)
+      refuse_mesh(input.ball,
+                  formatted("has a point %.3g mm from the centre, which an overlap of %g mm takes "
+                            "beyond it; give less",
+                            radius, input.overlap_mm));
+    x *= 1.0 - input.overlap_mm / radius;
+  }
+  joint.overlap_mm = input.overlap_mm;
+}
+
 }  // namespace
 
 Joint assemble_joint(JointInput input) {
   require_two_meshes(input);
+  Joint joint;
+  for (const NamedMesh* bone : {&input.ball, &input.socket}) warn_of_pieces(*bone, input.wording, joint);
   NamedMesh ball = take_whole(input.ball);
   NamedMesh socket = take_whole(input.socket);
-  Joint joint;
   joint.axes = input.axes;
   place_centre(input, joint);
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const bool of_ball = kSurfaces[k] == Surface::ball;
-    const NamedMesh& whole = of_ball ? ball : socket;
-    JointPart& part = of_ball ? joint.ball : joint.socket;
-    part = examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
-    if (!whole.parts.empty()) part.validation = validate(whole.mesh);
+    (of_ball ? joint.ball : joint.socket) =
+        examine(std::move((of_ball ? input.ball : input.socket).mesh), joint.centre);
   });
   const auto radius = head_radius(joint);
   if (radius && take_surface(Surface::ball, *radius, ball, joint))
     take_surface(Surface::socket, *radius, socket, joint);
   check_view(input, joint);
+  check_centre(input, joint);
   const Facing found = facing(joint.ball.mesh, joint.socket.mesh);
   check_units(input, found, joint);
   check_arrangement(input, found, joint);
-  add_parts(std::move(ball), joint.centre, joint.ball);
-  add_parts(std::move(socket), joint.centre, joint.socket);
-  warn(joint.ball, input.ball.name, "the outermost layer stands for the ball", joint);
-  warn(joint.socket, input.socket.name, "the layer nearest to the centre stands for the socket", joint);
+  add_parts(std::move(ball), joint.ball, joint);
+  add_parts(std::move(socket), joint.socket, joint);
+  warn_of_layers(joint.ball, input.ball.name, "outermost", joint);
+  warn_of_layers(joint.socket, input.socket.name, "nearest", joint);
+  make_smaller(input, joint);
   return joint;
 }
 

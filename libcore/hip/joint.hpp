@@ -43,6 +43,7 @@ struct Joint {
   Vec3 centre = Vec3::Zero();              // mm, input frame
   std::optional<SphereFit> fit;            // if the centre was fitted
   std::optional<CartilageMap> cartilage;   // centre frame; none: one thickness everywhere
+  double overlap_mm = 0.0;                 // by which the ball was made smaller; see JointInput
   std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   std::optional<AnatomicalFrames> frames;  // from landmarks; see use_frames()
   std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
@@ -51,9 +52,10 @@ struct Joint {
 
 /// A mesh in the input frame, mm, and what messages call it.
 struct NamedMesh {
-  std::string name;               // such as that of its file
-  TriangleMesh mesh;              // mm, input frame
-  std::vector<MeshPart> parts{};  // of the mesh, behind its main surface
+  std::string name;                       // such as that of its file
+  TriangleMesh mesh;                      // mm, input frame
+  std::vector<MeshPart> parts{};          // of the mesh, behind its main surface
+  std::vector<std::string> part_names{};  // what messages call each part; `name` where there is none
 };
 
 /// What the calling program names its inputs, so that messages tell its user what to do.
@@ -63,6 +65,7 @@ struct JointWording {
   /// How side and axes are given. Axes come first: to change the side where the axes are wrong would swap
   /// front and back.
   std::string side = "--axes first (3D Slicer and DICOM have LPS), then --side";
+  std::string keep = "--keep largest";  // how all but the largest piece of a mesh are left out
 };
 
 /// What a joint is put together from.
@@ -73,6 +76,9 @@ struct JointInput {
   std::optional<Side> side;    // of the body; unknown if not given
   std::string axes = "RAS";    // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   JointWording wording;        // of messages
+  /// How deep the surfaces may overlap along a ray before it is contact: the ball, parts and all, is taken so
+  /// much smaller along each ray, after all checks.
+  double overlap_mm = 0.0;
 };
 
 /// Puts both meshes into the centre frame and examines them. Of a whole bone the faces of the joint become
@@ -82,7 +88,8 @@ struct JointInput {
 /// centre is outside of the ball, no ray from the centre meets the socket, the two are swapped
 /// (arrangement.hpp), or one of them is in another unit of length (length_unit.hpp). Warnings are given for a
 /// size that no human joint has in mm, a socket lateral to the ball (left and right mixed up) or far from it,
-/// a ball that is only a cap, and faulty faces. All but the last are checked on the main surfaces alone.
+/// a ball that is only a cap, a centre that is given far from that of the sphere that fits, meshes of several
+/// pieces, and faulty faces. All but the last two are checked on the main surfaces alone.
 Joint assemble_joint(JointInput input);
 
 /// The joint without its parts of bone.

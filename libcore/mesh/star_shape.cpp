@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "files/formatted.hpp"
 #include "mesh/lengths.hpp"
 #include "sphere/lists.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -183,21 +183,12 @@ StarShapeReport star_shape(const TriangleMesh& mesh) {
 }
 
 std::string describe(const StarShapeReport& report) {
-  char line[256];
-  if (report.star_shaped) {
-    std::snprintf(line, sizeof line, "star-shaped about the centre (proven), meets %.1f %% of the directions",
-                  100.0 * report.covered);
-  } else {
-    std::snprintf(line, sizeof line,
-                  "not star-shaped about the centre: %.2f %% of the directions meet it more than once (%zu "
-                  "faces front, "
-                  "%zu back, %zu edge-on%s)",
-                  100.0 * report.violating, report.front_facing, report.back_facing, report.edge_on,
-                  report.overlapping_pairs == 0
-                      ? ""
-                      : ("; " + std::to_string(report.overlapping_pairs) + " pairs overlap").c_str());
-  }
-  return line;
+  if (report.star_shaped)
+    return formatted("star-shaped about the centre (proven), meets %.1f %% of the directions",
+                     100.0 * report.covered);
+  if (report.violating == 0.0) return "some ray from the centre meets it in more than one point";
+  return formatted("rays from the centre meet it more than once in %.3g %% of the directions",
+                   100.0 * report.violating);
 }
 
 }  // namespace impinge

@@ -113,6 +113,18 @@ bool MeshReport::closed() const {
   return components > 0 && boundary_edges == 0 && non_manifold_edges == 0 && invalid_faces == 0;
 }
 
+MeshReport& MeshReport::operator+=(const MeshReport& other) {
+  for (const auto count :
+       {&MeshReport::vertices, &MeshReport::faces, &MeshReport::unreferenced_vertices,
+        &MeshReport::non_finite_vertices, &MeshReport::invalid_faces, &MeshReport::degenerate_faces,
+        &MeshReport::duplicate_faces, &MeshReport::flipped_faces, &MeshReport::non_manifold_edges,
+        &MeshReport::boundary_edges, &MeshReport::components})
+    this->*count += other.*count;
+  orientable = orientable && other.orientable;
+  volume = volume && other.volume ? std::optional(*volume + *other.volume) : std::nullopt;
+  return *this;
+}
+
 MeshReport validate(const TriangleMesh& mesh) {
   MeshReport report;
   report.vertices = mesh.vertices.size();

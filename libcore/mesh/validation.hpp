@@ -29,6 +29,8 @@ struct MeshReport {
 
   /// Does every edge have exactly two faces?
   bool closed() const;
+  /// Adds the counts of another mesh that is put behind this one; there is a volume if both have one.
+  MeshReport& operator+=(const MeshReport& other);
 };
 
 /// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -39,6 +40,11 @@ inline std::span<const Vec3> points_of(const Doubles& array) {
 
 /// A point or vector as three numbers.
 inline py::tuple point_tuple(const Vec3& x) { return py::make_tuple(x.x(), x.y(), x.z()); }
+
+/// A line that may mean that something is wrong, as a UserWarning. Nothing where it is empty.
+inline void warn(const std::string& line) {
+  if (!line.empty() && PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
+}
 
 /// Checks about every 0.1 s whether the user has interrupted, and throws py::error_already_set if so. look()
 /// is called without Python's lock.

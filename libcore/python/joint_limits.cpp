@@ -8,6 +8,7 @@
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
 #include "python/poses.hpp"
+#include "session/scan_contact.hpp"
 
 namespace impinge::python {
 namespace {
@@ -43,6 +44,8 @@ py::dict limit_dict(const SessionJoint& joint, const std::string& motion, const 
   return row;
 }
 
+bool blocked(const LimitAnswer& answer) { return answer.told.limit.state == LimitState::blocked; }
+
 std::vector<std::string> motions_of(const py::object& given) {
   std::vector<std::string> names;
   if (py::isinstance<py::str>(given)) return {given.cast<std::string>()};
@@ -56,6 +59,7 @@ py::list limits(PoseJoint& joint, const py::object& motions, const py::object& s
     throw std::invalid_argument("cartilage_mm: is no thickness; give a number of mm, 0 or more");
   const Motion from = start.is_none() ? Motion{} : motion_of(start);
   py::list rows;
+  bool below = false;  // is the gap, and nothing touches?
   for (const std::string& motion : motions_of(motions)) {
     std::optional<LimitAnswers> found;
     without_lock(1, [&](std::size_t) {
@@ -64,7 +68,11 @@ py::list limits(PoseJoint& joint, const py::object& motions, const py::object& s
     rows.append(limit_dict(joint.joint(), motion, found->contact));
     if (found->socket) rows.append(limit_dict(joint.joint(), motion, *found->socket));
     rows.append(limit_dict(joint.joint(), motion, found->cartilage));
+    below = below || (blocked(found->cartilage) && !blocked(found->contact));
   }
+  if (below)
+    warn(describe_threshold(contact_in(joint.joint(), pose_of(joint.joint(), from)), "at the start",
+                            {.overlap = "", .threshold_mm = cartilage_mm, .threshold = "cartilage_mm="}));
   return rows;
 }
 

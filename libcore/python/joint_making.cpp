@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From files, arrays or parameters to a joint.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <variant>
 
@@ -13,6 +16,7 @@
 #include "hip/hip_presets.hpp"
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
+#include "mesh/mesh_pieces.hpp"
 #include "mesh/raw_mesh.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
@@ -44,20 +48,33 @@ Landmarks points_of(const py::dict& given) {
   return points;
 }
 
+// Of "all" and "largest"; says what it left out.
+std::string keep_pieces(const std::string& keep, NamedMesh& of) {
+  if (keep != "all" && keep != "largest")
+    throw std::invalid_argument("keep: '" + keep + "' is no choice of pieces; give all or largest");
+  const std::string left_out = keep == "all" ? "" : keep_largest_piece(of.mesh);
+  return left_out.empty() ? left_out : of.name + ": " + left_out;
+}
+
 // What is known of a joint beside its meshes.
 struct Placed {
   std::optional<std::string> side;
   std::string axes;
   OptionalPoint centre;
   std::optional<Marked> landmarks;
+  std::string keep = "all";
+  double overlap_mm = 0.0;
 };
 
 SharedJoint joint_of(JointInput input, const Placed& placed) {
+  if (!(placed.overlap_mm >= 0.0 && placed.overlap_mm < std::numeric_limits<double>::infinity()))
+    throw std::invalid_argument("overlap_mm: is no length; give a number of mm, 0 or more");
   input.axes = placed.axes;
+  input.overlap_mm = placed.overlap_mm;
   if (placed.side) input.side = parse_side(*placed.side);
   if (placed.centre) input.centre = Vec3((*placed.centre)[0], (*placed.centre)[1], (*placed.centre)[2]);
   input.wording = {"with centre=(x, y, z)", "ball and socket",
-                   "axes= first (3D Slicer and DICOM have LPS), then side="};
+                   "axes= first (3D Slicer and DICOM have LPS), then side=", "keep=\"largest\""};
   const std::optional<Side> side = input.side;
   const auto* const dict = placed.landmarks ? std::get_if<py::dict>(&*placed.landmarks) : nullptr;
   const Landmarks points = dict != nullptr ? points_of(*dict) : Landmarks{};
@@ -65,7 +82,10 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
   {
     const py::gil_scoped_release released;
     input_to_joint(input.axes);
+    const std::array said{keep_pieces(placed.keep, input.ball), keep_pieces(placed.keep, input.socket)};
     Joint made = assemble_joint(std::move(input));
+    std::ranges::copy_if(said, std::back_inserter(made.warnings),
+                         [](const std::string& line) { return !line.empty(); });
     if (dict != nullptr)
       use_landmarks(points, "landmarks", side, made);
     else if (placed.landmarks)
@@ -77,15 +97,14 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
 
 // Joints that a user brings may be wrong.
 SharedJoint with_warnings(SharedJoint joint) {
-  for (const std::string& warning : joint->joint().joint.warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
-  }
+  for (const std::string& line : joint->joint().joint.warnings) warn(line);
   return joint;
 }
 
 SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem::path& socket,
                        const std::optional<std::string>& side, const std::optional<std::string>& axes,
-                       const OptionalPoint& centre, const std::optional<Marked>& landmarks) {
+                       const OptionalPoint& centre, const std::optional<Marked>& landmarks,
+                       const std::string& keep, double overlap_mm) {
   JointInput input;
   std::string code;
   {
@@ -94,7 +113,7 @@ SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem:
     input.socket = {socket.string(), read_mesh(socket)};
     code = agreed_axes(ball, socket, axes, "axes=").code;
   }
-  return with_warnings(joint_of(std::move(input), {side, code, centre, landmarks}));
+  return with_warnings(joint_of(std::move(input), {side, code, centre, landmarks, keep, overlap_mm}));
 }
 
 using MeshArrays = std::pair<Doubles, Indices>;
@@ -112,11 +131,12 @@ NamedMesh mesh_of_arrays(const char* name, const MeshArrays& arrays) {
 
 SharedJoint joint_of_arrays(const MeshArrays& ball, const MeshArrays& socket,
                             const std::optional<std::string>& side, const std::string& axes,
-                            const OptionalPoint& centre, const std::optional<Marked>& landmarks) {
+                            const OptionalPoint& centre, const std::optional<Marked>& landmarks,
+                            const std::string& keep, double overlap_mm) {
   JointInput input;
   input.ball = mesh_of_arrays("ball", ball);
   input.socket = mesh_of_arrays("socket", socket);
-  return with_warnings(joint_of(std::move(input), {side, axes, centre, landmarks}));
+  return with_warnings(joint_of(std::move(input), {side, axes, centre, landmarks, keep, overlap_mm}));
 }
 
 // As the programs type it.
@@ -150,12 +170,14 @@ void bind_making(JointClass& joint) {
       .def_static(
           "read", &read_joint, py::arg("ball"), py::arg("socket"), py::kw_only(), py::arg("side") = none,
           py::arg("axes") = none, py::arg("centre") = none, py::arg("landmarks") = none,
+          py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
           "A joint of two mesh files in one frame, mm. side: left or right; axes: where +x, +y and +z "
           "point; centre: (x, y, z), fitted to the ball where it is not given; "
-          "landmarks: marked points, of a file or a dict, which give the frames.")
+          "landmarks: marked points, of a file or a dict, which give the frames; keep: all, or of each mesh "
+          "the largest piece; overlap_mm: along a ray, that is no contact.")
       .def_static("from_arrays", &joint_of_arrays, py::arg("ball"), py::arg("socket"), py::kw_only(),
                   py::arg("side") = none, py::arg("axes") = "RAS", py::arg("centre") = none,
-                  py::arg("landmarks") = none,
+                  py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
                   "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).")
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
                   py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.");

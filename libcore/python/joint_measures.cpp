@@ -56,6 +56,8 @@ std::string certificate(PoseJoint& joint, const py::object& pose, const std::opt
   if (joint.joint().joint.frames)
     throw std::invalid_argument(
         "a certificate is about the meshes as they lie in their files; leave out landmarks=");
+  if (joint.joint().joint.overlap_mm > 0.0)
+    throw std::invalid_argument("a certificate is about the meshes as they are; leave out overlap_mm=");
   std::vector<Pose> poses{Pose{}};
   if (!pose.is_none()) poses = poses_of(joint.joint(), pose);
   if (poses.size() != 1)

@@ -19,6 +19,7 @@
 #include "session/pose_series.hpp"
 #include "session/proof.hpp"
 #include "session/resection.hpp"
+#include "session/scan_contact.hpp"
 #include "session/session.hpp"
 
 namespace impinge::python {
@@ -28,7 +29,9 @@ using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at 
 class PoseJoint {
  public:
   PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
-      : axes_(axes), session_(std::move(joint), side, axes) {}
+      : axes_(axes), session_(std::move(joint), side, axes) {
+    warn_of_contact(*session_.joint, {.overlap = "overlap_mm="});
+  }
   PoseJoint(const PoseJoint&) = delete;
   PoseJoint& operator=(const PoseJoint&) = delete;
 

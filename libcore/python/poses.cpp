@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gap/nearest_rotation.hpp"
+#include "hip/pose_travel.hpp"
 #include "python/arrays.hpp"
 #include "session/pose_answer.hpp"
 #include "session/pose_series.hpp"
@@ -119,6 +120,10 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
       throw std::invalid_argument("poses: the last row of matrix " + std::to_string(k) + " is not 0,0,0,1");
     poses[k] = matrices ? placed(joint, row, k) : turned(joint, motion_at(row, kPoses), kPoses);
   }
+  if (!matrices) return poses;
+  const std::string doubt =
+      doubtful_travel(joint.joint, poses.size(), [&](std::size_t k) { return poses[k]; });
+  warn(doubt.empty() ? doubt : "poses: " + doubt);
   return poses;
 }
 

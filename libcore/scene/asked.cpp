@@ -70,6 +70,8 @@ json asked_json(const SceneOptions& options, const Joint& joint) {
   add_taken(joint.socket, asked["socket"]);
   if (!options.ball_parts.empty()) asked["ball"]["parts"] = names_of(options.ball_parts);
   if (!options.socket_parts.empty()) asked["socket"]["parts"] = names_of(options.socket_parts);
+  if (options.keep_largest) asked["keep"] = "largest";
+  if (options.overlap_mm > 0.0) asked["overlap_mm"] = options.overlap_mm;
   if (options.many()) {
     asked["pose"] = nullptr;
     if (options.poses) asked["poses"] = options.poses->string();

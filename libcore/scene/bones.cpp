@@ -135,6 +135,8 @@ json answer_joint(Session& session, const SceneOptions& options, std::ostream& l
 // Rows of one joint, and what its summary says of it.
 json ask(const SceneOptions& options, const std::string& joint, Table& table, std::ostream& log) {
   Session session = load_joint(options);
+  for (const std::string& warning : session.joint->joint.warnings)
+    log << "scene: warning: " << one_line(warning) << std::endl;
   if (options.limit != nullptr) {
     add_limits(joint, answer_motions(session, options), table);
   } else if (options.measures) {

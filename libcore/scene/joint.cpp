@@ -10,9 +10,11 @@
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_parts.hpp"
+#include "mesh/mesh_pieces.hpp"
 #include "scene/cartilage_file.hpp"
 #include "scene/landmark_file.hpp"
 #include "scene/scene_files.hpp"
+#include "session/scan_contact.hpp"
 
 namespace impinge {
 namespace {
@@ -46,12 +48,32 @@ std::string axes_of(const SceneOptions& options) {
   return choice.from == "assumed" ? options.axes : choice.code;
 }
 
+// A file of bone, or the largest of its pieces alone, which `said` then tells.
+TriangleMesh read_file(const std::filesystem::path& file, bool keep_largest, std::vector<std::string>& said) {
+  TriangleMesh mesh = read_mesh(file);
+  if (!keep_largest) return mesh;
+  const std::string left_out = keep_largest_piece(mesh);
+  if (!left_out.empty()) said.push_back(file.string() + ": " + left_out);
+  return mesh;
+}
+
 // A part is called as its file is.
-NamedMesh read_bone(const std::filesystem::path& file, const std::vector<std::filesystem::path>& parts) {
-  NamedMesh bone{file.string(), read_mesh(file), {}};
-  for (const std::filesystem::path& part : parts)
-    append_part(bone.mesh, bone.parts, part.stem().string(), read_mesh(part));
+NamedMesh read_bone(const std::filesystem::path& file, const std::vector<std::filesystem::path>& parts,
+                    bool keep_largest, std::vector<std::string>& said) {
+  NamedMesh bone{file.string(), read_file(file, keep_largest, said)};
+  for (const std::filesystem::path& part : parts) {
+    append_part(bone.mesh, bone.parts, part.stem().string(), read_file(part, keep_largest, said));
+    bone.part_names.push_back(part.string());
+  }
   return bone;
+}
+
+// A gap of this size or less counts as contact too, where one is asked about.
+void warn_of_start(const SceneOptions& options, SessionJoint& joint) {
+  ScanContactOptions told{.overlap = "--overlap", .threshold_mm = 0.0, .threshold = "--cartilage"};
+  if (options.limit != nullptr) told.threshold_mm = options.cartilage_mm;
+  if (options.volume) told = {"--overlap", options.volume->gap_mm, "--gap"};
+  warn_of_contact(joint, told);
 }
 
 }  // namespace
@@ -59,16 +81,21 @@ NamedMesh read_bone(const std::filesystem::path& file, const std::vector<std::fi
 Session load_joint(const SceneOptions& options) {
   require_other_folder(options);
   JointInput input;
-  input.ball = read_bone(options.ball, options.ball_parts);
-  input.socket = read_bone(options.socket, options.socket_parts);
+  std::vector<std::string> said;
+  input.ball = read_bone(options.ball, options.ball_parts, options.keep_largest, said);
+  input.socket = read_bone(options.socket, options.socket_parts, options.keep_largest, said);
   input.centre = options.centre;
   input.side = options.side;
   input.axes = axes_of(options);
+  input.overlap_mm = options.overlap_mm;
   Joint joint = assemble_joint(std::move(input));
   if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
   if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
+  joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());
   const std::string axes = joint.axes;
-  return {std::move(joint), options.side, axes};
+  Session session(std::move(joint), options.side, axes);
+  warn_of_start(options, *session.joint);
+  return session;
 }
 
 std::string describe_taken(const SceneOptions& options, const Joint& joint) {

@@ -50,12 +50,17 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
       "one or more");
   app.add_option("--socket-part", options.socket_parts,
                  "the same beside the socket, such as the anterior inferior iliac spine; one or more");
+  app.add_option("--keep", typed.keep,
+                 "all, or of each file only the largest of the pieces that do not hang together [all]");
   app.add_option(
       "--bones", options.bones,
       "instead of --ball and --socket: a folder with one sub-folder per joint; answers any question but "
       "all-gaps for all of them in one table");
   app.add_option("--out", options.out,
                  "output folder, created if missing; which files it gets depends on the question");
+  app.add_option(
+      "--overlap", typed.overlap,
+      "depth along a ray to which the surfaces may overlap, mm [0]: the ball is taken so much smaller");
   app.add_option("--centre", typed.centre, "centre of rotation: fit, or X,Y,Z in mm")->capture_default_str();
   auto* scheme =
       app.add_option("--scheme", typed.scheme,

@@ -43,6 +43,8 @@ struct SceneOptions : PoseQuestion {
   /// Meshes of bone beside the ball, in the same frame (mesh/mesh_parts.hpp).
   std::vector<std::filesystem::path> ball_parts;
   std::vector<std::filesystem::path> socket_parts;  // beside the socket
+  bool keep_largest = false;                        // of each file only the largest piece
+  double overlap_mm = 0.0;                          // along a ray, that is no contact (hip/joint.hpp)
   std::filesystem::path out;                        // folder that the files are written to
   std::optional<Vec3> centre;                       // mm, input frame; fitted to the ball if not given
   std::string pose = "as scanned";                  // the text that PoseQuestion::motion was read from

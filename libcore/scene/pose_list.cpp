@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "files/file_bytes.hpp"
@@ -19,6 +20,15 @@ constexpr const char* kAdvice =
     "matrices of 12 or 16 numbers a line, or a motion of OpenSim (.mot, .sto)";
 
 constexpr std::size_t kMostPoses = 10'000'000;  // of a grid
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+// As programs write what was not tracked.
+bool is_missing(std::string_view word) {
+  if (word.starts_with('-')) word.remove_prefix(1);
+  const auto letter = [&](std::size_t k) { return static_cast<char>(word[k] | 0x20); };
+  return word.empty() || (word.size() == 3 && letter(0) == 'n' && letter(1) == 'a' && letter(2) == 'n');
+}
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
@@ -66,11 +76,18 @@ class Lines {
     return words;
   }
 
-  // A finite number for each word.
+  // Is it a header, with text and without numbers?
+  bool names() const {
+    const std::vector<std::string_view> all = words();
+    return std::ranges::any_of(all, [](std::string_view word) { return !is_missing(word); }) &&
+           std::ranges::none_of(all, [](std::string_view word) { return finite_number(word).has_value(); });
+  }
+
+  // A finite number for each word, NaN for a missing one.
   std::vector<double> numbers() const {
     std::vector<double> numbers;
     for (const std::string_view word : words()) {
-      const auto value = finite_number(word);
+      const auto value = is_missing(word) ? std::optional(kMissing) : finite_number(word);
       if (!value) refuse(in_quotes(word) + " is no number");
       numbers.push_back(*value);
     }
@@ -91,7 +108,7 @@ class Lines {
 
 void add_angles(const Lines& lines, const std::vector<double>& row, PoseList& list) {
   for (std::size_t k = 0; k < row.size(); ++k) {
-    if (list.columns[k].motion != nullptr && !(std::abs(row[k]) <= kLargestAngle))
+    if (list.columns[k].motion != nullptr && std::abs(row[k]) > kLargestAngle)
       lines.refuse("an angle of " + list.columns[k].name + " is not within 180 degrees of 0");
     list.values.push_back(row[k]);
   }
@@ -100,6 +117,10 @@ void add_angles(const Lines& lines, const std::vector<double>& row, PoseList& li
 void add_matrix(const Lines& lines, const std::vector<double>& row, PoseList& list) {
   if (row.size() != 12 && row.size() != 16)
     lines.refuse(std::to_string(row.size()) + " numbers are no matrix");
+  if (std::ranges::any_of(row, [](double x) { return std::isnan(x); })) {
+    list.values.insert(list.values.end(), 12, kMissing);
+    return;
+  }
   if (row.size() == 16 && (row[12] != 0.0 || row[13] != 0.0 || row[14] != 0.0 || row[15] != 1.0))
     lines.refuse("the last row of a matrix is 0,0,0,1");
   Eigen::Matrix3d given;
@@ -112,6 +133,13 @@ void add_matrix(const Lines& lines, const std::vector<double>& row, PoseList& li
     for (Eigen::Index k = 0; k < 3; ++k) list.values.push_back((*nearest)(i, k));
     list.values.push_back(row[static_cast<std::size_t>(4 * i + 3)]);
   }
+}
+
+void require_pose(const std::filesystem::path& file, const PoseList& list) {
+  for (std::size_t row = 0; row < list.size(); ++row) {
+    if (list.tracked(row)) return;
+  }
+  throw FileError(file, list.values.empty() ? "holds no pose" : "has a number missing in every row", kAdvice);
 }
 
 PoseList read_csv(const std::filesystem::path& file, std::string_view bytes) {
@@ -130,9 +158,7 @@ PoseList read_csv(const std::filesystem::path& file, std::string_view bytes) {
       }
     }
   }
-  bool more = true;
-  if (!matrices || !finite_number(head.front())) more = lines.next();
-  for (; more; more = lines.next()) {
+  for (bool more = !lines.names() || lines.next(); more; more = lines.next()) {
     const std::vector<double> row = lines.numbers();
     if (matrices) {
       add_matrix(lines, row, list);
@@ -142,7 +168,7 @@ PoseList read_csv(const std::filesystem::path& file, std::string_view bytes) {
       add_angles(lines, row, list);
     }
   }
-  if (list.values.empty()) throw FileError(file, "holds no pose", kAdvice);
+  require_pose(file, list);
   return list;
 }
 
@@ -196,7 +222,7 @@ PoseList read_opensim(const std::filesystem::path& file, std::string_view bytes,
     for (std::size_t k = 0; k < from.size(); ++k) row.push_back(all[from[k]] * (k == 0 ? 1.0 : unit));
     add_angles(lines, row, list);
   }
-  if (list.values.empty()) throw FileError(file, "holds no pose", kAdvice);
+  require_pose(file, list);
   return list;
 }
 
@@ -247,6 +273,12 @@ Axis parse_axis(std::string_view text) {
 }
 
 }  // namespace
+
+bool PoseList::tracked(std::size_t row) const {
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(row * width());
+  return std::all_of(first, first + static_cast<std::ptrdiff_t>(width()),
+                     [](double x) { return !std::isnan(x); });
+}
 
 bool PoseList::needs_side() const {
   return std::ranges::any_of(columns, [](const PoseColumn& column) {
@@ -301,7 +333,9 @@ PoseList parse_pose_grid(std::string_view text) {
 }
 
 PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side) {
-  const std::string bytes = read_bytes(file);
+  const std::string whole = read_bytes(file);
+  std::string_view bytes = whole;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // byte order mark of UTF-8
   const std::string kind = file.extension().string();
   return kind == ".mot" || kind == ".sto" ? read_opensim(file, bytes, side) : read_csv(file, bytes);
 }

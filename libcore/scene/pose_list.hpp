@@ -23,10 +23,12 @@ struct PoseColumn {
 /// One pose a row: either angles in degrees, or a matrix (3 x 4) as twelve numbers, row by row.
 struct PoseList {
   std::vector<PoseColumn> columns;  // empty for matrices
-  std::vector<double> values;       // of all rows, one row after the other
+  std::vector<double> values;       // of all rows, one row after the other; NaN where the file has none
 
   std::size_t width() const { return columns.empty() ? 12 : columns.size(); }
   std::size_t size() const { return values.size() / width(); }
+  /// Has the row all of its numbers? A camera that lost its markers leaves rows without.
+  bool tracked(std::size_t row) const;
   /// Does it have angles that need the side of the body (abduction, rotation)?
   bool needs_side() const;
   /// The motion that the angles of a row make; not for matrices.
@@ -52,8 +54,9 @@ PoseList parse_pose_grid(std::string_view text);
 ///   * anything else: a CSV. With a header of the names of motions (hip/motion.hpp) its rows are angles in
 ///     degrees. Rows of 12 or 16 numbers, with a header or without, are matrices, row by row, x' = M x, frame
 ///     of the input, mm. Each becomes the nearest rotation, from which no number may be off by more than
-///     kLargestSkew (gap/nearest_rotation.hpp).
-/// FileError names the line.
+///     kLargestSkew (gap/nearest_rotation.hpp). A header holds text and no number.
+/// A row with a field that is empty or NaN is kept, as one that is not tracked; a byte order mark is no part
+/// of a file. FileError names the line.
 PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side);
 
 }  // namespace impinge

@@ -15,9 +15,11 @@
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
 #include "files/formatted.hpp"
+#include "files/one_line.hpp"
 #include "files/stopwatch.hpp"
 #include "files/temporary_file.hpp"
 #include "files/thread_team.hpp"
+#include "hip/pose_travel.hpp"
 #include "scene/asked.hpp"
 #include "session/pose_answer.hpp"
 #include "session/pose_series.hpp"
@@ -65,10 +67,13 @@ std::string key_of(const SceneOptions& options, const Joint& joint, const PoseLi
   return asked_key(options, joint, more);
 }
 
+constexpr const char* kUntracked = "untracked";  // in the place of touch
+
 // What all rows say together, from their text: some of them may be from an earlier run.
 struct Tally {
   std::size_t rows = 0;
   std::size_t touching = 0;
+  std::size_t untracked = 0;
   std::size_t smallest_pose = 0;      // from 1
   std::vector<std::string> smallest;  // its row; empty where there is none
 
@@ -81,6 +86,7 @@ struct Tally {
     }
     ++rows;
     if (cell[1] == "yes") ++touching;
+    if (cell[1] == kUntracked) ++untracked;
     if (cell[3].empty() || (!smallest.empty() && std::stod(cell[3]) >= std::stod(smallest[3]))) return;
     smallest_pose = rows;
     smallest = cell;
@@ -147,6 +153,7 @@ class Part {
 std::string row_of(const SessionJoint& joint, const PoseList& list, std::size_t pose,
                    const SeriesAnswer& answer) {
   std::vector<Cell> cells{pose + 1, Cell(), Cell(), Cell(), Cell(), Cell(), Cell(), Cell()};
+  if (!list.tracked(pose)) cells[1] = kUntracked;
   if (answer.touch) {
     const BodyPairs::Verdict& touch = *answer.touch;
     if (touch.contact != Contact::unknown) cells[1] = touch.contact == Contact::yes;
@@ -175,6 +182,16 @@ Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
                               : pose_of(joint, list.motion(row));
 }
 
+// One line where matrices are in another unit or frame; empty where they look right.
+std::string doubt_of(const SceneOptions& options, const SessionJoint& joint, const PoseList& list) {
+  if (!list.columns.empty()) return {};
+  const auto pose_at = [&](std::size_t row) {
+    return list.tracked(row) ? pose_in(joint, list, row) : Pose();
+  };
+  const std::string doubt = doubtful_travel(joint.joint, list.size(), pose_at, 1);
+  return doubt.empty() ? doubt : options.poses->string() + ": " + doubt;
+}
+
 }  // namespace
 
 json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::ostream& log) {
@@ -186,6 +203,8 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
                                         .cartilage_mm = options.cartilage_mm});
   Part part(options.out / ("poses-" + key_of(options, joint.joint, list) + ".part"),
             head_of(list, options.areas));
+  const std::string doubt = doubt_of(options, joint, list);
+  if (!doubt.empty()) log << "scene: warning: " << one_line(doubt) << std::endl;
   const double ready_ms = watch.lap_ms();
   const std::size_t kept = part.tally().rows;
   if (kept > 0)
@@ -198,7 +217,9 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
     std::vector<std::string> rows(std::min(threads * kRowsOfAThread, list.size() - pose));
     on_threads(threads, [&](std::size_t thread) {
       for (std::size_t k = thread; k < rows.size(); k += threads)
-        rows[k] = row_of(joint, list, pose + k, series.answer(pose_in(joint, list, pose + k)));
+        rows[k] =
+            row_of(joint, list, pose + k,
+                   list.tracked(pose + k) ? series.answer(pose_in(joint, list, pose + k)) : SeriesAnswer());
     });
     for (const std::string& row : rows) part.add(row);
     part.flush();
@@ -216,8 +237,10 @@ json answer_poses(const SceneOptions& options, const SessionJoint& joint, std::o
   answer_ms += watch.lap_ms();
   const Tally& tally = part.tally();
   json summary = asked_json(options, joint.joint);
+  if (!doubt.empty()) summary["warnings"].push_back(doubt);
   summary.update(
       {{"number_of_poses", list.size()},
+       {"untracked", tally.untracked},
        {"touching", options.question == Question::first_contact ? json(nullptr) : json(tally.touching)},
        {"smallest_gap", tally.smallest_json()},
        {"times_ms", {{"ready", ready_ms}, {"answer", answer_ms}}}});
@@ -228,6 +251,8 @@ std::string describe_poses(const json& summary) {
   std::string text = formatted("poses               %zu", summary["number_of_poses"].get<std::size_t>());
   if (!summary["touching"].is_null())
     text += formatted(", %zu of them touch", summary["touching"].get<std::size_t>());
+  if (const auto lost = summary["untracked"].get<std::size_t>(); lost > 0)
+    text += formatted(", %zu without numbers: untracked in poses.csv", lost);
   text += "\n";
   const json& smallest = summary["smallest_gap"];
   if (smallest.is_null()) return text;

@@ -128,18 +128,6 @@ json levels_json(Surface surface, const SurfaceAnswer& found, bool map) {
   return levels;
 }
 
-// In the pose of the scan no bone is in another one.
-json warnings_json(const Joint& joint, const Measurement& found) {
-  json warnings = joint.warnings;
-  const bool as_scanned = found.pose.rotation == Eigen::Matrix3d::Identity();
-  if (as_scanned && found.smallest && found.smallest->gap_mm < 0.0) {
-    warnings.push_back(
-        "the bones overlap as scanned, where none can; check the centre, the frame and the "
-        "segmentation of both meshes");
-  }
-  return warnings;
-}
-
 // Work that this scene did not need, and why.
 json left_out(const Joint& joint, const std::vector<LeftOut>& planned) {
   json items = left_out_json(planned);
@@ -190,7 +178,6 @@ nlohmann::json summary(const SceneOptions& options, const SessionJoint& joint, c
                    {"no_gap_rgb", kNoGapColour}}},
                  {"way", found.way},
                  {"left_out", left_out(read, found.left_out)},
-                 {"warnings", warnings_json(read, found)},
                  {"times_ms", times_json(found)}});
   return report;
 }

@@ -358,6 +358,10 @@ void set_cartilage(const TypedOptions& typed, SceneOptions& options) {
 
 void interpret(const TypedOptions& typed, SceneOptions& options) {
   if (typed.centre != "fit") options.centre = parse_centre(typed.centre);
+  if (typed.keep != "all" && typed.keep != "largest")
+    refuse_option("--keep", typed.keep, "is no choice of pieces; give all or largest");
+  options.keep_largest = typed.keep == "largest";
+  options.overlap_mm = parse_length("--overlap", typed.overlap);
   set_accuracy(typed, options);
   for_option("--axes", [&] { return input_to_joint(options.axes); });
   if (!typed.side.empty()) options.side = for_option("--side", [&] { return parse_side(typed.side); });
@@ -382,6 +386,9 @@ void interpret(const TypedOptions& typed, SceneOptions& options) {
   if (options.certificate && options.landmarks)
     throw OptionError(
         "option --certificate: it is about the meshes as they lie in their files; leave out --landmarks");
+  if (options.certificate && (options.overlap_mm > 0.0 || options.keep_largest))
+    throw OptionError(
+        "option --certificate: it is about all of the meshes in their files; leave out --overlap and --keep");
   if (options.certificate && options.all_motions)
     throw OptionError(
         "option --certificate: it is of one pose or motion; add --question limit --motion NAME");

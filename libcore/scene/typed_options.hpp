@@ -13,6 +13,8 @@ namespace impinge {
 /// Values of the options as text; an empty text means that the option was not given.
 struct TypedOptions {
   std::string centre = "fit";
+  std::string keep = "all";
+  std::string overlap;
   std::string scheme;
   std::string precision;
   std::string max_error;

@@ -11,9 +11,11 @@ PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
     : outputs_(outputs),
       meshes_{main_surface(joint.ball.mesh, joint.ball.parts),
               main_surface(joint.socket.mesh, joint.socket.parts)},
-      bodies_(meshes_,
-              bone_parts({joint.ball.mesh, joint.ball.parts}, {joint.socket.mesh, joint.socket.parts})),
       joint_(meshes_) {
+  if (outputs.touch) {
+    bodies_.emplace(meshes_, bone_parts({joint.ball.mesh, joint.ball.parts},
+                                        {joint.socket.mesh, joint.socket.parts}));
+  }
   if (!outputs.areas) return;
   scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));
   scans_.emplace_back(meshes_.socket, meshes_.ball, facing_layer(Surface::ball));
@@ -38,7 +40,7 @@ SeriesArea PoseSeries::Scan::area(const Pose& pose, Surface of, double cartilage
 
 SeriesAnswer PoseSeries::answer(const Pose& pose) const {
   SeriesAnswer answer;
-  if (outputs_.touch) answer.touch = bodies_.verdict(pose);
+  if (bodies_) answer.touch = bodies_->verdict(pose);
   if (outputs_.areas) {
     answer.areas = {scans_[0].area(pose, Surface::ball, outputs_.cartilage_mm),
                     scans_[1].area(pose, Surface::socket, outputs_.cartilage_mm)};

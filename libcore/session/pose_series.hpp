@@ -66,7 +66,7 @@ class PoseSeries {
 
   SeriesOutputs outputs_;
   BallSocketPair meshes_;  // the main surfaces
-  BodyPairs bodies_;
+  std::optional<BodyPairs> bodies_;  // if touch is asked for
   CulledJoint joint_;
   std::vector<Scan> scans_;               // of ball and socket, if areas are
 };

@@ -8,6 +8,7 @@
 #include "files/stopwatch.hpp"
 #include "hip/hip.hpp"
 #include "mesh/surface_vertices.hpp"
+#include "session/scan_contact.hpp"
 #include "table/probe_directions.hpp"
 #include "table/surface_index.hpp"
 
@@ -133,7 +134,9 @@ void use_hip(Session& session, const HipParameters& parameters) {
 void use_meshes(Session& session, JointInput input) {
   const std::optional<Side> side = input.side;
   const std::string axes = input.axes;
-  use(session, std::make_unique<SessionJoint>(assemble_joint(std::move(input)), side, axes));
+  auto joint = std::make_unique<SessionJoint>(assemble_joint(std::move(input)), side, axes);
+  warn_of_contact(*joint);
+  use(session, std::move(joint));
 }
 
 void fill_tables(Session& session, const TableSettings& settings) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -36,98 +37,126 @@ inline constexpr double kBesideEdge = 1e-9;
 /// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
 inline constexpr double kRimPlace = 1e-12;
 
-/// The line from `from` to `to`, each of its points x moved by |x| `aside`. It is halved by angle: the ray
-/// that halves the angle between two points divides the line between them as their distances from the centre.
+/// A piece of a straight line, and the angle between the directions of its ends.
+struct RimPart {
+  Vec3 first;    // mm
+  Vec3 last;     // mm
+  double angle;  // radians, or more
+};
+
+/// The cross product, each component within two units of its last place: both terms of a difference are exact
+/// (Kahan; Jeannerod, Louvet and Muller 2013). So the plane of two points that are all but opposite keeps its
+/// digits.
+inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
+  const auto difference = [&](Eigen::Index i, Eigen::Index k) {
+    const double product = a[k] * b[i];
+    return std::fma(a[i], b[k], -product) - std::fma(a[k], b[i], -product);
+  };
+  return {difference(1, 2), difference(2, 0), difference(0, 1)};
+}
+
+/// The direction across an edge, unit; 0 where the centre sees it as one or two points.
+inline Vec3 across(const Vec3& from, const Vec3& to) { return accurate_cross(from, to).stableNormalized(); }
+
+/// The point of the line through both that is nearest to the centre. Nearer than 1e-60 of their distance it
+/// is put there, in its direction, so that its square is a number.
+inline Vec3 nearest_to_centre(const Vec3& first, const Vec3& last) {
+  const Vec3 along = last - first;
+  const Vec3 normal = accurate_cross(first, last);
+  const double radius = std::max(normal.stableNorm() / along.norm(), 1e-60 * along.norm());
+  return radius * along.normalized().cross(normal.stableNormalized());
+}
+
+/// Both halves: the ray that halves the angle between two points divides the line between them as their
+/// distances from the centre. Where they are all but opposite, that sum has lost its digits: the line, which
+/// passes near the centre then, is parted where it is nearest to it, and not in equal angles.
+inline std::array<RimPart, 2> halves(const RimPart& part) {
+  const double near = part.first.norm();
+  const double far = part.last.norm();
+  if (part.first.dot(part.last) < -0.7 * near * far) {
+    const Vec3 middle = nearest_to_centre(part.first, part.last);
+    return {{{part.first, middle, angle_between(part.first, middle)},
+             {middle, part.last, angle_between(middle, part.last)}}};
+  }
+  const Vec3 middle = (far / (near + far)) * part.first + (near / (near + far)) * part.last;
+  return {{{part.first, middle, 0.5 * part.angle}, {middle, part.last, 0.5 * part.angle}}};
+}
+
+/// The line from `from` to `to`, each of its points x moved by |x| `aside`. It does not lead through the
+/// centre itself.
 struct RimLine {
   Vec3 from;                  // mm
   Vec3 to;                    // mm
   Vec3 aside = Vec3::Zero();  // across, radians
 
-  /// Two places of the line as shares of it, and the angle between their directions.
-  struct Part {
-    double first;  // share
-    double last;   // share
-    double angle;  // radians
-  };
-
-  Part whole() const { return {0.0, 1.0, angle_between(from, to)}; }  // of the line
-  /// The point at a share of the line, mm.
-  Vec3 point(double share) const {
-    const Vec3 x = from + share * (to - from);
-    return x + x.norm() * aside;
-  }
-  /// Where the angle of a part is halved.
-  double middle(const Part& part) const {
-    const double near = (from + part.first * (to - from)).norm();
-    const double far = (from + part.last * (to - from)).norm();
-    return near + far > 0.0 ? part.first + (part.last - part.first) * (near / (near + far)) : part.last;
-  }
+  RimPart whole() const { return {from, to, angle_between(from, to)}; }  // not moved
+  Vec3 moved(const Vec3& x) const { return x + x.norm() * aside; }       // a point of it, mm
 };
 
-/// Follows a line from cell to cell.
+/// Follows a straight line from cell to cell.
 template <class S, class Visit>
 class RimTrace {
  public:
-  /// Keeps references to all three.
-  RimTrace(const S& scheme, const RimLine& line, Visit& visit)
-      : scheme_(scheme), line_(line), visit_(visit), here_(scheme.stencil(line.point(0.0))) {}
+  /// Keeps references to `scheme` and `visit`.
+  RimTrace(const S& scheme, const RimPart& line, Visit& visit)
+      : scheme_(scheme),
+        line_(line),
+        visit_(visit),
+        entered_(line.first),
+        here_(scheme.stencil(line.first)) {}
 
   /// From one end to the other, once.
   void run() {
-    follow(line_.whole());
-    visit_(here_, line_.point(entered_), line_.point(1.0));
+    follow(line_);
+    visit_(here_, entered_, line_.last);
   }
 
  private:
   /// In parts that meet each cell in one stretch, or are too short to matter.
-  void follow(const RimLine::Part& part) {
-    if (part.angle < kRimPlace || meets_once(part)) return find_changes(part);
-    const double middle = line_.middle(part);
-    follow({part.first, middle, 0.5 * part.angle});
-    follow({middle, part.last, 0.5 * part.angle});
-  }
-  bool meets_once(const RimLine::Part& part) const {
-    const Vec3 a = line_.point(part.first);
-    const Vec3 b = line_.point(part.last);
-    return meets_cells_once(scheme_, a, b);
+  void follow(const RimPart& part) {
+    if (part.angle < kRimPlace || meets_cells_once(scheme_, part.first, part.last)) return find_changes(part);
+    for (const RimPart& half : halves(part)) follow(half);
   }
 
   /// Where the line leaves the cell that it is in is found by halving.
-  void find_changes(RimLine::Part part) {
-    const std::size_t last_cell = scheme_.stencil(line_.point(part.last)).cell;
+  void find_changes(RimPart part) {
+    const std::size_t last_cell = scheme_.stencil(part.last).cell;
     while (here_.cell != last_cell) {
-      RimLine::Part change = part;
-      for (; change.angle > kRimPlace; change.angle *= 0.5) {
-        const double middle = line_.middle(change);
-        (scheme_.stencil(line_.point(middle)).cell == here_.cell ? change.first : change.last) = middle;
+      RimPart change = part;
+      while (change.angle > kRimPlace) {
+        const auto [before, after] = halves(change);
+        change = scheme_.stencil(before.last).cell == here_.cell ? after : before;
       }
-      visit_(here_, line_.point(entered_), line_.point(change.first));
+      visit_(here_, entered_, change.first);
       part.first = entered_ = change.last;
-      here_ = scheme_.stencil(line_.point(entered_));
+      here_ = scheme_.stencil(entered_);
     }
   }
 
   const S& scheme_;
-  const RimLine& line_;
+  RimPart line_;
   Visit& visit_;
-  double entered_ = 0.0;  // where the line entered the cell that it is in
+  Vec3 entered_;  // where the line entered the cell that it is in
   Stencil here_;
 };
 
 /// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
 /// ends. No cell is left out in which the line is deeper than rounding. A line moved aside is taken as
 /// straight for at most an eighth of a turn, no farther than 1.09 `aside` from the edge; longer ones are
-/// halved.
+/// halved. `part` is of the line.
+template <class S, class Visit>
+void for_each_cell_along(const S& scheme, const RimLine& line, const RimPart& part, Visit&& visit) {
+  if (part.angle > 0.25 * kPi && !line.aside.isZero(0.0)) {
+    for (const RimPart& half : halves(part)) for_each_cell_along(scheme, line, half, visit);
+    return;
+  }
+  const RimLine straight{line.moved(part.first), line.moved(part.last)};
+  RimTrace<S, std::remove_reference_t<Visit>>(scheme, straight.whole(), visit).run();
+}
+/// Along the whole line.
 template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
-  const RimLine::Part whole = line.whole();
-  if (whole.angle > 0.25 * kPi && !line.aside.isZero(0.0)) {
-    const Vec3 middle = line.from + line.middle(whole) * (line.to - line.from);
-    for_each_cell_along(scheme, {line.from, middle, line.aside}, visit);
-    return for_each_cell_along(scheme, {middle, line.to, line.aside}, visit);
-  }
-  const RimLine straight{line.point(0.0), line.point(1.0)};
-  RimTrace<S, std::remove_reference_t<Visit>>(scheme, straight, visit).run();
+  for_each_cell_along(scheme, line, line.whole(), visit);
 }
 
 /// The least distance from the centre of a stretch of a line, mm.
@@ -214,10 +243,6 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
   }
 }
 
-/// The direction across an edge, unit; 0 where the centre sees it as a point. The difference of near ends is
-/// exact, or nearly so, and their product is small: its rounding is one of the edge's own length.
-inline Vec3 across(const Vec3& from, const Vec3& to) { return from.cross(to - from).stableNormalized(); }
-
 /// For a scheme that does not declare the borders of its cells: takes the surface from every entry within the
 /// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
 /// one across an edge.
@@ -250,7 +275,8 @@ void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& t
   });
 }
 
-/// Calls visit(edge, line) for either side of each edge, but for those that the centre sees as a point.
+/// Calls visit(edge, line) for either side of each edge, but for those that the centre sees as one or two
+/// points.
 template <class Visit>
 void for_each_side(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Visit&& visit) {
   for (const JumpEdge& edge : edges) {

@@ -38,6 +38,11 @@ REFUSED = {
         "--centre 1,2", "--centre 1,2,3,4", "--centre '1;2;3'", "--centre middle",
     ],
     "option --centre: 'nan' is no centre; give 'fit' or three numbers in mm as X,Y,Z": ["--centre 1,2,nan"],
+    "option --overlap: '{last}' is no length; give a number of mm, 0 or more": ["--overlap -1", "--overlap deep"],
+    "option --certificate: it is about all of the meshes in their files; leave out --overlap and --keep": [
+        "--certificate p --overlap 1", "--certificate p --keep largest",
+    ],
+    "option --keep: '{last}' is no choice of pieces; give all or largest": ["--keep some", "--keep 1"],
     "option --question: '{last}' needs the motion whose limit is wanted; add it, as --motion flexion": ["--question limit"],
     "option --motion: unknown motion '{last}'; {LIMITS}": [
         "--question limit --motion bend", "--question limit --motion flexion=30",
@@ -55,7 +60,7 @@ REFUSED = {
     "--ball-part: 1 required TEXT missing; see scene --help": ["--ball-part"],
     "option {option}: '' is empty; give it a value or leave it out": [
         "--ball-part ''", "--socket-part ''", "--precision ''", "--max-error ''", "--pose ''", "--side ''", "--cartilage ''",
-        "--centre ''", "--axes ''", "--scheme ''", "--question ''", "--surfaces ''", "--outputs ''", "--certificate ''",
+        "--centre ''", "--keep ''", "--overlap ''", "--axes ''", "--scheme ''", "--question ''", "--surfaces ''", "--outputs ''", "--certificate ''",
     ],
     "--ball excludes --bones; see scene --help": ["--bones ."],
     "option --motion: '{last}' comes with the question limit alone; add --question limit": ["--motion flexion"],

@@ -81,6 +81,31 @@ TEST_F(PoseFile, MatricesAreRowByRowAndBecomeTheNearestRotation) {
   }
 }
 
+// Only text without a number is a header; a row that lacks a number keeps its place.
+TEST_F(PoseFile, ARowThatIsNotTrackedIsKept) {
+  const std::string unit = "1,0,0,0,0,1,0,0,0,0,1,7";
+  for (const char* head :
+       {"", "\xEF\xBB\xBF", "a,b,c,d,e,f,g,h,i,j,k,\n", "\xEF\xBB\xBFr11,,,,,,,,,,,z\r\n"}) {
+    for (const char* lost : {"", "nan,NaN,-nan,NAN,nan,nan,nan,nan,nan,nan,nan,nan\n", ",,,,,,,,,,,\n",
+                             " , , , , , , , , , , ,\r\n", "1,0,0,,0,1,0,0,0,0,1,7\n"}) {
+      const PoseList list = read("m.csv", std::string(head) + lost + unit + "\n" + lost + unit, std::nullopt);
+      const std::size_t rows = *lost == '\0' ? 2 : 4;
+      ASSERT_EQ(list.size(), rows) << head << lost;
+      for (std::size_t row = 0; row < rows; ++row) {
+        ASSERT_EQ(list.tracked(row), rows == 2 || row % 2 == 1) << head << lost << row;
+        EXPECT_EQ(list.tracked(row), list.translation(row) == Vec3(0.0, 0.0, 7.0));
+      }
+    }
+  }
+  const PoseList angles = read("a.csv",
+                               "\xEF\xBB\xBF"
+                               "flexion,abduction\n,5\n10,5\nnan,nan\n");
+  ASSERT_EQ(angles.size(), 3U);
+  EXPECT_FALSE(angles.tracked(0));
+  EXPECT_TRUE(angles.tracked(1));
+  EXPECT_FALSE(angles.tracked(2));
+}
+
 TEST_F(PoseFile, WhatIsNoListNamesItsLine) {
   const std::string unit = "1,0,0,0,0,1,0,0,0,0,1,0";
   for (const auto& [bytes, word] : {std::pair<std::string, const char*>("flexion\n", "holds no pose"),
@@ -89,7 +114,11 @@ TEST_F(PoseFile, WhatIsNoListNamesItsLine) {
                                     {"flexion\n10\nten\n", "line 3: 'ten'"},
                                     {"flexion\n10\n11,12\n", "line 3: 2 numbers below 1 names"},
                                     {"flexion\n181\n", "line 2: an angle of flexion"},
-                                    {"flexion\nnan\n", "line 2: 'nan'"},
+                                    {"flexion\nnan\n", "has a number missing in every row"},
+                                    {unit + "\n1,0,0,0,0,1,0,0,0,0,1,x\n", "line 2: 'x' is no number"},
+                                    {"x" + unit.substr(1), "line 1: 'x' is no number"},
+                                    {",,,,,,,,,,,\n", "has a number missing in every row"},
+                                    {"a,b,c,d,e,f,g,h,i,j,k,l\n", "holds no pose"},
                                     {unit + "\n1,2\n", "line 2: 2 numbers are no matrix"},
                                     {unit + ",0,0,0,2", "0,0,0,1"},
                                     {"1,0,0,0,0,1,0,0,0,0,-1,0", "does not turn only"},
@@ -133,6 +162,16 @@ TEST_F(PoseFile, StatesOfOpenSimAreRadians) {
   EXPECT_NEAR(list.motion(0).internal_rotation, 90.0, 1e-12);
   const Vec3 front = joint_rotation(list.motion(0), Side::right) * Vec3(0.0, 1.0, 0.0);
   EXPECT_LT((front - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-15);
+}
+
+// Of another joint it does not matter.
+TEST_F(PoseFile, AMotionOfOpenSimMayLackNumbers) {
+  const PoseList list =
+      read("walk.mot", kHead + kLabels + "0 1 nan 0 0 0 0 0\n1 nan 9 0 0 nan 0 0\n2 1 8 0 0 0 0 0\n");
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_FALSE(list.tracked(0));
+  EXPECT_TRUE(list.tracked(1));
+  EXPECT_EQ(list.motion(2).flexion, 8.0);
 }
 
 TEST_F(PoseFile, AMotionThatLacksSomethingSaysWhat) {

@@ -3,7 +3,7 @@
 import impinge
 import numpy as np
 import pytest
-from shared import TURNS, marked, standing
+from shared import TURNS, marked, sphere, standing
 
 
 def test_landmarks_say_how_the_pelvis_leans(files, tmp_path):
@@ -99,3 +99,28 @@ def test_schemes_give_their_directions_and_stencils(name):
     taps = np.einsum("ni,nki->nk", unit, entries[places])[weights > 0]
     assert np.degrees(np.arccos(np.clip(taps, -1, 1))).max() <= scheme.stencil_radius_deg + 1e-6
     assert scheme.name == name and scheme.label and scheme.citation
+
+
+def test_pieces_centres_and_contact_are_warned_of(files):
+    ball, socket = sphere(20), sphere(24, open_above=5)
+    speck = sphere(0.5)[0] + (0, 0, 21.5), sphere(0.5)[1]
+    both = np.concatenate([ball[0], speck[0]]), np.concatenate([ball[1], speck[1] + len(ball[0])])
+    with pytest.warns(UserWarning, match=r'ball: has 2 pieces .* 40.0 and 1.0 mm across.*with keep="largest"'):
+        impinge.Joint.from_arrays(both, socket, centre=(0, 0, 0))
+    with pytest.warns(UserWarning, match="ball: 1 of its 2 pieces left out, 1.0 mm across"):
+        joint = impinge.Joint.from_arrays(both, socket, centre=(0, 0, 0), keep="largest")
+    assert len(joint.ball.faces) == len(ball[1]) and len(joint.warnings) == 1
+    with pytest.raises(ValueError, match="keep: 'some' is no choice of pieces; give all or largest"):
+        impinge.Joint.read(*files, keep="some")
+    with pytest.warns(UserWarning, match=r"ball: the centre that was given, 0.000,0.000,6.000, is 6.0 mm from"):
+        impinge.Joint.from_arrays(ball, socket, centre=(0, 0, 6))
+    with pytest.warns(UserWarning, match=r"ball and socket touch as scanned, 0.\d+ mm deep"):
+        joint = impinge.Joint.from_arrays(sphere(24.2), socket, centre=(0, 0, 0))
+    assert joint.touch([0, 0, 0])[0]
+    joint = impinge.Joint.from_arrays(sphere(24.2), socket, centre=(0, 0, 0), overlap_mm=0.5)
+    assert not joint.touch([0, 0, 0])[0] and not joint.warnings
+    assert joint.smallest_gap([0, 0, 0])["gap_mm"][0] == pytest.approx(0.3, abs=0.1)
+    with pytest.raises(ValueError, match="leave out overlap_mm="):
+        joint.certificate()
+    with pytest.raises(ValueError, match="overlap_mm: is no length"):
+        impinge.Joint.from_arrays(ball, socket, overlap_mm=-1)

@@ -3,6 +3,7 @@
 import signal
 import threading
 import time
+import warnings
 
 import impinge
 import numpy as np
@@ -152,3 +153,21 @@ def test_all_threads_get_the_answers_of_one(hip):
     for thread in threads:
         thread.join()
     assert not wrong
+
+
+def test_matrices_that_no_joint_can_follow_are_warned_of(files):
+    joint = impinge.Joint.read(*files, side="right", centre=impinge.Joint.read(*files).centre + (0, 0, 0.5))
+    matrices = joint.matrices(TURNS)
+    far = matrices.copy()
+    far[2:, :3, 3] += (0, 400, 0)
+    with pytest.warns(UserWarning, match="poses: 3 of 5 poses, first pose 2, move the centre of the ball as far as 400 mm"):
+        joint.touch(far)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        joint.touch(matrices)
+
+
+def test_a_gap_that_is_there_from_the_start_is_warned_of(hip):
+    with pytest.warns(UserWarning, match="the smallest gap at the start is 3.* mm .*not above the 4 mm of cartilage_mm="):
+        rows = hip.limits("flexion")
+    assert [row["state"] for row in rows if row["threshold_mm"] == 4] == ["blocked"]

@@ -138,11 +138,11 @@ TEST_F(Cartilage, ABallThatPenetratesAllOverIsAnAnswer) {
 
 TEST_F(Cartilage, BonesThatOverlapAsScannedAreWarnedOf) {
   const SceneOptions sound = hip({.joint_space = 2.0});
-  EXPECT_EQ(test::run_scene(sound)["warnings"].dump().find("overlap as scanned"), std::string::npos);
+  EXPECT_EQ(test::run_scene(sound)["warnings"].dump().find("touch as scanned"), std::string::npos);
   SceneOptions options = sound;
   options.centre = Vec3::Zero();
   write_mesh(options.ball, test::moved(read_mesh(options.ball), {-3.0, 0.0, 0.0}));
-  EXPECT_NE(test::run_scene(options)["warnings"].dump().find("overlap as scanned"), std::string::npos);
+  EXPECT_NE(test::run_scene(options)["warnings"].dump().find("touch as scanned"), std::string::npos);
 }
 
 }  // namespace

@@ -116,6 +116,51 @@ TEST_F(Poses, AgreeWithEveryFaceAndEveryVertex) {
   EXPECT_EQ(summary_["touching"], touching);
 }
 
+TEST_F(Poses, ARowThatIsNotTrackedKeepsItsNumberAndSaysSo) {
+  options_.poses = folder_.write("poses.csv", ",,,,,,,,,,,\n1,0,0,0,0,1,0,0,0,0,1,0\n");
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"1", "untracked", "", "", "", "", "", ""}));
+  EXPECT_EQ(rows[2][0] + rows[2][1], "2no");
+  EXPECT_EQ(summary_["number_of_poses"], 2);
+  EXPECT_EQ(summary_["untracked"], 1);
+  EXPECT_EQ(summary_["smallest_gap"]["pose"], 2);
+  EXPECT_NE(describe_poses(summary_).find("1 without numbers: untracked"), std::string::npos);
+}
+
+// A quarter of a turn of flexion about the centre c is x' = R x + c - R c. Its translation is given in
+// another unit, left out, or both bones have moved in the room.
+TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
+  Eigen::Matrix3d turn;
+  turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  const Vec3 right = kCentre - turn * kCentre;
+  const double away = 600.0;
+  for (const auto& [given, advice] :
+       {std::pair<Vec3, std::string>(right, ""),
+        {right + Vec3(20.0, 0.0, 0.0), ""},
+        {right / 1000.0, "look like metres; give mm"},
+        {right / 10.0, "look like centimetres; give mm"},
+        {Vec3::Zero(),
+         "turn about the origin of the frame; add the translation c - R c, c = -86.000,20.500,-580.250"},
+        {right + Vec3(0.0, away, 0.0), "the inverse of the socket's times that of the ball"}}) {
+    std::ostringstream row;
+    row.precision(17);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) row << turn(i, k) << ',';
+      row << given[i] << (i < 2 ? "," : "\n");
+    }
+    options_.poses = folder_.write("poses.csv", "1,0,0,0,0,1,0,0,0,0,1,0\n" + row.str());
+    log_.str("");
+    answered();
+    const std::string said = log_.str();
+    EXPECT_EQ(summary_["warnings"].size(), advice.empty() ? 0U : 1U) << advice;
+    EXPECT_EQ(said.find("1 of 2 poses, first pose 2, move the centre of the ball as far as ") != said.npos,
+              !advice.empty())
+        << said;
+    EXPECT_NE(said.find(advice), said.npos) << said;
+  }
+}
+
 TEST_F(Poses, AnglesTurnAsInOnePose) {
   options_.path = "flexion=0..60/30,abduction=-20..20/20";
   const auto rows = answered();

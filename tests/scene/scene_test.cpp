@@ -216,10 +216,13 @@ TEST_F(Scene, AThickSocketIsReportedAndItsNearLayerUsed) {
   EXPECT_NEAR(report["smallest_gap"]["gap_mm"], 3.0, 0.1);
   EXPECT_NEAR(report["socket"]["directions_met_more_than_once"], 0.5 * (1.0 - std::cos(80.0 * kDegree)),
               0.01);
-  ASSERT_EQ(report["warnings"].size(), 1U);
-  const std::string warning = report["warnings"][0];
-  EXPECT_NE(warning.find("socket.ply: not star-shaped"), std::string::npos) << warning;
-  EXPECT_NE(warning.find("nearest to the centre"), std::string::npos) << warning;
+  ASSERT_EQ(report["warnings"].size(), 2U);
+  const std::string pieces = report["warnings"][0];
+  EXPECT_NE(pieces.find("socket.ply: has 2 pieces"), std::string::npos) << pieces;
+  const std::string warning = report["warnings"][1];
+  EXPECT_NE(warning.find("socket.ply: rays from the centre meet it more than once in 41"), std::string::npos)
+      << warning;
+  EXPECT_NE(warning.find("gaps are to the nearest layer"), std::string::npos) << warning;
 }
 
 }  // namespace

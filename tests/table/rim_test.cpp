@@ -14,6 +14,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "sphere/stored_table.hpp"
+#include "support/dice.hpp"
 #include "support/directions.hpp"
 #include "support/every_scheme.hpp"
 #include "support/joined.hpp"
@@ -303,17 +304,71 @@ TEST(Rim, ALineIsFollowedThroughEveryCell) {
   });
 }
 
-// The angle is halved and the distance from the edge stays, in the middle of an edge of almost half a turn
-// too, where it passes close to the centre; and the normal of a short edge has all of its digits.
+// An edge that passes the centre at any distance, and where no number tells how far along it: its directions
+// are half of a great circle, in a plane that is known in whole numbers.
+TEST(Rim, AnEdgeThatAllButMeetsTheCentreIsFollowedThroughEveryCell) {
+  test::Dice dice(35);
+  test::every_scheme([&]<class S>() {
+    if constexpr (HasKnownBorders<S>) {
+      const S scheme = S::with_precision(5.0);
+      for (const int exponent : {-3, -20, -44, -48, -51, -52, -60, -200, -1000}) {
+        const bool whole = exponent >= -48;  // else the sum is exact for it moves one coordinate, from 0
+        const Vec3 from = whole ? Vec3(dice.whole(5, 31), 0, dice.whole(-31, 31))
+                                : Vec3(dice.between(5.0, 31.0), 0.0, dice.between(-31.0, 31.0));
+        const Vec3 off(whole ? dice.whole(-9, 9) : 0, dice.whole(1, 9), whole ? dice.whole(-9, 9) : 0);
+        const Vec3 to = std::ldexp(1.0, exponent) * off - from;  // exact
+        const Vec3 start = from.normalized();
+        const Vec3 ahead = (off - off.dot(start) * start).normalized();
+        std::set<std::size_t> visited;
+        for_each_cell_along(scheme, RimLine{from, to},
+                            [&](const Stencil& s, const Vec3&, const Vec3&) { visited.insert(s.cell); });
+        const double end = angle_between(from, to);
+        const int pieces = static_cast<int>(end / (0.01 * scheme.covering_radius()));
+        std::size_t last = scheme.cells();
+        int stretch = 0;
+        for (int i = 0; i <= pieces; ++i) {
+          const double angle = end * i / pieces;
+          const std::size_t cell = scheme.stencil(std::cos(angle) * start + std::sin(angle) * ahead).cell;
+          stretch = cell == last ? stretch + 1 : 0;
+          last = cell;
+          if (stretch < 30) continue;
+          ASSERT_TRUE(visited.contains(cell)) << S::name << " 2^" << exponent << ' ' << angle;
+        }
+      }
+    }
+  });
+}
+
+// The face beyond that edge lies before a sphere: nothing is read across its rim.
+TEST(Rim, NothingIsReadAcrossAnEdgeThatAllButMeetsTheCentre) {
+  for (const double off : {1e-3, 3e-15, 1e-15, 1e-17, 1e-200}) {
+    TriangleMesh mesh = sphere(40.0, 2000);
+    test::add_face(mesh, {25.0, 0.0, 0.0}, {-25.0, off, 0.0}, {0.0, 0.0, 25.0});
+    test::every_scheme([&]<class S>() {
+      const auto table = fill_exact(mesh, S::with_precision(5.0), Layer::nearest);
+      for (double angle = 0.1; angle < 3.1; angle += 0.1) {
+        const Vec3 u(std::cos(angle), std::sin(angle), 1e-7);
+        EXPECT_TRUE(std::isnan(table.radius_at(u))) << S::name << ' ' << off << ' ' << angle;
+      }
+    });
+  }
+}
+
+// The angle is halved, or where the ends are all but opposite the edge is parted where it is nearest to the
+// centre, and the distance from the edge stays; and the normal of a short edge has all of its digits.
 TEST(Rim, ALineStaysAsFarBesideItsEdgeAsItIsTold) {
   for (const double left : {1e-6, 1e-3, 1.0, 3.0, 3.1415}) {
     const Vec3 from(20.0, 0.0, 0.0);
     const Vec3 to = 31.0 * Vec3(-std::cos(left), std::sin(left), 0.0);
     const RimLine line{from, to, kBesideEdge * across(from, to)};
-    const double half = line.middle(line.whole());
-    const Vec3 middle = line.point(half);
+    const Vec3 middle = line.moved(halves(line.whole())[0].last);
     EXPECT_NEAR(middle.normalized().z() / kBesideEdge, 1.0, 1e-6) << left;
-    EXPECT_NEAR(std::atan2(middle.y(), middle.x()), 0.5 * (kPi - left), 1e-9) << left;
+    const double turned = std::atan2(middle.y(), middle.x());
+    if (left > 0.8) {
+      EXPECT_NEAR(turned, 0.5 * (kPi - left), 1e-9) << left;
+    } else {
+      EXPECT_NEAR(middle.dot(to - from), 0.0, 1e-9 * middle.norm() * to.norm()) << left;
+    }
   }
   const Vec3 end(20.0, 1e-9, 0.0);
   EXPECT_LT(angle_between(across(end, {20.0, 2e-9, 3e-9}), Vec3(0.0, -3.0, 1.0)), 1e-6);

@@ -105,7 +105,7 @@ JointInput meshes_request(const val& request) {
   if (is_given(request["centre"])) input.centre = vector_request(request["centre"]);
   if (is_given(request["side"])) input.side = parse_side(request["side"].as<std::string>());
   input.axes = axes_request(request).code;
-  input.wording = {"as X, Y, Z", "ball and socket", "side and axes"};
+  input.wording = {"as X, Y, Z", "ball and socket", "side and axes", ""};
   return input;
 }
 

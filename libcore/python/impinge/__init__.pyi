@@ -10,7 +10,8 @@ Poses are
 Arrays of doubles in C order are read where they are; others are copied once. Long questions run without Python's lock,
 and Ctrl-C ends many poses, many motions and the volume; the other questions end when they are answered. Errors are
 ValueError for what is given, FileError or RuntimeError for meshes, with one line that says what to do; what looks wrong in
-a joint is a UserWarning, and in Joint.warnings."""
+a joint is a UserWarning, and in Joint.warnings; matrices that move the ball farther than its radius, and limits of a gap
+that is there from the start, are a UserWarning too."""
 from os import PathLike
 from typing import Any, Sequence, TypedDict
 
@@ -179,6 +180,8 @@ class Joint:
         axes: str | None = None,
         centre: Point | None = None,
         landmarks: Marked | None = None,
+        keep: str = "all",
+        overlap_mm: float = 0.0,
     ) -> Joint:
         """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
@@ -186,7 +189,8 @@ class Joint:
         landmarks: markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z, mm, with the labels of `scene --landmarks`; or a
         dict of places by these labels, in the frame of the meshes. They give the frame of the pelvis, and Joint.landmarks
         its tilt; with epicondyles that of the femur too, and the ball is turned to neutral, from which angles are then
-        counted."""
+        counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
+        along a ray the surfaces may overlap; the ball is taken so much smaller."""
     @staticmethod
     def from_arrays(
         ball: Mesh,
@@ -196,6 +200,8 @@ class Joint:
         axes: str = "RAS",
         centre: Point | None = None,
         landmarks: Marked | None = None,
+        keep: str = "all",
+        overlap_mm: float = 0.0,
     ) -> Joint:
         """The same of arrays. Equal points become one."""
     @staticmethod
