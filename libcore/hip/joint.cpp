@@ -252,6 +252,7 @@ bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   TriangleMesh main = relative_to(main_surface(split.mesh, split.parts), joint.centre);
   const StarShapeReport seen = star_shape(main);
   if (of == Surface::ball && std::abs(seen.solid_angle) < kHalfOfTheSphere) return false;
+  split.part_names.insert(split.part_names.begin(), whole.name);
   whole = std::move(split);
   part.mesh = std::move(main);
   part.star_shape = seen;
