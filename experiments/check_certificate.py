@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check_certificate.py CERTIFICATE BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: is it true of these meshes (PLY or OBJ)?
 
-Exact, and written from certificate_format.md alone. Exit code 0 where it is proven, 1 where not, with one line either way."""
+Exact, and written from certificate_format.md alone. Exit code 0 where it is proven, and then it says what; 1 where not, with one line."""
+import hashlib
 import math
+import pathlib
 import struct
 import sys
 from fractions import Fraction
@@ -17,12 +19,12 @@ def need(condition, reason):
         raise ValueError(reason)
 
 
-def number(text):
-    """A rational number: of a decimal, a fraction or a binary float."""
+def number(text):  # rational: a decimal, a fraction or a binary float
     if isinstance(text, str):
         digits, _, power = text.lower().partition("e")
         need(max(len(digits), 15 * len(power)) <= 60 and set(digits) <= set("+-.0123456789/"), f"{text[:60]}: no number")
-    return Fraction(text)
+        return Fraction(text)
+    return text
 
 
 def whole(words):
@@ -32,165 +34,213 @@ def whole(words):
 
 def read_ply(data):
     head, _, body = data.partition(b"\nend_header")
-    body, elements, rows, place = body[body.index(b"\n") + 1 :], [], {"vertex": [], "face": []}, 0
+    body, elements, rows, place = body[body.index(b"\n") + 1 :], [], {}, 0
     (title, form, _), *lines = [line.split() for line in head.decode("ascii", "replace").split("\n")[1:]]
     for kind, *words in lines:
-        if kind == "element":
-            elements.append((words[0], int(words[1]), []))
-        elif kind == "property":
-            elements[-1][2].append(words)
+        if kind in ("element", "property"):
+            elements.append([words]) if kind == "element" else elements[-1].append(words)
     source = body.decode("ascii", "replace").split() if form == "ascii" else body
 
     def take(kind, count):
         nonlocal place
-        layout = struct.Struct(ORDERS[form] + str(count) + "bBhHiIfd"[TYPES.index(kind) % 8])
-        place += count if form == "ascii" else layout.size
-        return source[place - count : place] if form == "ascii" else layout.unpack_from(source, place - layout.size)
+        layout = ORDERS[form] + str(count) + "bBhHiIfd"[TYPES.index(kind) % 8]
+        place += count if form == "ascii" else struct.calcsize(layout)
+        return source[place - count : place] if form == "ascii" else struct.unpack_from(layout, source, place - struct.calcsize(layout))
 
-    for name, count, properties in elements:
-        for _ in range(count):
-            row = {p[-1]: take(p[2], int(take(p[1], 1)[0])) if p[0] == "list" else take(p[0], 1)[0] for p in properties}
-            rows.setdefault(name, []).append(row)
-    once = all(len(set(names)) == len(names) for names in [[e[0] for e in elements]] + [[p[-1] for p in e[2]] for e in elements])
-    need(title == "format" and place == len(source) and once, "a PLY file is not as its header says")
-    corners = (row.get("vertex_indices") or row["vertex_index"] for row in rows["face"])
-    return [[row[axis] for axis in "xyz"] for row in rows["vertex"]], [[int(i) for i in f] for f in corners]
+    for (name, count), *properties in elements:
+        columns = {p[-1]: k for k, p in enumerate(properties)}
+        need(name not in rows and len(columns) == len(properties), "a PLY file names one thing twice")
+        rows[name] = columns, [[take(p[2], int(take(p[1], 1)[0])) if p[0] == "list" else take(p[0], 1)[0] for p in properties] for _ in range(int(count))]
+    need(title == "format" and place == len(source), "a PLY file is not as its header says")
+    (at, points), (corners, faces) = rows["vertex"], rows["face"]
+    corner = corners.get("vertex_indices", corners.get("vertex_index"))
+    return [[p[at["x"]], p[at["y"]], p[at["z"]]] for p in points], [[int(i) for i in f[corner]] for f in faces]
 
 
-def read_side(paths, centre, shift):
-    """Vertices of all files about the centre and the shift, in whole numbers of 1 / unit mm; the unit; the faces."""
-    rows, triangles = [shift], []
-    for path in paths:
-        with open(path, "rb") as file:
-            data = file.read()
-        if path.lower().endswith(".obj"):
-            lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").split("\n")]
-            points = [line[1:4] for line in lines if line[:1] == ["v"]]
-            faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines if line[:1] == ["f"]]
-        else:
-            points, faces = read_ply(data)
-        there = all(len(f) == 3 and 0 <= min(f) <= max(f) < len(points) for f in faces) and {*map(len, points)} == {3}
-        need(faces and there, f"{path}: not all faces are triangles of its vertices")
-        triangles += [[i + len(rows) - 1 for i in f] for f in faces]
-        rows += [[number(x) - c for x, c in zip(p, centre)] for p in points]
-    unit = math.lcm(*(x.denominator for row in rows for x in row))
-    shift, *points = [[x.numerator * (unit // x.denominator) for x in row] for row in rows]
-    return points, shift, unit, triangles
+class Body:
+    """All surfaces of a side: points about the centre, in whole numbers of 1 / unit mm, none twice; and faces, each by three of them."""
+
+    def __init__(self, paths, centre):
+        rows, triangles, self.files = [], [], []
+        for path in paths:
+            data = pathlib.Path(path).read_bytes()
+            self.files.append(f"{path} (sha256 {hashlib.sha256(data).hexdigest()})")
+            if path.lower().endswith(".obj"):
+                lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").split("\n")]
+                points = [line[1:4] for line in lines if line[:1] == ["v"]]
+                faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines if line[:1] == ["f"]]
+            else:
+                points, faces = read_ply(data)
+            need(faces and all(len(f) == 3 and 0 <= min(f) <= max(f) < len(points) for f in faces) and {*map(len, points)} == {3},
+                 f"{path}: not all faces are triangles of its vertices")
+            triangles += [[i + len(rows) for i in f] for f in faces]
+            rows += points
+        ratios = [[number(x).as_integer_ratio() for x in row] for row in rows]
+        self.unit = math.lcm(*{d for row in ratios for _, d in row}, *(c.denominator for c in centre))
+        places, at = {}, [c.numerator * (self.unit // c.denominator) for c in centre]
+        place = [places.setdefault(tuple(n * (self.unit // d) - c for (n, d), c in zip(row, at)), len(places)) for row in ratios]
+        self.points, self.faces = list(places), [tuple(place[i] for i in f) for f in triangles]
+        # Pieces are connected across corners; in a closed one each edge belongs to an even number of faces.
+        above, odd, self.pieces = list(range(len(places))), set(), {}
+        def top(i):
+            while above[i] != i:
+                above[i] = i = above[above[i]]
+            return i
+        for a, b, c in self.faces:
+            above[top(a)] = above[top(b)] = top(c)
+            odd ^= {(min(e), max(e)) for e in ((a, b), (b, c), (c, a)) if a != b != c != a}
+        for f in self.faces:
+            self.pieces.setdefault(top(f[0]), []).append(f)
+        self.closed = [self.pieces[piece] for piece in self.pieces.keys() - {top(a) for a, _ in odd}]
+
+    def cut_by_planes(self, faces, planes):
+        """Faces with a corner on the near side of one of the planes n x <= d, and those with one on the far side."""
+        near, far, corners = set(), set(), {i for f in faces for i in f}
+        for n, d in planes:
+            scale = math.lcm(*(Fraction(x).denominator for x in n))
+            n, low, high = [int(x * scale) for x in n], math.floor(d * scale * self.unit), math.ceil(d * scale * self.unit)
+            values = [(i, dot(n, self.points[i])) for i in corners]
+            near.update(i for i, v in values if v <= low)
+            far.update(i for i, v in values if v >= high)
+        return [[f for f in faces if f[0] in side or f[1] in side or f[2] in side] for side in (near, far)]
+
+    def cut_by_sphere(self, faces, radius):
+        """Those that may have a point within, and those that have one without."""
+        square, sides = (radius * self.unit) ** 2, []
+        low, high = math.floor(3 * square), math.ceil(square)
+        for a, b, c in ([self.points[i] for i in f] for f in faces):
+            aa, bb, cc = dot(a, a), dot(b, b), dot(c, c)
+            longest = max(aa + bb - 2 * dot(a, b), bb + cc - 2 * dot(b, c), cc + aa - 2 * dot(c, a))
+            sides.append((3 * min(aa, bb, cc) - longest <= low, max(aa, bb, cc) >= high))
+        return [[f for f, side in zip(faces, sides) if side[k]] for k in (0, 1)]
 
 
 def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
+def volume(a, b, c, d):  # six times that between four points
+    (x, y, z), (u, v, w), r = ([p - q for p, q in zip(point, d)] for point in (a, b, c))
+    return dot((y * w - z * v, z * u - x * w, x * v - y * u), r)
 
 def product(a, b):  # of two quaternions
-    (s, *u), (t, *v) = a, b
-    return [s * t - dot(u, v)] + [s * y + t * x + z for x, y, z in zip(u, v, cross(u, v))]
+    (s, x, y, z), (t, u, v, w) = a, b
+    return [s * t - x * u - y * v - z * w, s * u + t * x + y * w - z * v, s * v + t * y + z * u - x * w, s * w + t * z + x * v - y * u]
+
+def rotation(q):  # the rows of its matrix
+    bar = [q[0], -q[1], -q[2], -q[3]]
+    columns = [product(product(q, one), bar)[1:] for one in ([0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1])]
+    return [[Fraction(x, product(q, bar)[0]) for x in row] for row in zip(*columns)]
+
+def turned(head, half):
+    need(half[1] > 0 or (half[1] == 0 and half[0] > 0), "a half angle is none")
+    return product(product(head["outer"], [half[0], *(half[1] * x for x in head["axis"])]), head["inner"])
+
+def images(head, first, last):
+    """Matrices that take a point to both ends of its arc and to where the tangents there meet."""
+    cosine, sine = first[0] * last[0] + first[1] * last[1], first[0] * last[1] - first[1] * last[0]
+    need(cosine > 0, "a plane cuts an arc of half a turn or more")
+    a, b = (rotation(turned(head, half)) for half in (first, last))
+    axis, out = [dot(row, head["axis"]) for row in rotation(head["outer"])], (1 + Fraction(sine, cosine) ** 2) / 2
+    kept = [[x * dot(axis, column) for column in zip(*a)] for x in axis]
+    return [a, b, [[k + (x + y - 2 * k) * out for x, y, k in zip(*rows)] for rows in zip(a, b, kept)]] if sine else [a]
 
 
-def posed(head, about, c, s, ball, socket):
-    """Of ball and socket: the corners of all faces about a centre, in whole numbers of 1 / unit mm, and the unit."""
-    q = product(product(head["outer"], [c] + [s * x for x in head["axis"]]), head["inner"])
-    n, bar, own = dot(q, q), [q[0], -q[1], -q[2], -q[3]], {"ball": True, "socket": False}[about]
-    images = [product(product(q, unit), bar)[1:] for unit in ([0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1])]  # n times the rotation's columns
-    right = all(dot(images[i], images[k]) == (n * n if i == k else 0) for i in range(3) for k in range(3))
-    need(n > 0 and right and dot(images[0], cross(*images[1:])) == n**3, "a quaternion is no rotation")
-    moved = [[dot(row, p) + (0 if own else n * t) for row, t in zip(zip(*images), ball[1])] for p in ball[0]]
-    still = [[x - own * t for x, t in zip(p, socket[1])] for p in socket[0]]
-    return [([[points[i] for i in f] for f in faces], unit) for points, faces, unit in ((moved, ball[3], n * ball[2]), (still, socket[3], socket[2]))]
+def check_cuts(head, ball, socket, lines):
+    """The tree: a node has no faces of one body, or is cut in two."""
+    unit, shift, stack = head["unit"][0], head["shift"], [((1, 0), head["last"], ball.faces, socket.faces)]
+    for kind, *words in lines:
+        need(stack, "there are more cuts than nodes")
+        (first, last, mine, yours), (*n, d) = stack.pop(), whole(words) or [0]
+        need(len(n) == {"-": 0, "turn": 1, "sphere": 0, "plane": 3}.get(kind), f"{kind}: no cut")
+        if kind == "-":
+            need(not mine or not yours, f"a part is not clear: it has {len(mine)} faces of the ball and {len(yours)} of the socket")
+        elif kind == "turn":
+            (c, s), (c0, s0), (c1, s1) = (*n, d), first, last
+            need(turned(head, (c, s)) and c0 * s >= s0 * c and c * s1 >= s * c1, "a turn is cut outside of its arc")
+            stack += ((c, s), last, mine, yours), (first, (c, s), mine, yours)
+        else:
+            d = Fraction(d, unit)
+            need(kind == "plane" or (d > 0 and not any(shift)), "a sphere is none, or cuts a ball that is shifted")
+            if kind == "sphere":
+                sides = ball.cut_by_sphere(mine, d), socket.cut_by_sphere(yours, d)
+            else:
+                planes = [([dot(n, column) for column in zip(*image)], d - dot(n, shift)) for image in images(head, first, last)]
+                sides = ball.cut_by_planes(mine, planes), socket.cut_by_planes(yours, [(n, d)])
+            stack += [(first, last, a, b) for a, b in zip(*sides)][::-1]
+    need(not stack, "a part is missing")
 
 
-def clipped(face, planes):
-    """Corners (m, p, q, w), points (m, p, q) / w, of what the planes leave of a triangle."""
-    corners, wide = [(*face[k : k + 3], 1) for k in (0, 3, 6)], face[9]
-    for a, i, b, length in planes:
-        side = [a * x[0] + b * x[i] + length * wide * x[3] for x in corners]
-        left = []
-        for k, d in enumerate(side):
-            if (d < 0) != (side[k - 1] < 0):
-                left.append([abs(side[k - 1]) * u + abs(d) * v for u, v in zip(corners[k], corners[k - 1])])
-            if d >= 0:
-                left.append(corners[k])
-        corners = left
-    return corners
+def is_inside(x, points, pieces):
+    """Is it inside one of them, with an odd number of faces above it? None where an edge is above it."""
+    low, high, odd = list(map(math.floor, x)), list(map(math.ceil, x)), [False] * len(pieces)
+    for k, f in ((k, f) for k, faces in enumerate(pieces) for f in faces):
+        a, b, c = (points[i] for i in f)
+        if all(min(a[i], b[i], c[i]) <= high[i] and max(a[i], b[i], c[i]) >= low[i] for i in (0, 1)):
+            turns = [(p[0] - x[0]) * (q[1] - x[1]) - (p[1] - x[1]) * (q[0] - x[0]) for p, q in ((a, b), (b, c), (c, a))]
+            above = volume(x, c, b, a) * sum(turns)
+            if not min(turns) < 0 < max(turns) and (0 in turns or above == 0):
+                return None
+            odd[k] ^= above > 0 and not min(turns) < 0 < max(turns)
+    return any(odd)
 
 
-def check_node(node, leaves, unit, ball, socket):
-    """What is asked of a leaf, or of the four parts of another node."""
-    (face, level, i, j), n = node, 2 ** node[1]
-    sides = (1, 2 * i - n, 1), (1, 2 * i + 2 - n, -1), (2, 2 * j - n, 1), (2, 2 * j + 2 - n, -1)
-    planes = [(-s * low, k, s * n, math.isqrt(n * n + low * low) + 1) for k, low, s in sides]
-    for a, k, b, length in planes:  # left out are faces (nine coordinates, widening) with all corners beyond a plane
-        ball, socket = (([f for f in faces if a * f[0] + b * f[k] >= (low := -length * f[9])
-                          or a * f[3] + b * f[k + 3] >= low or a * f[6] + b * f[k + 6] >= low], size)
-                        for faces, size in (ball, socket))
-    if node not in leaves:
-        return [check_node((face, level + 1, 2 * i + part // 2, 2 * j + part % 2), leaves, unit, ball, socket) for part in range(4)]
-    axis = (n, 2 * i + 1 - n, 2 * j + 1 - n)
-    most, least = (leaves[node] * ball[1]) ** 2, (leaves[node] * socket[1]) ** 2 * dot(axis, axis)
-    for f in ball[0]:
-        if max(dot(f[:3], f[:3]), dot(f[3:6], f[3:6]), dot(f[6:9], f[6:9])) * unit**2 > most:  # else all of it is nearer
-            near = (dot(x[:3], x[:3]) * unit**2 <= most * x[3] ** 2 for x in clipped(f, planes))
-            need(all(near), f"in leaf {node} the ball reaches beyond the radius")
-    for f in socket[0]:
-        along = ((dot(axis, x), x[3]) for x in clipped(f, planes))
-        need(all(a > 0 and (a * unit) ** 2 > least * w * w for a, w in along), f"in leaf {node} the socket is not beyond")
+def any_inside(of, body, place):
+    """Is a piece of a body, its points moved by place(), inside a closed piece of the other? What is above leans a little."""
+    lean = lambda p: (1000 * p[0] + 209 * p[2], 1000 * p[1] + 96 * p[2], p[2])
+    points, known = list(map(lean, body.points)), []
+    for faces in of.pieces.values() if body.closed else ():
+        tried = (is_inside(lean([v * body.unit for v in place(of.points[f[0]])]), points, body.closed) for f in faces)
+        known.append(next((inside for inside in tried if inside is not None), None))
+    return need(None not in known, "no line up tells whether a piece is inside") or any(known)
 
 
-def check_cell(head, cell, slack, leaves, meshes):
-    need(all(0 <= f < 6 and 0 <= level <= 40 and 0 <= min(i, j) <= max(i, j) < 2**level for f, level, i, j in leaves), "a leaf is not on the cube")
-    inner = {(f, level - k, i >> k, j >> k) for f, level, i, j in leaves for k in range(1, level + 1)}
-    areas = sum(Fraction(1, 4 ** leaf[1]) for leaf in leaves)
-    need(areas == 6 and not inner & leaves.keys() and min(leaves.values()) >= 0, "the leaves do not cover the cube once")
-    sides = posed(head, *cell, *meshes)
-    for f in range(6):
-        k, sign, seen = f // 2, 1 - f % 2 * 2, []
-        for (faces, unit), swept in zip(sides, (slack, 0)):
-            widths = [math.ceil(swept * (math.isqrt(max(dot(x, x) for x in g)) + 1)) if swept else 0 for g in faces]
-            flat = [[y for x in g for y in (sign * x[k], x[(k + 1) % 3], x[(k + 2) % 3])] for g in faces]
-            seen.append(([(*g, width) for g, width in zip(flat, widths)], unit))
-        check_node((f, 0, 0, 0), leaves, head["unit"][0], *seen)
+def passes(p, q, a, b, c):
+    """Does an edge meet a triangle? Not one in its plane."""
+    ends, turns = (volume(p, a, b, c), volume(q, a, b, c)), [volume(p, q, *side) for side in ((a, b), (b, c), (c, a))]
+    return any(ends) and ends[0] * ends[1] <= 0 and (min(turns) >= 0 or max(turns) <= 0)
+
+
+def told(head, ball, socket):
+    words = lambda vector: " ".join(f"{float(x):.9g}" for x in vector)
+    turn = lambda w, *v: words([math.degrees(2 * math.atan2(math.hypot(*v), w))]) + " degrees about " + words(x / (math.hypot(*v) or 1) for x in v)
+    yield from (f"{name}: {', '.join(of.files)}; {len(of.faces)} faces, {len(of.pieces)} pieces, {len(of.closed)} closed{', no other has an inside' * (len(of.closed) < len(of.pieces))}"
+                for name, of in (("ball", ball), ("socket", socket)))
+    yield f"centre: {words(head['centre'])} mm in the frame of the files"
+    yield f"pose: the ball turned by {turn(*turned(head, (1, 0)))} from where its files have it, and shifted by {words(head['shift'])} mm"
+    if head["last"][1]:
+        yield f"motion: from there by every angle from 0 to {turn(head['last'][0], *(head['last'][1] * dot(row, head['axis']) for row in rotation(head['outer'])))}"
 
 
 def check(certificate, ball, socket, *parts):
     files = {"--ball-part": [ball], "--socket-part": [socket]}
     for k, word in enumerate(parts):
-        if word not in files:
-            files[next((option for option in parts[k::-1] if option in files), f"{word}: of which side?")].append(word)
-    with open(certificate, encoding="ascii") as file:
-        (*title, says), *lines = [line.split() for line in file]
-    need(title == ["impinge", "certificate", "1"] and lines.pop() == ["end"], "this is no whole certificate")
-    bodies = whole(lines.pop(0)[1:]) if lines[0][0] == "bodies" else [1, 1]
-    need(bodies == list(map(len, files.values())), f"it is of {bodies} files of ball and socket, parts and all")
-    sizes = {"centre": 3, "shift": 3, "outer": 4, "axis": 3, "inner": 4, "unit": 1}
-    need([(line[0], len(line) - 1) for line in lines[:6]] == list(sizes.items()), "its head is not that of a certificate")
-    head = {name: list(map(number, words)) if name in ("centre", "shift") else whole(words) for name, *words in lines[:6]}
-    need(head["unit"][0] > 0 and dot(head["axis"], head["axis"]) == 1, "the unit or the axis is none")
-    meshes = [read_side(paths[:1] if says == "blocked" else paths, head["centre"], head["shift"]) for paths in files.values()]
-    if says == "blocked":
-        found, ((kind, about, c, s, *ray),) = [], [[*words[:2], *whole(words[2:])] for words in lines[6:]]
-        for faces, unit in posed(head, about, c, s, *meshes):
-            corners = [(dot(a, cross(b, c)), dot(ray, cross(b, c)), dot(ray, cross(c, a)), dot(ray, cross(a, b))) for a, b, c in faces]
-            found.append([Fraction(v, sum(p) * unit) for v, *p in corners if v != 0 and any(p) and all(x * v >= 0 for x in p)])
-        need(kind == "ray" and len(ray) == 3 and all(found), "the ray does not meet both surfaces")
-        need(max(found[0]) >= min(found[1]), "the ball is nearer along the ray")
-        return "blocked: along the ray the ball is not nearer than the socket"
-    at, place, total = [1, 0], 6, 0
-    while place < len(lines) or not total:
-        kind, about, *pairs, slack, count = lines[place]
-        (c0, s0, c1, s1, c, s), slack, (count,) = whole(pairs), number(slack), whole([count])
-        need((says, kind) == ("clear", "cell") and [c0, s0] == at, "a cell is missing")
-        for cos, sin in ((c0 * c + s0 * s, c0 * s - s0 * c), (c * c1 + s * s1, c * s1 - s * c1)):
-            need(cos > 0 and 0 <= 2 * sin <= slack * cos and not slack * any(head["shift"]), "a cell is wider than proven")
-        leaves = {(f, level, i, j): r for f, level, i, j, r in map(whole, lines[place + 1 : place + 1 + count])}
-        need(len(leaves) == count > 0, "a leaf is missing or there twice")
-        check_cell(head, (about, c, s), slack, leaves, meshes)
-        at, place, total = [c1, s1], place + 1 + count, total + count
-    need(not any(head["shift"]) or {"ball", "socket"} <= {line[1] for line in lines[6:]}, "cells about a centre are missing")
-    return f"clear: ball and socket do not meet, up to {math.degrees(2 * math.atan2(at[1], at[0])):.6f} degrees ({total} leaves)"
+        files.get(word) or files[next((option for option in parts[k::-1] if option in files), f"{word}: of which side?")].append(word)
+    (*title, says), *lines = map(str.split, pathlib.Path(certificate).read_text("ascii").splitlines())
+    need(title == ["impinge", "certificate", "2"] and says in ("clear", "contact") and lines.pop() == ["end"], "this is no whole certificate")
+    evidence, sizes = lines[8:], {"files": 2, "centre": 3, "shift": 3, "outer": 4, "axis": 3, "inner": 4, "last": 2, "unit": 1}
+    need([(line[0], len(line) - 1) for line in lines[:8]] == list(sizes.items()), "its head is not that of a certificate")
+    head = {name: tuple(map(number, words) if name in ("centre", "shift") else whole(words)) for name, *words in lines[:8]}
+    need(list(head["files"]) == list(map(len, files.values())), f"it is of {head['files']} files of ball and socket, parts and all")
+    need(head["unit"][0] > 0 and dot(head["axis"], head["axis"]) == 1 and any(head["outer"]) and any(head["inner"]), "the unit or a rotation is none")
+    ball, socket, shift = *(Body(paths, head["centre"]) for paths in files.values()), head["shift"]
+    rows, is_pose = rotation(turned(head, (1, 0))), turned(head, head["last"]) and head["last"][1] == 0
+    in_socket = lambda x: [Fraction(dot(row, x), ball.unit) + t for row, t in zip(rows, shift)]
+    in_ball = lambda x: [dot(column, [Fraction(v, socket.unit) - t for v, t in zip(x, shift)]) for column in zip(*rows)]
+    if says == "clear":
+        check_cuts(head, ball, socket, evidence)
+    else:
+        kind, *faces = evidence[0][0], *whole(evidence[0][1:])
+        need(is_pose and len(evidence) == 1 and {"cross": 2, "inside": 0}.get(kind) == len(faces) and min(faces, default=0) >= 0, "this is no contact of a pose")
+    if says == "contact" and faces:
+        sides = (ball, in_socket), (socket, lambda x: [Fraction(v, socket.unit) for v in x])
+        f, g = ([move(of.points[i]) for i in [f for f in of.faces if len({*f}) == 3][k]] for k, (of, move) in zip(faces, sides))
+        need(any(passes(h[k - 1], h[k], *other) for h, other in ((f, g), (g, f)) for k in range(3)), "the two faces do not meet")
+        proven = "face {} of the ball and face {} of the socket have a common point".format(*faces)
+    else:
+        inside = any_inside(ball, socket, in_socket) or any_inside(socket, ball, in_ball)
+        proven = f"{'a point' if inside else 'no piece'} of one body is inside a closed piece of the other"
+        need(inside == (says == "contact"), proven)
+    return "\n".join([f"{says}: {'no two faces meet, and ' * (says == 'clear')}{proven}", *told(head, ball, socket)])
 
 
 if __name__ == "__main__":

@@ -84,7 +84,7 @@ void bind_measures(JointClass& joint) {
       .def("certificate", &certificate, py::arg("pose") = py::none(), py::kw_only(),
            py::arg("motion") = py::none(),
            "The text of a proof that a pose, or with `motion` the way from it to the limit, is without "
-           "contact, or of a ray that shows contact; experiments/check_certificate.py checks it.");
+           "contact, or that bodies touch in the pose; experiments/check_certificate.py checks it.");
 }
 
 }  // namespace impinge::python

@@ -144,7 +144,7 @@ std::optional<SceneOptions> parse_scene_options(int argc, const char* const* arg
   auto* certificate = app.add_option(
       "--certificate", options.certificate,
       "a file for a proof: that the pose, or with the question limit the way to the limit, is free of "
-      "contact, or a ray that shows contact of ball and socket; experiments/check_certificate.py checks it");
+      "contact, or that bodies touch in the pose; experiments/check_certificate.py checks it");
   path->excludes(poses);
   for (CLI::Option* many : {poses, path}) {
     for (CLI::Option* one : {pose, outputs, scheme, precision, max_error, certificate}) many->excludes(one);

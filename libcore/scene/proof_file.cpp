@@ -19,14 +19,18 @@ ClearanceProof proof_asked(Session& session, const SceneOptions& options) {
 }
 
 std::string describe_proof(const SceneOptions& options, const ClearanceProof& proof) {
-  const char* said = proof.ray                  ? "contact, along a ray"
-                     : options.limit == nullptr ? "no contact in this pose"
-                                                : "no contact on the way";
-  std::string text = std::string("certificate         ") + said;
-  if (!proof.ray && options.limit != nullptr)
-    text += " from 0 to " + rounded_down(proof.end_deg(), 4) +
-            formatted(" degrees, %zu cells", proof.cells.size());
-  if (!proof.ray) text += formatted(", %zu leaves", proof.leaves());
+  std::string text = "certificate         ";
+  if (proof.says == ClearanceProof::Says::crossing) {
+    text += "contact, surfaces cross";
+  } else if (proof.says == ClearanceProof::Says::inside) {
+    text += "contact, one body is inside the other";
+  } else {
+    const bool closed = proof.closed[0] && proof.closed[1];
+    text += closed ? "no contact" : "surfaces do not meet";
+    if (options.limit != nullptr)
+      text += " from 0 to " + rounded_down(degrees_of(proof.last), 4) + " degrees";
+    if (!closed) text += ", and nothing is inside what is closed";
+  }
   return text + formatted("; rotations rounded by %.1g degrees: ", proof.rounded_deg) +
          options.certificate->string() + "\n";
 }

@@ -62,7 +62,7 @@ REFUSED = [
     (ValueError, lambda j: j.orientation_map("flexion=20", resolution_deg=0), "resolution_deg: is none; give degrees"),
     (ValueError, lambda j: j.certificate(TURNS), "poses: a certificate is of one pose, not of 5"),
     (ValueError, lambda j: j.certificate(motion="bend"), "unknown motion 'bend'"),
-    (RuntimeError, lambda j: j.certificate([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.1 degrees"),
+    (RuntimeError, lambda j: j.certificate([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.01 degrees"),
     (ValueError, lambda j: impinge.Scheme("rside"), "unknown scheme 'rside'; there are "),
     (ValueError, lambda j: impinge.Scheme("rsid", 0.7), "an RSID precision divides 180 degrees"),
     (ValueError, lambda j: impinge.Scheme("rsid").stencils([0, 0, 0]), "directions: a vector is zero"),

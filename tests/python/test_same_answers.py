@@ -257,7 +257,7 @@ def test_measures_of_the_page(page, joint):
 def test_certificates(joint, floats, tmp_path):
     for pose, motion, question, says in (
             ("flexion=80", None, ["--question", "touch"], "clear: "),
-            ("flexion=120,internal_rotation=40", None, ["--question", "touch"], "blocked: "),
+            ("flexion=120,internal_rotation=40", None, ["--question", "touch"], "contact: "),
             ("flexion=80", "internal_rotation", ["--question", "limit", "--motion", "internal_rotation"], "clear: ")):
         file = tmp_path / "theirs.txt"
         scene(floats, tmp_path, "--pose", pose, "--certificate", file, *question)

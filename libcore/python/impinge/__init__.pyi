@@ -275,9 +275,9 @@ class Joint:
         uncertainty and, where the definition is the same, beside what is published of a population; one that a mesh does
         not carry is refused. They need the side."""
     def certificate(self, pose: Poses | None = None, *, motion: str | None = None) -> str:
-        """The text of a proof that one pose (that of the scan where it is None) is without contact, or of a ray that shows
-        contact; with `motion`, such as "flexion", that the way from there to 0.1 degrees before the limit is without
-        contact. experiments/check_certificate.py checks it with the mesh files alone. RuntimeError where nothing can
+        """The text of a proof that one pose (that of the scan where it is None) is without contact, or that its bodies
+        touch; with `motion`, such as "flexion", that the way from there to 0.01 degrees before the limit is without
+        contact (0.1 or 1 where surfaces graze). experiments/check_certificate.py checks it with the mesh files alone. RuntimeError where nothing can
         be proven."""
     def matrices(self, poses: Poses) -> NDArray[np.float64]:
         """x' = M x of each pose, frame of the meshes, mm; shape (poses, 4, 4)."""
