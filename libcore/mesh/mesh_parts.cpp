@@ -71,8 +71,8 @@ static std::optional<TriangleMesh> whole_bone(const MeshWithParts& of) {
 }
 
 BoneParts bone_parts(const MeshWithParts& ball, const MeshWithParts& socket) {
-  return {part_surfaces(ball.mesh, ball.parts), part_surfaces(socket.mesh, socket.parts),
-          whole_bone(ball), whole_bone(socket)};
+  return {part_surfaces(ball.mesh, ball.parts), part_surfaces(socket.mesh, socket.parts), whole_bone(ball),
+          whole_bone(socket)};
 }
 
 }  // namespace impinge

@@ -332,21 +332,21 @@ bool BodyPairs::Moved::is_within(const Body& other) const {
     if (gap <= least && other.faces().within(least - node.radius, middle)) continue;
     const double near = std::max(0.0, node.radius + gap - least);
     if ((middle - whole.centre).norm() > near + whole.radius) continue;
-    if (other.faces().farther_than(near, middle) && other.holds(middle) != Contact::yes) continue;  // none is, mostly
+    if (other.faces().farther_than(near, middle) && other.holds(middle) != Contact::yes)
+      continue;  // none is, mostly
     if (!node.leaf) {
       pending.insert(pending.end(), {node.at, node.at + 1});
       continue;
     }
     const Vec3& x = body.faces().parts()[node.at].corner[0];
-    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes))
-      return true;
+    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes)) return true;
   }
   return false;
 }
 
-std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool main_apart) const {
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii) const {
   for (const Pair& pair : pairs_) {
-    if (is_main(pair) && main_apart && main_only_) continue;
+    if (by_radii && main_only_ && is_main(pair)) continue;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
     const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
@@ -360,8 +360,9 @@ std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool 
   return std::nullopt;
 }
 
-bool BodyPairs::overlap(const NearPoses& poses) const {
+bool BodyPairs::overlap(const NearPoses& poses, bool by_radii) const {
   return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+    if (by_radii && main_only_ && is_main(pair)) return false;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
     const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
@@ -408,8 +409,8 @@ std::optional<TurnContact> BodyPairs::first_contact(const JointTurn& turn, Angle
 double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
                                const WithinSpan& within, double largest) const {
   for (const Pair& pair : pairs_) {
-    largest = impinge::first_within(
-        {ball_[pair.ball]->faces(), ball, socket_[pair.socket]->faces(), socket}, within, largest);
+    largest = impinge::first_within({ball_[pair.ball]->faces(), ball, socket_[pair.socket]->faces(), socket},
+                                    within, largest);
   }
   return largest;
 }

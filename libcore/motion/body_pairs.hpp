@@ -9,15 +9,15 @@
 // Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. A
 // mesh with openings has one only as far as no opening can change it. Whatever closes an opening is taken to
 // lie in the box of its border. Then rays that pass no such box count what the closed bone would; each
-// crossing outwards counts 1 and inwards -1. If all of 16 such rays add up to more than 0 the point is inside,
-// if none does it is outside; else, or if no ray is left, it is not known. In the hollow of a cropped
+// crossing outwards counts 1 and inwards -1. If all of 16 such rays add up to more than 0 the point is
+// inside, if none does it is outside; else, or if no ray is left, it is not known. In the hollow of a cropped
 // acetabulum all rays that meet it come from outside: the head is not inside.
 //
-// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; the cropped acetabulum again),
-// does not say where its bone ends behind. So a single pose in which its surface is not met, but radii
-// overlap (gap/overlay.hpp), counts as contact of a socket of that kind; the answer says so. Motions do not
-// need that: from a clear pose bodies move continuously, and what is not inside another comes to be so only
-// through a pose in which surfaces meet.
+// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; the cropped acetabulum
+// again), does not say where its bone ends behind. So a single pose in which its surface is not met, but
+// radii overlap (gap/overlay.hpp), counts as contact of a socket of that kind; the answer says so. Motions do
+// not need that: from a clear pose bodies move continuously, and what is not inside another comes to be so
+// only through a pose in which surfaces meet.
 //
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
@@ -93,10 +93,11 @@ class BodyPairs {
   /// a part; none without a part.
   std::optional<Nearest> nearest_part(const Pose& pose) const;
   /// Bodies that may be in contact in one of the poses; std::nullopt proves that none are, in any of them.
-  /// main_apart: radii tell that the main surfaces are not.
-  std::optional<Pair> may_meet(const NearPoses& poses, bool main_apart = false) const;
+  /// by_radii: what the main surfaces do is told by radii, and asked only where they are not all of the
+  /// bones.
+  std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false) const;
   /// Is some vertex inside another body, or within the gap of it, in all of the poses? Yes is proven.
-  bool overlap(const NearPoses& poses) const;
+  bool overlap(const NearPoses& poses, bool by_radii = false) const;
   /// A vertex, as its body lies at rest, mm.
   struct Vertex {
     Pair pair;

@@ -404,11 +404,11 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
   if (by_radii && verdict.state == CellState::blocked) return verdict;
   const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
-  if (!bodies.may_meet(poses, apart)) {
+  if (!bodies.may_meet(poses, apart || by_radii)) {
     if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
     return verdict;
   }
-  const bool overlap = bodies.overlap(poses);
+  const bool overlap = bodies.overlap(poses, apart || by_radii);
   if (overlap || apart) verdict.hint = {};  // the main surfaces do not stop it
   verdict.state = overlap ? CellState::blocked : CellState::open;
   return verdict;

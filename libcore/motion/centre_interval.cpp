@@ -82,7 +82,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
   const double r = question_.within_mm;
   if (question_.gap_mm == 0.0)
     return {SweptParts(turn_faces(mesh)), SweptParts(), SweptParts(), jump_edges(mesh),
-            boundary_edges(mesh), 0.0};
+            boundary_edges(mesh),         0.0};
   const std::vector<Edge> edges = possible_jumps(mesh, r);
   const std::vector<VertexIndex> facing = surface_vertices(other);
   WallQuestion walls{is_socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
@@ -92,7 +92,10 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
   }
   Side made{SweptParts(turn_faces(mesh)),
             SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
-            SweptParts(points_of(mesh)), jump_edges(mesh), {}, HUGE_VAL};
+            SweptParts(points_of(mesh)),
+            jump_edges(mesh),
+            {},
+            HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
     made.nearest = std::min(made.nearest, std::sqrt(squared_distance_to_triangle(Vec3::Zero(), a, b, c)));
@@ -139,7 +142,7 @@ int CentreIntervals::layers_passed(const ScannedVertex& at, const Vec3& x) const
 
 // See the header.
 bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const {
-  constexpr double kStep = 0.25;     // degrees, along the way
+  constexpr double kStep = 0.25;    // degrees, along the way
   constexpr double kBeside = 1e-9;  // radians
   const Side& facing = at.scanned == Surface::ball ? socket_ : ball_;
   const TriangleMesh& mesh = mesh_of(joint_.meshes(), other(at.scanned));

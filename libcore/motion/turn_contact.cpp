@@ -213,13 +213,14 @@ std::optional<TurnContact> first_contact(const TurnScene& scene, const AngleSpan
   const SweptParts& ball = scene.ball.faces;
   const SweptParts& socket = scene.socket.faces;
   Found found{{angles, tolerance}, {}};
-  visit_meetings({ball, frames.ball, socket, frames.socket}, angles.from, angles.to,
-                 [&](double) { return kWithin * tolerance; },
-                 [&](std::uint32_t a, std::uint32_t b) {
-                   try_faces(scene, ball.nodes()[a].at, face_in(frames.ball, ball, a), socket.nodes()[b].at,
-                             face_in(frames.socket, socket, b), found);
-                   return found.search.first();
-                 });
+  visit_meetings(
+      {ball, frames.ball, socket, frames.socket}, angles.from, angles.to,
+      [&](double) { return kWithin * tolerance; },
+      [&](std::uint32_t a, std::uint32_t b) {
+        try_faces(scene, ball.nodes()[a].at, face_in(frames.ball, ball, a), socket.nodes()[b].at,
+                  face_in(frames.socket, socket, b), found);
+        return found.search.first();
+      });
   return in_axis_frame(frames, found.contact);
 }
 

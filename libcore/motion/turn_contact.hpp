@@ -7,9 +7,9 @@
 // face across its plane did so before.)
 // Corner and plane, edge and edge each give a sinusoid (motion/sinusoid.hpp). Only pairs
 // that are at one height, distance and azimuth can meet, and those that may do so first are looked at
-// first (motion/swept_parts.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the two
-// parts, less the tolerance, over that of the turning one from the axis: no point comes nearer by more. The
-// first angle at which they are within twice the tolerance counts as touching, and so does the one that
+// first (motion/swept_parts.hpp). Where a sinusoid is near zero, the angle steps on by the distance of the
+// two parts, less the tolerance, over that of the turning one from the axis: no point comes nearer by more.
+// The first angle at which they are within twice the tolerance counts as touching, and so does the one that
 // 10,000 steps reach.
 //
 // A threshold of the gap t > 0 in place of contact: some vertex of the ball has S - |x| <= t, or some of the
@@ -45,8 +45,8 @@
 
 namespace impinge {
 
-/// Which of the parts touch: a corner of one and a face of the other, two edges, or, for a threshold, a vertex
-/// and a rim as the centre sees them.
+/// Which of the parts touch: a corner of one and a face of the other, two edges, or, for a threshold, a
+/// vertex and a rim as the centre sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
 
 /// "ball vertex", "socket vertex", "edges", "rims".

@@ -190,8 +190,7 @@ CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimi
   CentreInterval interval{0.0, largest_deg, false};
   if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
-    const auto high =
-        centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});
+    const auto high = centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});
     interval.limited = high.has_value();
     interval.high_deg = high.value_or(largest_deg);
   }

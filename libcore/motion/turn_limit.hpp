@@ -3,7 +3,8 @@
 /// How far can the ball turn before it touches the socket, or before a gap falls to a threshold? A bracket
 /// [low, high] that no step can jump over.
 ///
-///   low    no angle from the start to here has a contact (motion/turn_contact.hpp has the proof, and how near
+///   low    no angle from the start to here has a contact (motion/turn_contact.hpp has the proof, and how
+///   near
 ///          parts may come before they count as touching)
 ///   high   here there is one, decided exactly for the vertices as the pose rounds them (body_pairs.hpp); for
 ///          a threshold, it may be that a vertex has that gap or less, in double

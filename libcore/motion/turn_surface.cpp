@@ -82,8 +82,7 @@ std::vector<TurnFace> turn_faces(const TriangleMesh& mesh) {
 TurnFace turn_point(const Vec3& x) { return turn_face(x, x, x); }
 
 TurnFace turned_by(const Eigen::Matrix3d& rotation, const TurnFace& face) {
-  TurnFace moved =
-      turn_face(rotation * face.corner[0], rotation * face.corner[1], rotation * face.corner[2]);
+  TurnFace moved = turn_face(rotation * face.corner[0], rotation * face.corner[1], rotation * face.corner[2]);
   moved.wall = face.wall;
   moved.doubt = face.doubt;
   return moved;

@@ -38,7 +38,8 @@ struct TurnEdge {
 /// What lies beyond the jump edges of a mesh in its centre frame, to a distance of `reach` from the centre at
 /// least, mm: the ball reaches a socket that it gets beyond. A wall is cut in pieces that the centre sees
 /// under 60 degrees at most, so that it is whole however near the edge comes to the centre.
-std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps, double reach);
+std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps,
+                                   double reach);
 /// What lies within them, to the centre: the socket reaches a ball that it gets within.
 std::vector<TurnFace> walls_within(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps);
 

@@ -36,6 +36,7 @@ class PoseJoint {
   PoseJoint& operator=(const PoseJoint&) = delete;
 
   const SessionJoint& joint() const { return *session_.joint; }
+  SessionJoint& joint() { return *session_.joint; }
   const std::string& axes() const { return axes_; }
 
   /// The exact cells of the faces; and tables of `cube_gnomonic` in 16 bits at a precision in degrees.

@@ -18,7 +18,8 @@ std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found
   const std::string both = (ball.empty() ? "ball" : ball) + " and " + (socket.empty() ? "socket" : socket);
   if (found.contact == Contact::unknown) {
     return line + "not known: the surfaces of " + both +
-           " do not meet, and whether one is inside the other hangs on an opening of a mesh; close it, or give "
+           " do not meet, and whether one is inside the other hangs on an opening of a mesh; close it, or "
+           "give "
            "the whole bone\n";
   }
   switch (found.rule) {
@@ -30,7 +31,8 @@ std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found
       break;
   }
   return line +
-         "yes, by radii: no surfaces meet, but the ball reaches beyond the socket, which is a sheet without an "
+         "yes, by radii: no surfaces meet, but the ball reaches beyond the socket, which is a sheet without "
+         "an "
          "inside; the whole bone would decide\n";
 }
 

@@ -157,8 +157,8 @@ std::string row_of(const SessionJoint& joint, const PoseList& list, std::size_t 
   if (answer.touch) {
     const BodyPairs::Verdict& touch = *answer.touch;
     if (touch.contact != Contact::unknown) cells[1] = touch.contact == Contact::yes;
-    cells[2] = touch.contact == Contact::no ||
-               (touch.contact == Contact::yes && touch.rule != ContactRule::radii);
+    cells[2] =
+        touch.contact == Contact::no || (touch.contact == Contact::yes && touch.rule != ContactRule::radii);
   }
   if (const auto& smallest = answer.smallest) {
     cells[3] = smallest->least.gap_mm;

@@ -21,7 +21,6 @@ double largest_of(const LimitRequest& request) {
   return std::min(request.largest_deg, largest_growth(request.start, motion_name(request.growing)));
 }
 
-
 // The main surface of a bone that goes on is named nothing, the rest of the bone by its part.
 std::string name_at(const TriangleMesh& mesh, const std::vector<MeshPart>& parts, std::size_t body,
                     const Vec3& place) {
@@ -42,9 +41,11 @@ std::string name_at(const TriangleMesh& mesh, const std::vector<MeshPart>& parts
 // The dial is about the joint's centre, the contact about the centre of the turn.
 LimitAnswer answered(const SessionJoint& joint, const char* about, const CentredLimits& centred,
                      const JointTurn& turn, double threshold, double largest) {
-  LimitAnswer limit{about,        joint.joint.centre + joint.axes.transpose() * centred.centre,
+  LimitAnswer limit{about,
+                    joint.joint.centre + joint.axes.transpose() * centred.centre,
                     told_limit(centred.limits, turn, threshold, largest),
-                    std::nullopt, "",
+                    std::nullopt,
+                    "",
                     ""};
   const auto& contact = limit.told.limit.contact;
   if (!contact) return limit;
@@ -73,11 +74,11 @@ std::optional<Vec3> socket_centre(const Joint& joint, const BallSocketPair& mesh
 void make_limits(Session& session, bool about_socket) {
   const SessionJoint& joint = *session.joint;
   if (!session.limits) {
-    session.limits = std::make_unique<CentredLimits>(
-        joint.joint,
-        BallSocketPair{in_joint_frame(joint, joint.mesh(Surface::ball)),
-                       in_joint_frame(joint, joint.mesh(Surface::socket))},
-        joint.axes * joint.shift);
+    session.limits =
+        std::make_unique<CentredLimits>(joint.joint,
+                                        BallSocketPair{in_joint_frame(joint, joint.mesh(Surface::ball)),
+                                                       in_joint_frame(joint, joint.mesh(Surface::socket))},
+                                        joint.axes * joint.shift);
   }
   if (!about_socket || session.socket_limits || session.no_socket_centre) return;
   const BallSocketPair& meshes = session.limits->meshes;
@@ -85,8 +86,8 @@ void make_limits(Session& session, bool about_socket) {
   session.no_socket_centre = !centre;
   if (!centre) return;
   session.socket_limits = std::make_unique<CentredLimits>(
-      joint.joint,
-      BallSocketPair{relative_to(meshes.ball, *centre), relative_to(meshes.socket, *centre)}, *centre);
+      joint.joint, BallSocketPair{relative_to(meshes.ball, *centre), relative_to(meshes.socket, *centre)},
+      *centre);
 }
 
 }  // namespace

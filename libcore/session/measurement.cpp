@@ -207,7 +207,7 @@ std::optional<NearestPart> nearest_part(SessionJoint& joint, const Pose& pose) {
   if (!nearest) return std::nullopt;
   const BodyPairs::Nearest& found = *nearest;
   return NearestPart{found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
-          body_name(joint.joint.socket.parts, found.pair.socket)};
+                     body_name(joint.joint.socket.parts, found.pair.socket)};
 }
 
 // Vertices of parts lie behind those of the main surface.

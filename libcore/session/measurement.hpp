@@ -26,18 +26,18 @@ struct NearestPart {
 /// All gaps, and what else was asked for. Gaps, and all that rests on them, are those between the main
 /// surfaces: vertices of parts have none. Distances are to any bone of the other side.
 struct Measurement : PoseAnswer {
-  double precision_deg = 0.0;              // of both tables; 0 without
-  std::size_t entries = 0;                 // of each table
-  std::size_t bytes = 0;                   // of both tables
-  double fill_ms = 0.0;                    // both tables
-  double bound_ms = 0.0;                   // the bounds of all gaps
-  double distance_ms = 0.0;                // all Euclidean distances
-  std::optional<PoseVerdicts> proven;      // by the bounds, where they are asked for
+  double precision_deg = 0.0;                 // of both tables; 0 without
+  std::size_t entries = 0;                    // of each table
+  std::size_t bytes = 0;                      // of both tables
+  double fill_ms = 0.0;                       // both tables
+  double bound_ms = 0.0;                      // the bounds of all gaps
+  double distance_ms = 0.0;                   // all Euclidean distances
+  std::optional<PoseVerdicts> proven;         // by the bounds, where they are asked for
   std::optional<BodyPairs::Verdict> contact;  // of the bones, where verdicts are asked for
   std::optional<Certificate> certificate;     // of radial overlap, likewise
-  std::optional<NearestPart> part;         // if the joint has parts
-  std::string way;                         // how the gaps were found and why so, one clause
-  std::vector<LeftOut> left_out;           // work and memory that the question did not need
+  std::optional<NearestPart> part;            // if the joint has parts
+  std::string way;                            // how the gaps were found and why so, one clause
+  std::vector<LeftOut> left_out;              // work and memory that the question did not need
 };
 
 /// Finds all gaps in a pose: on the faces (gap/measured_gap.hpp), or with precision_deg by a table in double
@@ -49,11 +49,11 @@ Measurement measure(Session& session, const PoseQuestion& asked);
 
 /// The answer to a question other than all_gaps.
 struct QuestionAnswer {
-  Pose pose;                  // of the ball, in the centre frame
-  SceneAnswer answer;         // to the question
+  Pose pose;                                  // of the ball, in the centre frame
+  SceneAnswer answer;                         // to the question
   std::optional<BodyPairs::Verdict> contact;  // of the bones, for `touch` of all of them
-  std::string way;            // as that of a Measurement
-  double milliseconds = 0.0;  // of answering
+  std::string way;                            // as that of a Measurement
+  double milliseconds = 0.0;                  // of answering
 };
 /// Answers the question in the pose of asked.motion. With parts of bone the smallest gap is that between the
 /// main surfaces. std::runtime_error, one line, as measure(), and for `touch` of vertices alone with parts.

@@ -13,8 +13,8 @@ PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
               main_surface(joint.socket.mesh, joint.socket.parts)},
       joint_(meshes_) {
   if (outputs.touch) {
-    bodies_.emplace(meshes_, bone_parts({joint.ball.mesh, joint.ball.parts},
-                                        {joint.socket.mesh, joint.socket.parts}));
+    bodies_.emplace(meshes_,
+                    bone_parts({joint.ball.mesh, joint.ball.parts}, {joint.socket.mesh, joint.socket.parts}));
   }
   if (!outputs.areas) return;
   scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));

@@ -65,10 +65,10 @@ class PoseSeries {
   };
 
   SeriesOutputs outputs_;
-  BallSocketPair meshes_;  // the main surfaces
+  BallSocketPair meshes_;            // the main surfaces
   std::optional<BodyPairs> bodies_;  // if touch is asked for
   CulledJoint joint_;
-  std::vector<Scan> scans_;               // of ball and socket, if areas are
+  std::vector<Scan> scans_;  // of ball and socket, if areas are
 };
 
 /// The pose in the centre frame for a motion x' = rotation x + translation of the ball in the input frame

@@ -15,7 +15,7 @@ VolumeStop stop_of(const SessionJoint& joint, const CellTest& test, const Motion
   if (!stop.limit.stops) return stop;
   const CellHint& hint = stop.limit.stops->hint;
   if (hint.socket_face == CellHint::kNone) {
-    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(stop.limit.stops->cell)))) {
+    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(stop.limit.stops->cell)), true)) {
       stop.ball_part = body_name(joint.joint.ball.parts, pair->ball);
       stop.socket_part = body_name(joint.joint.socket.parts, pair->socket);
     }

@@ -45,7 +45,7 @@ class Scene(GeneratedPair):
         for name, columns in (("gaps.csv", "x,y,z,gap_mm"), ("distances.csv", "gap_mm,distance_lower_mm,distance_upper_mm")):
             rows = (self.root / "good" / name).read_text().splitlines()
             self.assertEqual((rows[0], len(rows) - 1), (f"surface,vertex,{columns}", sum(vertices.values())))
-        self.assertLessEqual({"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "certificate", "euclidean_distance_mm",
+        self.assertLessEqual({"units", "centre", "smallest_gap", "impingement", "error_bound_mm", "contact", "radial_overlap", "euclidean_distance_mm",
                               "left_out", "times_ms", "warnings"}, set(summary))
         self.assertAlmostEqual(summary["centre"]["radius_mm"], 24.0, delta=0.01)
         self.assertLess(max(abs(summary["centre"][axis]) for axis in "xyz"), 0.01)

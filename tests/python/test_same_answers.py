@@ -125,7 +125,7 @@ def test_gaps_of_the_page(page, floats, tmp_path, k):
     bound = summary["error_bound_mm"]
     assert near([verdicts["low_mm"], verdicts["high_mm"], verdicts["largest_mm"]], [*bound["smallest_gap_between"], bound["largest"]])
     assert verdicts["largest_mm"] <= found["bound"]["bound_mm"]
-    counts = [summary["certificate"][surface]["undecided_by_bound"] for surface in ("ball", "socket")]
+    counts = [summary["radial_overlap"][surface]["undecided_by_bound"] for surface in ("ball", "socket")]
     assert verdicts["undecided"] == sum(counts) > 0
 
 

@@ -155,7 +155,7 @@ TEST(SceneNeeds, TheWayIsSaid) {
   EXPECT_EQ(answer_question(*session.joint, options).way, part);
   options.precision_deg.reset();
   EXPECT_EQ(describe_way(answer_question(*session.joint, options).way, {}),
-            "way                 both surfaces are compared, edges and all, by exact signs\n"
+            "way                 the surfaces of all bones are compared, edges and all, by exact signs\n"
             "left out            nothing\n");
 }
 

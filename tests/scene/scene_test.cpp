@@ -166,7 +166,7 @@ TEST_F(Scene, AnAccuracyIsKeptAndProvenAtEveryVertex) {
     const auto report = summary(options, *session.joint, found);
     EXPECT_LE(report["error_bound_mm"]["largest"].get<double>(), accuracy);
     EXPECT_EQ(report["error_bound_mm"]["vertices_without_bound"], 0);
-    EXPECT_EQ(report["certificate"]["ball"]["bounds_refuted"], 0);
+    EXPECT_EQ(report["radial_overlap"]["ball"]["bounds_refuted"], 0);
     EXPECT_TRUE(report["precision_deg"].is_null());
   }
   options.max_error_mm = 1e-15;
