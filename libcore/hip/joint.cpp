@@ -256,7 +256,12 @@ bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   whole = std::move(split);
   part.mesh = std::move(main);
   part.star_shape = seen;
-  part.taken = TakenFaces{faces, taken.size(), kJointEnds * radius};
+  part.taken = TakenFaces{faces, taken.size(), kJointEnds * radius, {}};
+  for (const bool first : {true, false}) {
+    for (std::uint32_t f = 0; f < taken.size(); ++f) {
+      if (taken[f] == first) part.taken->given.push_back(f);
+    }
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct TakenFaces {
   std::size_t faces = 0;   // taken
   std::size_t of = 0;      // faces of the bone
   double within_mm = 0.0;  // of the centre
+  std::vector<std::uint32_t> given;  // place of each face of the bone as it is in the mesh, as it was given
 };
 
 /// One surface of a joint, and what was found out about it.

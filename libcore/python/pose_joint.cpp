@@ -17,8 +17,8 @@ PoseTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
 const PackedJoint<ExactCells>& PoseJoint::cells() {
   const std::scoped_lock lock(busy_);
   if (!cells_) {
-    const TriangleMesh ball = joint().main(Surface::ball);
-    const TriangleMesh socket = joint().main(Surface::socket);
+    cells_of_ = {joint().main(Surface::ball), joint().main(Surface::socket)};
+    const auto& [ball, socket] = cells_of_;
     cells_ = std::make_unique<const PackedJoint<ExactCells>>(
         packed_joint(exact_cells(ball, facing_layer(Surface::ball)),
                      exact_cells(socket, facing_layer(Surface::socket)), ball, socket));

@@ -54,6 +54,7 @@ class PoseJoint {
   std::mutex busy_;  // held while something is made, or asked that keeps what it made
   std::string axes_;
   Session session_;
+  BallSocketPair cells_of_;  // meshes that these borrow
   std::unique_ptr<const PackedJoint<ExactCells>> cells_;
   std::map<double, std::unique_ptr<const PackedJoint<PoseTable>>> tables_;  // by precision
   std::map<std::pair<bool, bool>, std::unique_ptr<PoseSeries>> series_;     // by touch, smallest_gap

@@ -30,9 +30,15 @@ void require_proven(const ClearanceProof& proof, const std::string& when) {
 // The rest of a whole bone is in the file of its main surface.
 std::array<std::size_t, 2> files_of(const Joint& joint) {
   const auto files = [](const JointPart& part) {
-    return 1 + static_cast<std::size_t>(std::ranges::count(part.parts, false, &MeshPart::of_main));
+    return 1 + static_cast<std::size_t>(
+                   std::ranges::count_if(part.parts, [](const MeshPart& of) { return !of.of_main; }));
   };
   return {files(joint.ball), files(joint.socket)};
+}
+
+// Where a face is in the files: those of a whole bone were put in another order.
+std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
+  return part.taken && face < part.taken->of ? part.taken->given[face] : face;
 }
 
 }  // namespace
@@ -41,6 +47,8 @@ ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose) {
   const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
   ClearanceProof proof = prove_pose({meshes, joint.joint.centre}, pose);
   require_proven(proof, "");
+  proof.faces = {given_face(joint.joint.ball, proof.faces[0]),
+                 given_face(joint.joint.socket, proof.faces[1])};
   proof.files = files_of(joint.joint);
   return proof;
 }
