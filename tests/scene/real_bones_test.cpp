@@ -178,8 +178,10 @@ TEST(RealBones, MeasuresStayOrAreRefusedUnderNoiseAndCropping) {
     options.axes_given = true;
     const Session session = load_joint(options);
     const SessionJoint& joint = *session.joint;
-    const BallSocketPair whole{in_joint_frame(joint, joint.joint.ball.mesh),
-                               in_joint_frame(joint, joint.joint.socket.mesh)};
+    const auto bone = [&](const JointPart& part) {
+      return in_joint_frame(joint, whole_main(part.mesh, part.parts));
+    };
+    const BallSocketPair whole{bone(joint.joint.ball), bone(joint.joint.socket)};
     const std::vector<Measure> found = measure_hip(whole, *joint.side);
     const auto compare = [&](const char* what, const BallSocketPair& changed) {
       const std::vector<Measure> others = measure_hip(changed, *joint.side);
