@@ -50,6 +50,13 @@ class SweptParts {
       return false;
     });
   }
+  /// Does some part have found(node) true of its sphere, and of all that hold it?
+  template <class Found>
+  bool any_node(const Found& found, std::uint32_t from = 0) const {
+    if (nodes_.empty() || !found(nodes_[from])) return false;
+    const Node& node = nodes_[from];
+    return node.leaf || any_node(found, node.at) || any_node(found, node.at + 1);
+  }
   /// Is every part farther than `distance` from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
   /// Is a point of one no farther than that from x, up to rounding? mm.
@@ -80,9 +87,9 @@ class SweptParts {
 
 /// A surface that turns and one that rests, each with the rotation to the frame whose +z is the axis.
 struct SweptPair {
-  const SweptParts& turning;     // borrowed
+  const SweptParts& turning;  // borrowed
   Eigen::Matrix3d turning_frame;
-  const SweptParts& resting;     // borrowed
+  const SweptParts& resting;  // borrowed
   Eigen::Matrix3d resting_frame;
 };
 
@@ -100,7 +107,7 @@ class SweptSpheres {
 
  private:
   struct Place {
-    Vec3 centre;       // mm, in the frame of the axis
+    Vec3 centre;        // mm, in the frame of the axis
     double arm = -1.0;  // mm, from the axis; not worked out yet if below 0
   };
   const Place& turning(std::uint32_t node);
@@ -113,8 +120,8 @@ class SweptSpheres {
 };
 
 /// Calls meet(i, j) for pairs of parts that may come within within(to) of each other, mm, at an angle from
-/// `from` to `to`, radians, in the order of the earliest one. meet() returns the `to` that holds from then on:
-/// the first angle found so far.
+/// `from` to `to`, radians, in the order of the earliest one. meet() returns the `to` that holds from then
+/// on: the first angle found so far.
 template <class Within, class Meet>
 void visit_meetings(const SweptPair& pair, double from, double to, const Within& within, const Meet& meet) {
   if (pair.turning.empty() || pair.resting.empty()) return;

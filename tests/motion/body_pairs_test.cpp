@@ -185,6 +185,35 @@ TEST(BodyPairs, ABoneWithAHoleHasAnInside) {
   }
 }
 
+// A needle through a hole is inside with its point alone, whichever corner of it comes first; cells say so
+// too.
+TEST(BodyPairs, ANeedleThroughAHoleIsInside) {
+  TriangleMesh bone = sphere_at(10.0, 3, kFar);
+  const auto [a, b, c] = corners_of(bone, bone.faces[0]);
+  const Vec3 middle = (a + b + c) / 3.0;
+  const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
+  const Vec3 across = 0.1 * out.unitOrthogonal();
+  const Vec3 aside = out.cross(across);
+  bone.faces.erase(bone.faces.begin());
+  for (const double depth : {4.0, -1.0, -20.0}) {
+    for (std::size_t first = 0; first < 4; ++first) {
+      TriangleMesh needle{
+          {middle - depth * out, middle + (8.0 - depth) * out + across,
+           middle + (8.0 - depth) * out - across + aside, middle + (8.0 - depth) * out - across - aside},
+          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+      std::swap(needle.vertices[0], needle.vertices[first]);
+      for (const bool of_ball : {true, false}) {
+        const BodyPairs pairs(small_joint(), {{of_ball ? needle : bone}, {of_ball ? bone : needle}});
+        EXPECT_EQ(verdict(pairs).contact, depth > 0.0 ? Contact::yes : Contact::no) << first;
+        EXPECT_EQ(verdict(pairs).rule, depth > 0.0 ? ContactRule::inside : verdict(pairs).rule);
+        EXPECT_TRUE(depth < 0.0 || pairs.may_meet({.turn = 1e-6})) << first;
+        // The point comes in where surfaces are apart all the time.
+        EXPECT_EQ(pairs.may_meet({.shift_mm = 1.2}).has_value(), depth > -20.0) << first;
+      }
+    }
+  }
+}
+
 // Faces towards the hollow are those of a socket, which does not hold what is in it; away from it, those of
 // the head that was cropped. Behind a sheet nothing is said to be inside it.
 TEST(BodyPairs, ACroppedSheetHoldsWhatIsBehindItsFaces) {
