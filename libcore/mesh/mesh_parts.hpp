@@ -41,10 +41,10 @@ std::string body_name(std::span<const MeshPart> parts, std::size_t body);
 
 /// Parts alone, each a surface of its own, mm.
 struct BoneParts {
-  std::vector<TriangleMesh> ball;            // beside the ball
-  std::vector<TriangleMesh> socket;          // beside the socket
-  std::optional<TriangleMesh> whole_ball;    // the bone of the ball, if that is more than the ball
-  std::optional<TriangleMesh> whole_socket;  // the bone of the socket, likewise
+  std::vector<TriangleMesh> ball;              // beside the ball
+  std::vector<TriangleMesh> socket;            // beside the socket
+  std::optional<TriangleMesh> whole_ball{};    // the bone of the ball, if that is more than the ball
+  std::optional<TriangleMesh> whole_socket{};  // the bone of the socket, likewise
 };
 /// All parts of a mesh but those of the main bone.
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);

@@ -217,6 +217,33 @@ Contact BodyPairs::Body::holds(const Vec3& x) const {
   return inside ? Contact::yes : Contact::no;
 }
 
+// Of a body whose surface is apart: place(x) is where its points are, and `reach` by how much farther they
+// may be.
+template <class Place>
+Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& place) const {
+  Contact found = Contact::no;
+  const auto ask = [&](const Vec3& x) {
+    const Contact one = holds(place(x));
+    if (one == Contact::yes || found == Contact::no) found = one;
+  };
+  for (const Vec3& x : other.pieces) ask(x);
+  if (found == Contact::yes || sheet || openings.empty()) return found;
+  const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
+    const Vec3 centre = place(node.centre);
+    const double near = node.radius + reach + kNodeRounding * (centre.norm() + node.radius);
+    return std::ranges::any_of(openings,
+                               [&](const auto& box) { return box.exteriorDistance(centre) <= near; });
+  });
+  if (!enters) return found;
+  if (reach > 0.0) return Contact::unknown;
+  for (std::size_t f = 0; f < other.turn.first_corner.size() && found != Contact::yes; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (other.turn.first_corner[f][k]) ask(other.faces().parts()[f].corner[k]);
+    }
+  }
+  return found;
+}
+
 BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     : main_only_(!beside.whole_ball && !beside.whole_socket) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
@@ -237,14 +264,11 @@ BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const 
   const Body& ball = *ball_[pair.ball];
   const Body& socket = *socket_[pair.socket];
   if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
-  Verdict found{Contact::no, ContactRule::inside, pair};
-  const auto ask = [&](const Body& body, const Vec3& x) {
-    const Contact holds = body.holds(x);
-    if (holds == Contact::yes || found.contact == Contact::no) found.contact = holds;
-  };
-  for (const Vec3& x : ball.pieces) ask(socket, to_socket(pose, x));
-  for (const Vec3& y : socket.pieces) ask(ball, to_ball(pose, y));
-  return found;
+  const Contact in_socket =
+      socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
+  if (in_socket == Contact::yes) return {Contact::yes, ContactRule::inside, pair};
+  const Contact in_ball = ball.holds_of(socket, 0.0, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
+  return {in_ball == Contact::no ? in_socket : in_ball, ContactRule::inside, pair};
 }
 
 // ask(pair) gives a verdict: the first yes, else the first that is not known.
@@ -314,8 +338,9 @@ bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
 
 // Where the surfaces are apart.
 bool BodyPairs::Moved::may_enter(const Body& other) const {
-  return std::ranges::any_of(body.pieces,
-                             [&](const Vec3& x) { return other.holds(rotation * x) != Contact::no; });
+  if (body.faces().empty()) return false;
+  const double farthest = reach(body.faces().nodes()[0].farthest);
+  return other.holds_of(body, farthest, [&](const Vec3& x) -> Vec3 { return rotation * x; }) != Contact::no;
 }
 
 bool BodyPairs::Moved::is_within(const Body& other) const {

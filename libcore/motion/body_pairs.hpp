@@ -4,7 +4,7 @@
 //
 // Two bodies are in contact where their surfaces have a common point, or where a point of one is inside the
 // other. If the surfaces have none, each connected piece of one is inside the other as a whole or not at all,
-// which one of its vertices tells.
+// which one of its vertices tells. Of a piece that comes into a small opening of the other all vertices do.
 //
 // Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. A
 // mesh with openings has one only as far as no opening can change it. Whatever closes an opening is taken to
@@ -17,7 +17,7 @@
 // again), does not say where its bone ends behind. So a single pose in which its surface is not met, but
 // radii overlap (gap/overlay.hpp), counts as contact of a socket of that kind; the answer says so. Motions do
 // not need that: from a clear pose bodies move continuously, and what is not inside another comes to be so
-// only through a pose in which surfaces meet.
+// only through a pose in which surfaces meet, or through an opening.
 //
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
@@ -125,6 +125,8 @@ class BodyPairs {
     bool sheet = false;
     std::vector<Vec3> pieces;  // a vertex of each connected piece
     Contact holds(const Vec3& x) const;
+    template <class Place>
+    Contact holds_of(const Body& other, double reach, const Place& place) const;
     const SweptParts& faces() const { return turn.faces; }
     std::optional<int> crossings(const Vec3& from, const Vec3& to) const;
     void find_openings(const TriangleMesh& all);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -61,6 +62,15 @@ Sinusoid trace_of(const JointTurn& turn) {
   return {m(0, 0) + m(1, 1), m(0, 1) - m(1, 0), m(2, 2)};
 }
 
+// Sides of one face, or of three: round any other edge a way crosses an even number of faces.
+std::vector<Edge> border_of(const TriangleMesh& mesh) {
+  std::vector<Edge> border;
+  for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
+    if (half_edges.size() % 2 != 0) border.push_back(ends(mesh, half_edges[0]));
+  });
+  return border;
+}
+
 std::vector<TurnFace> points_of(const TriangleMesh& mesh) {
   std::vector<TurnFace> points;
   for (const VertexIndex v : surface_vertices(mesh)) points.push_back(turn_point(mesh.vertices[v]));
@@ -81,8 +91,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
                                             bool is_socket) const {
   const double r = question_.within_mm;
   if (question_.gap_mm == 0.0)
-    return {SweptParts(turn_faces(mesh)), SweptParts(), SweptParts(), jump_edges(mesh),
-            boundary_edges(mesh),         0.0};
+    return {SweptParts(turn_faces(mesh)), SweptParts(), SweptParts(), jump_edges(mesh), border_of(mesh), 0.0};
   const std::vector<Edge> edges = possible_jumps(mesh, r);
   const std::vector<VertexIndex> facing = surface_vertices(other);
   WallQuestion walls{is_socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
@@ -94,7 +103,7 @@ CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const Tria
             SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
             SweptParts(points_of(mesh)),
             jump_edges(mesh),
-            {},
+            border_of(mesh),
             HUGE_VAL};
   for (const TurnFace& face : made.faces.parts()) {
     const auto& [a, b, c] = face.corner;
@@ -125,19 +134,20 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   return std::min(first / kDegree, to_deg);
 }
 
-// Layers of the other surface that a vertex of the ball at x is beyond, or one of the socket within.
-int CentreIntervals::layers_passed(const ScannedVertex& at, const Vec3& x) const {
+// Layers of the other surface that a vertex of the ball at x is beyond, or one of the socket within; none
+// where its ray meets a side of a face, which would count twice.
+std::optional<int> CentreIntervals::layers_passed(const ScannedVertex& at, const Vec3& x) const {
   const NearFaces& faces = joint_.faces(other(at.scanned));
   int passed = 0;
-  faces.any_hit(x, [&](std::uint32_t f, int side) {
-    const auto [a, b, c] = corners_of(faces.mesh(), faces.mesh().faces[f]);
-    if (orientation(a, b, x) * side < 0 || orientation(b, c, x) * side < 0 || orientation(c, a, x) * side < 0)
-      return false;
-    const int beyond = side * plane_side(a, b, c, x);
+  const bool on_side = faces.any_hit(x, [&](std::uint32_t f, int side) {
+    const auto corners = corners_of(faces.mesh(), faces.mesh().faces[f]);
+    const int place = place_in_cone(corners, side, x);
+    if (place < 0) return false;
+    const int beyond = side * plane_side(corners[0], corners[1], corners[2], x);
     passed += at.scanned == Surface::ball ? beyond > 0 : beyond < 0;
-    return false;
+    return place == 0;
   });
-  return passed;
+  return on_side ? std::nullopt : std::optional(passed);
 }
 
 // See the header.
@@ -145,6 +155,7 @@ bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const
   constexpr double kStep = 0.25;    // degrees, along the way
   constexpr double kBeside = 1e-9;  // radians
   const Side& facing = at.scanned == Surface::ball ? socket_ : ball_;
+  if (facing.faces.empty()) return false;
   const TriangleMesh& mesh = mesh_of(joint_.meshes(), other(at.scanned));
   const Vec3& from = mesh_of(joint_.meshes(), at.scanned).vertices[at.vertex];
   const auto place = [&](double angle_deg) {
@@ -153,7 +164,7 @@ bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const
   const Vec3 end = place(way.angle_deg);
   const double rounding = kCertainMargin * (from.norm() + facing.faces.nodes()[0].farthest);
   const double moved = most_shift(way) + rounding;
-  if (layers_passed(at, end) % 2 == 0 || layers_passed(at, place(way.free_deg)) != 0 ||
+  if (layers_passed(at, end).value_or(0) % 2 == 0 || layers_passed(at, place(way.free_deg)) != 0 ||
       !facing.faces.farther_than(moved, end) ||
       !facing.faces.farther_than(shift(pose_of(way.turn, 0.0)) + rounding, place(0.0)))
     return false;

@@ -100,7 +100,7 @@ class CentreIntervals {
     SweptParts walls;
     SweptParts points;            // ends of possible jump edges, or all vertices
     std::vector<JumpEdge> jumps;  // of the origin
-    std::vector<Edge> border;     // where the mesh ends
+    std::vector<Edge> border;     // where the mesh ends, or three of its faces meet
     double nearest = 0.0;         // mm, of the faces
   };
   Side side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
@@ -124,7 +124,7 @@ class CentreIntervals {
   bool gap_always(const Way& way) const;
   bool is_certain(const Way& way, const ScannedVertex& at) const;
   bool has_crossed(const Way& way, const ScannedVertex& at) const;
-  int layers_passed(const ScannedVertex& at, const Vec3& x) const;
+  std::optional<int> layers_passed(const ScannedVertex& at, const Vec3& x) const;
   double shift(const Pose& pose) const;
   double most_shift(const Way& way) const;
 

@@ -50,6 +50,13 @@ class SweptParts {
       return false;
     });
   }
+  /// Does some part have found(node) true of its sphere, and of all that hold it?
+  template <class Found>
+  bool any_node(const Found& found, std::uint32_t from = 0) const {
+    if (nodes_.empty() || !found(nodes_[from])) return false;
+    const Node& node = nodes_[from];
+    return node.leaf || any_node(found, node.at) || any_node(found, node.at + 1);
+  }
   /// Is every part farther than `distance` from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
   /// Is a point of one no farther than that from x, up to rounding? mm.

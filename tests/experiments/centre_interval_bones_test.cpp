@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of real joints that jump where a graze becomes a contact: the interval holds for random centres
-// within half a millimetre of the one that the joint is described with. Needs the folder that IMPINGE_BONES
-// names; without it there is nothing to test.
+// Limits of real joints, of which some jump where a graze becomes a contact: the interval holds for random
+// centres within half a millimetre of the one that the joint is described with. Needs the folder that
+// IMPINGE_BONES names; without it there is nothing to test.
 #include <cstdlib>
 #include <string>
 
@@ -17,9 +17,10 @@ namespace {
 
 constexpr int kCentres = 6;
 
-struct JumpingLimit {
+struct AskedLimit {
   const char* subject;
   const char* motion;
+  bool jumps;  // then no upper end need be known
 };
 
 Vec3 random_centre(test::Dice& dice) {
@@ -33,14 +34,16 @@ TEST(CentreIntervalBones, HoldsForOtherCentres) {
   Progress progress("test", nullptr);
   test::Dice dice(18);
   for (const RealJoint& joint : read_real_joints(bones, progress)) {
-    for (const JumpingLimit& jumping :
-         {JumpingLimit{"cargen_left", "internal_rotation"}, JumpingLimit{"libhip_m4_left", "flexion"}}) {
-      if (joint.subject != jumping.subject) continue;
+    for (const AskedLimit& asked : {AskedLimit{"cargen_left", "internal_rotation", true},
+                                    {"libhip_m4_left", "flexion", true},
+                                    {"cargen_left", "flexion", false},
+                                    {"vsd_z013_right", "abduction", false}}) {
+      if (joint.subject != asked.subject) continue;
       const BallSocketPair meshes = in_joint_frame(joint);
-      const JointTurn turn = joint_turn({}, motion_name(jumping.motion), joint.side);
+      const JointTurn turn = joint_turn({}, motion_name(asked.motion), joint.side);
       const ToldLimit told = told_limit(TurnLimits(meshes), turn, 0.0, 180.0);
-      EXPECT_TRUE(told.hangs_on_less()) << jumping.subject;
-      ASSERT_TRUE(told.common.limited) << jumping.subject;
+      EXPECT_TRUE(!asked.jumps || told.hangs_on_less()) << asked.subject;
+      EXPECT_TRUE(asked.jumps || told.common.limited) << asked.subject;
       double least = told.limit.low_deg;
       double most = told.limit.high_deg;
       for (int k = 0; k < kCentres; ++k) {
@@ -53,9 +56,9 @@ TEST(CentreIntervalBones, HoldsForOtherCentres) {
         least = std::min(least, limit.low_deg);
         most = std::max(most, limit.high_deg);
       }
-      EXPECT_GT(most - least, 20.0) << jumping.subject << ": it does not jump";
-      EXPECT_LE(told.common.low_deg, least) << jumping.subject;
-      EXPECT_GE(told.common.high_deg, most) << jumping.subject;
+      EXPECT_TRUE(!asked.jumps || most - least > 20.0) << asked.subject << ": it does not jump";
+      EXPECT_LE(told.common.low_deg, least) << asked.subject;
+      EXPECT_GE(told.common.high_deg, most) << asked.subject;
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball with a spike in a cube of six walls: how far its tip is from a wall has a closed form. As near to
+// A ball with a spike in five walls of a cube: how far its tip is from a wall has a closed form. As near to
 // contact as could be, no rotations are called free or blocked that are not all so, and no cut has another
 // depth than it must.
 #include <array>
@@ -33,8 +33,9 @@ BallSocketPair spike_in_walls(double length, const Eigen::Matrix3d& rotation) {
   for (int k = 0; k < 8; ++k)
     pair.socket.vertices.push_back(
         kWall * Vec3((k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, (k & 4) != 0 ? 1.0 : -1.0));
-  pair.socket.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  // All but the one at -z, towards the centre.
+  pair.socket.faces = {{4, 6, 5}, {5, 6, 7}, {0, 4, 1}, {1, 4, 5}, {2, 3, 6},
+                       {3, 7, 6}, {0, 2, 4}, {2, 6, 4}, {1, 5, 3}, {3, 5, 7}};
   return pair;
 }
 

@@ -61,7 +61,7 @@ TEST(Resection, OfABumpIsItsClosedForm) {
     EXPECT_LE(cut.depth_mm.low, depth + 0.005);
     EXPECT_GE(cut.depth_mm.high, depth - 0.005);
     EXPECT_LE(cut.depth_mm.high - cut.depth_mm.low, 0.1);
-    EXPECT_TRUE(TurnLimits({cut.before, joint.socket}).impinged(legs[0].turn, 60.0));
+    EXPECT_EQ(TurnLimits({cut.before, joint.socket}).verdict(legs[0].turn, 60.0).contact, Contact::yes);
   }
 }
 

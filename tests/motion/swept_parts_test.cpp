@@ -94,8 +94,10 @@ TEST(SweptParts, AreFirstWithinWhereBruteForceHasThem) {
   for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
     const SweptCase given = random_case(random);
     const double largest = std::min(random.between(0.0, 2.0 * kWholeTurn), kWholeTurn);
-    const double first =
-        first_within(SweptParts(given.turning), SweptParts(given.resting), given.within, largest);
+    const SweptParts turning(given.turning);
+    const SweptParts resting(given.resting);
+    const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+    const double first = first_within({turning, upright, resting, upright}, given.within, largest);
     expect_nothing_before(given, first, random);
     if (first == largest) continue;
     met += first > 0.0 ? 1 : 0;

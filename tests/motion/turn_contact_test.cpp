@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The angle that is returned is the first at which the pose is impinged (gap/overlay.hpp): the overlay
-// says no before, in steps of a hundredth of a degree next to it and larger ones elsewhere, and yes beyond.
+// The angle that is returned is the first at which the surfaces meet: by CGAL's exact intersection of all
+// faces they do not before, in steps of a hundredth of a degree next to it and larger ones elsewhere, and do
+// beyond.
 #include "motion/turn_contact.hpp"
 
 #include <algorithm>
@@ -12,18 +13,19 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "gap/overlay.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
+#include "reference/meeting_surfaces.hpp"
 #include "support/directions.hpp"
 #include "support/every_vertex.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kStep = 0.01 * kDegree;
 constexpr double kFarthest = 2.0;  // radians
-constexpr int kSteps = 40;         // of each kind
+constexpr int kSteps = 15;         // of each kind
 constexpr double kBeyond = 1e-6;   // radians past a contact, where it is deep enough to be seen in doubles
 
 struct Scene {
@@ -58,15 +60,22 @@ std::vector<Scene> scenes() {
 }
 
 struct Turning {
+  Turning(const BallSocketPair& of, const Vec3& axis) : joint(of), turn{.axis = axis} {}
   const BallSocketPair& joint;
-  Vec3 axis;
-  TurnParts ball{joint.ball};
-  TurnParts socket{joint.socket};
+  JointTurn turn;
+  TurnBody ball{joint.ball};
+  TurnBody socket{joint.socket};
 
-  TurnContacts contacts(double largest_gap = 0.0) const {
-    return TurnContacts({{joint.ball, ball}, {joint.socket, socket}, axis, largest_gap});
+  auto first(const AngleSpan& angles) const { return first_contact({ball, socket, turn}, angles); }
+  auto gap(double gap_mm, const AngleSpan& angles) const {
+    return first_gap({ball, socket, turn}, TurnGap(joint, gap_mm), angles);
   }
-  Pose at(double angle) const { return {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), Vec3::Zero()}; }
+  Pose at(double angle) const {
+    return {Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix(), Vec3::Zero()};
+  }
+  bool meets(double angle) const {
+    return surfaces_meet(test::turned(joint.ball, at(angle).rotation), joint.socket);
+  }
 };
 
 // Angles before the limit, close by and everywhere.
@@ -80,19 +89,18 @@ std::vector<double> angles_before(double limit) {
   return angles;
 }
 
-TEST(TurnContact, IsTheFirstThatTheOverlaySees) {
+TEST(TurnContact, IsTheFirstThatCgalSees) {
   std::set<ContactKind> kinds;
   for (const Scene& scene : scenes()) {
-    const SurfaceOverlay overlay(scene.joint.ball, scene.joint.socket);
     for (const Vec3& axis : test::random_directions(3, 3)) {
       const Turning turning{scene.joint, axis};
-      const auto first = turning.contacts().first({0.0, kFarthest});
+      const auto first = turning.first({0.0, kFarthest});
       const double limit = first ? first->angle : kFarthest;
       for (const double angle : angles_before(limit))
-        ASSERT_FALSE(overlay.impinged(turning.at(angle))) << scene.name << " " << angle << " of " << limit;
+        ASSERT_FALSE(turning.meets(angle)) << scene.name << " " << angle << " of " << limit;
       if (!first) continue;
       kinds.insert(first->kind);
-      EXPECT_TRUE(overlay.impinged(turning.at(limit + kBeyond))) << scene.name << " " << name(first->kind);
+      EXPECT_TRUE(turning.meets(limit + kBeyond)) << scene.name << " " << name(first->kind);
     }
   }
   EXPECT_TRUE(kinds.contains(ContactKind::edges));
@@ -109,7 +117,7 @@ TEST(TurnContact, TheFirstGapOfAThreshold) {
       const Turning turning{scene.joint, axis};
       const auto start = gaps.least_gap({});
       if (start && start->gap_mm <= kGap) continue;
-      const auto first = turning.contacts(kGap).first_gap(kGap, {0.0, kFarthest});
+      const auto first = turning.gap(kGap, {0.0, kFarthest});
       for (const double angle : angles_before(first ? first->angle : kFarthest)) {
         const auto smallest = gaps.least_gap(turning.at(angle));
         ASSERT_TRUE(!smallest || smallest->gap_mm > kGap) << scene.name << " " << angle;
@@ -122,9 +130,10 @@ TEST(TurnContact, TheFirstGapOfAThreshold) {
   EXPECT_GT(found, 5);
 }
 
-// A plate outside of a cap meets none of its points and is beyond it once it passes the rim: its tip leads at
-// -60 degrees from -z, the rim is at 70 degrees from +z, both across the plane y = 0. Either has a corner in
-// that plane, and the other an edge across it.
+// A plate outside of a cap, which it never meets. As the centre sees them it is beyond the cap once it passes
+// the rim, and has every gap of a threshold there: its tip leads at -60 degrees from -z, the rim is at 70
+// degrees from +z, both across the plane y = 0. Either has a corner in that plane, and the other an edge
+// across it.
 BallSocketPair plate_and_cap(double plate_width, double rim_width) {
   const auto at = [](double radius, double degrees, double y) {
     return Vec3(-radius * std::sin(degrees * kDegree), y, radius * std::cos(degrees * kDegree));
@@ -141,14 +150,15 @@ TEST(TurnContact, KnowsARimBehindARim) {
   for (const auto& [plate_width, rim_width] :
        {std::pair(0.0, 9.0), std::pair(9.0, 0.0), std::pair(3.0, 9.0)}) {
     const BallSocketPair joint = plate_and_cap(plate_width, rim_width);
-    const auto first = Turning{joint, Vec3::UnitY()}.contacts().first({0.0, kFarthest});
-    ASSERT_TRUE(first) << plate_width;
-    EXPECT_EQ(first->kind, ContactKind::rims);
-    EXPECT_NEAR(first->angle, (180.0 - 60.0 - 70.0) * kDegree, 1e-8);
-    const auto gap = Turning{joint, Vec3::UnitY()}.contacts(1.0).first_gap(1.0, {0.0, kFarthest});
-    ASSERT_TRUE(gap) << plate_width;
-    EXPECT_NEAR(gap->angle, first->angle, 1e-8);
-    EXPECT_FALSE(Turning({joint, -Vec3::UnitY()}).contacts().first({0.0, 1.0})) << "it turns away";
+    const Turning turning{joint, Vec3::UnitY()};
+    EXPECT_FALSE(turning.first({0.0, kFarthest})) << plate_width;
+    for (const double gap_mm : {0.0, 1.0}) {
+      const auto gap = turning.gap(gap_mm, {0.0, kFarthest});
+      ASSERT_TRUE(gap) << plate_width;
+      EXPECT_EQ(gap->kind, ContactKind::rims);
+      EXPECT_NEAR(gap->angle, (180.0 - 60.0 - 70.0) * kDegree, 1e-8);
+    }
+    EXPECT_FALSE(Turning(joint, -Vec3::UnitY()).gap(1.0, {0.0, 1.0})) << "it turns away";
   }
 }
 
@@ -157,7 +167,7 @@ TEST(TurnContact, OfABallVertexIsAnArcsine) {
   const TriangleMesh ball{{{0, 5, 0}, {-0.5, 4.8, 0.3}, {-0.5, 4.8, -0.3}}, {{0, 1, 2}}};
   const TriangleMesh wall{{{3, -9, -9}, {3, 19, 0}, {3, -9, 9}}, {{0, 1, 2}}};
   const BallSocketPair joint{ball, wall};
-  const auto first = Turning{joint, -Vec3::UnitZ()}.contacts().first({0.0, kFarthest});
+  const auto first = Turning{joint, -Vec3::UnitZ()}.first({0.0, kFarthest});
   ASSERT_TRUE(first);
   EXPECT_EQ(first->kind, ContactKind::ball_vertex);
   EXPECT_NEAR(first->angle, std::asin(0.6), 1e-9);
@@ -174,7 +184,7 @@ TEST(TurnContact, OfASocketVertexIsAnArccosine) {
   const TriangleMesh socket{{corner, corner + Vec3(0.3, -0.5, 0.2), corner + Vec3(0.3, -0.5, -0.2)},
                             {{0, 1, 2}}};
   const BallSocketPair joint{ball, socket};
-  const auto first = Turning{joint, -Vec3::UnitZ()}.contacts().first({0.0, kFarthest});
+  const auto first = Turning{joint, -Vec3::UnitZ()}.first({0.0, kFarthest});
   ASSERT_TRUE(first);
   EXPECT_EQ(first->kind, ContactKind::socket_vertex);
   EXPECT_NEAR(first->angle, std::acos(0.6) + kPi / 6.0, 1e-9);
@@ -187,7 +197,7 @@ TEST(TurnContact, OfFacesThatSlideInOnePlane) {
   const TriangleMesh ball{{{4, 0, 2}, {3.5, -1, 2}, {2.6, -1, 2}}, {{0, 1, 2}}};
   const TriangleMesh wall{{{2, 3, 2}, {2, 4, 2}, {-1, 3.5, 2}}, {{0, 1, 2}}};
   const BallSocketPair joint{ball, wall};
-  const auto first = Turning{joint, Vec3::UnitZ()}.contacts().first({0.0, kFarthest});
+  const auto first = Turning{joint, Vec3::UnitZ()}.first({0.0, kFarthest});
   ASSERT_TRUE(first);
   EXPECT_NEAR(first->angle, kPi / 3.0, 1e-6);
   EXPECT_LE(first->angle, kPi / 3.0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// low: no pose from the start is impinged; high: this one is; high - low below a tenth of a degree.
+// low: no pose from the start has a contact; high: this one has; high - low below a tenth of a degree.
 #include "motion/turn_limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,11 +12,16 @@
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generated_pair.hpp"
+#include "support/joined.hpp"
 
 namespace impinge {
 namespace {
 
 constexpr double kWidest = 0.1;  // degrees
+
+bool in_contact(const TurnLimits& limits, const JointTurn& turn, double angle_deg) {
+  return limits.verdict(turn, angle_deg).contact == Contact::yes;
+}
 const JointTurn kAbduct = joint_turn({}, motion_name("abduction"), Side::right);
 
 // The pair with its bump as high as the space: the smooth ball reaches the smooth socket once the part of the
@@ -28,8 +34,8 @@ TEST(TurnLimit, OfTheCamIsThatOfItsFormula) {
   const double level = 60.0 / kPi * std::acos(std::sqrt(0.8));  // degrees from the top
   EXPECT_NEAR(limit.low_deg, 130.0 - 87.0 - level, 1.5);
   EXPECT_LE(limit.high_deg - limit.low_deg, kWidest);
-  EXPECT_FALSE(limits.impinged(kAbduct, limit.low_deg));
-  EXPECT_TRUE(limits.impinged(kAbduct, limit.high_deg));
+  EXPECT_FALSE(in_contact(limits, kAbduct, limit.low_deg));
+  EXPECT_TRUE(in_contact(limits, kAbduct, limit.high_deg));
   EXPECT_GT(limits.smallest_gap(kAbduct, limit.low_deg)->gap_mm, -1e-9);
 }
 
@@ -47,7 +53,12 @@ TEST(TurnLimit, SaysWhenThereIsNone) {
 TEST(TurnLimit, SaysWhenTheStartIsBlocked) {
   const TurnLimits limits({octahedron(30.0), octahedron(29.0)});
   EXPECT_EQ(limits.first_contact(kAbduct, 90.0).state, LimitState::blocked);
-  const TurnLimits wide({octahedron(20.0), octahedron(29.0)});
+  const TurnLimits inside({octahedron(20.0), octahedron(29.0)});
+  EXPECT_EQ(inside.first_contact(kAbduct, 90.0).state, LimitState::blocked) << "a bone in a bone";
+  TriangleMesh open = test::inside_out(octahedron(29.0));
+  std::erase_if(open.faces, [&](const Face& face) { return std::ranges::find(face, 5U) != face.end(); });
+  const TurnLimits wide({octahedron(20.0), open});
+  EXPECT_EQ(wide.first_contact(kAbduct, 10.0).state, LimitState::free);
   EXPECT_EQ(wide.gap_of(kAbduct, 9.5, 10.0).state, LimitState::blocked);
   EXPECT_EQ(wide.gap_of(kAbduct, 8.5, 10.0).state, LimitState::limited);
 }
@@ -91,12 +102,12 @@ TEST(TurnLimit, CountsFromWhereTheMotionBegins) {
       joint_turn(parse_motion("flexion=30,internal_rotation=20"), motion_name("abduction"), Side::right);
   const TurnLimit limit = limits.first_contact(bent, 120.0);
   ASSERT_EQ(limit.state, LimitState::limited);
-  EXPECT_FALSE(limits.impinged(bent, limit.low_deg));
-  EXPECT_TRUE(limits.impinged(bent, limit.high_deg));
+  EXPECT_FALSE(in_contact(limits, bent, limit.low_deg));
+  EXPECT_TRUE(in_contact(limits, bent, limit.high_deg));
 }
 
-// A ball that is a cap of 60 degrees about +z, thin shell or sheet, under a socket that covers directions up
-// to 20 degrees from +z: its rim passes the socket's after 40 degrees, and nothing touches.
+// A ball that is a cap of 60 degrees about +z under a socket that covers directions up to 20 degrees from +z:
+// its rim passes the socket's after 40 degrees, and nothing touches. A thin shell of that shape has no end.
 TEST(TurnLimit, EndsWhereTheMeshOfTheBallDoes) {
   const TriangleMesh cap = cup(20.0, 60.0, 4000);
   TriangleMesh shell = cap;
@@ -108,16 +119,17 @@ TEST(TurnLimit, EndsWhereTheMeshOfTheBallDoes) {
     shell.faces.push_back({b, a, a + inner});
     shell.faces.push_back({b, a + inner, b + inner});
   }
-  for (const TriangleMesh& ball : {cap, shell}) {
-    const TurnLimits limits({ball, cup(26.0, 20.0, 4000)});
-    const TurnLimit limit =
-        limits.first_contact({Eigen::Matrix3d::Identity(), Vec3::UnitX(), Eigen::Matrix3d::Identity()}, 90.0);
-    EXPECT_EQ(limit.state, LimitState::unknown);
-    ASSERT_TRUE(limit.leaves_mesh_deg);
-    EXPECT_NEAR(*limit.leaves_mesh_deg, 40.0, 0.2);
-    EXPECT_EQ(limit.low_deg, *limit.leaves_mesh_deg);
-    EXPECT_EQ(limit.high_deg, 90.0);
-  }
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  const TriangleMesh socket = cup(26.0, 20.0, 4000);
+  const TurnLimit of_sheet = TurnLimits({cap, socket}).first_contact(turn, 90.0);
+  EXPECT_EQ(of_sheet.state, LimitState::unknown);
+  ASSERT_TRUE(of_sheet.leaves_mesh_deg);
+  EXPECT_NEAR(*of_sheet.leaves_mesh_deg, 40.0, 0.2);
+  EXPECT_EQ(of_sheet.low_deg, *of_sheet.leaves_mesh_deg);
+  EXPECT_EQ(of_sheet.high_deg, 90.0);
+  const TurnLimit of_shell = TurnLimits({shell, socket}).first_contact(turn, 90.0);
+  EXPECT_EQ(of_shell.state, LimitState::free);
+  EXPECT_FALSE(of_shell.leaves_mesh_deg);
 }
 
 // What the limit moves by when the common centre of both is off by t: to first order, t . (I - R)^T n.

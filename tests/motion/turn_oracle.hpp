@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Poses of a joint decided by brute force in long double: no tree, no closed form, no code of the library's.
 //
-// Along a common direction u of two faces n.x = p and m.x = q the ball reaches the socket if p / n.u >=
-// q / m.u, a linear inequality in u: it holds somewhere in the common cone if it does at one of its extreme
-// rays, which are corners of one face in the cone of the other and crossings of their edges.
+// Two triangles meet surely where a side of one crosses the other by more than rounding, and perhaps where
+// they are no farther apart than rounding: the distance of two triangles that do not cross is that of a
+// corner and a face, or of two sides.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -20,42 +19,93 @@
 namespace impinge::test {
 
 using LongVec = Eigen::Matrix<long double, 3, 1>;
-using LongFace = std::array<LongVec, 3>;
 
-// A face and what each pose asks of it again and again.
+// A triangle and what each pose asks of it again and again.
 struct OracleFace {
-  LongFace corners;
-  LongFace units;    // directions of the corners
-  LongFace inwards;  // unit normals of the planes through centre and edge
-  LongVec normal;    // of the face, of any length
+  std::array<LongVec, 3> corners;
+  LongVec normal;                  // unit vector
+  std::array<LongVec, 3> inwards;  // unit vectors in its plane, across the sides
+  LongVec middle;
+  long double radius;  // of a sphere about the middle
 
-  explicit OracleFace(const LongFace& face)
-      : corners(face), normal((face[1] - face[0]).cross(face[2] - face[0])) {
-    const long double side = face[0].dot(face[1].cross(face[2])) > 0 ? 1 : -1;
+  explicit OracleFace(const std::array<LongVec, 3>& at)
+      : corners(at),
+        normal((at[1] - at[0]).cross(at[2] - at[0]).normalized()),
+        middle((at[0] + at[1] + at[2]) / 3.0L),
+        radius(0) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const LongVec across = side * face[k].cross(face[(k + 1) % 3]);
-      units[k] = face[k].normalized();
-      inwards[k] = across / std::max(across.norm(), 1e-30L);
+      inwards[k] = normal.cross(at[(k + 1) % 3] - at[k]).normalized();
+      radius = std::max(radius, (at[k] - middle).norm());
     }
   }
 
-  // How far the unit vector u is inside the cone over the face, as a sine.
-  long double inside(const LongVec& u) const {
-    return std::min({inwards[0].dot(u), inwards[1].dot(u), inwards[2].dot(u)});
+  OracleFace moved(const Eigen::Matrix<long double, 3, 3>& rotation, const LongVec& shift) const {
+    OracleFace face(*this);
+    for (LongVec& x : face.corners) x = rotation * x + shift;
+    for (LongVec& n : face.inwards) n = rotation * n;
+    face.normal = rotation * normal;
+    face.middle = rotation * middle + shift;
+    return face;
   }
-  long double radius_on(const LongVec& u) const { return normal.dot(corners[0]) / normal.dot(u); }
 
-  // The plane of an edge has the other face behind it, by far more than any margin.
-  bool leaves_out(const OracleFace& other) const {
-    constexpr long double kFar = 1e-6L;
-    for (const LongVec& inward : inwards) {
-      if (std::max({inward.dot(other.units[0]), inward.dot(other.units[1]), inward.dot(other.units[2])}) <
-          -kFar)
-        return true;
+  // How far x, in the plane of the face, is inside of its sides, mm.
+  long double inside(const LongVec& x) const {
+    return std::min(
+        {inwards[0].dot(x - corners[0]), inwards[1].dot(x - corners[1]), inwards[2].dot(x - corners[2])});
+  }
+  // Does the segment cross the face, by more than a margin of its ends and of the crossing? mm.
+  bool crossed_by(const LongVec& p, const LongVec& q, long double margin) const {
+    const long double from = normal.dot(p - corners[0]);
+    const long double to = normal.dot(q - corners[0]);
+    if (!(std::min(from, to) < -margin && std::max(from, to) > margin)) return false;
+    return inside(p + from / (from - to) * (q - p)) > margin;
+  }
+  long double distance(const LongVec& x) const {
+    const long double height = normal.dot(x - corners[0]);
+    if (inside(x - height * normal) >= 0) return std::abs(height);
+    long double least = std::numeric_limits<long double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LongVec side = corners[(k + 1) % 3] - corners[k];
+      const long double share = std::clamp(side.dot(x - corners[k]) / side.squaredNorm(), 0.0L, 1.0L);
+      least = std::min(least, (corners[k] + share * side - x).norm());
     }
-    return false;
+    return least;
   }
 };
+
+inline bool crossing(const OracleFace& a, const OracleFace& b, long double margin) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.crossed_by(b.corners[k], b.corners[(k + 1) % 3], margin) ||
+        b.crossed_by(a.corners[k], a.corners[(k + 1) % 3], margin))
+      return true;
+  }
+  return false;
+}
+
+// Of the inner points of two sides that are nearest to each other; those with an end are of a corner and a
+// face.
+inline long double distance_of_sides(const LongVec& p, const LongVec& q, const LongVec& r, const LongVec& s) {
+  const LongVec across = (q - p).cross(s - r);
+  const long double squared = across.squaredNorm();
+  if (!(squared > 0)) return std::numeric_limits<long double>::infinity();
+  const long double along = (r - p).cross(s - r).dot(across) / squared;
+  const long double other = (r - p).cross(q - p).dot(across) / squared;
+  const bool inner = along >= 0 && along <= 1 && other >= 0 && other <= 1;
+  return inner ? std::abs(across.dot(r - p)) / std::sqrt(squared)
+               : std::numeric_limits<long double>::infinity();
+}
+
+inline long double distance(const OracleFace& a, const OracleFace& b) {
+  if (crossing(a, b, 0)) return 0;
+  long double least = std::numeric_limits<long double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    least = std::min({least, a.distance(b.corners[k]), b.distance(a.corners[k])});
+    for (std::size_t l = 0; l < 3; ++l)
+      least = std::min(least, distance_of_sides(a.corners[k], a.corners[(k + 1) % 3], b.corners[l],
+                                                b.corners[(l + 1) % 3]));
+  }
+  return least;
+}
 
 // Where a joint really turns: both meshes about a common centre, the ball shifted besides.
 struct OracleCentre {
@@ -63,146 +113,120 @@ struct OracleCentre {
   Vec3 shift = Vec3::Zero();   // mm
 };
 
-// Decides poses of one turn: x -> R(axis, angle) x + shift for the ball, about the centre. Rays start at the
-// centre of the socket and, where there is a shift, at that of the ball.
+// Decides poses of one turn: x -> R(axis, angle) x + shift for the ball, about the centre.
 class TurnOracle {
  public:
   static constexpr long double kMargin = 1e-11L;  // of directions
-  static constexpr long double kDepth = 1e-8L;    // mm
+  static constexpr long double kDepth = 1e-8L;    // mm, more than rounding
 
   TurnOracle(const BallSocketPair& joint, const Vec3& axis, const OracleCentre& at = {})
       : ball_(faces(joint.ball, at.centre)),
         socket_(faces(joint.socket, at.centre)),
         axis_(axis.cast<long double>().normalized()),
-        shift_(at.shift.cast<long double>()) {}
+        shift_(at.shift.cast<long double>()) {
+    for (const OracleFace& face : ball_) {
+      for (const LongVec& x : face.corners) arm_ = std::max(arm_, axis_.cross(x).norm());
+    }
+  }
 
-  // Deeper than rounding, and inside the faces by more than it.
-  bool surely_impinged(double angle_deg, long double margin = kMargin) const {
-    return deepest(angle_deg, margin) > kDepth;
+  // Deeper than rounding.
+  bool surely_meets(double angle_deg) const {
+    const std::vector<OracleFace> ball = turned(angle_deg);
+    return std::ranges::any_of(ball, [&](const OracleFace& a) {
+      return std::ranges::any_of(socket_, [&](const OracleFace& b) {
+        return (a.middle - b.middle).norm() <= a.radius + b.radius && crossing(a, b, kDepth);
+      });
+    });
   }
   // All but rounding.
-  bool perhaps_impinged(double angle_deg, long double margin = kMargin) const {
-    return deepest(angle_deg, -margin) > -kDepth;
+  bool perhaps_meets(double angle_deg) const { return !(distance(turned(angle_deg)) > kDepth); }
+
+  // Do the surfaces come as near as that, mm, in the turn up to there? No point moves farther than its arm
+  // times the angle: what is left of the distance is no contact.
+  bool meets_by(double angle_deg, long double near) const {
+    long double at = 0;
+    for (int steps = 0; at <= angle_deg && steps < kMostSteps; ++steps) {
+      const long double apart = distance(turned(static_cast<double>(at)));
+      if (apart <= near) return true;
+      at += apart / arm_ * 180.0L / std::acos(-1.0L);
+    }
+    return at <= angle_deg || distance(turned(angle_deg)) <= near;
   }
 
   // The smallest gap of a vertex; directions within the margin of a border count if it is negative.
   long double smallest_gap(double angle_deg, long double margin) const {
-    const std::vector<LongFace> ball = turned(angle_deg);
+    const std::vector<OracleFace> ball = turned(angle_deg);
     long double least = std::numeric_limits<long double>::infinity();
-    for (const LongFace& face : ball) {
-      for (const LongVec& x : face) least = std::min(least, radius(socket_, x, margin, true) - x.norm());
+    for (const OracleFace& face : ball) {
+      for (const LongVec& x : face.corners)
+        least = std::min(least, radius(socket_, x, margin, true) - x.norm());
     }
-    for (const LongFace& face : socket_) {
-      for (const LongVec& y : face) least = std::min(least, y.norm() - radius(ball, y, margin, false));
+    for (const OracleFace& face : socket_) {
+      for (const LongVec& y : face.corners)
+        least = std::min(least, y.norm() - radius(ball, y, margin, false));
     }
     return least;
   }
 
  private:
-  static std::vector<LongFace> faces(const TriangleMesh& mesh, const Vec3& centre) {
-    std::vector<LongFace> list;
+  static constexpr int kMostSteps = 20'000;  // of one turn; then it is not known
+
+  static std::vector<OracleFace> faces(const TriangleMesh& mesh, const Vec3& centre) {
+    std::vector<OracleFace> list;
     for (const Face& face : mesh.faces) {
-      LongFace& corners = list.emplace_back();
+      std::array<LongVec, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = corner(mesh, face, k).cast<long double>() - centre.cast<long double>();
+      list.emplace_back(corners);
     }
     return list;
   }
 
-  std::vector<LongFace> turned(double angle_deg) const {
+  std::vector<OracleFace> turned(double angle_deg) const {
     const long double t = angle_deg * std::acos(-1.0L) / 180.0L;
-    const Eigen::AngleAxis<long double> turn(t, axis_);
-    const Eigen::Matrix<long double, 3, 3> rotation = turn.toRotationMatrix();
-    std::vector<LongFace> list = ball_;
-    for (LongFace& face : list) {
-      for (LongVec& x : face) x = rotation * x;
-    }
+    const Eigen::Matrix<long double, 3, 3> rotation =
+        Eigen::AngleAxis<long double>(t, axis_).toRotationMatrix();
+    std::vector<OracleFace> list;
+    for (const OracleFace& face : ball_) list.push_back(face.moved(rotation, shift_));
     return list;
   }
 
-  static long double radius(const std::vector<LongFace>& faces, const LongVec& x, long double margin,
+  long double distance(const std::vector<OracleFace>& ball) const {
+    long double least = std::numeric_limits<long double>::infinity();
+    for (const OracleFace& a : ball) {
+      for (const OracleFace& b : socket_) {
+        if ((a.middle - b.middle).norm() - a.radius - b.radius < least)
+          least = std::min(least, test::distance(a, b));
+      }
+    }
+    return least;
+  }
+
+  // Along the ray through x.
+  static long double radius(const std::vector<OracleFace>& faces, const LongVec& x, long double margin,
                             bool nearest) {
     long double found = nearest ? std::numeric_limits<long double>::infinity() : -1e30L;
     const LongVec u = x.normalized();
-    for (const LongFace& corners : faces) {
-      const OracleFace face(corners);
-      if (!(face.inside(u) > margin)) continue;
-      const long double r = face.radius_on(u);
+    for (const OracleFace& face : faces) {
+      const auto& c = face.corners;
+      const long double side = c[0].dot(c[1].cross(c[2])) > 0 ? 1 : -1;
+      long double inside = 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const LongVec across = side * c[k].cross(c[(k + 1) % 3]);
+        inside = std::min(inside, across.dot(u) / std::max(across.norm(), 1e-30L));
+      }
+      if (!(inside > margin)) continue;
+      const long double r = face.normal.dot(c[0]) / face.normal.dot(u);
       found = nearest ? std::min(found, r) : std::max(found, r);
     }
     return found;
   }
 
-  static std::vector<LongFace> moved(std::vector<LongFace> faces, const LongVec& by) {
-    for (LongFace& face : faces) {
-      for (LongVec& x : face) x += by;
-    }
-    return faces;
-  }
-
-  long double deepest(double angle_deg, long double margin) const {
-    const std::vector<LongFace> ball = turned(angle_deg);
-    if (shift_.isZero(0)) return deepest(ball, socket_, margin);
-    return std::max(deepest(moved(ball, shift_), socket_, margin),
-                    deepest(ball, moved(socket_, -shift_), margin));
-  }
-
-  static long double deepest(const std::vector<LongFace>& balls, const std::vector<LongFace>& sockets,
-                             long double margin) {
-    const std::vector<OracleFace> others(sockets.begin(), sockets.end());
-    long double depth = -std::numeric_limits<long double>::infinity();
-    for (const LongFace& corners : balls) {
-      const OracleFace ball(corners);
-      for (const OracleFace& socket : others) {
-        if (!ball.leaves_out(socket) && !socket.leaves_out(ball))
-          depth = std::max(depth, deepest(ball, socket, margin));
-      }
-    }
-    return depth;
-  }
-
-  static long double deepest(const OracleFace& ball, const OracleFace& socket, long double margin) {
-    long double depth = -std::numeric_limits<long double>::infinity();
-    const auto ask = [&](const LongVec& u) {
-      if (!(ball.inside(u) > margin && socket.inside(u) > margin)) return;
-      depth = std::max(depth, ball.radius_on(u) - socket.radius_on(u));
-    };
-    // Corners and crossings are on borders of the common cone: asked for within it.
-    std::vector<LongVec> rays;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (socket.inside(ball.units[i]) > margin) rays.push_back(ball.units[i]);
-      if (ball.inside(socket.units[i]) > margin) rays.push_back(socket.units[i]);
-      for (std::size_t j = 0; j < 3; ++j) add_crossing(ball, i, socket, j, rays);
-    }
-    LongVec middle = LongVec::Zero();
-    for (const LongVec& ray : rays) middle += ray;
-    for (const LongVec& ray : rays) {
-      ask(ray);
-      ask((ray + 1e-9L * middle).normalized());
-    }
-    return depth;
-  }
-
-  static void add_crossing(const OracleFace& a, std::size_t i, const OracleFace& b, std::size_t j,
-                           std::vector<LongVec>& rays) {
-    const LongVec& a0 = a.corners[i];
-    const LongVec& a1 = a.corners[(i + 1) % 3];
-    const LongVec& b0 = b.corners[j];
-    const LongVec& b1 = b.corners[(j + 1) % 3];
-    const LongVec line = a.inwards[i].cross(b.inwards[j]);
-    if (!(line.norm() > 1e-12L)) return;
-    for (const long double sign : {1.0L, -1.0L}) {
-      const LongVec u = sign * line.normalized();
-      const bool on_a = a0.cross(u).dot(a0.cross(a1)) >= 0 && u.cross(a1).dot(a0.cross(a1)) >= 0;
-      const bool on_b = b0.cross(u).dot(b0.cross(b1)) >= 0 && u.cross(b1).dot(b0.cross(b1)) >= 0;
-      if (on_a && on_b) rays.push_back(u);
-    }
-  }
-
-  std::vector<LongFace> ball_;
-  std::vector<LongFace> socket_;
+  std::vector<OracleFace> ball_;
+  std::vector<OracleFace> socket_;
   LongVec axis_;
   LongVec shift_;
+  long double arm_ = 1e-30L;  // mm, of the farthest corner from the axis
 };
 
 }  // namespace impinge::test

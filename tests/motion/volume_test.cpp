@@ -19,6 +19,7 @@
 #include "phantoms/phantom_meshes.hpp"
 #include "support/dice.hpp"
 #include "support/exact_touch.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -36,7 +37,7 @@ BallSocketPair cone_neck(double neck, double opening, std::size_t sides) {
   socket.sides = sides;
   socket.axis = -Vec3::UnitZ();
   socket.rings = sphere_rings(26.0, kPi - opening, 0.1);
-  return {revolve(ball), revolve(socket)};
+  return {revolve(ball), test::inside_out(revolve(socket))};
 }
 
 // The share of rotations that tilt +z by less than a is (1 - cos a) / 2. The wall of a cone is edge-on and no
@@ -46,14 +47,14 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
   for (const double neck_deg : {20.0, 35.0}) {
     const double neck = neck_deg * kDegree;
     const double opening = 80.0 * kDegree;
-    const std::size_t sides = 120;
+    const std::size_t sides = 60;
     const BallSocketPair joint = cone_neck(neck, opening, sides);
-    const MotionVolume volume(CellTest(joint), {.width = 0.12});
+    const MotionVolume volume(CellTest(joint), {.width = 0.2});
     const VolumeShares& found = volume.shares();
     const double tilt = opening - neck;
     const double narrow = std::atan(std::tan(neck) * std::cos(kPi / sides));
     const double wide = std::atan(std::tan(opening) / std::cos(kPi / sides));
-    EXPECT_LE(found.open, 0.12);
+    EXPECT_LE(found.open, 0.2);
     EXPECT_LE(found.low(), 0.5 * (1.0 - std::cos(wide - narrow)));
     EXPECT_GE(found.high(), 0.5 * (1.0 - std::cos(tilt)));
     EXPECT_EQ(found.unknown, 0.0);
@@ -64,13 +65,13 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
 
 // Random rotations asked of the exact overlay, of a hip without a symmetry.
 TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
-  const Hip hip = make_hip(hip_preset("cam"), 1500);
+  const Hip hip = make_hip(hip_preset("cam"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
-  const MotionVolume volume(CellTest(joint), {.width = 0.06});
+  const MotionVolume volume(CellTest(joint), {.width = 0.15});
   test::ExactTouch overlay(joint);
   test::Dice dice(5);
   std::size_t free = 0;
-  const std::size_t draws = 3 * random_cases();
+  const std::size_t draws = random_cases();
   for (std::size_t k = 0; k < draws; ++k) {
     const Quaternion4 q = dice.quaternion();
     const bool impinged = overlay.impinged({rotation_of(q), Vec3::Zero()});
@@ -86,9 +87,9 @@ TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
 }
 
 TEST(MotionVolume, LimitsAgreeWithThoseOfTurns) {
-  const Hip hip = make_hip(hip_preset("cam"), 1500);
+  const Hip hip = make_hip(hip_preset("cam"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
-  const MotionVolume volume(CellTest(joint), {.width = 0.05});
+  const MotionVolume volume(CellTest(joint), {.width = 0.1});
   const TurnLimits limits(joint);
   for (const NamedMotion& motion : named_motions()) {
     const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), Side::left);
@@ -100,7 +101,7 @@ TEST(MotionVolume, LimitsAgreeWithThoseOfTurns) {
     }
     if (exact.state == LimitState::blocked) continue;
     EXPECT_EQ(read.stops.has_value(), read.low_deg < 120.0);
-    EXPECT_GT(read.low_deg, exact.low_deg - 30.0) << motion.name;
+    EXPECT_GT(read.low_deg, exact.low_deg - 45.0) << motion.name;
   }
 }
 
@@ -202,7 +203,7 @@ TEST(MotionVolume, OfAGapIsThatOfTheVertices) {
   const BallSocketPair joint{hip.ball, hip.socket};
   double before = 1.0;
   for (const double gap : {0.0, 1.0, 2.0}) {
-    const MotionVolume volume(CellTest(joint, {gap, 0.0}), {.width = 0.08});
+    const MotionVolume volume(CellTest(joint, {gap, 0.0}), {.width = 0.15});
     const CulledJoint vertices(joint);
     test::Dice dice(15);
     for (std::size_t k = 0; k < random_cases(); ++k) {
