@@ -501,7 +501,7 @@ TEST_P(ManyRotations, HoldInEveryOne) {
   test::Dice dice(3);
   std::size_t apart = 0;
   std::size_t overlap = 0;
-  const std::size_t draws = std::min<std::size_t>(2 * random_cases(), 20'000);
+  const std::size_t draws = std::min<std::size_t>(2 * random_cases(), 3000);
   for (std::size_t k = 0; k < draws; ++k) {
     const Eigen::Matrix3d rotation = dice.rotation();
     const double turn = dice.power(-3.0, 0.0) * 0.6;

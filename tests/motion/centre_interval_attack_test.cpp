@@ -169,7 +169,7 @@ TEST_P(CentreIntervalAttack, OfATipBesideARim) {
 TEST(CentreIntervalAttack, OfAThresholdBesideARim) {
   Dice random(16);
   std::size_t bounded = 0;
-  const std::size_t cases = random_cases() / 20;
+  const std::size_t cases = random_cases() / 25;
   for (std::size_t k = 0; k < cases; ++k) {
     const BallSocketPair joint{
         head_with_a_tip(), slope(random.between(0.7, 2.0), random.power(-2.0, 1.0), random.power(-2.0, 1.0))};
