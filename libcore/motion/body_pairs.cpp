@@ -136,7 +136,17 @@ TriangleMesh once(TriangleMesh mesh) {
 
 }  // namespace
 
-BodyPairs::Body::Body(const TriangleMesh& of, bool turns) {
+// A main sheet is wound by what it is: a ball outwards, a socket towards the centre.
+static int winding(const TriangleMesh& mesh, bool ball) {
+  double volume = 0.0;
+  for (const Face& face : mesh.faces) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    volume += a.dot(b.cross(c));
+  }
+  return (volume > 0.0) == ball ? 1 : -1;
+}
+
+BodyPairs::Body::Body(const TriangleMesh& of, bool turns, bool main) {
   const TriangleMesh each = once(of);
   const TriangleMesh mesh = without_flat_faces(each);
   turn = TurnBody(mesh);
@@ -145,6 +155,8 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns) {
   else
     fixed.emplace(mesh);
   find_openings(each);
+  hollow = main && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
+  if (main && sheet) wound = winding(mesh, turns);
   find_pieces(mesh);
 }
 
@@ -198,6 +210,12 @@ std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) 
 }
 
 Contact BodyPairs::Body::holds(const Vec3& x) const {
+  const Contact found = encloses(x);
+  if (!hollow || found == Contact::unknown) return found;
+  return found == Contact::yes ? Contact::no : Contact::yes;
+}
+
+Contact BodyPairs::Body::encloses(const Vec3& x) const {
   static const std::array<Vec3, kRays> kWays = ways_out();
   if (faces().empty()) return Contact::no;
   const SweptParts::Node& all = faces().nodes()[0];
@@ -210,8 +228,9 @@ Contact BodyPairs::Body::holds(const Vec3& x) const {
     if (std::ranges::any_of(openings, [&](const auto& box) { return passes(box, x, to); })) continue;
     const std::optional<int> sum = crossings(x, to);
     if (!sum) continue;
-    if (openings.empty()) return *sum % 2 == 0 ? Contact::no : Contact::yes;
-    (*sum > 0 ? inside : outside) = true;
+    const bool odd = *sum % 2 != 0;
+    if (openings.empty()) return odd ? Contact::yes : Contact::no;
+    ((sheet ? wound * *sum > 0 : odd) ? inside : outside) = true;
   }
   if (inside == outside) return Contact::unknown;
   return inside ? Contact::yes : Contact::no;
@@ -250,9 +269,9 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     const bool ball = kSurfaces[k] == Surface::ball;
     const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;
     auto& bodies = ball ? ball_ : socket_;
-    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball));
+    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball, true));
     for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
-      bodies.push_back(std::make_unique<Body>(part, ball));
+      bodies.push_back(std::make_unique<Body>(part, ball, false));
   });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {

@@ -6,18 +6,20 @@
 // other. If the surfaces have none, each connected piece of one is inside the other as a whole or not at all,
 // which one of its vertices tells. Of a piece that comes into a small opening of the other all vertices do.
 //
-// Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. A
-// mesh with openings has one only as far as no opening can change it. Whatever closes an opening is taken to
-// lie in the box of its border. Then rays that pass no such box count what the closed bone would; each
-// crossing outwards counts 1 and inwards -1. If all of 16 such rays add up to more than 0 the point is
-// inside, if none does it is outside; else, or if no ray is left, it is not known. In the hollow of a cropped
-// acetabulum all rays that meet it come from outside: the head is not inside.
+// Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. (Of
+// a closed socket round the centre it is the outside that is bone.) A mesh with openings has one only as far
+// as no opening can change it. Whatever closes an opening is taken to lie in the box of its border. Then rays
+// that pass no such box cross what they would of the closed bone. If all of 16 such rays cross it an odd
+// number of times the point is inside, if none does it is outside; else, or if no ray is left, it is not
+// known.
 //
-// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; the cropped acetabulum
-// again), does not say where its bone ends behind. So a single pose in which its surface is not met, but
-// radii overlap (gap/overlay.hpp), counts as contact of a socket of that kind; the answer says so. Motions do
-// not need that: from a clear pose bodies move continuously, and what is not inside another comes to be so
-// only through a pose in which surfaces meet, or through an opening.
+// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; such as a cropped
+// acetabulum), does not say where its bone ends behind. A point is inside only if all rays come from behind
+// it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. A main
+// surface is wound by what it is, outwards or to the centre. And a single pose in which a socket of that kind
+// is not met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. Motions do not need
+// that: from a clear pose bodies move continuously, and what is not inside another comes to be so only
+// through a pose in which surfaces meet, or through an opening.
 //
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
@@ -117,14 +119,17 @@ class BodyPairs {
 
  private:
   struct Body {
-    Body(const TriangleMesh& of, bool turns);
+    Body(const TriangleMesh& of, bool turns, bool main);
     TurnBody turn;                    // each face once, none without area
     std::optional<MovedFaces> moved;  // the same, of the ball's side
     std::optional<FixedFaces> fixed;  // of the socket's
     std::vector<Eigen::AlignedBox3d> openings;
     bool sheet = false;
+    int wound = 1;             // of a sheet: -1 if its faces are seen from the bone's inside
     std::vector<Vec3> pieces;  // a vertex of each connected piece
+    bool hollow = false;       // a closed socket round the centre: bone is outside of it
     Contact holds(const Vec3& x) const;
+    Contact encloses(const Vec3& x) const;
     template <class Place>
     Contact holds_of(const Body& other, double reach, const Place& place) const;
     const SweptParts& faces() const { return turn.faces; }
