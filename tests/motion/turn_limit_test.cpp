@@ -53,8 +53,8 @@ TEST(TurnLimit, SaysWhenThereIsNone) {
 TEST(TurnLimit, SaysWhenTheStartIsBlocked) {
   const TurnLimits limits({octahedron(30.0), octahedron(29.0)});
   EXPECT_EQ(limits.first_contact(kAbduct, 90.0).state, LimitState::blocked);
-  const TurnLimits inside({octahedron(20.0), octahedron(29.0)});
-  EXPECT_EQ(inside.first_contact(kAbduct, 90.0).state, LimitState::blocked) << "a bone in a bone";
+  const TurnLimits hollow({octahedron(20.0), octahedron(29.0)});
+  EXPECT_EQ(hollow.first_contact(kAbduct, 30.0).state, LimitState::free) << "bone is outside of this socket";
   TriangleMesh open = test::inside_out(octahedron(29.0));
   std::erase_if(open.faces, [&](const Face& face) { return std::ranges::find(face, 5U) != face.end(); });
   const TurnLimits wide({octahedron(20.0), open});

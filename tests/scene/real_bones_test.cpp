@@ -178,10 +178,10 @@ TEST(RealBones, MeasuresStayOrAreRefusedUnderNoiseAndCropping) {
     options.axes_given = true;
     const Session session = load_joint(options);
     const SessionJoint& joint = *session.joint;
-    const auto bone = [&](const JointPart& part) {
-      return in_joint_frame(joint, whole_main(part.mesh, part.parts));
+    const auto bone = [&](const fs::path& file) {
+      return in_joint_frame(joint, relative_to(read_mesh(file), joint.joint.centre));
     };
-    const BallSocketPair whole{bone(joint.joint.ball), bone(joint.joint.socket)};
+    const BallSocketPair whole{bone(options.ball), bone(options.socket)};
     const std::vector<Measure> found = measure_hip(whole, *joint.side);
     const auto compare = [&](const char* what, const BallSocketPair& changed) {
       const std::vector<Measure> others = measure_hip(changed, *joint.side);
