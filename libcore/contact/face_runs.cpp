@@ -41,9 +41,8 @@ void sort_into_runs(std::span<RunItem> items, std::size_t run) {
   if (items.size() <= run) return sort_into_runs(items, run / kWidth);
   const auto axis = static_cast<std::size_t>(longest_extent(items));
   const std::size_t half = ((items.size() + run - 1) / run) / 2 * run;
-  std::nth_element(
-      items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-      [axis](const RunItem& a, const RunItem& b) { return a.middle[axis] < b.middle[axis]; });
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [axis](const RunItem& a, const RunItem& b) { return a.middle[axis] < b.middle[axis]; });
   sort_into_runs(items.first(half), run);
   sort_into_runs(items.subspan(half), run);
 }

@@ -21,9 +21,9 @@ namespace impinge {
 
 /// What was taken of a whole bone (hip/whole_bone.hpp) as the surface of the joint.
 struct TakenFaces {
-  std::size_t faces = 0;   // taken
-  std::size_t of = 0;      // faces of the bone
-  double within_mm = 0.0;  // of the centre
+  std::size_t faces = 0;             // taken
+  std::size_t of = 0;                // faces of the bone
+  double within_mm = 0.0;            // of the centre
   std::vector<std::uint32_t> given;  // place of each face of the bone as it is in the mesh, as it was given
 };
 

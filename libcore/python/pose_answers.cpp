@@ -84,7 +84,8 @@ py::array touch(PoseJoint& joint, const py::object& given) {
   py::array_t<bool> found(static_cast<py::ssize_t>(poses.size()));
   bool* const touches = found.mutable_data();
   without_lock(poses.size(), [&](std::size_t k) {
-    touches[k] = joint.answer({.touch = true, .smallest_gap = false}, poses[k]).touch->contact == Contact::yes;
+    touches[k] =
+        joint.answer({.touch = true, .smallest_gap = false}, poses[k]).touch->contact == Contact::yes;
   });
   return found;
 }

@@ -17,8 +17,8 @@ const char* name(Contact contact);
 /// The line for a terminal, such as "contact             yes: the surfaces of ball and socket meet".
 std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found);
 
-/// state ("no", "yes", "unknown"), by ("surfaces", "inside", "radii"; null where there is none), and the names
-/// of parts (add_part_names()).
+/// state ("no", "yes", "unknown"), by ("surfaces", "inside", "radii"; null where there is none), and the
+/// names of parts (add_part_names()).
 nlohmann::json contact_json(const Joint& joint, const BodyPairs::Verdict& found);
 
 }  // namespace impinge
