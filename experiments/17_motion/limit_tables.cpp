@@ -28,7 +28,9 @@ void add_doubts(std::vector<Column>& columns) {
         "of contact, proven: none before for any common centre within 0.5 mm; 0 says nothing"},
        {"centre_high_deg", "deg", "proven: every such centre touches here; empty where no angle is known"},
        {"half_mm_gap_deg", "deg", "of contact: where a vertex first has a gap of 0.5 mm; empty if none has"},
-       {"hangs_on_less", "", "yes: that gap comes more than 5 degrees before the limit, or there is none"},
+       {"hangs_on_less", "",
+        "yes: that gap comes more than 5 degrees before the limit, or there is none; or some centre within "
+        "0.5 mm may have another by more than that"},
        {"leaves_mesh_deg", "deg", "where the ball's mesh ends under the socket; empty where it does not"}});
 }
 

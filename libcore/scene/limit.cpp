@@ -60,12 +60,6 @@ std::string sentence(const LimitAnswer& answer) {
   return "none up to " + low + " degrees, where surfaces graze; unknown beyond";
 }
 
-std::string range_text(const CentreInterval& range) {
-  const std::string from = rounded_down(range.low_deg, 1);
-  if (!range.limited) return range.low_deg > 0.0 ? "none before " + from + " degrees" : "unknown";
-  return from + " to " + rounded_up(range.high_deg, 1) + " degrees";
-}
-
 // What half a millimetre changes, and more of the ball, each on a line of its own below the limit.
 std::string doubts(const ToldLimit& told) {
   const TurnLimit& limit = told.limit;
@@ -89,6 +83,12 @@ std::string described(std::string label, const LimitAnswer& answer) {
 }
 
 }  // namespace
+
+std::string range_text(const CentreInterval& range) {
+  const std::string from = rounded_down(range.low_deg, 1);
+  if (!range.limited) return range.low_deg > 0.0 ? "none before " + from + " degrees" : "unknown";
+  return from + " to " + rounded_up(range.high_deg, 1) + " degrees";
+}
 
 std::string parts_of(const LimitAnswer& answer) {
   const bool both = !answer.ball_part.empty() && !answer.socket_part.empty();

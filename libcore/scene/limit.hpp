@@ -29,5 +29,7 @@ std::string describe_limits(const SceneOptions& options, const LimitAnswers& fou
 
 /// The parts of bone that stop a motion, as "greater trochanter and AIIS"; empty if the main surfaces do.
 std::string parts_of(const LimitAnswer& answer);
+/// Where the limit may be, such as "20.8 to 61.9 degrees".
+std::string range_text(const CentreInterval& range);
 
 }  // namespace impinge

@@ -104,13 +104,23 @@ nlohmann::json limits_summary(const SceneOptions& options, const SessionJoint& j
 }
 
 std::string describe_motions(const std::vector<MotionLimits>& motions) {
-  std::string text = "limits, degrees          bone on bone   gap of cartilage\n";
+  const auto row = [](const std::vector<std::string>& cells) {
+    constexpr std::size_t kColumns[] = {25, 40, 64, 72, 91};
+    std::string line;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      line += cells[k];
+      if (k + 1 < cells.size()) line.resize(std::max(line.size() + 1, kColumns[k]), ' ');
+    }
+    return line.erase(line.find_last_not_of(' ') + 1) + "\n";
+  };
+  std::string text = row({"limits, degrees", "bone on bone", formatted("centres within %g mm", kErrorOfInput),
+                          "o'clock", "gap of cartilage", "what meets, and doubts"});
   for (const auto& [motion, found] : motions) {
-    std::string line = motion;
-    line.resize(std::max(line.size() + 1, std::size_t{25}), ' ');
-    line += bracket(found.contact.told.limit);
-    line.resize(std::max(line.size() + 1, std::size_t{40}), ' ');
-    text += line + bracket(found.cartilage.told.limit) + "\n";
+    const LimitAnswer& contact = found.contact;
+    const bool limited = contact.told.limit.state == LimitState::limited;
+    text += row({motion, bracket(contact.told.limit), limited ? range_text(contact.told.common) : "",
+                 contact.hours ? clock_text(*contact.hours) : "", bracket(found.cartilage.told.limit),
+                 what_of(contact)});
   }
   return text;
 }
