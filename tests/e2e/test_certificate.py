@@ -333,6 +333,8 @@ class Certificate(GeneratedPair):
         """Poses before and behind the abduction at which another program, of the same centre, first found them to meet."""
         for name, side, axes, limit in (("cargen_left", "left", "RAS", 40.959), ("vsd_z013_right", "right", "LPS", 62.244)):
             folder = Path(BONES) / name
+            if not folder.is_dir():
+                continue
             files = {"ball": folder / "femur.ply", "socket": folder / "pelvis.ply"}
             centre = ",".join(map(str, json.loads((folder / "subject.json").read_text())["center_of_rotation_mm"]))
             found = []
