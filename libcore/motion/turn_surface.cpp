@@ -98,6 +98,7 @@ std::vector<TurnFace> walls_beyond(const TriangleMesh& mesh, const std::vector<J
 
 std::vector<TurnFace> walls_within(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps) {
   std::vector<TurnFace> walls;
+  walls.reserve(jumps.size());
   for (const JumpEdge& jump : jumps)
     walls.push_back(wall_face(Vec3::Zero(), mesh.vertices[jump.from], mesh.vertices[jump.to], 0.0));
   return walls;
