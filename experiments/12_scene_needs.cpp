@@ -4,11 +4,11 @@
 // @bones     yes
 // @timing    yes
 // @seconds   20 300
-// @links     harness real_joints methods session
+// @links     harness real_joints methods joint
 //
 // Everything is done with RSID tables at 0.1 degrees, for three questions about each joint: all gaps in one
 // pose, the smallest gap in it, and touch along a motion there and back in 19 poses. Left out are entries
-// that no vertex reads, then also vertices that cannot change the answer (session/needed_work.hpp). The gaps
+// that no vertex reads, then also vertices that cannot change the answer (joint/needed_work.hpp). The gaps
 // along the motion in 181 poses, to within 0.05 mm, need no table: exact cells give them. Distances and exact
 // verdicts are outputs that a scene of one pose may leave out. Answers are compared before anything is timed,
 // and one that is not the same fails the run.
@@ -29,16 +29,16 @@
 #include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
 
+#include "contact/euclidean_distance.hpp"
 #include "gap/measured_gap.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "harness/timing_report.hpp"
+#include "joint/certificate.hpp"
+#include "joint/needed_work.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/heap_use.hpp"
-#include "motion/euclidean_distance.hpp"
-#include "session/certificate.hpp"
-#include "session/needed_work.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"

@@ -3,10 +3,10 @@
 // @writes    resection_by_cam
 // @timing    no
 // @seconds   3 40
-// @links     harness session
+// @links     harness joint
 //
 // Hips with cams of several heights are to reach 30 degrees of internal rotation at 90 of flexion. Each cam
-// is cut, between proven ends (motion/resection.hpp), and the hip asked again how far it turns.
+// is cut, between proven ends (change/resection.hpp), and the hip asked again how far it turns.
 
 #include <array>
 #include <stdexcept>
@@ -14,7 +14,7 @@
 #include "harness/driver.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "session/resection.hpp"
+#include "joint/resection.hpp"
 
 namespace {
 

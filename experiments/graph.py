@@ -27,7 +27,7 @@ sys.path.insert(0, str(SOURCE / "analysis" / "common"))
 import heads  # noqa: E402
 from jobs import Job  # noqa: E402
 
-# Of a real joint: the first of these names that is there, as in libcore/scene/joint_folder.hpp.
+# Of a real joint: the first of these names that is there, as in libcore/joint/joint_folder.hpp.
 BALLS = ("ball", "femoral_head", "humeral_head")
 SOCKETS = ("socket", "acetabulum_facing", "glenoid_facing", "acetabulum", "glenoid")
 MESHES = ("ply", "stl", "obj", "off")

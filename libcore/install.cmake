@@ -24,13 +24,13 @@ function(impinge_install)
   install(EXPORT impinge-${arg_COMPONENT} NAMESPACE impinge:: DESTINATION ${package_dir})
 endfunction()
 
-impinge_install(COMPONENT core LIBRARIES files sphere mesh table gap contact planning anatomy hip motion)
+impinge_install(COMPONENT core LIBRARIES files sphere mesh table gap contact planning anatomy hip limits rotations change)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sphere/generated/sphere/scheme_list.hpp DESTINATION ${header_dir}/sphere)
 if(NOT IMPINGE_CORE_ONLY)
   impinge_install(COMPONENT mesh_io LIBRARIES mesh_io)
-  impinge_install(COMPONENT simd LIBRARIES gap_simd session)
+  impinge_install(COMPONENT simd LIBRARIES gap_simd joint)
 else() # the headers of planning
-  install(DIRECTORY session DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp)
+  install(DIRECTORY joint DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp)
 endif()
 
 configure_file(impinge-config.cmake.in impinge-config.cmake @ONLY)

@@ -13,8 +13,8 @@
 #include <benchmark/benchmark.h>
 
 #include "files/stopwatch.hpp"
+#include "limits/turn_limit.hpp"
 #include "methods/heap_use.hpp"
-#include "motion/turn_limit.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "sphere/uniform_directions.hpp"
 
@@ -154,7 +154,7 @@ void add_rows(Table& table, const std::vector<AskedTurn>& all, const TimingRun& 
 std::vector<Column> first_contact_keys() {
   return {
       {"scene", "", "as in error_against_time.csv"},
-      {"method", "", "turn_limit: motion/turn_limit.hpp; others: touch as in contact.csv"},
+      {"method", "", "turn_limit: limits/turn_limit.hpp; others: touch as in contact.csv"},
       {"setting", "", "a bracket, or the steps until a pose touches; these are then halved to 0.001 degrees"},
       {"triangles", "1", "of the ball"}};
 }
@@ -169,7 +169,7 @@ QuestionTable make_first_contact_table() {
        {"motions", "1", "turns about random axes, up to 120 degrees, that end in contact"},
        {"missed", "1", "of these, in which it finds no contact"},
        {"error_deg", "deg",
-        "largest distance of its angle from the first contact of motion/turn_limit.hpp, from 120 degrees "
+        "largest distance of its angle from the first contact of limits/turn_limit.hpp, from 120 degrees "
         "where it finds none; of turn_limit the widest bracket, whose ends CGAL confirms"},
        {"median_error_deg", "deg", "median of the same"},
        {"bound_deg", "deg", "proven bound on the error; empty where nothing is proven"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a joint turns until its surfaces first touch: proven brackets (motion/turn_limit.hpp) beside what
+// How far a joint turns until its surfaces first touch: proven brackets (limits/turn_limit.hpp) beside what
 // is done with a test of touch: steps until one touches, then halvings.
 #pragma once
 

@@ -6,7 +6,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   97 3600
-// @links     harness hip real_joints reference contact_poses contact motion benchmark_scene
+// @links     harness hip real_joints reference contact_poses contact change benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods gap_simd instruction_set
 //
 // One benchmark, a table a question, on the generated pair, on hips and on real joints.

@@ -10,7 +10,7 @@
 #include "files/csv.hpp"
 #include "hip/clock.hpp"
 #include "hip/named_motion.hpp"
-#include "motion/told_limit.hpp"
+#include "limits/told_limit.hpp"
 #include "phantoms/phantom.hpp"
 
 namespace impinge::lab {

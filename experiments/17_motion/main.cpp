@@ -4,12 +4,12 @@
 // @bones     yes
 // @timing    no
 // @seconds   12 70
-// @links     harness real_joints motion phantoms
+// @links     harness real_joints change phantoms
 //
 // Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no
-// step can jump over (motion/turn_limit.hpp), about the centre of the head and about that of the socket; of
+// step can jump over (limits/turn_limit.hpp), about the centre of the head and about that of the socket; of
 // the angle at which gaps fall to a threshold; and the interval that holds for every centre within half a
-// millimetre (motion/centre_interval.hpp). Then Table 11 replayed on the stand-ins of its two patients.
+// millimetre (limits/centre_interval.hpp). Then Table 11 replayed on the stand-ins of its two patients.
 
 #include <cmath>
 #include <stdexcept>

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "files/stopwatch.hpp"
+#include "limits/turn_limit.hpp"
 #include "methods/contact.hpp"
-#include "motion/turn_limit.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -97,7 +97,7 @@ void add_methods(const StudiedJoint& joint, const MotionVolume& volume, const Vo
 
 void add_rotations(const StudiedJoint& joint, const MotionVolume& volume, Table& table) {
   const TurnLimits limits(joint.meshes);
-  // Of a sheet cells count radii, which may overlap before surfaces meet (motion/body_pairs.hpp).
+  // Of a sheet cells count radii, which may overlap before surfaces meet (limits/body_pairs.hpp).
   const bool both = BodyPairs(joint.meshes, {}).has_inside();
   for (const double flexion : kFlexions) {
     const JointTurn turn = joint_turn({flexion, 0.0, 0.0}, motion_name("internal_rotation"), joint.side);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long it takes to know all rotations of a joint at once (motion/volume.hpp), beside asking pose after
+// How long it takes to know all rotations of a joint at once (rotations/volume.hpp), beside asking pose after
 // pose.
 //
 // A grid of poses that leaves nothing farther from a pose than a cell of the volume reaches has as many as
@@ -13,7 +13,7 @@
 
 #include "17_motion/limit_study.hpp"
 #include "files/csv.hpp"
-#include "motion/volume.hpp"
+#include "rotations/volume.hpp"
 
 namespace impinge::lab {
 

@@ -5,7 +5,7 @@
 
 #include "cohort/limit_answers.hpp"
 #include "cohort/shape_answers.hpp"
-#include "motion/volume.hpp"
+#include "rotations/volume.hpp"
 
 namespace impinge::lab {
 namespace {

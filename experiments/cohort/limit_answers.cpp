@@ -9,7 +9,7 @@
 #include "gap/simd/exact_cells.hpp"
 #include "hip/close_zones.hpp"
 #include "hip/named_motion.hpp"
-#include "motion/told_limit.hpp"
+#include "limits/told_limit.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
+#include "joint/joint_folder.hpp"
 #include "hip/sphere_fit.hpp"
 #include "mesh/io.hpp"
-#include "scene/joint_folder.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real ball-and-socket joints that a user brings, as scene/joint_folder.hpp finds them, with their meshes.
+// Real ball-and-socket joints that a user brings, as joint/joint_folder.hpp finds them, with their meshes.
 #pragma once
 
 #include <filesystem>

@@ -8,9 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include "limits/sinusoid.hpp"
+#include "limits/turn_limit.hpp"
 #include "mesh/generated_pair.hpp"
-#include "motion/sinusoid.hpp"
-#include "motion/turn_limit.hpp"
 #include "phantoms/phantom_meshes.hpp"
 
 namespace impinge {

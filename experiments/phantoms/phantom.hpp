@@ -64,7 +64,7 @@ struct PhantomSizes {
 inline constexpr double kPhantomLimitError = 0.01;  // degrees
 
 /// Cone and cylinder neck, cam bump and eccentric spheres, about several axes each: limits by
-/// motion/turn_limit.hpp. What is allowed is kPhantomLimitError, whatever the sizes.
+/// limits/turn_limit.hpp. What is allowed is kPhantomLimitError, whatever the sizes.
 std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes = {});
 
 /// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.

@@ -43,7 +43,7 @@ struct HipParameters {
   double shaft_radius = 14.0;       // of the stump
 
   /// Trochanters: rounded bodies on the shaft, separate parts of the ball that limits and touch look at
-  /// (motion/body_pairs.hpp). No preset has them. A hip without a shaft has none.
+  /// (limits/body_pairs.hpp). No preset has them. A hip without a shaft has none.
   double greater_trochanter_width = 0.0;  // from front to back; 0 leaves it out
   /// Height of its tip above the centre of the head, along the shaft. 7.3 +- 5.1 (519 femora by CT, Gupta),
   /// 9.5 +- 6 (150 radiographs, doi:10.1016/j.arth.2005.11.003).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh of several surfaces: the main one first, then parts of bone beside it, such as a trochanter. Which
-// contacts of parts count is said in motion/body_pairs.hpp.
+// contacts of parts count is said in limits/body_pairs.hpp.
 #pragma once
 
 #include <cstddef>

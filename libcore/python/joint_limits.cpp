@@ -5,10 +5,10 @@
 
 #include <pybind11/stl.h>
 
+#include "joint/scan_contact.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
 #include "python/poses.hpp"
-#include "session/scan_contact.hpp"
 
 namespace impinge::python {
 namespace {

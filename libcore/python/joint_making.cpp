@@ -12,6 +12,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "joint/landmark_file.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/declared_axes.hpp"
@@ -20,7 +21,6 @@
 #include "mesh/raw_mesh.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
-#include "scene/landmark_file.hpp"
 
 namespace impinge::python {
 namespace {

@@ -6,10 +6,10 @@
 #include <pybind11/stl.h>
 
 #include "hip/published_measures.hpp"
+#include "joint/measures.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
 #include "python/poses.hpp"
-#include "session/measures.hpp"
 
 namespace impinge::python {
 namespace {

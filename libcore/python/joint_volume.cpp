@@ -6,9 +6,9 @@
 
 #include <pybind11/stl.h>
 
+#include "joint/volume.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
-#include "session/volume.hpp"
 
 namespace impinge::python {
 namespace {

@@ -14,13 +14,13 @@
 
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
-#include "session/limits.hpp"
-#include "session/orientation.hpp"
-#include "session/pose_series.hpp"
-#include "session/proof.hpp"
-#include "session/resection.hpp"
-#include "session/scan_contact.hpp"
-#include "session/session.hpp"
+#include "joint/limits.hpp"
+#include "joint/orientation.hpp"
+#include "joint/pose_series.hpp"
+#include "joint/proof.hpp"
+#include "joint/resection.hpp"
+#include "joint/scan_contact.hpp"
+#include "joint/session.hpp"
 
 namespace impinge::python {
 

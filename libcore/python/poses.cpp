@@ -7,9 +7,9 @@
 
 #include "gap/nearest_rotation.hpp"
 #include "hip/pose_travel.hpp"
+#include "joint/pose_answer.hpp"
+#include "joint/pose_series.hpp"
 #include "python/arrays.hpp"
-#include "session/pose_answer.hpp"
-#include "session/pose_series.hpp"
 
 namespace impinge::python {
 namespace {

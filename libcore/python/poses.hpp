@@ -7,7 +7,7 @@
 #include <pybind11/numpy.h>
 
 #include "gap/pose.hpp"
-#include "session/session.hpp"
+#include "joint/session.hpp"
 
 namespace impinge::python {
 

@@ -16,11 +16,11 @@
 
 #include <gtest/gtest.h>
 
+#include "joint/joint_folder.hpp"
 #include "mesh/collinear.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/io.hpp"
 #include "reference/meeting_surfaces.hpp"
-#include "scene/joint_folder.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/poses.hpp"

@@ -9,7 +9,7 @@
 
 #include "harness/real_joints.hpp"
 #include "hip/sphere_fit.hpp"
-#include "motion/told_limit.hpp"
+#include "limits/told_limit.hpp"
 #include "support/dice.hpp"
 
 namespace impinge::lab {

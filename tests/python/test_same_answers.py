@@ -20,7 +20,7 @@ import pytest
 from shared import ROOT, marked, program, scene, standing, table, written
 
 SMALL = 1.4e-9  # mm, mm^2, degrees
-FINEST = np.degrees(1e-5)  # the last step towards an end that holds for every centre (motion/swept_parts.cpp)
+FINEST = np.degrees(1e-5)  # the last step towards an end that holds for every centre (limits/swept_parts.cpp)
 POSE = {"flexion": 80, "abduction": -10, "internal_rotation": 20}
 REQUIRED = ["flexion=90,internal_rotation=25", "flexion=100"]
 SCHEMES = ("rsid", "usid", "icosahedral_sine", "octahedral_equal_area", "fibonacci")  # rows, a curve, triangles, others

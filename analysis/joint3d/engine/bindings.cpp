@@ -11,10 +11,10 @@
 #include "catalogue.hpp"
 #include "change.hpp"
 #include "files/one_line.hpp"
+#include "joint/joint_files.hpp"
 #include "measures.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
-#include "session/joint_files.hpp"
 #include "volume.hpp"
 
 namespace impinge {

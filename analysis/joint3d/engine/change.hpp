@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What would have to change so that motions are reached, as the page reads it: a cut of the ball
-// (session/resection.hpp), or another orientation of the socket (session/orientation.hpp).
+// (joint/resection.hpp), or another orientation of the socket (joint/orientation.hpp).
 #pragma once
 
+#include "joint/orientation.hpp"
+#include "joint/resection.hpp"
 #include "js_values.hpp"
-#include "session/orientation.hpp"
-#include "session/resection.hpp"
 
 namespace impinge {
 

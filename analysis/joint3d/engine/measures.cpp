@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hip/published_measures.hpp"
-#include "session/measures.hpp"
+#include "joint/measures.hpp"
 
 namespace impinge {
 namespace {

@@ -2,8 +2,8 @@
 // The measures of hip/hip_measures.hpp, as the page reads them.
 #pragma once
 
+#include "joint/session.hpp"
 #include "js_values.hpp"
-#include "session/session.hpp"
 
 namespace impinge {
 

@@ -2,8 +2,8 @@
 // What the session found, as the page reads it.
 #pragma once
 
+#include "joint/limits.hpp"
 #include "js_values.hpp"
-#include "session/limits.hpp"
 
 namespace impinge {
 

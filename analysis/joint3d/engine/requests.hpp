@@ -2,11 +2,11 @@
 // Requests of the page as the session takes them. std::invalid_argument, one line, for what is not there.
 #pragma once
 
+#include "joint/limits.hpp"
+#include "joint/orientation.hpp"
+#include "joint/resection.hpp"
 #include "js_values.hpp"
 #include "mesh/declared_axes.hpp"
-#include "session/limits.hpp"
-#include "session/orientation.hpp"
-#include "session/resection.hpp"
 
 namespace impinge {
 

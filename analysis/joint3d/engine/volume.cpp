@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "hip/motion.hpp"
-#include "session/volume.hpp"
+#include "joint/volume.hpp"
 
 namespace impinge {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motion volume (motion/volume.hpp), and what a picture of it needs.
+// The motion volume (rotations/volume.hpp), and what a picture of it needs.
 #pragma once
 
+#include "joint/session.hpp"
 #include "js_values.hpp"
-#include "session/session.hpp"
 
 namespace impinge {
 

@@ -5,8 +5,8 @@
 
 #include "gap/simd/exact_cells.hpp"
 #include "hip/joint.hpp"
+#include "limits/turn_limit.hpp"
 #include "mesh/io.hpp"
-#include "motion/turn_limit.hpp"
 
 int main(int, char** files) {
   using namespace impinge;

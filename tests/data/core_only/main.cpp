@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "hip/sphere_fit.hpp"
+#include "joint/needed_work.hpp"
 #include "mesh/generated_pair.hpp"
-#include "session/needed_work.hpp"
 
 int main() {
   using namespace impinge;

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "change/resection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "mesh/split_faces.hpp"
+#include "mesh/star_shape.hpp"
+#include "mesh/validation.hpp"
+#include "sphere/infinity.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kVolumeSlack = 1e-9;  // of volumes and areas
+constexpr int kMostRounds = 40;
+constexpr double kLeastFlat = 0.5;  // cosine of a leaf's angle: wider ones would be moved out to no purpose
+
+// Signed volume of the cone over a face, mm^3.
+double cone_volume(const TriangleMesh& mesh, const Face& face) {
+  return corner(mesh, face, 0).dot(corner(mesh, face, 1).cross(corner(mesh, face, 2))) / 6.0;
+}
+
+// What is known of one face.
+struct Leaf {
+  bool cut = false;      // may some of it have to go?
+  bool whole = false;    // certainly all bone along its rays
+  double corners = 0.0;  // mm, a radius at which its corners keep all of it clear
+  RaySpans may_go;       // of a least cut
+  Ends volume;           // mm^3, signed
+  Ends area;             // mm^2
+  Ends depth;            // mm, along one ray
+};
+
+// A face as the centre sees it.
+struct SeenLeaf {
+  SeenLeaf(const TriangleMesh& mesh, const Face& face) : seen(face_cap(corners_of(mesh, face))) {
+    cap = {seen.cap.axis, seen.small() ? seen.cap.radius : kPi};
+    area = 0.5 * area_vector(mesh, face).norm();
+    if (seen.side == 0) return;  // edge-on: no volume is over it
+    cone = std::abs(cone_volume(mesh, face));
+    angle = std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
+  }
+  FaceCap seen;
+  DirectionCap cap;
+  double cone = 0.0;   // mm^3
+  double angle = 0.0;  // steradians
+  double area = 0.0;   // mm^2
+
+  double cone_to(double radius) const { return angle * radius * radius * radius / 3.0; }  // mm^3
+};
+
+constexpr double kMore = 1.0 + kVolumeSlack;
+constexpr double kLess = 1.0 - kVolumeSlack;
+
+// What goes of the cone over a face, up to its largest radius. What stays below the face is known too, and
+// what its cone holds exactly.
+Leaf leaf_of(const SeenLeaf& face, const SpansOverCap& goes) {
+  const auto& [low, high] = face.seen.range;
+  const double most_kept = (face.cone_to(high) - face.angle * goes.certain.volume(high)) * kMore;
+  const double least_kept = (face.cone_to(low) - face.angle * goes.possible.volume(low)) * kLess;
+  Leaf leaf;
+  leaf.cut = goes.possible.meets(0.0, high);
+  const Ends volume{
+      std::max(face.angle * goes.certain.volume(low) * kLess, face.cone * kLess - most_kept),
+      std::min(face.angle * goes.possible.volume(high) * kMore, face.cone * kMore - least_kept)};
+  leaf.volume = face.seen.side > 0 ? volume : Ends{-volume.high, -volume.low};
+  leaf.area = {goes.certain.holds(low, high) ? face.area * kLess : 0.0,
+               goes.possible.meets(low, high) ? face.area * kMore : 0.0};
+  leaf.depth = {goes.certain.length(0.0, low), goes.possible.length(0.0, high)};
+  return leaf;
+}
+
+Leaf ball_leaf(const SeenLeaf& face, const SweptRadius& swept, double clearance) {
+  const double farthest = face.seen.range.high;
+  const Ends swept_over = swept.over(face.cap, farthest + clearance);
+  const double keep = swept_over.low - clearance;
+  if (keep >= farthest) return {};
+  SpansOverCap goes;
+  goes.possible.add(std::max(0.0, keep), farthest);
+  goes.certain.add(std::max(0.0, swept_over.high - clearance), farthest);
+  Leaf leaf = leaf_of(face, goes);
+  leaf.corners = keep;
+  return leaf;
+}
+
+// The bone of a socket whose mesh is closed.
+struct Bone {
+  Bone(const TriangleMesh& socket, double volume)
+      : outside(socket, Layer::farthest), inside_out(volume < 0.0) {}
+  RadiiOverCap outside;  // its outermost layer, L
+  bool inside_out;
+};
+
+// Where a ray from the centre crosses a closed surface.
+struct WallCrossing {
+  double radius = 0.0;  // mm; of crossings at one place those into bone come first
+  int into_bone = 0;    // 1, or -1 out of it
+};
+
+// Along unit u; none where it passes an edge within rounding.
+std::vector<WallCrossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
+  constexpr double kOnePlace = 1e-6;
+  std::vector<WallCrossing> crossings;
+  const bool doubtful = faces.any_hit(u, [&](std::uint32_t f, int side) {
+    const TriangleCone cone = cone_of(faces.mesh(), faces.mesh().faces[f]);
+    const double inside = cone.least_edge_distance(u.x(), u.y(), u.z());
+    if (std::abs(inside) <= cone.doubt()) return true;
+    const int into = (side < 0) != inside_out ? 1 : -1;
+    const double radius = cone.plane().offset / cone.plane().normal.dot(u);
+    if (inside > 0.0) crossings.push_back({radius * (1.0 - kOnePlace * into), into});
+    return false;
+  });
+  if (doubtful) crossings.clear();
+  std::ranges::sort(crossings, {}, &WallCrossing::radius);
+  return crossings;
+}
+
+// Is each shell of a closed mesh the same way round, but for cavities in the bone of another one? No ray, of
+// one through each face, then comes out of bone more often than into it.
+bool of_one_orientation(const TriangleMesh& socket, bool inside_out) {
+  const NearFaces faces(socket, 0.0);
+  return std::ranges::none_of(socket.faces, [&](const Face& face) {
+    const Vec3 middle = corner(socket, face, 0) + corner(socket, face, 1) + corner(socket, face, 2);
+    int in_bone = 0;
+    for (const WallCrossing& crossing : crossings_along(faces, middle.stableNormalized(), inside_out)) {
+      in_bone += crossing.into_bone;
+      if (in_bone < 0) return true;
+    }
+    return false;
+  });
+}
+
+std::optional<Bone> bone_of(const TriangleMesh& socket) {
+  const MeshReport report = validate(socket);
+  if (!report.volume) return std::nullopt;
+  if (report.components > 1 && !of_one_orientation(socket, *report.volume < 0.0)) return std::nullopt;
+  return std::optional<Bone>(std::in_place, socket, *report.volume);
+}
+
+// Bone between the radii of a face and these, mm^3, along rays that it lies on.
+Ends volume_up_to(const SeenLeaf& face, const Ends& radius) {
+  const auto& [low, high] = face.seen.range;
+  const double least = face.cone_to(std::max(radius.low, low)) * kLess - face.cone * kMore;
+  const double most = face.cone_to(std::max(radius.high, high)) * kMore - face.cone * kLess;
+  return {std::max({0.0, least, face.cone_to(radius.low) * kLess - face.cone_to(high) * kMore}),
+          std::min(most, face.cone_to(radius.high) * kMore - face.cone_to(low) * kLess)};
+}
+
+// What goes of the bone along the rays of a leaf, up to `clear` and no farther than the outermost layer.
+void add_bone(const SeenLeaf& face, const Ends& clear, const Bone& bone, Leaf& leaf) {
+  const Ends outside{
+      std::max(0.0, bone.outside.least(face.cap)),
+      std::max(bone.outside.largest(face.cap), face.seen.range.high)};  // edge-on: it knows none
+  const Ends goes{std::min(clear.low, outside.low), std::min(clear.high, outside.high)};
+  const Ends volume = volume_up_to(face, goes);
+  const bool comes_into_bone = (face.seen.side < 0) != bone.inside_out;
+  leaf.volume = comes_into_bone ? volume : Ends{-volume.high, -volume.low};
+  leaf.depth = {std::max(0.0, goes.low - face.seen.range.high), goes.high - face.seen.range.low};
+  leaf.whole = clear.low >= outside.high;
+}
+
+Leaf socket_leaf(const SeenLeaf& face, const SweptRadius& swept, const std::optional<Bone>& bone,
+                 double clearance) {
+  const auto& [low, high] = face.seen.range;
+  const Ends swept_over = swept.over(face.cap, low - clearance);
+  const Ends clear{std::max(0.0, swept_over.low + clearance), swept_over.high + clearance};
+  if (clear.high <= low) return {};
+  Leaf leaf;
+  leaf.cut = true;
+  const double flat = face.seen.small() ? std::cos(face.cap.radius + kCapSlack) : 0.0;
+  leaf.corners = flat > kLeastFlat ? clear.high / flat * kMore : kInfinity;
+  leaf.area = {clear.low >= high ? face.area * kLess : 0.0, face.area * kMore};
+  leaf.depth = {std::max(0.0, clear.low - high), clear.high - low};
+  if (bone) add_bone(face, clear, *bone, leaf);
+  return leaf;
+}
+
+Leaf least_leaf(const SeenLeaf& face, const SweptBone& swept) {
+  SpansOverCap goes = swept.over(face.cap, face.seen.range.high);
+  Leaf leaf = leaf_of(face, goes);
+  leaf.may_go = std::move(goes.possible);
+  return leaf;
+}
+
+double width(const Ends& ends) { return ends.high - ends.low; }
+
+// The leaves with the largest doubts that hold half of all together (Doerfler 1996, "A convergent adaptive
+// algorithm for Poisson's equation").
+std::vector<bool> most_doubtful(const std::vector<double>& doubts) {
+  const double all = std::accumulate(doubts.begin(), doubts.end(), 0.0);
+  std::vector<std::size_t> order(doubts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return doubts[a] > doubts[b]; });
+  std::vector<bool> marked(doubts.size(), false);
+  double held = 0.0;
+  for (std::size_t k = 0; k < order.size() && held < 0.5 * all; ++k) {
+    marked[order[k]] = true;
+    held += doubts[order[k]];
+  }
+  return marked;
+}
+
+// Of all leaves; what is between the ends of each does not cancel.
+struct Total {
+  Ends volume;
+  Ends area;
+};
+Total total_of(const std::vector<Leaf>& leaves) {
+  Total total;
+  for (const Leaf& leaf : leaves) {
+    total.volume.low += leaf.volume.low;
+    total.volume.high += leaf.volume.high;
+    total.area.low += leaf.area.low;
+    total.area.high += leaf.area.high;
+  }
+  return total;
+}
+
+// How much each leaf adds to what is not known, in mm^3: a doubtful area counts with the mean depth, and
+// less, since area is asked for less closely. Empty where all is known well enough.
+std::vector<double> doubts_of(const std::vector<Leaf>& leaves, const CutQuestion& question) {
+  const Total total = total_of(leaves);
+  const bool has_volume = total.volume.high > 0.0;  // an open socket has none, and the area counts alone
+  const double weight = has_volume ? 0.25 : 1.0;
+  const double depth = has_volume ? total.volume.high / std::max(total.area.high, 1e-9) : 1.0;
+  const bool volume =
+      width(total.volume) > std::max(question.least_mm3, question.closeness * total.volume.low);
+  const bool area =
+      weight * width(total.area) > std::max(question.least_mm3, question.closeness * total.area.low);
+  if (!volume && !area) return {};
+  std::vector<double> doubts;
+  doubts.reserve(leaves.size());
+  for (const Leaf& leaf : leaves)
+    doubts.push_back(width(leaf.volume) + (area ? weight * depth * width(leaf.area) : 0.0));
+  return doubts;
+}
+
+// Adds the leaves that may be much deeper than is certain of any.
+void mark_deepest(const std::vector<Leaf>& leaves, double closeness, std::vector<bool>& marked) {
+  double certain = 0.0;
+  for (const Leaf& leaf : leaves) certain = std::max(certain, leaf.depth.low);
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    if (leaves[f].cut && leaves[f].depth.high > certain + closeness) marked[f] = true;
+  }
+}
+
+// Cuts the leaves and asks again for those that are new.
+void split(TriangleMesh& mesh, std::vector<Leaf>& leaves, const std::vector<bool>& marked, const auto& ask) {
+  SplitFaces split = split_faces(mesh, marked);
+  std::vector<Leaf> finer;
+  finer.reserve(split.mesh.faces.size());
+  for (std::size_t f = 0; f < split.mesh.faces.size(); ++f) {
+    const std::size_t parent = split.parent[f];
+    const bool same = split.mesh.faces[f] == mesh.faces[parent];
+    finer.push_back(same ? leaves[parent] : ask(split.mesh, split.mesh.faces[f]));
+  }
+  mesh = std::move(split.mesh);
+  leaves = std::move(finer);
+}
+
+// Cuts a mesh in leaves until enough is known of them.
+std::vector<Leaf> leaves_of(TriangleMesh& mesh, const CutQuestion& question, const auto& ask) {
+  std::vector<Leaf> leaves;
+  for (const Face& face : mesh.faces) leaves.push_back(ask(mesh, face));
+  const std::size_t most_faces = mesh.faces.size() + question.most_new_faces;
+  for (int round = 0; round < kMostRounds && mesh.faces.size() < most_faces; ++round) {
+    const std::vector<double> doubts = doubts_of(leaves, question);
+    std::vector<bool> marked(leaves.size(), false);
+    if (!doubts.empty()) marked = most_doubtful(doubts);
+    mark_deepest(leaves, question.depth_mm, marked);
+    if (std::ranges::find(marked, true) == marked.end()) break;
+    split(mesh, leaves, marked, ask);
+  }
+  return leaves;
+}
+
+void sum_up(const std::vector<Leaf>& leaves, CutSize& found) {
+  const Total total = total_of(leaves);
+  found.volume_mm3 = {std::max(0.0, total.volume.low), total.volume.high};
+  found.area_mm2 = total.area;
+  for (const Leaf& leaf : leaves) {
+    if (!leaf.cut) continue;
+    found.depth_mm.low = std::max(found.depth_mm.low, leaf.depth.low);
+    found.depth_mm.high = std::max(found.depth_mm.high, leaf.depth.high);
+  }
+}
+
+// Where each corner goes along its ray, mm, so that all leaves round it are clear: a ball's in as far as one
+// of them asks, a socket's out.
+std::vector<double> radii_of_corners(const std::vector<Leaf>& leaves, const TriangleMesh& mesh, Surface cut) {
+  const bool in = cut == Surface::ball;
+  std::vector<double> radii;
+  for (const Vec3& x : mesh.vertices) radii.push_back(x.norm());
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    if (!leaves[f].cut) continue;
+    for (const VertexIndex v : mesh.faces[f])
+      radii[v] = in ? std::min(radii[v], leaves[f].corners) : std::max(radii[v], leaves[f].corners);
+  }
+  return radii;
+}
+
+void move_corners(const std::vector<Leaf>& leaves, Resection& found) {
+  const double rounded = found.of == Surface::ball ? 1.0 - 1e-15 : 1.0 + 1e-15;
+  const std::vector<double> radii = radii_of_corners(leaves, found.before, found.of);
+  found.cut = found.before;
+  found.depth.assign(radii.size(), 0.0);
+  for (std::size_t v = 0; v < radii.size(); ++v) {
+    const double radius = found.before.vertices[v].norm();
+    if (radii[v] == radius) continue;
+    if (radii[v] <= 0.0)
+      throw std::runtime_error("nothing of the ball would be left along some ray; require less");
+    if (radii[v] == kInfinity)
+      throw std::runtime_error("a face of the socket is too wide to be cut; give a mesh of smaller faces");
+    found.cut.vertices[v] *= radii[v] / radius * rounded;
+    found.depth[v] = std::abs(radius - radii[v]);
+  }
+  found.deepest = static_cast<std::size_t>(std::ranges::max_element(found.depth) - found.depth.begin());
+  for (const Face& face : found.before.faces)
+    found.cut_mm3 += cone_volume(found.before, face) - cone_volume(found.cut, face);
+}
+
+// Takes the leaves out of the cut surface where all bone along their rays goes, and faces that the centre
+// sees edge-on between them. Were there any?
+bool take_out_whole(const std::vector<Leaf>& leaves, Resection& found) {
+  std::vector<bool> gone(found.before.vertices.size(), false);
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    for (const VertexIndex v : found.before.faces[f]) gone[v] = gone[v] || leaves[f].whole;
+  }
+  found.cut.faces.clear();
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    const Face& face = found.before.faces[f];
+    const bool edge_on = face_cap(corners_of(found.before, face)).side == 0;
+    if (!leaves[f].whole && !(edge_on && std::ranges::all_of(face, [&](VertexIndex v) { return gone[v]; })))
+      found.cut.faces.push_back(face);
+  }
+  return found.cut.faces.size() < leaves.size();
+}
+
+Resection cut_of_ball(const TriangleMesh& ball, const SweptRadius& swept, const CutQuestion& question) {
+  Resection found;
+  found.before = ball;
+  const auto leaves = leaves_of(found.before, question, [&](const TriangleMesh& mesh, const Face& face) {
+    return ball_leaf(SeenLeaf(mesh, face), swept, question.clearance_mm);
+  });
+  sum_up(leaves, found);
+  move_corners(leaves, found);
+  return found;
+}
+
+Resection cut_of_socket(const TriangleMesh& socket, const SweptRadius& swept, const CutQuestion& question) {
+  Resection found;
+  found.of = Surface::socket;
+  found.before = socket;
+  const std::optional<Bone> bone = bone_of(socket);
+  const auto leaves = leaves_of(found.before, question, [&](const TriangleMesh& mesh, const Face& face) {
+    return socket_leaf(SeenLeaf(mesh, face), swept, bone, question.clearance_mm);
+  });
+  sum_up(leaves, found);
+  move_corners(leaves, found);
+  if (bone && bone->inside_out) found.cut_mm3 = -found.cut_mm3;
+  if (take_out_whole(leaves, found) || (!bone && !found.empty()))
+    found.cut_mm3 = std::numeric_limits<double>::quiet_NaN();
+  if (!bone && !found.empty()) found.volume_mm3 = {0.0, kInfinity};
+  return found;
+}
+
+}  // namespace
+
+Resection least_radial_cut(const TriangleMesh& surface, const SweptRadius& swept,
+                           const CutQuestion& question) {
+  return swept.cut() == Surface::ball ? cut_of_ball(surface, swept, question)
+                                      : cut_of_socket(surface, swept, question);
+}
+
+LeastCut least_cut(const TriangleMesh& ball, const SweptBone& swept, const CutQuestion& question) {
+  TriangleMesh mesh = ball;
+  const std::vector<Leaf> leaves = leaves_of(mesh, question, [&](const TriangleMesh& at, const Face& face) {
+    return least_leaf(SeenLeaf(at, face), swept);
+  });
+  LeastCut found;
+  sum_up(leaves, found);
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    if (!leaves[f].cut) continue;
+    found.cells.push_back({corners_of(mesh, mesh.faces[f]), leaves[f].may_go});
+  }
+  return found;
+}
+
+}  // namespace impinge

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// JSON of what fields.hpp describes, and the JSON Schema (draft 2020-12) of that. A key is a field's name, in
+// the order of the fields; NaN and infinities are null, points are [x, y, z].
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <filesystem>
+#include <optional>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "files/fields.hpp"
+
+namespace impinge {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T>
+concept TextLike = std::convertible_to<const T&, std::string_view>;
+
+template <class T>
+Json json_of(const T& value) {
+  if constexpr (Described<T>) {
+    Json object = Json::object();
+    for_each_field<T>(
+        [&](const auto& field) { object[std::string(field.name)] = json_of(value.*field.member); });
+    return object;
+  } else if constexpr (is_optional<T>) {
+    return value ? json_of(*value) : Json(nullptr);
+  } else if constexpr (InWords<T>) {
+    return word_of(value);
+  } else if constexpr (std::floating_point<T>) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  } else if constexpr (std::same_as<T, std::filesystem::path>) {
+    return value.string();
+  } else if constexpr (TextLike<T>) {
+    return std::string_view(value);
+  } else if constexpr (std::ranges::range<T>) {
+    Json array = Json::array();
+    for (const auto& item : value) array.push_back(json_of(item));
+    return array;
+  } else {
+    return value;
+  }
+}
+
+/// The text of a document, indented. Bytes that are not UTF-8, as file names may have, become U+FFFD.
+std::string text_of(const Json& document);
+
+template <class T>
+Json schema_of();
+
+/// The same where null may stand as well.
+Json or_null(Json schema);
+/// An object with these properties, all there and no others.
+Json object_schema(Json properties);
+
+template <class T>
+Json schema_of() {
+  if constexpr (Described<T>) {
+    Json properties = Json::object();
+    for_each_field<T>([&]<class Owner, class Value>(const Field<Owner, Value>& field) {
+      Json& property = properties[std::string(field.name)] = schema_of<Value>();
+      property["description"] = field.text;
+      if (!field.unit.empty()) property["unit"] = field.unit;
+    });
+    return object_schema(std::move(properties));
+  } else if constexpr (is_optional<T>) {
+    return or_null(schema_of<typename T::value_type>());
+  } else if constexpr (InWords<T>) {
+    return {{"enum", words_of<T>}};
+  } else if constexpr (std::same_as<T, bool>) {
+    return {{"type", "boolean"}};
+  } else if constexpr (std::integral<T>) {
+    return {{"type", "integer"}};
+  } else if constexpr (std::floating_point<T>) {
+    return {{"type", Json::array({"number", "null"})}};
+  } else if constexpr (std::same_as<T, std::filesystem::path> || TextLike<T>) {
+    return {{"type", "string"}};
+  } else {
+    return {{"type", "array"}, {"items", schema_of<std::ranges::range_value_t<T>>()}};
+  }
+}
+
+/// Sets a value of a request from JSON; `name` is for messages. std::invalid_argument, one line, where it is
+/// of another kind or out of its range.
+void read_json(const Json& given, std::string_view name, const Range& range, double& value);
+void read_json(const Json& given, std::string_view name, const Range& range, bool& value);
+void read_json(const Json& given, std::string_view name, const Range& range, std::string& value);
+
+template <class T>
+void read_json(const Json& given, std::string_view name, const Range& range, std::optional<T>& value) {
+  if (given.is_null())
+    value.reset();
+  else
+    read_json(given, name, range, value.emplace());
+}
+
+/// One of these, else std::invalid_argument that names the near one.
+std::size_t place_among(std::string_view word, std::span<const std::string_view> words,
+                        std::string_view what);
+
+template <InWords E>
+void read_json(const Json& given, std::string_view name, const Range& range, E& value) {
+  std::string word;
+  read_json(given, name, range, word);
+  value = static_cast<E>(place_among(word, words_of<E>, name));
+}
+
+/// A list, or what would be its only item.
+template <class T>
+void read_json(const Json& given, std::string_view name, const Range& range, std::vector<T>& values) {
+  values.clear();
+  for (const Json& item : given.is_array() ? given : Json::array({given}))
+    read_json(item, name, range, values.emplace_back());
+}
+
+/// Sets what is given of a request, an object; what is not keeps its value.
+template <Described Request>
+void read_request(const Json& given, Request& request) {
+  if (!given.is_object())
+    throw std::invalid_argument("a request is a JSON object with a key for each value that is given");
+  std::vector<std::string_view> names;
+  for_each_field<Request>([&](const auto& field) { names.push_back(field.name); });
+  for (const auto& [key, value] : given.items()) {
+    const std::size_t place = place_among(key, names, "request");
+    std::size_t k = 0;
+    for_each_field<Request>([&](const auto& field) {
+      if (k++ == place) read_json(value, field.name, field.range, request.*field.member);
+    });
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint/measurement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "contact/euclidean_distance.hpp"
+#include "files/formatted.hpp"
+#include "files/memory.hpp"
+#include "files/stopwatch.hpp"
+#include "files/thread_team.hpp"
+#include "gap/exact_side.hpp"
+#include "gap/measured_gap.hpp"
+#include "gap/overlay.hpp"
+#include "sphere/infinity.hpp"
+#include "sphere/radial_table.hpp"
+#include "sphere/scheme_choice.hpp"
+
+namespace impinge {
+namespace {
+
+// How the gaps of whole tables were found. Without times, which are in a summary's times_ms: the rest of it
+// is the same in every run.
+constexpr const char* kWholeTables =
+    "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
+    "most that faster kernels could save";
+constexpr const char* kPartialTables =
+    "tables of what the vertices read, filled from the faces near each entry";
+constexpr const char* kFaces =
+    "each vertex is measured on the faces near it: for one pose this saves the tables";
+constexpr const char* kExactSigns = "the surfaces of all bones are compared, edges and all, by exact signs";
+
+// std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
+// memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
+void require_memory(std::size_t entries, double precision_deg, double bytes_an_entry, const char* more) {
+  const double bytes = 2.0 * bytes_an_entry * static_cast<double>(entries);
+  const auto free = static_cast<double>(available_memory());
+  if (bytes <= free) return;
+  throw std::runtime_error(
+      formatted("tables of %zu entries at %g degrees would take %s%.0f bytes (%.1f GiB) and %.1f GiB of "
+                "memory are free; choose a coarser --precision",
+                entries, precision_deg, more, bytes, bytes / 0x1p30, free / 0x1p30));
+}
+
+// A table that keeps few entries still has a directory of all of them.
+AnyScheme partly_kept(const PoseQuestion& asked) {
+  AnyScheme scheme(asked.scheme, *asked.precision_deg);
+  require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
+  return scheme;
+}
+
+BallSocketPair meshes_of(const SessionJoint& joint) {
+  return {joint.mesh(Surface::ball), joint.mesh(Surface::socket)};
+}
+
+SceneNeeds needs_of(const PoseQuestion& asked, const Pose& pose) {
+  return {asked.question, asked.scan_ball, asked.scan_socket, {pose}};
+}
+
+Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
+  double precision_deg = 0.0;
+  with_scheme(asked.scheme, [&]<class S>() {
+    constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
+    const S scheme = S::with_precision(*asked.precision_deg);
+    precision_deg = scheme.precision_deg();
+    require_memory(scheme.size(), *asked.precision_deg, kEntry, "");
+  });
+  fill_tables(session, {.scheme = asked.scheme,
+                        .precision_deg = *asked.precision_deg,
+                        .storage = Storage::double_precision,
+                        .flat_cube = false,
+                        .halvings = 1'000'000});
+  Measurement result;
+  static_cast<PoseAnswer&>(result) = answer_pose(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
+  result.way = kWholeTables;
+  result.precision_deg = precision_deg;
+  result.entries = session.tables.ball->entries();
+  result.bytes = 2 * result.entries * sizeof(double);
+  result.fill_ms = session.tables.fill_ms;
+  Stopwatch watch;
+  bound_gaps(session, result);
+  result.bound_ms = watch.lap_ms();
+  return result;
+}
+
+// The gaps of an answer, with all that follows from them.
+Measurement measurement_of(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+                           SceneAnswer answer, double scan_ms) {
+  PoseGaps& gaps = answer.gaps.front();
+  Measurement result;
+  static_cast<PoseAnswer&>(result) =
+      answer_of_gaps(joint, pose, std::move(gaps[0]), std::move(gaps[1]), asked.cartilage_mm);
+  result.scan_ms = scan_ms;
+  result.left_out = std::move(answer.left_out);
+  return result;
+}
+
+Measurement by_partial_tables(const SessionJoint& joint, const PoseQuestion& asked) {
+  Stopwatch watch;
+  const Pose pose = pose_of(joint, asked.motion);
+  const AnyScheme scheme = partly_kept(asked);
+  SceneAnswer answer = answer_by_table(meshes_of(joint), needs_of(asked, pose), scheme);
+  const std::size_t bytes = answer.bytes;
+  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
+  result.bytes = bytes;
+  result.way = kPartialTables;
+  result.precision_deg = scheme.precision_deg();
+  result.entries = scheme.size();
+  return result;
+}
+
+// The middle of the ends, or the gap as tables have it where a face is nearly edge-on, so that these are far
+// apart.
+double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const CertifiedGap& ends) {
+  constexpr double kApart = 1e-6;  // mm
+  const double middle = 0.5 * (ends.low + ends.high);
+  if (ends.high - ends.low < kApart) return middle;
+  const double radius = faces.radius(x.normalized(), facing_layer(other(of)));
+  return std::isnan(radius) ? middle : signed_gap(of, radius, x.norm());
+}
+
+// What gaps of ball and socket are off by at most, mm, by vertex; NaN where there is none.
+using VertexBounds = std::array<std::vector<double>, 2>;
+
+// Measures on the faces the gaps that the question needs, and their bounds; whether one is 0 or less is
+// decided exactly. std::runtime_error where a bound is above what was promised.
+SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+                            VertexBounds& bounds) {
+  const SceneNeeds needs = needs_of(asked, pose);
+  FacesMet faces{};
+  for (std::size_t k = 0; k < kSurfaces.size(); ++k) {
+    if (!needs.scans(kSurfaces[k])) continue;
+    faces[k] = &joint.faces(other(kSurfaces[k]));
+    bounds[k].assign(joint.mesh(kSurfaces[k]).vertices.size(), kNoSurface);
+  }
+  return answer_on_faces(meshes_of(joint), needs, faces, [&](Surface of, std::size_t vertex, const Vec3& x) {
+    const std::size_t k = of == Surface::ball ? 0 : 1;
+    if (asked.question == Question::touch) return exactly_impinged(of, *faces[k], x) ? 0.0 : kInfinity;
+    const CertifiedGap ends = measured_gap(of, *faces[k], x);
+    if (ends.cover == Cover::none) return kNoSurface;
+    const double gap = likely_gap(of, *faces[k], x, ends);
+    const double bound = std::max(ends.high - gap, gap - ends.low);
+    if (asked.max_error_mm && bound > *asked.max_error_mm) {
+      throw std::runtime_error(formatted(
+          "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
+          "for a larger error",
+          *asked.max_error_mm, name(of).data(), vertex, bound));
+    }
+    bounds[k][vertex] = bound;
+    return gap;
+  });
+}
+
+Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
+  Stopwatch watch;
+  const Pose pose = pose_of(joint, asked.motion);
+  VertexBounds bounds;
+  SceneAnswer answer = answer_of_faces(joint, asked, pose, bounds);
+  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
+  result.way = kFaces;
+  if (!asked.outputs.need_bounds()) return result;
+  result.ball.bound = std::move(bounds[0]);
+  result.socket.bound = std::move(bounds[1]);
+  return result;
+}
+
+// They are those of the meshes, whatever the table.
+void measure_distances(const SessionJoint& joint, Measurement& result) {
+  Stopwatch watch;
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const Surface of = kSurfaces[k];
+    const EuclideanDistance distance(joint.mesh(other(of)));
+    for (const Vec3& x : places_in_other(joint, result.pose, of))
+      result.of(of).distance.push_back(distance.at(x));
+  });
+  result.distance_ms = watch.lap_ms();
+}
+
+// About the centre that it is seen from.
+Session without_parts(const SessionJoint& joint) {
+  Session alone(impinge::without_parts(joint.joint), joint.side, joint.joint.axes);
+  alone.joint->shift_to(joint.shift);
+  return alone;
+}
+
+// Of the main surfaces.
+Measurement measure_main(Session& session, const PoseQuestion& asked) {
+  SessionJoint& joint = *session.joint;
+  const bool bounds = asked.outputs.need_bounds();
+  Measurement result = !asked.by_tables() ? by_faces(joint, asked)
+                       : bounds           ? by_whole_tables(session, asked)
+                                          : by_partial_tables(joint, asked);
+  if (bounds) result.proven = verdicts_of(joint, result);
+  if (asked.outputs.verdicts) {
+    result.certificate =
+        certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,
+                {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
+  }
+  return result;
+}
+
+std::optional<NearestPart> nearest_part(SessionJoint& joint, const Pose& pose) {
+  const auto nearest = joint.bodies().nearest_part(pose);
+  if (!nearest) return std::nullopt;
+  const BodyPairs::Nearest& found = *nearest;
+  return NearestPart{found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
+                     body_name(joint.joint.socket.parts, found.pair.socket)};
+}
+
+// Vertices of parts lie behind those of the main surface.
+Measurement measure_with_parts(Session& session, const PoseQuestion& asked) {
+  SessionJoint& joint = *session.joint;
+  Session alone = without_parts(joint);
+  alone.tables.settings = session.tables.settings;
+  Measurement result = measure_main(alone, asked);
+  for (const Surface of : kSurfaces) {
+    SurfaceAnswer& answer = result.of(of);
+    for (std::vector<double>* values : {&answer.gap, &answer.bound, &answer.against_cartilage}) {
+      if (!values->empty()) values->resize(joint.mesh(of).vertices.size(), kNoSurface);
+    }
+  }
+  result.part = nearest_part(joint, result.pose);
+  return result;
+}
+
+}  // namespace
+
+Measurement measure(Session& session, const PoseQuestion& asked) {
+  Measurement result =
+      session.joint->joint.has_parts() ? measure_with_parts(session, asked) : measure_main(session, asked);
+  if (asked.outputs.verdicts) result.contact = session.joint->bodies().verdict(result.pose);
+  if (asked.outputs.distances) measure_distances(*session.joint, result);
+  for (LeftOut& output : left_out_of(asked.outputs)) result.left_out.push_back(std::move(output));
+  return result;
+}
+
+QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
+  if (joint.joint.has_parts() && asked.question != Question::touch)
+    return answer_question(*without_parts(joint).joint, asked);
+  const bool of_vertices = asked.by_tables() || !asked.scan_ball || !asked.scan_socket;
+  QuestionAnswer found;
+  if (joint.joint.has_parts() && of_vertices) {
+    found = answer_question(*without_parts(joint).joint, asked);
+    found.answer.touches.front() = found.answer.touches.front() || joint.bodies().meet(found.pose);
+    return found;
+  }
+  found.pose = pose_of(joint, asked.motion);
+  Stopwatch watch;
+  if (asked.by_tables()) {
+    found.way = kPartialTables;
+    found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
+  } else if (asked.question == Question::touch && !of_vertices) {
+    found.way = kExactSigns;
+    found.contact = joint.bodies().verdict(found.pose);
+    found.answer.touches = {found.contact->contact == Contact::yes};
+  } else {
+    VertexBounds unused;
+    found.way = kFaces;
+    found.answer = answer_of_faces(joint, asked, found.pose, unused);
+  }
+  found.milliseconds = watch.lap_ms();
+  return found;
+}
+
+}  // namespace impinge

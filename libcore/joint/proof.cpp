@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint/proof.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "files/formatted.hpp"
+
+namespace impinge {
+namespace {
+
+// A turn of the joint frame in that of the meshes.
+JointTurn in_input_frame(const JointTurn& turn, const Eigen::Matrix3d& axes) {
+  return {axes.transpose() * turn.outer * axes, axes.transpose() * turn.axis,
+          axes.transpose() * turn.inner * axes};
+}
+
+void require_proven(const ClearanceProof& proof, const std::string& when) {
+  if (proof.says != ClearanceProof::Says::open) return;
+  const Vec3& x = proof.place;
+  throw std::runtime_error(
+      when +
+      formatted("the surfaces are too near to each other to tell a gap from a contact, %.2f,%.2f,%.2f mm "
+                "from the centre; the exact verdict on a pose decides there",
+                x.x(), x.y(), x.z()));
+}
+
+// The rest of a whole bone is in the file of its main surface.
+std::array<std::size_t, 2> files_of(const Joint& joint) {
+  const auto files = [](const JointPart& part) {
+    return 1 + static_cast<std::size_t>(
+                   std::ranges::count_if(part.parts, [](const MeshPart& of) { return !of.of_main; }));
+  };
+  return {files(joint.ball), files(joint.socket)};
+}
+
+// Where a face is in the files: those of a whole bone were put in another order.
+std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
+  return part.taken && face < part.taken->of ? part.taken->given[face] : face;
+}
+
+}  // namespace
+
+ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose) {
+  const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
+  ClearanceProof proof = prove_pose({meshes, joint.joint.centre}, pose);
+  require_proven(proof, "");
+  proof.faces = {given_face(joint.joint.ball, proof.faces[0]),
+                 given_face(joint.joint.socket, proof.faces[1])};
+  proof.files = files_of(joint.joint);
+  return proof;
+}
+
+ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
+  const double limit = answer_limits(session, request).contact.told.limit.low_deg;
+  if (!(limit > kProofEndsBefore[0]))
+    throw std::runtime_error(formatted(
+        "the motion ends within %g degrees of its start; begin at another pose", kProofEndsBefore[0]));
+  const SessionJoint& joint = *session.joint;
+  const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
+  const JointTurn turn =
+      in_input_frame(joint_turn(request.start, motion_name(request.growing), joint.side), joint.axes);
+  ClearanceProof proof;
+  for (const double before : kProofEndsBefore) {
+    if (!(limit > before)) break;
+    proof = prove_turn({meshes, joint.joint.centre}, turn, limit - before);
+    if (proof.says == ClearanceProof::Says::inside)
+      throw std::runtime_error("the motion begins in contact: a piece of one body is inside the other");
+    if (proof.says == ClearanceProof::Says::clear) break;
+  }
+  require_proven(proof, formatted("%.4f degrees along the motion ", proof.open_deg));
+  proof.files = files_of(joint.joint);
+  return proof;
+}
+
+}  // namespace impinge

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint/resection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "files/formatted.hpp"
+#include "hip/hip_measures.hpp"
+#include "hip/sphere_fit.hpp"
+#include "limits/body_pairs.hpp"
+#include "mesh/triangle_distance.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+namespace {
+
+// Of the least cut, whose faces take longer.
+constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .depth_mm = kInfinity, .most_new_faces = 20'000};
+// Of the rim, where the ends of the volume close more slowly than those of the ball.
+constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
+
+std::string at_place(const SessionJoint& joint, const Vec3& place) {
+  const Vec3 x = joint.axes.transpose() * place + joint.joint.centre;
+  return formatted("at (%.1f, %.1f, %.1f)", x.x(), x.y(), x.z());
+}
+
+// "the ball meets the socket", or the parts that these bodies are.
+std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
+  return (ball == 0 ? "the ball" : body_name(joint.ball.parts, ball)) + " meets " +
+         (socket == 0 ? "the socket" : body_name(joint.socket.parts, socket));
+}
+
+// The pose of the scan must be one that is kept.
+void require_free_start(const Joint& joint, const TurnLimits& limits, const RequiredLeg& leg,
+                        double clearance) {
+  JointTurn still = leg.turn;
+  still.inner = still.outer = Eigen::Matrix3d::Identity();
+  const BodyPairs::Verdict start = limits.verdict(still, 0.0);
+  if (start.contact == Contact::yes) {
+    throw std::runtime_error(
+        meet(joint, start.pair.ball, start.pair.socket) +
+        " in the pose of the scan, before any required motion; check the meshes and the centre");
+  }
+  const auto gap = limits.smallest_gap(still, 0.0);
+  if (gap && gap->gap_mm < clearance)
+    throw std::runtime_error("the pose of the scan has a gap of " + rounded_up(gap->gap_mm, 3) +
+                             " mm, less than the clearance; give a smaller one");
+}
+
+void require_whole_ball(const ReachedLeg& reached) {
+  const auto leaves = reached.after.leaves_mesh_deg;
+  if (!leaves || *leaves > reached.leg.largest_deg) return;
+  throw std::runtime_error("the ball's mesh ends under the socket from " + rounded_down(*leaves, 1) +
+                           " degrees on of " + describe(reached.leg) +
+                           ": what is missing may be in the way; require less, or give more of the bone");
+}
+
+// The place of a cut on the bearing surface of the ball.
+std::optional<Vec3> head_cut(const Resection& cut, const TriangleMesh& ball, const RadiiOverCap& socket) {
+  SphereFit fit;
+  try {
+    fit = fit_ball(ball);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // nothing of it is a sphere
+  }
+  for (std::size_t v = 0; v < cut.depth.size(); ++v) {
+    const Vec3& x = cut.before.vertices[v];
+    if (cut.depth[v] > 0.0 && std::abs((x - fit.centre).norm() - fit.radius) <= fit.trim &&
+        !std::isnan(socket.radius(x.normalized())))
+      return x;
+  }
+  return std::nullopt;
+}
+
+// The inside of a socket, as seen from the centre of the sphere that fits it.
+class SocketSphere {
+ public:
+  SocketSphere(const TriangleMesh& socket, const SphereFit& fit)
+      : fit_(fit), mesh_(relative_to(socket, fit.centre)), faces_(mesh_, 0.0) {}
+  SocketSphere(const SocketSphere&) = delete;
+  SocketSphere& operator=(const SocketSphere&) = delete;
+
+  // Flat faces are off the sphere where their corners are on it, so that the trim of the fit may be too
+  // small.
+  bool holds(double radius) const {
+    return std::abs(radius / fit_.radius - 1.0) <= BallFitOptions{}.trim;  // NaN: the surface has ended
+  }
+  /// Is x on the sphere, and does that go on in all directions, `within` mm away?
+  bool goes_on_round(const Vec3& x, double within) const {
+    constexpr int kTried = 24;
+    const Vec3 at = x - fit_.centre;
+    if (!holds(at.norm()) || within >= kPi * fit_.radius) return false;  // no place is as far away
+    const Vec3 axis = at.normalized();
+    const Vec3 beside = Eigen::AngleAxisd(within / fit_.radius, axis.unitOrthogonal()) * axis;
+    for (int k = 0; k < kTried; ++k) {
+      const Vec3 u = Eigen::AngleAxisd(2.0 * kPi * k / kTried, axis) * beside;
+      if (!holds(faces_.radius(u, Layer::nearest))) return false;
+    }
+    return true;
+  }
+
+ private:
+  SphereFit fit_;
+  TriangleMesh mesh_;
+  NearFaces faces_;
+};
+
+// The place of a cut on the bearing surface of the socket.
+std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, const TriangleMesh& socket,
+                               double most_rim) {
+  SphereFit fit;
+  try {
+    fit = measure_acetabulum(socket, fit_ball(ball), Side::right).socket;  // the side changes no sphere
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  const SocketSphere sphere(socket, fit);
+  for (std::size_t v = 0; v < cut.depth.size(); ++v) {
+    const Vec3& x = cut.before.vertices[v];
+    if (cut.depth[v] > 0.0 && sphere.goes_on_round(x, most_rim)) return x;
+  }
+  return std::nullopt;
+}
+
+void require_no_bearing_cut(const SessionJoint& joint, const ResectionRequest& request, const Resection& cut,
+                            const RadiiOverCap& other) {
+  if (request.least) require_no_parts(joint.joint, "the least cut of all");
+  const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
+  if (cut.of == Surface::ball) {
+    if (const auto place = head_cut(cut, ball, other))
+      throw std::runtime_error("the cut would reach the bearing surface of the ball " +
+                               at_place(joint, *place) + "; require less, or give a smaller clearance");
+    return;
+  }
+  const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
+  if (const auto place = socket_cut(cut, ball, socket, request.most_rim_mm))
+    throw std::runtime_error("the cut would reach the bearing surface of the socket " +
+                             at_place(joint, *place) + ", more than " + rounded_up(request.most_rim_mm, 1) +
+                             " mm inside its rim; require less, or allow more of the rim to go");
+}
+
+// Width of the widest bar about an axis through the centre that the cut faces of a mesh stay out of, on its
+// own side, and where they come as near.
+struct Bar {
+  double width = 0.0;
+  Vec3 place = Vec3::Zero();
+};
+std::optional<Bar> bar_of(const TriangleMesh& mesh, const std::vector<double>& depth, const Vec3& axis) {
+  std::optional<Bar> bar;
+  for (const Face& face : mesh.faces) {
+    const bool is_cut = std::ranges::any_of(face, [&](VertexIndex v) { return depth[v] > 0.0; });
+    std::array<Vec3, 3> flat = corners_of(mesh, face);
+    if (!is_cut || std::ranges::any_of(flat, [&](const Vec3& x) { return x.dot(axis) <= 0.0; })) continue;
+    for (Vec3& x : flat) x -= x.dot(axis) * axis;
+    const double width =
+        2.0 * std::sqrt(squared_distance_to_triangle(Vec3::Zero(), flat[0], flat[1], flat[2]));
+    if (!bar || width < bar->width) bar = Bar{width, corner(mesh, face, 0)};
+  }
+  return bar;
+}
+
+std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectionRequest& request,
+                                 const Resection& cut, const TriangleMesh& ball) {
+  FemurMeasures femur;
+  try {
+    femur = measure_femur(ball, joint.side.value_or(Side::right));  // the side changes no neck
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  const auto before = bar_of(cut.before, cut.depth, femur.neck_axis);
+  const auto after = bar_of(cut.cut, cut.depth, femur.neck_axis);
+  if (!before || !after) return std::nullopt;
+  const double least = request.least_neck_mm.value_or(kNeckShare * 2.0 * femur.neck_radius);
+  if (after->width < least)
+    throw std::runtime_error("the cut would leave a bar of " + rounded_down(after->width, 1) +
+                             " mm about the axis of the neck " + at_place(joint, after->place) +
+                             ", less than " + rounded_up(least, 1) +
+                             " mm; require less, or allow a thinner neck");
+  return NeckBar{least, before->width, after->width};
+}
+
+BoneParts beside_in_joint_frame(const SessionJoint& joint) {
+  BoneParts beside = joint.beside();
+  for (auto* parts : {&beside.ball, &beside.socket}) {
+    for (TriangleMesh& part : *parts) part = in_joint_frame(joint, std::move(part));
+  }
+  for (auto* whole : {&beside.whole_ball, &beside.whole_socket}) {
+    if (*whole) *whole = in_joint_frame(joint, std::move(**whole));
+  }
+  return beside;
+}
+
+// Parts are not cut.
+void require_no_part_in_the_way(const Joint& joint, const ReachedLeg& reached) {
+  if (!reached.after.contact) return;
+  const auto [ball, socket] = reached.after.contact->body;
+  if (ball == 0 && socket == 0) return;
+  throw std::runtime_error(meet(joint, ball, socket) + " " + rounded_down(reached.after.low_deg, 1) +
+                           " degrees into " + describe(reached.leg) +
+                           ", and bone beside the joint is not cut; require less");
+}
+
+void reach(const SessionJoint& joint, const TriangleMesh& other, const BoneParts& beside,
+           ResectionAnswer& answer) {
+  const bool of_ball = answer.cut.of == Surface::ball;
+  const TurnLimits after(
+      of_ball ? BallSocketPair{answer.cut.cut, other} : BallSocketPair{other, answer.cut.cut}, beside);
+  for (ReachedLeg& reached : answer.legs) {
+    const RequiredLeg& leg = reached.leg;
+    const double farthest =
+        std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
+    reached.after = after.first_contact(leg.turn, farthest);
+    if (!joint.joint.ball.taken) require_whole_ball(reached);  // else the rest of it is a part
+    if (reached.after.low_deg >= leg.largest_deg) continue;
+    require_no_part_in_the_way(joint.joint, reached);
+    throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
+                             describe(leg) + ", but " + rounded_down(reached.after.low_deg, 3) +
+                             " degrees; give a larger clearance");
+  }
+}
+
+// What is within what: the ends of one hold for the other.
+void nest(CutSize& inner, CutSize& outer) {
+  for (Ends CutSize::*size : {&CutSize::volume_mm3, &CutSize::area_mm2, &CutSize::depth_mm}) {
+    (inner.*size).high = std::min((inner.*size).high, (outer.*size).high);
+    (outer.*size).low = std::max((outer.*size).low, (inner.*size).low);
+  }
+}
+
+}  // namespace
+
+ResectionAnswer answer_resection(Session& session, const ResectionRequest& request) {
+  const SessionJoint& joint = *session.joint;
+  if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
+    Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);
+    return answer_resection(whole, request);
+  }
+  const std::vector<RequiredLeg> legs = required_legs(request.required, joint.side);
+  if (legs.empty()) throw std::runtime_error("no motion is required");
+  const bool of_ball = request.cut == Surface::ball;
+  if (request.least && !of_ball)
+    throw std::runtime_error("the least cut of all is one of the ball; cut the ball, or leave it out");
+  const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
+  const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
+  const BoneParts beside = beside_in_joint_frame(joint);
+  const BallSocketPair meshes{ball, socket};
+  const TurnLimits limits(meshes, beside);
+  require_free_start(joint.joint, limits, legs.front(), request.clearance_mm);
+  const TriangleMesh& other = of_ball ? socket : ball;
+  const SweptRadius swept(other, legs, request.cut);
+  CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;
+  question.clearance_mm = request.clearance_mm;
+  ResectionAnswer answer{least_radial_cut(of_ball ? ball : socket, swept, question), {}, {}, {}, {}};
+  for (const RequiredLeg& leg : legs)
+    answer.legs.push_back({leg, limits.first_contact(leg.turn, leg.largest_deg), {}});
+  require_no_bearing_cut(joint, request, answer.cut, swept.other());
+  if (of_ball) answer.neck = neck_left(joint, request, answer.cut, ball);
+  reach(joint, other, beside, answer);
+  if (request.least) {
+    answer.least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
+    nest(*answer.least, answer.cut);
+  }
+  answer.deepest =
+      joint.axes.transpose() * answer.cut.before.vertices[answer.cut.deepest] + joint.joint.centre;
+  return answer;
+}
+
+}  // namespace impinge

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One joint with its tables, bounds and limits. Questions are answered as plain structs: pose_answer.hpp,
+// measurement.hpp, limits.hpp, joint_files.hpp. Angles in degrees, lengths in mm, times in ms. A function
+// that fails throws a std::exception whose what() is one line for the reader; the session can still be used.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hip/clock.hpp"
+#include "hip/hip_parameters.hpp"
+#include "hip/joint.hpp"
+#include "hip/motion.hpp"
+#include "joint/surface_table.hpp"
+#include "limits/turn_limit.hpp"
+#include "table/near_faces.hpp"
+
+namespace impinge {
+
+/// The data of a surface that do not depend on the pose.
+struct SessionPart {
+  SessionPart(const TriangleMesh& mesh, const std::vector<MeshPart>& parts);  // about the centre of the ball
+
+  ScannedVertices vertices;  // of the mesh
+  std::vector<double> area;  // vertex_areas(), mm^2
+  std::vector<bool> used;    // by vertex: on the main surface (on_surface())? The others have no gap
+};
+
+/// A joint, and the data that follow from its meshes.
+struct SessionJoint {
+  /// `axis_code` says where +x, +y and +z of the meshes point (hip/anatomy.hpp). The joint frame is that of
+  /// the landmarks if put_together has some, else that of the code.
+  explicit SessionJoint(Joint put_together, std::optional<Side> of, const std::string& axis_code);
+
+  /// Shifts the ball's centre in the socket by `to`, mm, input frame axes. The ball turns about its own,
+  /// shifted centre. All gaps, tables, bounds and limits are along rays from that centre, about which `seen`
+  /// is the socket: there the pose has no translation, and the statements (1) and (2) of gap/overlay.hpp
+  /// coincide; for the pose with its translation, contact is that of statement (2). Data that follow from
+  /// `seen` are made anew.
+  void shift_to(const Vec3& to);
+
+  /// Data of the ball, or of the socket about the centre of the ball.
+  const SessionPart& part(Surface of) const { return of == Surface::ball ? ball : socket; }
+  /// The mesh of the ball, or of the socket about the centre of the ball.
+  const TriangleMesh& mesh(Surface of) const { return of == Surface::ball ? joint.ball.mesh : seen; }
+  /// The same mesh without its parts.
+  TriangleMesh main(Surface of) const {
+    return main_surface(mesh(of), (of == Surface::ball ? joint.ball : joint.socket).parts);
+  }
+  /// What of both is bone beside the main surfaces.
+  BoneParts beside() const {
+    return bone_parts({joint.ball.mesh, joint.ball.parts}, {seen, joint.socket.parts});
+  }
+  /// The bodies of the joint about the centre of the ball; made when first asked for.
+  const BodyPairs& bodies();
+  /// The faces of a main surface, for gap/measured_gap.hpp; made when first asked for.
+  const NearFaces& faces(Surface of);
+
+  Joint joint;                                         // as it was put together
+  std::optional<Side> side;                            // of the body
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // input frame to joint frame
+  std::optional<ClockFace> dial;                       // joint frame
+  SessionPart ball;                                    // about its centre
+  Vec3 shift = Vec3::Zero();                           // see shift_to()
+  TriangleMesh seen;                                   // the socket about the centre of the ball
+  SessionPart socket;                                  // of `seen`
+  std::optional<HipParameters> parameters;             // of a hip made from them
+  /// Points of ball and socket, for measure_tables().
+  std::array<std::unique_ptr<const ScannedVertices>, 2> probes;
+
+ private:
+  struct MainFaces {
+    explicit MainFaces(TriangleMesh main) : mesh(std::move(main)), faces(mesh, 0.0) {}
+    TriangleMesh mesh;
+    NearFaces faces;
+  };
+  std::array<std::unique_ptr<const MainFaces>, 2> faces_;
+  std::unique_ptr<const BodyPairs> bodies_;
+};
+
+/// A mesh of the joint in the axes of the joint frame, about the same origin.
+TriangleMesh in_joint_frame(const SessionJoint& joint, TriangleMesh mesh);
+
+/// Tables of both main surfaces.
+struct SessionTables {
+  TableSettings settings;                        // of both
+  std::unique_ptr<SurfaceTable> ball;            // looked up by the socket's vertices
+  std::unique_ptr<SurfaceTable> socket;          // looked up by the ball's
+  double fill_ms = 0.0;                          // both
+  std::optional<double> error_mm;                // largest measured, once measure_tables() has
+  std::unique_ptr<SurfaceBounds> ball_bounds;    // once bound_tables() has found them
+  std::unique_ptr<SurfaceBounds> socket_bounds;  // the same
+};
+
+/// Turns of a joint about one centre, which the meshes are about, in the axes of the joint frame.
+struct CentredLimits {
+  CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre);
+
+  BallSocketPair meshes;  // mm
+  Vec3 centre;            // mm from the joint's
+  TurnLimits limits;
+};
+
+/// One joint with all that was worked out about it.
+struct Session {
+  Session() = default;  // no joint yet
+  /// A joint without tables.
+  Session(Joint put_together, std::optional<Side> side, const std::string& axis_code)
+      : joint(std::make_unique<SessionJoint>(std::move(put_together), side, axis_code)) {}
+
+  std::unique_ptr<SessionJoint> joint;  // none yet after Session()
+  SessionTables tables;                 // filled where fill_tables() or use_*() has
+  /// Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
+  std::unique_ptr<CentredLimits> limits;
+  std::unique_ptr<CentredLimits> socket_limits;
+  bool no_socket_centre = false;  // no sphere fits the socket
+};
+
+/// Replaces the joint by a hip made from parameters, with tables of the present settings.
+void use_hip(Session& session, const HipParameters& parameters);
+/// The same with a joint of a user's meshes.
+void use_meshes(Session& session, JointInput input);
+
+/// Fills the tables of both surfaces.
+void fill_tables(Session& session, const TableSettings& settings);
+
+/// Shifts the ball, with the tables and limits; see SessionJoint::shift_to().
+void shift_ball(Session& session, const Vec3& shift);
+
+/// Sets tables.error_mm: the largest error of both tables along the vertices and edge middles of their own
+/// meshes, where the exact radius has its kinks. Faster when called again for the same joint.
+void measure_tables(Session& session);
+
+/// Proves bounds for both tables, unless they have some. May take some seconds.
+void bound_tables(Session& session);
+
+/// The larger of both tables' bounds over all directions, mm; call bound_tables() before.
+double whole_bound(const SessionTables& tables);
+
+}  // namespace impinge

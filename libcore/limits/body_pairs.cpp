@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/body_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "contact/part_distance.hpp"
+#include "files/thread_team.hpp"
+#include "gap/surface.hpp"
+#include "mesh/collinear.hpp"
+#include "mesh/disjoint_sets.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/meeting_faces.hpp"
+#include "mesh/triangle_distance.hpp"
+#include "sphere/plane_side.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kNodeRounding = 1e-9;  // of lengths
+constexpr double kWidestHole = 0.1;     // of the size of a body, of one that is no sheet
+constexpr int kRays = 16;               // that are asked whether a point is inside
+
+// Evenly over all directions, none of them along an axis or a diagonal.
+std::array<Vec3, kRays> ways_out() {
+  std::array<Vec3, kRays> ways;
+  for (int k = 0; k < kRays; ++k) {
+    const double z = 0.9973 - 2.0 * (k + 0.5) / kRays * 0.9973;
+    const double azimuth = 2.39996 * k + 0.7;
+    const double rho = std::sqrt(1.0 - z * z);
+    ways[static_cast<std::size_t>(k)] = {rho * std::cos(azimuth), rho * std::sin(azimuth), z};
+  }
+  return ways;
+}
+
+TriangleMesh without_flat_faces(TriangleMesh mesh) {
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    return collinear(a, b, c);
+  });
+  return mesh;
+}
+
+// Does the segment pass the box?
+bool passes(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& to) {
+  double first = 0.0;
+  double last = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double along = to[k] - from[k];  // not 0 along any of the ways out
+    const double low = (box.min()[k] - from[k]) / along;
+    const double high = (box.max()[k] - from[k]) / along;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  return first <= last + kNodeRounding;
+}
+
+// Calls visit(triangle) for those near the segment until it returns true.
+template <class Visit>
+bool visit_near(const SweptParts& faces, const Vec3& from, const Vec3& to, const Visit& visit) {
+  std::vector<std::uint32_t> pending;
+  if (!faces.nodes().empty()) pending.push_back(0);
+  while (!pending.empty()) {
+    const SweptParts::Node& node = faces.nodes()[pending.back()];
+    pending.pop_back();
+    const double reach = node.radius + kNodeRounding * (node.centre.norm() + node.radius);
+    if (squared_distance_to_segment(node.centre, from, to) > reach * reach) continue;
+    if (!node.leaf)
+      pending.insert(pending.end(), {node.at, node.at + 1});
+    else if (visit(faces.parts()[node.at].corner))
+      return true;
+  }
+  return false;
+}
+
+// Is meet(a, b) true of two triangles? Nodes of which apart(a, b) is true are not opened.
+template <class Apart, class Meet>
+bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apart, const Meet& meet) {
+  if (ball.nodes().empty() || socket.nodes().empty()) return false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [p, q] = pending.back();
+    pending.pop_back();
+    const SweptParts::Node& a = ball.nodes()[p];
+    const SweptParts::Node& b = socket.nodes()[q];
+    if (apart(a, b)) continue;
+    if (a.leaf && b.leaf) {
+      if (meet(a, b)) return true;
+      continue;
+    }
+    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
+    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+  }
+  return false;
+}
+
+// May a point of one come within reach of a point of the other? `reach(r)` is of points r from the centre,
+// and `shift` what may take points to another distance from it.
+template <class Reach>
+bool may_come_near(const SweptParts& ball, const SweptParts& socket, const Eigen::Matrix3d& rotation,
+                   double shift, const Reach& reach) {
+  const auto slack = [](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return kNodeRounding * (a.farthest + b.farthest);
+  };
+  const auto near = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return reach(std::min(a.farthest, b.farthest + shift)) + slack(a, b);
+  };
+  const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    return std::max(a.nearest - b.farthest, b.nearest - a.farthest) > shift + slack(a, b) ||
+           (rotation * a.centre - b.centre).norm() > a.radius + b.radius + near(a, b);
+  };
+  return any_pair(ball, socket, apart, [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+    const TurnFace moved = turn_face(rotation * c0, rotation * c1, rotation * c2);
+    const TurnFace& face = socket.parts()[b.at];
+    return !farther_than(moved, face, near(a, b)) || faces_meet(moved.corner, face.corner);
+  });
+}
+
+// Without those that are there again.
+TriangleMesh once(TriangleMesh mesh) {
+  std::set<Face> seen;
+  std::erase_if(mesh.faces, [&](Face face) {
+    std::ranges::sort(face);
+    return !seen.insert(face).second;
+  });
+  return mesh;
+}
+
+}  // namespace
+
+// A main sheet is wound by what it is: a ball outwards, a socket towards the centre.
+static int winding(const TriangleMesh& mesh, bool ball) {
+  double volume = 0.0;
+  for (const Face& face : mesh.faces) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    volume += a.dot(b.cross(c));
+  }
+  return (volume > 0.0) == ball ? 1 : -1;
+}
+
+BodyPairs::Body::Body(const TriangleMesh& of, bool turns, bool main) {
+  const TriangleMesh each = once(of);
+  const TriangleMesh mesh = without_flat_faces(each);
+  turn = TurnBody(mesh);
+  if (turns)
+    moved.emplace(mesh);
+  else
+    fixed.emplace(mesh);
+  find_openings(each);
+  hollow = main && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
+  if (main && sheet) wound = winding(mesh, turns);
+  find_pieces(mesh);
+}
+
+// Edges of one face, or of three, that share a vertex are the border of one opening. Faces without area count
+// here: they close what is between their neighbours.
+void BodyPairs::Body::find_openings(const TriangleMesh& all) {
+  DisjointSets sets(all.vertices.size());
+  std::vector<Edge> odd;
+  for_each_edge(all, [&](std::span<const HalfEdge> half_edges) {
+    if (half_edges.size() % 2 == 0) return;
+    odd.push_back(ends(all, half_edges[0]));
+    sets.join(odd.back()[0], odd.back()[1], false);
+  });
+  std::map<std::size_t, Eigen::AlignedBox3d> boxes;
+  for (const Edge& edge : odd) {
+    for (const VertexIndex v : edge) boxes[sets.find(v).root].extend(all.vertices[v]);
+  }
+  if (boxes.empty()) return;
+  const double size = 2.0 * faces().nodes()[0].radius;
+  for (const auto& [root, box] : boxes) {
+    openings.push_back(box);
+    sheet = sheet || box.diagonal().norm() > kWidestHole * size;
+  }
+}
+
+void BodyPairs::Body::find_pieces(const TriangleMesh& mesh) {
+  DisjointSets sets(mesh.vertices.size());
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) sets.join(face[0], v, false);
+  }
+  std::set<std::size_t> roots;
+  for (const Face& face : mesh.faces) roots.insert(sets.find(face[0]).root);
+  for (const std::size_t root : roots) pieces.push_back(mesh.vertices[root]);
+}
+
+// What the faces that a segment outwards crosses add up to; none where it touches a side of one.
+std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) const {
+  int sum = 0;
+  const bool touches = visit_near(faces(), from, to, [&](const Triangle& face) {
+    if (!meets_segment(face, from, to)) return false;
+    const auto& [a, b, c] = face;
+    const int start = plane_side(a, b, c, from);
+    const int end = plane_side(a, b, c, to);
+    const int first = plane_side(from, to, a, b);
+    if (start * end >= 0 || first == 0 || plane_side(from, to, b, c) == 0 || plane_side(from, to, c, a) == 0)
+      return true;
+    sum += end;
+    return false;
+  });
+  return touches ? std::nullopt : std::optional(sum);
+}
+
+Contact BodyPairs::Body::holds(const Vec3& x) const {
+  const Contact found = encloses(x);
+  if (!hollow || found == Contact::unknown) return found;
+  return found == Contact::yes ? Contact::no : Contact::yes;
+}
+
+Contact BodyPairs::Body::encloses(const Vec3& x) const {
+  static const std::array<Vec3, kRays> kWays = ways_out();
+  if (faces().empty()) return Contact::no;
+  const SweptParts::Node& all = faces().nodes()[0];
+  const double away = (x - all.centre).norm();
+  if (away > all.radius) return Contact::no;
+  bool inside = false;
+  bool outside = false;
+  for (const Vec3& way : kWays) {
+    const Vec3 to = x + 2.0 * (away + all.radius) * way;
+    if (std::ranges::any_of(openings, [&](const auto& box) { return passes(box, x, to); })) continue;
+    const std::optional<int> sum = crossings(x, to);
+    if (!sum) continue;
+    const bool odd = *sum % 2 != 0;
+    if (openings.empty()) return odd ? Contact::yes : Contact::no;
+    ((sheet ? wound * *sum > 0 : odd) ? inside : outside) = true;
+  }
+  if (inside == outside) return Contact::unknown;
+  return inside ? Contact::yes : Contact::no;
+}
+
+// Of a body whose surface is apart: place(x) is where its points are, and `reach` by how much farther they
+// may be.
+template <class Place>
+Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& place) const {
+  Contact found = Contact::no;
+  const auto ask = [&](const Vec3& x) {
+    const Contact one = holds(place(x));
+    if (one == Contact::yes || found == Contact::no) found = one;
+  };
+  for (const Vec3& x : other.pieces) ask(x);
+  if (found == Contact::yes || sheet || openings.empty()) return found;
+  const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
+    const Vec3 centre = place(node.centre);
+    const double near = node.radius + reach + kNodeRounding * (centre.norm() + node.radius);
+    return std::ranges::any_of(openings,
+                               [&](const auto& box) { return box.exteriorDistance(centre) <= near; });
+  });
+  if (!enters) return found;
+  if (reach > 0.0) return Contact::unknown;
+  for (std::size_t f = 0; f < other.turn.first_corner.size() && found != Contact::yes; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (other.turn.first_corner[f][k]) ask(other.faces().parts()[f].corner[k]);
+    }
+  }
+  return found;
+}
+
+BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
+    : main_only_(!beside.whole_ball && !beside.whole_socket) {
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const bool ball = kSurfaces[k] == Surface::ball;
+    const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;
+    auto& bodies = ball ? ball_ : socket_;
+    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball, true));
+    for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
+      bodies.push_back(std::make_unique<Body>(part, ball, false));
+  });
+  if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
+  for (std::size_t b = 0; b < ball_.size(); ++b) {
+    for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
+  }
+}
+
+BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
+  const Body& ball = *ball_[pair.ball];
+  const Body& socket = *socket_[pair.socket];
+  if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
+  const Contact in_socket =
+      socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
+  if (in_socket == Contact::yes) return {Contact::yes, ContactRule::inside, pair};
+  const Contact in_ball = ball.holds_of(socket, 0.0, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
+  return {in_ball == Contact::no ? in_socket : in_ball, ContactRule::inside, pair};
+}
+
+// ask(pair) gives a verdict: the first yes, else the first that is not known.
+template <class Ask>
+BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
+  Verdict first;
+  for (const Pair& pair : pairs_) {
+    const Verdict found = ask(pair);
+    if (found.contact == Contact::yes) return found;
+    if (first.contact == Contact::no) first = found;
+  }
+  return first;
+}
+
+BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
+  const bool overlap = radial_ && radial_->overlay.impinged(pose);
+  return first_of([&](const Pair& pair) {
+    if (!radial_ || !is_main(pair)) return verdict(pair, pose);
+    if (!overlap && main_only_) return Verdict{Contact::no, ContactRule::surfaces, pair};
+    Verdict found = verdict(pair, pose);
+    return found.contact == Contact::yes || !overlap ? found
+                                                     : Verdict{Contact::yes, ContactRule::radii, pair};
+  });
+}
+
+bool BodyPairs::meet(const Pose& pose) const {
+  return first_of([&](const Pair& pair) { return verdict(pair, pose); }).contact == Contact::yes;
+}
+
+std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) const {
+  std::optional<Nearest> found;
+  for (const Pair& pair : pairs_) {
+    if (is_main(pair)) continue;
+    if (verdict(pair, pose).contact == Contact::yes) return Nearest{pair, 0.0, true};
+    double least = found ? found->distance_mm : HUGE_VAL;
+    const SweptParts& ball = ball_[pair.ball]->faces();
+    const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const double spheres = (to_socket(pose, a.centre) - b.centre).norm() - a.radius - b.radius;
+      return spheres > least + kNodeRounding * (a.farthest + b.farthest);
+    };
+    const auto measure = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+      const TurnFace moved = turn_face(to_socket(pose, c0), to_socket(pose, c1), to_socket(pose, c2));
+      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces().parts()[b.at]));
+      return false;
+    };
+    any_pair(ball, socket_[pair.socket]->faces(), apart, measure);
+    if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
+  }
+  return found;
+}
+
+double BodyPairs::Moved::reach(double from_centre) const {
+  return 2.0 * from_centre * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) +
+         poses.shift_mm;
+}
+
+// x, of this body, is farther from the surface of the other one than the poses take it.
+bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
+  return other.faces().farther_than(reach(x.norm()) + kNodeRounding * x.norm(), rotation * x);
+}
+
+// x, of this body, is within the gap of the other one in all poses.
+bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
+  return other.faces().within(gap - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
+}
+
+// Where the surfaces are apart.
+bool BodyPairs::Moved::may_enter(const Body& other) const {
+  if (body.faces().empty()) return false;
+  const double farthest = reach(body.faces().nodes()[0].farthest);
+  return other.holds_of(body, farthest, [&](const Vec3& x) -> Vec3 { return rotation * x; }) != Contact::no;
+}
+
+bool BodyPairs::Moved::is_within(const Body& other) const {
+  if (body.faces().nodes().empty() || other.faces().nodes().empty()) return false;
+  const SweptParts::Node& whole = other.faces().nodes()[0];
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const SweptParts::Node& node = body.faces().nodes()[pending.back()];
+    pending.pop_back();
+    // A point of the node is at most its radius deeper or nearer than the middle, and has to be deeper than
+    // the poses take it, or nearer than the gap by as much.
+    const Vec3 middle = rotation * node.centre;
+    const double least = reach(node.nearest);
+    if (gap <= least && other.faces().within(least - node.radius, middle)) continue;
+    const double near = std::max(0.0, node.radius + gap - least);
+    if ((middle - whole.centre).norm() > near + whole.radius) continue;
+    if (other.faces().farther_than(near, middle) && other.holds(middle) != Contact::yes)
+      continue;  // none is, mostly
+    if (!node.leaf) {
+      pending.insert(pending.end(), {node.at, node.at + 1});
+      continue;
+    }
+    const Vec3& x = body.faces().parts()[node.at].corner[0];
+    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes)) return true;
+  }
+  return false;
+}
+
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii) const {
+  for (const Pair& pair : pairs_) {
+    if (by_radii && main_only_ && is_main(pair)) continue;
+    const Body& ball = *ball_[pair.ball];
+    const Body& socket = *socket_[pair.socket];
+    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
+    const Moved out{ball, poses, poses.rotation, gap};
+    const Moved back{socket, poses, poses.rotation.transpose(), gap};
+    const auto reach = [&](double from_centre) { return out.reach(from_centre) + gap; };
+    if (may_come_near(ball.faces(), socket.faces(), poses.rotation, poses.shift_mm + gap, reach) ||
+        out.may_enter(socket) || back.may_enter(ball))
+      return pair;
+  }
+  return std::nullopt;
+}
+
+bool BodyPairs::overlap(const NearPoses& poses, bool by_radii) const {
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+    if (by_radii && main_only_ && is_main(pair)) return false;
+    const Body& ball = *ball_[pair.ball];
+    const Body& socket = *socket_[pair.socket];
+    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
+    return Moved{ball, poses, poses.rotation, gap}.is_within(socket) ||
+           Moved{socket, poses, poses.rotation.transpose(), gap}.is_within(ball);
+  });
+}
+
+std::vector<BodyPairs::Vertex> BodyPairs::near(const Pair& pair, const Pose& pose, const Vec3& place,
+                                               double within) const {
+  std::vector<Vertex> found;
+  for (const bool of_ball : {true, false}) {
+    const TurnBody& body = of_ball ? ball_[pair.ball]->turn : socket_[pair.socket]->turn;
+    const Vec3 at = of_ball ? to_ball(pose, place) : place;
+    body.faces.visit_near(at, within, [&](std::uint32_t f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& x = body.faces.parts()[f].corner[k];
+        if (body.first_corner[f][k] && (x - at).norm() <= within) found.push_back({pair, of_ball, x});
+      }
+    });
+  }
+  return found;
+}
+
+bool BodyPairs::is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const {
+  const Body& other = vertex.of_ball ? *socket_[vertex.pair.socket] : *ball_[vertex.pair.ball];
+  const Vec3 x = vertex.of_ball ? to_socket(pose, vertex.x) : to_ball(pose, vertex.x);
+  return other.faces().farther_than(depth_mm, x) && other.holds(x) == Contact::yes;
+}
+
+std::optional<TurnContact> BodyPairs::first_contact(const JointTurn& turn, AngleSpan angles) const {
+  std::optional<TurnContact> first;
+  for (const Pair& pair : pairs_) {
+    const auto found =
+        impinge::first_contact({ball_[pair.ball]->turn, socket_[pair.socket]->turn, turn}, angles);
+    if (!found || (first && found->angle >= first->angle)) continue;
+    first = found;
+    first->body = {pair.ball, pair.socket};
+    angles.to = found->angle;
+  }
+  return first;
+}
+
+double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
+                               const WithinSpan& within, double largest) const {
+  for (const Pair& pair : pairs_) {
+    largest = impinge::first_within({ball_[pair.ball]->faces(), ball, socket_[pair.socket]->faces(), socket},
+                                    within, largest);
+  }
+  return largest;
+}
+
+}  // namespace impinge

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact of bones, and which bones of a joint can be in contact: all of the ball's side with all of the
+// socket's.
+//
+// Two bodies are in contact where their surfaces have a common point, or where a point of one is inside the
+// other. If the surfaces have none, each connected piece of one is inside the other as a whole or not at all,
+// which one of its vertices tells. Of a piece that comes into a small opening of the other all vertices do.
+//
+// Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. (Of
+// a closed socket round the centre it is the outside that is bone.) A mesh with openings has one only as far
+// as no opening can change it. Whatever closes an opening is taken to lie in the box of its border. Then rays
+// that pass no such box cross what they would of the closed bone. If all of 16 such rays cross it an odd
+// number of times the point is inside, if none does it is outside; else, or if no ray is left, it is not
+// known.
+//
+// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; such as a cropped
+// acetabulum), does not say where its bone ends behind. A point is inside only if all rays come from behind
+// it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. A main
+// surface is wound by what it is, outwards or to the centre. And a single pose in which a socket of that kind
+// is not met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. Motions do not need
+// that: from a clear pose bodies move continuously, and what is not inside another comes to be so only
+// through a pose in which surfaces meet, or through an opening.
+//
+// Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
+// the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
+// farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
+// inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
+// under R and farther than s from the surface is inside in all of them. Where a distance of g and less counts
+// as contact, surfaces farther than s + g apart are clear in all of them, and a vertex within g - s of the
+// other surface is in contact in all of them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "contact/culled_overlay.hpp"
+#include "contact/moved_faces.hpp"
+#include "gap/pose.hpp"
+#include "hip/motion.hpp"
+#include "limits/turn_contact.hpp"
+#include "mesh/ball_socket_pair.hpp"
+#include "mesh/mesh_parts.hpp"
+
+namespace impinge {
+
+/// Are bones in contact, or a point inside one? `unknown` where only an opening of a mesh could tell.
+enum class Contact : std::uint8_t { no, yes, unknown };
+
+/// By what a contact was told: surfaces meet, a point is inside, or radii overlap (see above).
+enum class ContactRule : std::uint8_t { surfaces, inside, radii };
+
+/// All poses near a rotation of the ball.
+struct NearPoses {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  double turn = 0.0;      // radians, the largest turn away from it
+  double shift_mm = 0.0;  // the largest shift of the ball
+  double gap_mm = 0.0;    // a distance as small as that from a part counts as contact
+};
+
+/// The bodies of a joint. Meshes in one frame, mm. Several threads may ask at the same time.
+class BodyPairs {
+ public:
+  BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+
+  /// Places of two bodies: 0 is the bone with the main surface, k the kth part beside it.
+  struct Pair {
+    std::size_t ball = 0;
+    std::size_t socket = 0;
+  };
+  struct Verdict {
+    Contact contact = Contact::no;
+    ContactRule rule = ContactRule::surfaces;  // of yes
+    Pair pair{};                               // of yes and of unknown
+  };
+
+  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
+  bool has_inside() const { return !radial_; }
+  /// Does the ball's mesh end where its bone goes on?
+  bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
+  /// Are any in contact? Exact, for the ball's vertices as the pose rounds them.
+  Verdict verdict(const Pose& pose) const;
+  /// The same without the rule of radii: for what a motion from a clear pose comes to.
+  bool meet(const Pose& pose) const;
+  struct Nearest {
+    Pair pair;
+    double distance_mm;  // of the surfaces, up to rounding and never above the true one; 0 in contact
+    bool touch;          // exact
+  };
+  /// The bodies whose surfaces are nearest to each other (contact/part_distance.hpp), of which one at least
+  /// is a part; none without a part.
+  std::optional<Nearest> nearest_part(const Pose& pose) const;
+  /// Bodies that may be in contact in one of the poses; std::nullopt proves that none are, in any of them.
+  /// by_radii: what the main surfaces do is told by radii, and asked only where they are not all of the
+  /// bones.
+  std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false) const;
+  /// Is some vertex inside another body, or within the gap of it, in all of the poses? Yes is proven.
+  bool overlap(const NearPoses& poses, bool by_radii = false) const;
+  /// A vertex, as its body lies at rest, mm.
+  struct Vertex {
+    Pair pair;
+    bool of_ball;
+    Vec3 x;
+  };
+  /// The vertices of two bodies within that distance, mm, of a place in the socket's frame.
+  std::vector<Vertex> near(const Pair& pair, const Pose& pose, const Vec3& place, double within) const;
+  /// Is it inside the other body, and farther than that from its surface?
+  bool is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const;
+  /// The first contact of all pairs in these angles of a turn, radians, if there is one.
+  std::optional<TurnContact> first_contact(const JointTurn& turn, AngleSpan angles) const;
+  /// The least first_within() (swept_parts.hpp) of all pairs, radians. `ball` and `socket` are the rotations
+  /// to the frame whose +z is the axis.
+  double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
+                      double largest) const;
+
+ private:
+  struct Body {
+    Body(const TriangleMesh& of, bool turns, bool main);
+    TurnBody turn;                    // each face once, none without area
+    std::optional<MovedFaces> moved;  // the same, of the ball's side
+    std::optional<FixedFaces> fixed;  // of the socket's
+    std::vector<Eigen::AlignedBox3d> openings;
+    bool sheet = false;
+    int wound = 1;             // of a sheet: -1 if its faces are seen from the bone's inside
+    std::vector<Vec3> pieces;  // a vertex of each connected piece
+    bool hollow = false;       // a closed socket round the centre: bone is outside of it
+    Contact holds(const Vec3& x) const;
+    Contact encloses(const Vec3& x) const;
+    template <class Place>
+    Contact holds_of(const Body& other, double reach, const Place& place) const;
+    const SweptParts& faces() const { return turn.faces; }
+    std::optional<int> crossings(const Vec3& from, const Vec3& to) const;
+    void find_openings(const TriangleMesh& all);
+    void find_pieces(const TriangleMesh& mesh);
+  };
+  /// A body in these poses, as the frame of the other one has it.
+  struct Moved {
+    const Body& body;
+    const NearPoses& poses;
+    Eigen::Matrix3d rotation;                // to that frame
+    double gap;                              // mm, that counts as contact
+    double reach(double from_centre) const;  // mm, from where the rotation takes a point
+    bool may_enter(const Body& other) const;
+    bool is_within(const Body& other) const;
+    bool is_off(const Body& other, const Vec3& x) const;
+    bool is_near(const Body& other, const Vec3& x) const;
+  };
+  /// Of main surfaces, where the socket's has no inside.
+  struct Radial {
+    explicit Radial(BallSocketPair main) : meshes(std::move(main)), joint(meshes), overlay(joint) {}
+    BallSocketPair meshes;
+    CulledJoint joint;
+    CulledOverlay overlay;
+  };
+  bool is_main(const Pair& pair) const { return pair.ball + pair.socket == 0; }
+  Verdict verdict(const Pair& pair, const Pose& pose) const;
+  template <class Ask>
+  Verdict first_of(const Ask& ask) const;
+
+  std::vector<std::unique_ptr<const Body>> ball_;
+  std::vector<std::unique_ptr<const Body>> socket_;
+  std::vector<Pair> pairs_;
+  bool main_only_;  // are the bones no more than the main surfaces?
+  std::unique_ptr<const Radial> radial_;
+};
+
+}  // namespace impinge

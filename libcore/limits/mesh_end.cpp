@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/mesh_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace impinge {
+namespace {
+
+constexpr double kOnArc = 1e-12;  // of products of lengths
+constexpr double kBehind = 1e-9;  // radians past a border, where coverage is asked for
+
+// A border edge as the centre sees it: an arc of a great circle.
+struct Arc {
+  Vec3 from;  // unit vectors
+  Vec3 to;
+  Vec3 across;
+  double z_low, z_high;  // heights of its points; of a chord they are those of its ends
+};
+
+Arc arc_of(const Vec3& a, const Vec3& b) {
+  const Vec3 from = a.stableNormalized();
+  const Vec3 to = b.stableNormalized();
+  const double nearest = std::max((0.5 * (from + to)).norm(), kOnArc);  // of the chord
+  const auto [low, high] = std::minmax(from.z(), to.z());
+  return {from, to, from.cross(to), std::min(low, low / nearest) - kOnArc,
+          std::max(high, high / nearest) + kOnArc};
+}
+
+// Adds the angles up to `largest` at which the arc, as it turns, passes the direction y.
+void add_passes(const Arc& arc, const Vec3& y, double largest, std::vector<double>& angles) {
+  const double bound = kOnArc * std::max(arc.across.norm(), kOnArc);
+  for (const AngleSpan& span : near_zero(turned_dot(arc.across, y), bound)) {
+    const double t = 0.5 * (span.from + span.to);
+    const Vec3 back = turned(y, -t);
+    const bool on_arc =
+        arc.from.cross(back).dot(arc.across) >= -bound && back.cross(arc.to).dot(arc.across) >= -bound;
+    if (on_arc && t <= largest) angles.push_back(t);
+  }
+}
+
+}  // namespace
+
+std::optional<double> first_beyond(const MeshEnd& end, double largest) {
+  std::vector<Arc> arcs;
+  for (const auto& [a, b] : end.border) arcs.push_back(arc_of(end.ball[a], end.ball[b]));
+  std::optional<double> first;
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < end.socket.size(); ++i) {
+    const Vec3 y = end.socket[i].stableNormalized();
+    angles.clear();
+    for (const Arc& arc : arcs) {
+      if (arc.z_low <= y.z() && y.z() <= arc.z_high) add_passes(arc, y, first.value_or(largest), angles);
+    }
+    if (angles.empty() || !end.covered(i, 0.0)) continue;
+    std::ranges::sort(angles);
+    for (const double angle : angles) {
+      if (end.covered(i, angle + kBehind)) continue;
+      first = std::min(first.value_or(largest), angle);
+      break;
+    }
+  }
+  return first;
+}
+
+}  // namespace impinge

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/told_limit.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kOfNote = 5.0;  // degrees
+
+std::optional<double> first_reached(const TurnLimit& limit) {
+  const bool reached = limit.state == LimitState::limited || limit.state == LimitState::blocked;
+  return reached ? std::optional(limit.low_deg) : std::nullopt;
+}
+
+}  // namespace
+
+bool ToldLimit::hangs_on_less() const {
+  if (limit.state == LimitState::blocked) return false;
+  if (limit.state != LimitState::limited) return half_mm_gap_deg.has_value();
+  return limit.low_deg - half_mm_gap_deg.value_or(limit.low_deg) > kOfNote ||
+         limit.low_deg - common.low_deg > kOfNote || !common.limited ||
+         common.high_deg - limit.high_deg > kOfNote;
+}
+
+ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double threshold_mm,
+                     double largest_deg) {
+  ToldLimit told;
+  const bool contact = threshold_mm == 0.0;
+  told.threshold_mm = threshold_mm;
+  told.limit =
+      contact ? limits.first_contact(turn, largest_deg) : limits.gap_of(turn, threshold_mm, largest_deg);
+  CentreQuestion question{CentreDoubt::common, kErrorOfInput, threshold_mm};
+  told.common = limits.centre_interval(turn, told.limit, largest_deg, question);
+  question.doubt = CentreDoubt::play;
+  told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
+  if (contact) told.half_mm_gap_deg = first_reached(limits.gap_of(turn, kErrorOfInput, largest_deg));
+  if (told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();  // where nothing is known
+  return told;
+}
+
+}  // namespace impinge

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/turn_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "limits/mesh_end.hpp"
+#include "mesh/surface_vertices.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kPast =
+    1e-9;  // radians past a contact, where it is first asked for; doubled while a graze lasts
+constexpr int kMostContacts = 64;             // that are looked at in closed form
+constexpr double kPoseStep = 0.05 * kDegree;  // at most between poses that are asked for behind a graze
+// Of an angle, radians, between one in degrees and one in radians. A pose that is rounded differs from the
+// turn by about 1e-15 of the radius, which the tolerance of limits/turn_contact.hpp holds.
+constexpr double kTurnRounding = 1e-12;
+
+Pose pose_at(const JointTurn& turn, double angle) {
+  return {turn.outer * Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix() * turn.inner, Vec3::Zero()};
+}
+
+}  // namespace
+
+std::string_view name(LimitState state) {
+  switch (state) {
+    case LimitState::limited:
+      return "limited";
+    case LimitState::free:
+      return "free";
+    case LimitState::blocked:
+      return "blocked";
+    case LimitState::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
+    : bodies(joint, beside),
+      meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
+      vertices(meshes),
+      ends(bodies.ball_ends() ? boundary_edges(meshes.ball) : std::vector<Edge>{}),
+      seen(surface_vertices(meshes.socket)),
+      ball(meshes.ball),
+      socket(meshes.socket) {}
+
+TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
+    : answers_(std::make_unique<Answers>(std::move(joint), beside)) {}
+
+const TurnGap& TurnLimits::gap(double gap_mm) const {
+  const std::lock_guard lock(answers_->making);
+  return answers_->gaps.try_emplace(gap_mm, answers_->meshes, gap_mm).first->second;
+}
+
+std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
+  return answers_->vertices.least_gap(pose_at(turn, angle_deg * kDegree));
+}
+
+BodyPairs::Verdict TurnLimits::verdict(const JointTurn& turn, double angle_deg) const {
+  return answers_->bodies.verdict(pose_at(turn, angle_deg * kDegree));
+}
+
+// An angle that is reached, asked for in steps; next to it, within kPast, is one that is not.
+template <class Reached>
+static std::optional<double> first_reached(double from, double to, const Reached& reached) {
+  for (double before = from; before < to; before = std::min(before + kPoseStep, to)) {
+    double at = std::min(before + kPoseStep, to);
+    if (!reached(at)) continue;
+    while (at - before > kPast) {
+      const double middle = 0.5 * (before + at);
+      (reached(middle) ? at : before) = middle;
+    }
+    return at;
+  }
+  return std::nullopt;
+}
+
+// next(span) is the first contact that may be in it; gap_reached(angle) makes certain of a threshold.
+template <class Next, class Reached>
+TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const Next& next,
+                              const Reached& gap_reached) const {
+  if (!(largest_deg > 0.0 && largest_deg <= 360.0))
+    throw std::invalid_argument("the largest angle of a motion is above 0 and no more than 360 degrees");
+  const Contact start = verdict(turn, 0.0).contact;
+  if (start == Contact::yes || gap_reached(0.0))
+    return {LimitState::blocked, 0.0, 0.0, std::nullopt, 0.0, 0.0, std::nullopt};
+  if (start == Contact::unknown)
+    return {LimitState::unknown, 0.0, largest_deg, std::nullopt, 0.0, 0.0, std::nullopt};
+  const auto reached = [&](double angle) {
+    return gap_reached(angle) || answers_->bodies.meet(pose_at(turn, angle));
+  };
+  const double largest = largest_deg * kDegree;
+  TurnLimit limit{LimitState::free, largest_deg, largest_deg, std::nullopt, 0.0, 0.0, std::nullopt};
+  double from = 0.0;
+  double past = kPast;
+  std::optional<double> certain;
+  std::optional<TurnContact> last_contact;
+  for (int contacts = 0; contacts < kMostContacts && !certain; ++contacts) {
+    const std::optional<TurnContact> contact = next(AngleSpan{from, largest});
+    if (!contact) break;
+    last_contact = contact;
+    if (limit.state == LimitState::free)
+      limit.low_deg = std::max(0.0, contact->angle - kTurnRounding) / kDegree;
+    limit.state = LimitState::unknown;
+    past = contact->angle > from ? kPast : 2.0 * past;
+    const bool last = contacts + 1 == kMostContacts;
+    from = last ? largest : std::min(contact->angle + past, largest);
+    certain = first_reached(contact->angle, from, reached);
+    if (from >= largest) break;
+  }
+  end_of_mesh(turn, largest, certain, limit);
+  if (certain) make_limited(turn, *certain, *last_contact, limit);
+  return limit;
+}
+
+// The contact is still before the turn's last part.
+void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnContact& contact,
+                              TurnLimit& limit) const {
+  limit.state = LimitState::limited;
+  limit.high_deg = angle / kDegree;
+  const double each = 1.0 / (std::abs(contact.normal.dot(turn.axis.cross(contact.place))) * kDegree);
+  const Vec3 normal = turn.outer * contact.normal;
+  limit.contact = TurnContact{contact.angle, contact.kind, turn.outer * contact.place, normal, contact.body};
+  limit.deg_per_mm = each;
+  limit.centre_deg_per_mm = each * (normal - to_ball(pose_at(turn, contact.angle), normal)).norm();
+}
+
+// The mesh of the ball may end before the motion does.
+void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
+                             TurnLimit& limit) const {
+  if (answers_->ends.empty()) return;
+  const BallSocketPair& meshes = answers_->meshes;
+  const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
+  const Eigen::Matrix3d ball_turn = upright * turn.inner;
+  const Eigen::Matrix3d socket_turn = upright * turn.outer.transpose();
+  MeshEnd end;
+  end.border = answers_->ends;
+  for (const Vec3& x : meshes.ball.vertices) end.ball.push_back(ball_turn * x);
+  for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * meshes.socket.vertices[v]);
+  end.covered = [&](std::size_t point, double angle) {
+    const Vec3& y = meshes.socket.vertices[answers_->seen[point]];
+    return !std::isnan(answers_->vertices.gap(Surface::socket, to_ball(pose_at(turn, angle), y)));
+  };
+  const auto beyond = first_beyond(end, certain.value_or(largest));
+  if (!beyond) return;
+  limit.leaves_mesh_deg = *beyond / kDegree;
+  if (limit.state == LimitState::free) limit.state = LimitState::unknown;
+  if (!certain) limit.low_deg = std::min(limit.low_deg, *limit.leaves_mesh_deg);
+}
+
+TurnLimit TurnLimits::first_contact(const JointTurn& turn, double largest_deg) const {
+  const BodyPairs& bodies = answers_->bodies;
+  return bracket(
+      turn, largest_deg, [&](const AngleSpan& span) { return bodies.first_contact(turn, span); },
+      [](double) { return false; });
+}
+
+TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double largest_deg) const {
+  const TurnGap& asked = gap(gap_mm);
+  return bracket(
+      turn, largest_deg,
+      [&](AngleSpan span) {
+        const auto vertex = first_gap({answers_->ball, answers_->socket, turn}, asked, span);
+        if (vertex) span.to = vertex->angle;
+        const auto contact = answers_->bodies.first_contact(turn, span);
+        return contact ? contact : vertex;
+      },
+      [&](double angle) {
+        const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
+        return smallest && smallest->gap_mm <= gap_mm;
+      });
+}
+
+const CentreIntervals& TurnLimits::intervals(const CentreQuestion& question) const {
+  const std::lock_guard lock(answers_->making);
+  const std::array key{static_cast<double>(question.doubt), question.within_mm, question.gap_mm};
+  return answers_->intervals.try_emplace(key, answers_->vertices, question, answers_->bodies).first->second;
+}
+
+CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,
+                                           const CentreQuestion& question) const {
+  const CentreIntervals& centres = intervals(question);
+  CentreInterval interval{0.0, largest_deg, false};
+  if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
+  if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
+    const auto high = centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});
+    interval.limited = high.has_value();
+    interval.high_deg = high.value_or(largest_deg);
+  }
+  return interval;
+}
+
+}  // namespace impinge

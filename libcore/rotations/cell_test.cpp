@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rotations/cell_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "files/thread_team.hpp"
+#include "mesh/surface_vertices.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kTolerance = 1e-12;  // of 1 / r and of lengths, as a share
+constexpr double kTurnSlack = 2e-9;   // radians
+
+// A search over the nodes of a tree that opens the one found last.
+struct Pending {
+  std::array<std::uint32_t, CapTree::kMostPending> blocks;
+  std::size_t count = 0;
+
+  void push(std::uint32_t block) { blocks[count++] = block; }
+  std::uint32_t pop() { return blocks[--count]; }
+};
+
+Vec3 axis_of(const CapBlock& block, std::size_t k) { return {block.x[k], block.y[k], block.z[k]}; }
+
+// Looks for something among the items of a tree, first where it is likeliest: in the deepest node of those
+// found last. Nodes with a depth below 0 have nothing. After so many items it gives up.
+template <class Depth, class Found>
+bool search_deepest(const CapTree& tree, std::size_t most_items, const Depth& depth_of, const Found& found) {
+  Pending pending;
+  pending.push(0);
+  std::size_t asked = 0;
+  while (pending.count > 0 && asked < most_items) {
+    const CapBlock& block = tree.blocks()[pending.pop()];
+    std::size_t likeliest = pending.count;
+    double deepest = -HUGE_VAL;
+    for (std::size_t k = 0; k < block.nodes; ++k) {
+      const double depth = depth_of(block, k);
+      if (!(depth >= 0.0)) continue;
+      for (std::uint32_t item = block.first[k]; item < block.first[k] + block.items[k]; ++item) {
+        ++asked;
+        if (found(item)) return true;
+      }
+      if (block.leaf(k)) continue;
+      if (depth > deepest) likeliest = pending.count;
+      deepest = std::max(deepest, depth);
+      pending.push(block.first[k]);
+    }
+    if (likeliest < pending.count) std::swap(pending.blocks[likeliest], pending.blocks[pending.count - 1]);
+  }
+  return false;
+}
+
+// Caps of faces, as far from the centre as that somewhere.
+struct NearCap {
+  Eigen::Vector3f axis;
+  float radius;  // radians
+  float least;   // mm
+};
+
+// Which nodes of a block may hold such faces near that cap. In floats, which the slack of nodes covers, for
+// all eight at once.
+std::array<std::int32_t, CapBlock::kLanes> near_nodes(const CapBlock& block, const NearCap& cap) {
+  std::array<std::int32_t, CapBlock::kLanes> near;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const float x = block.x[k] - cap.axis.x();
+    const float y = block.y[k] - cap.axis.y();
+    const float z = block.z[k] - cap.axis.z();
+    const float room = cap.radius + block.angle[k];
+    const bool is = x * x + y * y + z * z <= room * room;
+    near[k] = static_cast<std::int32_t>(is) & static_cast<std::int32_t>(block.high[k] >= cap.least);
+  }
+  return near;
+}
+
+// The mesh with every corner moved out, so that its faces are `gap` and more beyond, see cell_test.hpp. Faces
+// that are edge-on are left out before, where they do not count: afterwards others may be, by rounding.
+TriangleMesh moved_out(const TriangleMesh& of, const CellQuestion& question) {
+  const double gap = question.gap_mm;
+  TriangleMesh mesh = question.centre_within_mm > 0.0 ? of : without_edge_on(of);
+  std::vector<double> cosine(mesh.vertices.size(), 1.0);
+  for (const Face& face : mesh.faces) {
+    const double least =
+        std::max(DirectionFace::kLeastCosine, std::cos(face_cap(corners_of(mesh, face)).cap.radius));
+    for (const VertexIndex v : face) cosine[v] = std::min(cosine[v], least);
+  }
+  for (std::size_t v = 0; v < cosine.size(); ++v) {
+    Vec3& x = mesh.vertices[v];
+    const double length = x.norm();
+    if (length > 0.0) x *= 1.0 + gap / (cosine[v] * length) * (1.0 + kTolerance);
+  }
+  return mesh;
+}
+
+// No corner was moved farther than that by moved_out().
+double growth_of(const TriangleMesh& mesh, double gap) {
+  double least = 1.0;  // cosine
+  for (const Face& face : mesh.faces)
+    least = std::min(least, std::cos(face_cap(corners_of(mesh, face)).cap.radius));
+  return gap / std::max(DirectionFace::kLeastCosine, least) * (1.0 + 1e-9);
+}
+
+bool edge_on(const CellQuestion& question) { return question.centre_within_mm > 0.0; }
+
+const CellQuestion& checked(const BallSocketPair& joint, const CellQuestion& question) {
+  if (!(question.gap_mm >= 0.0) || !(question.centre_within_mm >= 0.0))
+    throw std::invalid_argument("motion volume: the gap and the distance of the centre must be 0 mm or more");
+  if (without_edge_on(joint.ball).faces.empty() || without_edge_on(joint.socket).faces.empty())
+    throw std::invalid_argument(
+        "motion volume: a surface has no face that the centre sees; give both meshes");
+  return question;
+}
+
+}  // namespace
+
+std::string_view name(CellState state) {
+  constexpr std::array<std::string_view, 4> kNames{"free", "blocked", "unknown", "open"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+RotationBall ball_about(const RotationCell& cell) {
+  return {rotation_of(centre(cell)), angular_radius(cell)};
+}
+
+CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question)
+    : seen(mesh, layer, layer == Layer::nearest && edge_on(question)),
+      limits(without_edge_on(layer == Layer::farthest ? moved_out(mesh, question) : mesh), layer),
+      holes(layer == Layer::farthest ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
+      floor(seen) {
+  if (layer == Layer::farthest && (question.gap_mm > 0.0 || edge_on(question)))
+    moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
+}
+
+CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside)
+    : question_(checked(joint, question)),
+      growth_(growth_of(joint.ball, question.gap_mm)),
+      bodies_(joint, beside) {
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    const Surface of = kSurfaces[k];
+    sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
+  });
+  const SeenSurface& socket = surface(Surface::socket);
+  least_ball_ = grown_ball().least_radius() - growth_;
+  least_socket_ = socket.least_radius();
+  edge_on_ = grown_ball().edge_on() || socket.edge_on();
+}
+
+NearPoses CellTest::poses_near(const RotationBall& rotations) const {
+  const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
+  const double turn = rotations.radius + kTurnSlack;
+  const double most = std::min(kPi, turned + turn);
+  const double within = question_.centre_within_mm;
+  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance),
+          question_.gap_mm};
+}
+
+// See cell_test.hpp: of these two faces, which is no more than that of all.
+CapAngle CellSearch::angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const {
+  const double r = test_.question_.centre_within_mm;
+  const double gap = test_.question_.gap_mm;
+  if (r == 0.0) return asked.angle;
+  const double y = socket.range.low;
+  const double farthest = ball.range.high + asked.shift;
+  const double nearest = ball.range.low - test_.growth_;  // |p|, which the gap adds nothing to
+  if (!(y > r + gap) || !(nearest > asked.shift) || !(farthest > r)) return asked.angle;
+  const double part = std::max({1.0 - (y - r) / (farthest - r), gap / (y - r - gap), 0.0});
+  const double turned = std::asin(asked.shift / nearest) + std::asin(std::min(1.0, part * r / y));
+  return CapAngle(std::min(asked.angle.radius, asked.turn + turned + kTurnSlack));
+}
+
+bool CellSearch::may_touch(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const {
+  if (ball.range.high + asked.shift < socket.range.low * (1.0 - kTolerance)) return false;
+  const CapAngle angle = angle_of(asked, socket, ball);
+  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + angle.radius)
+    return false;
+  const bool planes = !ball.plane.isZero(0.0) && !socket.plane.isZero(0.0);  // else ranges have to do
+  const double scale = 1.0 / (1.0 + asked.shift / ball.range.low);
+  const Vec3 q = ball.plane * scale;
+  const double slack = (ball.doubt + socket.face->doubt + kTolerance) * (q.norm() + socket.plane.norm());
+  const double beyond = -angle.sine - kSideSlack;
+  DirectionPolygon of_ball(ball.corner);
+  for (const Vec3& n : socket.inward) of_ball.clip(n, beyond);
+  if (std::ranges::none_of(of_ball.points(), [&](const Vec3& w) {
+        return !planes || most_over(socket.plane, w, angle) - q.dot(w) >= -slack;
+      }))
+    return false;
+  DirectionPolygon of_socket(socket.corner);
+  for (const Vec3& n : ball.inward) of_socket.clip(n, beyond);
+  return std::ranges::any_of(of_socket.points(), [&](const Vec3& u) {
+    return !planes || socket.plane.dot(u) - least_over(q, u, angle) >= -slack;
+  });
+}
+
+CellSearch::PosedFace CellSearch::posed(const Asked& asked, std::uint32_t socket_face) const {
+  const DirectionFace& face = test_.surface(Surface::socket).faces()[socket_face];
+  PosedFace at{&face, {}, {}, asked.inverse * face.plane, asked.inverse * face.cap.axis, face.range};
+  for (std::size_t k = 0; k < 3; ++k) {
+    at.corner[k] = asked.inverse * face.corner[k];
+    at.inward[k] = asked.inverse * face.inward[k];
+  }
+  return at;
+}
+
+bool CellSearch::find_pair_of(const Asked& asked, std::uint32_t socket_face, CellHint& hint) const {
+  const PosedFace socket = posed(asked, socket_face);
+  const NearCap near{socket.axis.cast<float>(),
+                     static_cast<float>(socket.face->cap.radius + asked.angle.radius),
+                     static_cast<float>(socket.range.low * (1.0 - kTolerance) - asked.shift)};
+  const SeenSurface& ball = test_.grown_ball();
+  Pending pending;
+  pending.push(0);
+  while (pending.count > 0) {
+    const CapBlock& block = ball.face_tree().blocks()[pending.pop()];
+    const auto may_hold = near_nodes(block, near);
+    for (std::size_t k = 0; k < block.nodes; ++k) {
+      if (may_hold[k] == 0) continue;
+      if (!block.leaf(k)) pending.push(block.first[k]);
+      for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f) {
+        if (!may_touch(asked, socket, ball.faces()[f])) continue;
+        hint.ball_face = f;
+        hint.socket_face = socket_face;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool CellSearch::find_pair(const Asked& asked, CellHint& hint) const {
+  if (hint.ball_face != CellHint::kNone &&
+      may_touch(asked, posed(asked, hint.socket_face), test_.grown_ball().faces()[hint.ball_face]))
+    return true;
+  if (hint.socket_face != CellHint::kNone && find_pair_of(asked, hint.socket_face, hint)) return true;
+  const CapLimits& farthest = test_.side(Surface::ball).limits;
+  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
+    const float wide =
+        std::nextafter(block.angle[k] + static_cast<float>(asked.angle.radius + kTurnSlack), HUGE_VALF);
+    const double most = test_.edge_on_ ? HUGE_VAL : farthest.within(asked.inverse * axis_of(block, k), wide);
+    return most + asked.shift - block.low[k];
+  };
+  return search_deepest(test_.surface(Surface::socket).face_tree(), SIZE_MAX, depth_of,
+                        [&](std::uint32_t face) { return find_pair_of(asked, face, hint); });
+}
+
+CellSearch::Reach CellSearch::reach_at(const Asked& asked, Surface of, std::uint32_t vertex) const {
+  const bool of_ball = of == Surface::ball;
+  const Vec3& x = test_.surface(of).vertices()[vertex];
+  const double length = x.norm();
+  Reach reach;
+  const double r = test_.question_.centre_within_mm;
+  const double gap = test_.question_.gap_mm;
+  const double shift = asked.shift + 2.0 * gap * r / length;
+  reach.radius = of_ball ? length + gap - shift : length - gap + shift;
+  const double nearest = std::min(length, of_ball ? test_.least_socket_ : HUGE_VAL) - shift;
+  if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * length)) return reach;
+  reach.cap.axis = (of_ball ? asked.rotation : asked.inverse) * x / length;
+  reach.cap.radius = asked.turn + std::asin(asked.shift / length) + std::asin(r / nearest) + kTurnSlack;
+  const SeenSurface& met = test_.surface(other(of));
+  reach.face = test_.side(other(of)).floor.face_along(reach.cap.axis);
+  if (reach.face == DirectionFace::kNone) return reach;
+  const DirectionFace& face = met.faces()[reach.face];
+  // How far from the axis the plane of that face keeps to the radius.
+  const double along = face.plane.dot(reach.cap.axis);
+  const double tilt = std::atan2(face.plane.cross(reach.cap.axis).norm(), along);
+  const double limit = 1.0 / (reach.radius * face.plane.norm());
+  const double turn = limit >= 1.0 ? 0.0 : std::acos(limit);
+  reach.angle = of_ball ? (limit >= 1.0 ? -1.0 : turn - tilt) : (limit >= 1.0 ? kPi : tilt - turn);
+  if (face.plane.isZero(0.0)) reach.angle = 0.0;
+  return reach;
+}
+
+bool CellSearch::blocks(const Reach& reach, Surface of) {
+  if (reach.face == DirectionFace::kNone || reach.angle < 0.0) return false;
+  const CapAngle angle(reach.cap.radius);
+  if (angle.wide) return false;
+  const double inverse = 1.0 / reach.radius;
+  const Vec3 across = reach.cap.axis.unitOrthogonal();
+  const std::array<Vec3, 2> sides{across, reach.cap.axis.cross(across)};
+  const auto polygon = [&](const DirectionFace& face) {
+    DirectionPolygon kept(face.corner);
+    for (const Vec3& side : sides) {
+      kept.clip(angle.tangent * reach.cap.axis + side, -kSideSlack);
+      kept.clip(angle.tangent * reach.cap.axis - side, -kSideSlack);
+    }
+    return kept;
+  };
+  const auto within = [&](const DirectionFace& face) {  // of the socket: no farther than the radius
+    if (face.range.high <= reach.radius * (1.0 - kTolerance)) return true;
+    if (face.plane.isZero(0.0)) return false;
+    const double least = inverse * (1.0 + kTolerance + face.doubt) + kTolerance * face.plane.norm();
+    if (least_over(face.plane, reach.cap.axis, angle) >= least) return true;
+    const DirectionPolygon kept = polygon(face);
+    return std::ranges::all_of(kept.points(),
+                               [&](const Vec3& u) { return face.plane.dot(u) >= least * u.norm(); });
+  };
+  const auto beyond = [&](const DirectionFace& face) {  // of the ball: no nearer
+    if (face.range.low >= reach.radius * (1.0 + kTolerance)) return true;
+    if (face.plane.isZero(0.0)) return false;
+    const double most = inverse * (1.0 - kTolerance - face.doubt) - kTolerance * face.plane.norm();
+    if (most_over(face.plane, reach.cap.axis, angle) <= most) return true;
+    const DirectionPolygon kept = polygon(face);
+    return std::ranges::all_of(
+        kept.points(), [&](const Vec3& u) { return face.plane.dot(u) <= most * u.dot(reach.cap.axis); });
+  };
+  const SeenSurface& met = test_.surface(other(of));
+  return of == Surface::ball ? met.covers(reach.cap, reach.face, memory_, within)
+                             : met.covers(reach.cap, reach.face, memory_, beyond);
+}
+
+bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, double& best) {
+  const bool of_ball = of == Surface::ball;
+  const CellTest::Side& met = test_.side(other(of));
+  const double more = test_.question_.gap_mm - asked.shift;
+  const auto take = [&](std::uint32_t v) {
+    const Reach reach = reach_at(asked, of, v);
+    if (reach.angle > best) {
+      best = reach.angle;
+      hint.vertex = v;
+      hint.of_ball = of_ball;
+    }
+    if (reach.angle < 0.5 * reach.cap.radius || !blocks(reach, of)) return false;
+    hint.vertex = v;
+    hint.of_ball = of_ball;
+    return true;
+  };
+  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
+    const Vec3 x = (of_ball ? asked.rotation : asked.inverse) * axis_of(block, k);
+    if (block.angle[k] < asked.angle.radius) {
+      const double reached = met.floor.within(x, asked.angle.radius - block.angle[k]);
+      return reached + (of_ball ? block.high[k] : -block.low[k]) + more;
+    }
+    const double limit = met.limits.within(x, block.angle[k]);
+    return of_ball ? block.high[k] + more - limit : limit - block.low[k] - asked.shift;
+  };
+  return search_deepest(test_.surface(of).vertex_tree(), kMostVertices, depth_of, take);
+}
+
+bool CellSearch::may_leave(const Asked& asked) const {
+  const MeshHoles& holes = test_.side(Surface::ball).holes;
+  const SeenSurface& socket = test_.surface(Surface::socket);
+  const auto meet = [&](std::uint32_t hole, std::uint32_t face) {
+    const DirectionCap& cap = holes.caps[hole];
+    return socket.near(face, {asked.rotation * cap.axis, cap.radius + asked.angle.radius});
+  };
+  const auto visit = [&](const auto& self, std::uint32_t hole, std::size_t lane, std::uint32_t at) -> bool {
+    const CapBlock& of = holes.tree.blocks()[hole];
+    const CapBlock& block = socket.face_tree().blocks()[at];
+    const Vec3 axis = asked.rotation * axis_of(of, lane);
+    for (std::size_t k = 0; k < block.nodes; ++k) {
+      if ((axis - axis_of(block, k)).norm() > of.angle[lane] + block.angle[k] + asked.angle.radius) continue;
+      if (!of.leaf(lane)) {
+        for (std::size_t l = 0; l < holes.tree.blocks()[of.first[lane]].nodes; ++l)
+          if (self(self, of.first[lane], l, at)) return true;
+        return false;  // all of the block was asked
+      }
+      if (!block.leaf(k) && self(self, hole, lane, block.first[k])) return true;
+      for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f)
+        for (std::uint32_t h = of.first[lane]; h < of.first[lane] + of.items[lane]; ++h)
+          if (meet(h, f)) return true;
+    }
+    return false;
+  };
+  for (std::size_t lane = 0; lane < holes.tree.blocks()[0].nodes; ++lane)
+    if (visit(visit, 0, lane, 0)) return true;
+  return false;
+}
+
+bool CellSearch::leaves(const Asked& asked) const {
+  const CellTest::Side& ball = test_.side(Surface::ball);
+  const CellTest::Side& socket = test_.side(Surface::socket);
+  const double turn = asked.angle.radius + kTurnSlack;
+  return std::ranges::any_of(ball.holes.empty,
+                             [&](const DirectionCap& hole) {
+                               return hole.radius >= turn &&
+                                      socket.floor.face_along(asked.rotation * hole.axis) !=
+                                          DirectionFace::kNone;
+                             }) ||
+         std::ranges::any_of(socket.seen.vertices(), [&](const Vec3& y) {
+           const Vec3 x = asked.inverse * y;
+           return ball.floor.uncovered(x) && !ball.seen.any_near({x.stableNormalized(), turn});
+         });
+}
+
+CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
+  const NearPoses poses = test_.poses_near(rotations);
+  const double shift = poses.shift_mm;
+  const double r = test_.question_.centre_within_mm;
+  if (r > 0.0 &&
+      !(std::min(test_.least_ball_, test_.least_socket_) > std::max(shift, r) + test_.question_.gap_mm))
+    return {};
+  const double doubt =
+      r == 0.0 ? 0.0 : std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_);
+  const Asked asked{rotations.rotation, rotations.rotation.transpose(), shift,
+                    CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
+  if (asked.angle.wide) return {};
+  CellVerdict verdict = facing(asked, from);
+  // By radii: of main surfaces, a gap, or contact where bones have no inside (limits/body_pairs.hpp).
+  const BodyPairs& bodies = test_.bodies_;
+  const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
+  if (by_radii && verdict.state == CellState::blocked) return verdict;
+  const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
+  if (!bodies.may_meet(poses, apart || by_radii)) {
+    if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
+    return verdict;
+  }
+  const bool overlap = bodies.overlap(poses, apart || by_radii);
+  if (overlap || apart) verdict.hint = {};  // the main surfaces do not stop it
+  verdict.state = overlap ? CellState::blocked : CellState::open;
+  return verdict;
+}
+
+// Nothing touches: does the ball's mesh end under the socket?
+CellState CellSearch::state_of_free(const Asked& asked) const {
+  if (test_.side(Surface::ball).holes.tree.blocks().empty() || !may_leave(asked)) return CellState::free;
+  return leaves(asked) ? CellState::unknown : CellState::open;
+}
+
+CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
+  CellVerdict verdict{CellState::blocked, from};
+  const Surface of = from.of_ball ? Surface::ball : Surface::socket;
+  double best = -1.0;
+  if (from.vertex != CellHint::kNone) {
+    const Reach reach = reach_at(asked, of, from.vertex);
+    if (blocks(reach, of)) return verdict;
+  }
+  if (!find_pair(asked, verdict.hint)) {
+    verdict.state = state_of_free(asked);
+    return verdict;
+  }
+  if (find_reach(asked, Surface::socket, verdict.hint, best) ||
+      find_reach(asked, Surface::ball, verdict.hint, best))
+    return verdict;
+  verdict.state = CellState::open;
+  return verdict;
+}
+
+}  // namespace impinge

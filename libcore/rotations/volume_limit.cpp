@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "rotations/volume.hpp"
+
+namespace impinge {
+namespace {
+
+// Cells are decided for rotations 1e-9 rad beyond them: what rounding may part is joined again.
+constexpr double kJoined = 1e-10;
+
+Quaternion4 quaternion(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+// Half angles h, where q(h) = cos h from + sin h across.
+struct HalfTurn {
+  Quaternion4 from;
+  Quaternion4 across;
+};
+struct HalfAngles {
+  double low;
+  double high;
+  bool empty() const { return !(low <= high); }
+  // Keeps those where n . q(h) >= 0. h being in [0, pi / 2], they are one span.
+  void keep(const HalfTurn& turn, const Quaternion4& n) {
+    const double cosine = n.dot(turn.from);
+    const double sine = n.dot(turn.across);
+    if (std::abs(cosine) + std::abs(sine) < kJoined) return;  // the way runs along this side
+    const double phase = std::atan2(sine, cosine);
+    low = std::max(low, phase - 0.5 * kPi - kJoined);
+    high = std::min(high, phase + 0.5 * kPi + kJoined);
+  }
+};
+
+// Those within a cell; sign is that of the quaternion.
+HalfAngles within(const RotationCell& cell, const HalfTurn& turn, double sign, double largest) {
+  HalfAngles found{0.0, largest};
+  const auto cube = static_cast<Eigen::Index>(cell.number >> (3 * cell.level));
+  const Quaternion4 low = point_of(cell, {-1.0, -1.0, -1.0});
+  const Quaternion4 high = point_of(cell, {1.0, 1.0, 1.0});
+  found.keep(turn, sign * Quaternion4::Unit(cube));
+  for (Eigen::Index k = 0; k < 4 && !found.empty(); ++k) {
+    if (k == cube) continue;
+    found.keep(turn, sign * (Quaternion4::Unit(k) - low[k] * Quaternion4::Unit(cube)));
+    found.keep(turn, sign * (high[k] * Quaternion4::Unit(cube) - Quaternion4::Unit(k)));
+  }
+  return found;
+}
+
+struct CellOnWay {
+  HalfAngles angles;
+  VolumeCell cell;
+};
+
+}  // namespace
+
+VolumeLimit MotionVolume::limit(const JointTurn& turn, double largest_deg) const {
+  if (!(largest_deg > 0.0 && largest_deg <= 180.0))
+    throw std::invalid_argument("motion volume: the largest angle of a motion must be above 0 and up to 180");
+  const Eigen::Quaterniond outer(turn.outer);
+  const Eigen::Quaterniond inner(turn.inner);
+  const Eigen::Quaterniond half(0.0, turn.axis.x(), turn.axis.y(), turn.axis.z());
+  const HalfTurn way{quaternion(outer * inner), quaternion(outer * half * inner)};
+  const double largest = 0.5 * largest_deg * kDegree;
+  std::vector<CellOnWay> met;
+  const auto visit = [&](const auto& self, const RotationCell& cell, std::uint32_t node,
+                         double sign) -> void {
+    const HalfAngles angles = within(cell, way, sign, largest);
+    if (angles.empty()) return;
+    if (nodes_[node].first == 0) met.push_back({angles, leaf(cell, node)});
+    for (std::uint32_t k = 0; k < 8 && nodes_[node].first != 0; ++k)
+      self(self, child(cell, k), nodes_[node].first + k, sign);
+  };
+  for (std::uint32_t cube = 0; cube < 4; ++cube) {
+    for (const double sign : {1.0, -1.0}) visit(visit, {0, cube}, cube, sign);
+  }
+  std::ranges::stable_sort(met, {}, [](const CellOnWay& at) { return at.angles.low; });
+  VolumeLimit found;
+  double free = 0.0;
+  for (const CellOnWay& at : met) {
+    if (at.cell.state == CellState::free && at.angles.low <= free + kJoined)
+      free = std::max(free, at.angles.high);
+    if (at.cell.state == CellState::blocked && !found.high_deg)
+      found.high_deg = std::min(2.0 * std::max(at.angles.low, 0.0) / kDegree, largest_deg);
+  }
+  found.low_deg = free < largest ? 2.0 * free / kDegree : largest_deg;
+  for (const CellOnWay& at : met) {
+    const bool here = at.angles.low <= free + 2.0 * kJoined && at.angles.high >= free - 2.0 * kJoined;
+    if (free < largest && here && at.cell.state != CellState::free &&
+        (!found.stops || found.stops->cell.level < at.cell.cell.level))
+      found.stops = at.cell;
+  }
+  return found;
+}
+
+}  // namespace impinge

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a joint says of bone beside it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "joint/limits.hpp"
+#include "joint/measurement.hpp"
+#include "joint/orientation.hpp"
+#include "joint/pose_series.hpp"
+#include "joint/proof.hpp"
+#include "joint/resection.hpp"
+#include "joint/volume.hpp"
+#include "mesh/bodies.hpp"
+#include "support/hip_with_parts.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+Session session_of(Hip hip, const std::optional<Vec3>& centre = {}) {
+  JointInput input;
+  input.centre = centre;
+  input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
+  input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
+  input.side = Side::right;
+  return {assemble_joint(std::move(input)), Side::right, "RAS"};
+}
+
+// Which part stops a motion is said, and the main surfaces give centre, dial and warnings as without parts.
+TEST(Parts, AreNamedByALimit) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const Session without = session_of(make_hip({}, 2000));
+  const auto parts_of = [&](double flexion, const char* motion) {
+    const LimitAnswers found = answer_limits(session, {.start = {.flexion = flexion}, .growing = motion});
+    EXPECT_EQ(found.contact.ball_part, found.socket.value().ball_part);
+    EXPECT_EQ(found.contact.socket_part, found.socket.value().socket_part);
+    return found.contact.ball_part + "/" + found.contact.socket_part;
+  };
+  EXPECT_EQ(parts_of(70.0, "internal_rotation"), "/AIIS");
+  EXPECT_EQ(parts_of(0.0, "adduction"), "/");
+  const Joint& with = session.joint->joint;
+  EXPECT_EQ(with.centre, without.joint->joint.centre);
+  EXPECT_EQ(with.warnings, without.joint->joint.warnings);
+  EXPECT_EQ(session.joint->dial.value().twelve, without.joint->dial.value().twelve);
+}
+
+// The spine is above the shadow of a shaft at 120 degrees, nowhere near it: how much of the shaft there is
+// changes nothing.
+TEST(Parts, StopNothingThatPassesThemAtADistance) {
+  double least = 360.0;
+  double most = 0.0;
+  for (const double length : {15.0, 40.0}) {
+    HipParameters parameters = test::hip_with_parts();
+    parameters.shaft_length = length;
+    Session session = session_of(make_hip(parameters, 2000));
+    const double low = answer_limits(session, {.start = {}, .growing = "flexion"}).contact.told.limit.low_deg;
+    least = std::min(least, low);
+    most = std::max(most, low);
+    for (const double flexion : {120.0, low - 0.1}) {
+      PoseQuestion asked;
+      asked.question = Question::touch;
+      asked.motion = {.flexion = flexion};
+      EXPECT_FALSE(answer_question(*session.joint, asked).answer.touches.at(0)) << length << " " << flexion;
+    }
+  }
+  EXPECT_LT(most - least, 0.5);
+}
+
+// Touch of one pose, of a list of poses and a limit say the same of the spine.
+TEST(Parts, TouchInPosesBehindTheLimit) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
+  const TurnLimit limit = answer_limits(session, request).contact.told.limit;
+  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  for (const double beyond : {-0.01, 0.01}) {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0, .internal_rotation = limit.high_deg + beyond};
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.at(0), beyond > 0.0);
+    EXPECT_EQ(series.answer(pose_of(*session.joint, asked.motion)).touch->contact == Contact::yes,
+              beyond > 0.0);
+  }
+}
+
+// A volume names the part that stops a motion, and the map is smaller than without parts.
+TEST(Parts, AreInVolumeAndOrientation) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  Session without = session_of(make_hip({}, 1000));
+  VolumeRequest request;
+  request.settings.width = 0.08;
+  const VolumeAnswer found = answer_volume(*session.joint, request);
+  const VolumeAnswer alone = answer_volume(*without.joint, request);
+  EXPECT_LT(found.volume.shares().high(), alone.volume.shares().high());
+  std::size_t by_spine = 0;
+  for (std::size_t k = 0; k < found.stops.size(); ++k) {
+    const VolumeStop& stop = found.stops[k];
+    const auto [start, growing] = std::pair(stop.motion->start, std::string(stop.motion->growing));
+    const TurnLimit limit = answer_limits(session, {.start = start, .growing = growing}).contact.told.limit;
+    EXPECT_LE(stop.limit.low_deg, limit.high_deg + 1e-6) << stop.motion->name;
+    if (stop.limit.high_deg) {
+      EXPECT_GE(*stop.limit.high_deg, limit.low_deg - 1e-6) << stop.motion->name << " " << limit.high_deg;
+    }
+    EXPECT_TRUE(alone.stops[k].socket_part.empty());
+    by_spine += stop.socket_part == "AIIS" ? 1U : 0U;
+  }
+  EXPECT_GE(by_spine, 1U);
+  OrientationRequest turned{.required = {{.flexion = 90.0, .internal_rotation = 25.0}},
+                            .resolution_deg = 2.0};
+  EXPECT_LT(answer_orientation(session, turned).free, answer_orientation(without, turned).free);
+}
+
+// Gaps are those without parts, vertices of parts have none, and distances are to the nearest bone.
+TEST(Parts, LeaveGapsAsTheyAre) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  Session alone = session_of(make_hip({}, 1000));
+  PoseSeries series(session.joint->joint, {.areas = true});
+  PoseSeries series_alone(alone.joint->joint, {.areas = true});
+  for (const auto precision : {std::optional<double>(), std::optional<double>(2.0)}) {
+    PoseQuestion asked;
+    asked.precision_deg = precision;
+    asked.motion = {.flexion = 70.0, .internal_rotation = 20.0};
+    const Measurement found = measure(session, asked);
+    const Measurement expected = measure(alone, asked);
+    bool nearer = false;
+    for (const Surface of : kSurfaces) {
+      const std::size_t vertices = expected.of(of).gap.size();
+      ASSERT_GT(session.joint->mesh(of).vertices.size(), vertices);
+      ASSERT_EQ(found.of(of).gap.size(), session.joint->mesh(of).vertices.size());
+      for (std::size_t i = 0; i < found.of(of).gap.size(); ++i) {
+        const double gap = i < vertices ? expected.of(of).gap[i] : kNoSurface;
+        const double bound = i < vertices ? expected.of(of).bound[i] : kNoSurface;
+        EXPECT_TRUE(found.of(of).gap[i] == gap || (std::isnan(found.of(of).gap[i]) && std::isnan(gap))) << i;
+        EXPECT_TRUE(found.of(of).bound[i] == bound ||
+                    (std::isnan(found.of(of).bound[i]) && std::isnan(bound)));
+        if (i >= vertices) continue;
+        EXPECT_LE(found.of(of).distance[i].lower_mm, expected.of(of).distance[i].upper_mm);
+        nearer = nearer || found.of(of).distance[i].upper_mm < expected.of(of).distance[i].lower_mm;
+      }
+      EXPECT_EQ(found.of(of).bone.impinged_area, expected.of(of).bone.impinged_area);
+      EXPECT_EQ(found.of(of).histogram.without, expected.of(of).histogram.without);
+    }
+    EXPECT_TRUE(nearer) << "a part is nearer to some vertex";
+    EXPECT_EQ(found.smallest.value().gap_mm, expected.smallest.value().gap_mm);
+    EXPECT_EQ(found.certificate.value().surfaces_impinged, expected.certificate.value().surfaces_impinged);
+    EXPECT_FALSE(expected.part);
+    // Of all vertices to all bone that they may be a part's nearest of: no pair of bodies is nearer.
+    double least = HUGE_VAL;
+    for (const Surface of : kSurfaces) {
+      for (std::size_t i = expected.of(of).gap.size(); i < found.of(of).distance.size(); ++i)
+        least = std::min(least, found.of(of).distance[i].upper_mm);
+    }
+    EXPECT_FALSE(found.part.value().touch);
+    EXPECT_GT(found.part->distance_mm, 0.0);
+    EXPECT_LE(found.part->distance_mm, least + 1e-9);
+    asked.precision_deg.reset();
+    asked.question = Question::first_contact;
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.smallest.value().gap_mm,
+              answer_question(*alone.joint, asked).answer.smallest.value().gap_mm);
+    const Pose pose = pose_of(*session.joint, asked.motion);
+    const SeriesAnswer of_series = series.answer(pose);
+    EXPECT_EQ(of_series.smallest.value().least.gap_mm,
+              series_alone.answer(pose).smallest.value().least.gap_mm);
+    EXPECT_EQ(of_series.areas.value()[0].cartilage, series_alone.answer(pose).areas.value()[0].cartilage);
+  }
+}
+
+std::vector<Pose> many_poses(const SessionJoint& joint) {
+  std::vector<Pose> poses;
+  for (const double flexion : {-20.0, 0.0, 70.0, 110.0, 130.0}) {
+    for (const double abduction : {0.0, 45.0}) {
+      for (const double rotation : {-40.0, 0.0, 50.0, 55.0}) {
+        poses.push_back(pose_of(joint, {flexion, abduction, rotation}));
+        poses.push_back(pose_of(joint, {flexion, abduction, rotation}, Vec3(0.0, 0.4, -0.4)));
+      }
+    }
+  }
+  return poses;
+}
+
+// Touch decides exactly, and knows nothing of certificates.
+TEST(Parts, HaveCertificatesThatAgreeWithTouch) {
+  const Session session = session_of(make_hip(test::hip_with_parts(), 1000));
+  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  std::map<bool, int> touched;
+  for (const Pose& pose : many_poses(*session.joint)) {
+    const ClearanceProof proof = answer_proof(*session.joint, pose);
+    EXPECT_EQ(proof.files, (std::array<std::size_t, 2>{3, 2}));
+    const BodyPairs::Verdict touch = series.answer(pose).touch.value();
+    const bool touches = touch.contact == Contact::yes && touch.rule != ContactRule::radii;
+    EXPECT_EQ(touches, proof.says != ClearanceProof::Says::clear);
+    ++touched[touches];
+  }
+  EXPECT_GT(std::min(touched[true], touched[false]), 10);
+}
+
+// The spine stops it before the rim does.
+TEST(Parts, EndAMotionThatHasACertificate) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
+  const double limit = answer_limits(session, request).contact.told.limit.low_deg;
+  const ClearanceProof proof = answer_proof(session, request);
+  EXPECT_EQ(proof.says, ClearanceProof::Says::clear);
+  EXPECT_NEAR(degrees_of(proof.last), limit - kProofEndsBefore[0], 1e-6);
+  const Pose beyond = pose_of(*session.joint, {70.0, 0.0, limit + 0.2});
+  EXPECT_EQ(answer_proof(*session.joint, beyond).says, ClearanceProof::Says::crossing);
+}
+
+void expect_inside(Hip hip) {
+  Session session = session_of(std::move(hip));
+  EXPECT_EQ(answer_proof(*session.joint, {}).says, ClearanceProof::Says::inside);
+  const auto motion = [&] { answer_proof(session, {.start = {}, .growing = "flexion"}); };
+  EXPECT_EQ(test::thrown<std::runtime_error>(motion),
+            "the motion ends within 0.01 degrees of its start; begin at another pose");
+}
+
+TEST(Parts, InsideOtherBoneTouchIt) {
+  Hip shell = make_hip({}, 1000);
+  append_part(shell.socket, shell.socket_parts, "shell", sphere(400.0, 100));
+  expect_inside(shell);
+  Hip screw = make_hip({}, 1000);
+  append_part(screw.socket, screw.socket_parts, "screw", sphere(2.0, 100));
+  expect_inside(screw);
+}
+
+ResectionRequest requiring(const std::string& motion, bool least = false) {
+  ResectionRequest request;
+  request.required = {parse_motion(motion)};
+  request.least = least;
+  return request;
+}
+
+TEST(Parts, AreNamedWhereTheyTouchBeforeACut) {
+  Hip hip = make_hip({}, 2000);
+  TriangleMesh shifted = hip.ball;
+  for (Vec3& x : shifted.vertices) x.x() += 1.0;
+  append_part(hip.socket, hip.socket_parts, "plate", shifted);
+  Session session = session_of(std::move(hip));
+  EXPECT_EQ(test::thrown<std::runtime_error>([&] { answer_resection(session, requiring("flexion=10")); }),
+            "the ball meets plate in the pose of the scan, before any required motion; check the meshes and "
+            "the centre");
+}
+
+// A cam is cut so that the path is clear, parts and all, pose by pose by the exact test; what only a part
+// stops is no matter of a cut.
+TEST(Parts, AreLookedAtAfterACut) {
+  Session session = session_of(make_hip(test::hip_with_parts(hip_preset("cam")), 2000));
+  const auto low = [&](Session& of) {
+    return answer_limits(of, {.start = {.flexion = 70.0}, .growing = "internal_rotation"})
+        .contact.told.limit.low_deg;
+  };
+  const double before = low(session);
+  ASSERT_LT(before, 34.0);
+  const ResectionAnswer answer = answer_resection(session, requiring("flexion=70,internal_rotation=35"));
+  EXPECT_GT(answer.cut.volume_mm3.low, 0.0);
+  Hip hip = make_hip(test::hip_with_parts(hip_preset("cam")), 2000);
+  const std::vector<MeshPart> names = std::exchange(hip.ball_parts, {});
+  const std::vector<TriangleMesh> parts = part_surfaces(std::exchange(hip.ball, answer.cut.cut), names);
+  for (Vec3& x : hip.ball.vertices)  // from the joint frame
+    x = session.joint->axes.transpose() * x + session.joint->joint.centre;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    append_part(hip.ball, hip.ball_parts, names[k].name, parts[k]);
+  Session after = session_of(std::move(hip), session.joint->joint.centre);
+  for (const double rotation : {0.0, before, 0.5 * (before + 35.0), 34.9}) {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0};
+    asked.motion.internal_rotation = rotation;
+    EXPECT_FALSE(answer_question(*after.joint, asked).answer.touches.at(0)) << rotation;
+  }
+  const std::string refusal = test::thrown<std::runtime_error>(
+      [&] { answer_resection(session, requiring("flexion=70,internal_rotation=55")); });
+  EXPECT_EQ(refusal.rfind("the ball meets AIIS ", 0), 0U) << refusal;
+  EXPECT_NE(
+      refusal.find(" degrees into internal_rotation from 0 to 55 degrees at flexion 70, and bone beside "
+                   "the joint is not cut; require less"),
+      std::string::npos)
+      << refusal;
+}
+
+// What does not look at parts says so, and leaves them out of nothing in silence.
+TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
+  Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  const std::string cure =
+      ": bone beside the joint, such as greater trochanter, is not taken into account here; leave it out";
+  EXPECT_EQ(test::thrown<std::runtime_error>(
+                [&] { answer_resection(session, requiring("flexion=60", /*least=*/true)); }),
+            "the least cut of all" + cure);
+}
+
+// The vertices of one surface, and parts all the same.
+TEST(Parts, StopATouchOfVertices) {
+  const Session session = session_of(make_hip(test::hip_with_parts(), 2000));
+  for (const double turn : {0.0, 55.0}) {
+    PoseQuestion asked;
+    asked.question = Question::touch;
+    asked.motion = {.flexion = 70.0, .internal_rotation = turn};
+    const bool all = answer_question(*session.joint, asked).answer.touches.front();
+    asked.scan_socket = false;
+    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.front(), all);
+    EXPECT_EQ(all, turn > 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace impinge

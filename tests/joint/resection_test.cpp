@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a cut of a user's ball, or socket, is refused; what it leaves: tests/motion,
+// tests/e2e/test_frames.py.
+#include "joint/resection.hpp"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+using test::thrown;
+
+Session scanned_hip(const HipParameters& parameters, std::size_t faces = 1500) {
+  const Hip hip = make_hip(parameters, faces);
+  JointInput input;
+  input.ball = {"ball", hip.ball};
+  input.socket = {"socket", hip.socket};
+  input.centre = Vec3::Zero();
+  input.side = Side::right;
+  return {assemble_joint(std::move(input)), Side::right, "RAS"};
+}
+
+ResectionRequest asked(std::string_view motion, double clearance = 0.5) {
+  return {{parse_motion(motion)}, clearance, {}, false};
+}
+
+// A head that is longer than wide, in a socket with its centre in front of it: flexion takes the long end to
+// the wall that is nearest, within a clearance that the pose of the scan just has.
+TEST(SessionResection, LeavesTheBearingSurfaceAlone) {
+  HipParameters oval = hip_preset("normal");
+  oval.head_axis_ratio = 1.02;
+  oval.shift_anterior = 2.0;
+  Session session = scanned_hip(oval);
+  const Hip hip = make_hip(oval, 1500);
+  const TurnLimits limits({hip.ball, hip.socket});
+  const double gap = limits.smallest_gap(joint_turn({}, motion_name("flexion"), Side::right), 0.0)->gap_mm;
+  const std::string said =
+      thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=60", gap - 0.05)); });
+  EXPECT_NE(said.find("the bearing surface of the ball at ("), std::string::npos) << said;
+}
+
+ResectionRequest asked_of_rim(std::string_view motion, double most_rim_mm = kMostRim) {
+  ResectionRequest request = asked(motion);
+  request.cut = Surface::socket;
+  request.most_rim_mm = most_rim_mm;
+  return request;
+}
+
+// More than may go of the rim, by little or by much.
+TEST(SessionRimResection, LeavesTheBearingSurfaceAlone) {
+  Session session = scanned_hip(hip_preset("pincer"));
+  const auto refused = [&](const ResectionRequest& request) {
+    return thrown<std::runtime_error>([&] { answer_resection(session, request); });
+  };
+  const std::string said = refused(asked_of_rim("flexion=90,internal_rotation=30", 1.0));
+  EXPECT_EQ(said.find("the cut would reach the bearing surface of the socket at ("), 0U) << said;
+  EXPECT_NE(said.find("), more than 1.0 mm inside its rim; "), std::string::npos) << said;
+  EXPECT_NE(refused(asked_of_rim("flexion=110,internal_rotation=60")).find("more than 5.0 mm inside its rim"),
+            std::string::npos);
+}
+
+// No place is farther inside the rim than half round the sphere, and from once round on all would begin
+// again.
+TEST(SessionRimResection, MayBeAllowedAsMuchAsOneLikes) {
+  Session session = scanned_hip(hip_preset("pincer"));
+  for (const double most_rim_mm : {174.5, 175.5, 1e9})
+    EXPECT_NO_THROW(answer_resection(session, asked_of_rim("flexion=90,internal_rotation=25", most_rim_mm)));
+}
+
+TEST(SessionRimResection, IsNoLeastCut) {
+  Session session = scanned_hip(hip_preset("pincer"), 500);
+  ResectionRequest least = asked_of_rim("flexion=20");
+  least.least = true;
+  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, least); }),
+            "the least cut of all is one of the ball; cut the ball, or leave it out");
+}
+
+TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
+  Joint joint = scanned_hip(hip_preset("normal")).joint->joint;
+  for (Vec3& x : joint.ball.mesh.vertices) x *= 1.25;
+  Session session(std::move(joint), Side::right, "RAS");
+  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=30")); }).substr(0, 49),
+            "the ball meets the socket in the pose of the scan");
+}
+
+TEST(SessionResection, SaysWhereTheBallsMeshEnds) {
+  Session session = scanned_hip(hip_preset("normal"), 3000);
+  Joint joint = session.joint->joint;
+  TriangleMesh& ball = joint.ball.mesh;
+  std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).norm() > 26.0; });
+  Session cap(std::move(joint), Side::right, "RAS");
+  const std::string said = thrown<std::runtime_error>([&] { answer_resection(cap, asked("flexion=140")); });
+  EXPECT_NE(said.find("the ball's mesh ends under the socket from "), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interval of a limit holds for random centres within the distance, on its sphere and inside: about each
+// of them surfaces meet in no pose up to the lower end, and have met up to the upper end.
+#include <cmath>
+#include <cstddef>
+
+#include <gtest/gtest.h>
+
+#include "limits/turn_limit.hpp"
+#include "limits/turn_oracle.hpp"
+#include "mesh/bodies.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
+#include "support/random_cases.hpp"
+#include "support/turned.hpp"
+
+namespace impinge {
+namespace {
+
+using test::Dice;
+
+constexpr int kCentres = 4;
+
+constexpr double kLargest = 170.0;    // degrees, of a motion
+constexpr long double kNear = 1e-6L;  // mm: surfaces that come as near as that perhaps meet
+
+struct CentreCase {
+  BallSocketPair joint;
+  JointTurn motion;
+  CentreQuestion question;
+};
+
+struct CentreCounts {
+  std::size_t limited = 0;  // at the origin
+  std::size_t bounded = 0;  // with a proven upper end
+  std::size_t lower = 0;    // with a lower end above 0
+};
+
+test::OracleCentre centre_within(const CentreQuestion& question, Dice& random) {
+  const double length =
+      question.within_mm * (random.between(0.0, 1.0) < 0.7 ? 1.0 : random.between(0.0, 1.0));
+  const Vec3 by = random.rotation() * Vec3(0, 0, 0.999999 * length);
+  return question.doubt == CentreDoubt::common ? test::OracleCentre{by, Vec3::Zero()}
+                                               : test::OracleCentre{Vec3::Zero(), by};
+}
+
+void check_interval(const CentreCase& given, Dice& random, std::size_t number, CentreCounts& counts) {
+  const TurnLimits limits(given.joint);
+  const TurnLimit limit = limits.first_contact(given.motion, kLargest);
+  if (limit.state == LimitState::blocked) return;
+  const CentreInterval interval = limits.centre_interval(given.motion, limit, kLargest, given.question);
+  ASSERT_LE(interval.low_deg, limit.low_deg + 1e-9) << number;
+  ASSERT_GE(interval.high_deg, limit.high_deg - 1e-9) << number;
+  counts.limited += limit.state == LimitState::limited ? 1 : 0;
+  counts.bounded += interval.limited ? 1 : 0;
+  counts.lower += interval.low_deg > 0.0 ? 1 : 0;
+  for (int k = 0; k < kCentres; ++k) {
+    const test::TurnOracle oracle(given.joint, given.motion.axis, centre_within(given.question, random));
+    for (const double share : {1.0, random.between(0.9, 1.0), random.between(0.0, 1.0)})
+      ASSERT_FALSE(interval.low_deg > 0.0 && oracle.surely_meets(share * interval.low_deg)) << number;
+    if (interval.limited) {
+      ASSERT_TRUE(oracle.meets_by(interval.high_deg, kNear)) << number;
+    }
+  }
+}
+
+CentreQuestion random_question(CentreDoubt doubt, Dice& random) {
+  return {.doubt = doubt, .within_mm = random.power(-2.0, 0.3)};
+}
+
+class CentreIntervalAttack : public testing::TestWithParam<CentreDoubt> {};
+
+INSTANTIATE_TEST_SUITE_P(Doubts, CentreIntervalAttack,
+                         testing::Values(CentreDoubt::common, CentreDoubt::play),
+                         [](const auto& of) { return of.param == CentreDoubt::common ? "Common" : "Play"; });
+
+TEST_P(CentreIntervalAttack, OfLooseTriangles) {
+  Dice random(11);
+  CentreCounts counts;
+  const std::size_t cases = random_cases() / 2;
+  for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
+    CentreCase given;
+    for (int f = 0; f < 2; ++f) {
+      for (TriangleMesh* mesh : {&given.joint.ball, &given.joint.socket}) {
+        const Vec3 middle = random.rotation() * Vec3(0, 0, random.between(4.0, 25.0));
+        const double size = random.power(0.0, 1.2);
+        const auto corner = [&] { return Vec3(middle + random.rotation() * Vec3(0, 0, size)); };
+        test::add_face(*mesh, corner(), corner(), corner());
+      }
+    }
+    given.motion.axis = random.rotation() * Vec3::UnitX();
+    given.question = random_question(GetParam(), random);
+    check_interval(given, random, k, counts);
+  }
+  EXPECT_GT(counts.limited, cases / 10);
+  EXPECT_GT(counts.lower, cases / 4);
+}
+
+// A ball with a spike below a roof of four faces: the spike turns into the roof, or behind its rim.
+TEST_P(CentreIntervalAttack, OfASpikeBelowARoof) {
+  Dice random(12);
+  CentreCounts counts;
+  const std::size_t cases = random_cases() / 8;
+  for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
+    CentreCase given{
+        {octahedron(10.0), test::inside_out(octahedron(26.0))}, {}, random_question(GetParam(), random)};
+    given.joint.ball.vertices[1] *= random.between(1.2, 3.5);
+    std::erase_if(given.joint.socket.faces, [&](const Face& face) {
+      Vec3 middle = Vec3::Zero();
+      for (const VertexIndex v : face) middle += given.joint.socket.vertices[v];
+      return middle.z() < 0.0;
+    });
+    const Eigen::Matrix3d before = random.rotation();
+    for (Vec3& x : given.joint.ball.vertices) x = before * x;
+    for (Vec3& x : given.joint.socket.vertices) x *= random.between(0.8, 1.2);
+    given.motion.axis = random.rotation() * Vec3::UnitX();
+    check_interval(given, random, k, counts);
+  }
+  EXPECT_GT(counts.limited, cases / 10);
+  EXPECT_GT(counts.bounded, cases / 20);
+  EXPECT_GT(counts.lower, cases / 10);
+}
+
+// A sheet that slopes from 28 mm to 22 about the azimuth `at`, as wide as that on both sides of z = 0; faces
+// towards the centre. Its ends are far off.
+TriangleMesh slope(double at, double below, double above, double sag = 0.0) {
+  const auto place = [&](double along, double z) {
+    const double azimuth = at + 0.4 * along;
+    const double radius = 25.0 - 3.0 * along;
+    return Vec3(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
+  };
+  TriangleMesh mesh{{place(-1, -below), place(1, -below), place(1, above), place(-1, above),
+                     place(0, 0.5 * (above - below))},
+                    {{1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}};
+  mesh.vertices[4] *= 1.0 - sag / 25.0;
+  return mesh;
+}
+
+// A head, and far out a small face that leads with a corner.
+TriangleMesh head_with_a_tip() {
+  TriangleMesh ball = octahedron(5.0);
+  test::add_face(ball, {25, 0, 0}, Eigen::AngleAxisd(-1e-3, Vec3::UnitZ()) * Vec3(25, 0, 0.01),
+                 Eigen::AngleAxisd(-1e-3, Vec3::UnitZ()) * Vec3(25, 0, -0.01));
+  return ball;
+}
+
+// The tip crosses a sheet beside its rim: about other centres it may pass round that.
+TEST_P(CentreIntervalAttack, OfATipBesideARim) {
+  Dice random(13);
+  CentreCounts counts;
+  const std::size_t cases = random_cases() / 25;
+  for (std::size_t k = 0; k < cases && !HasFailure(); ++k) {
+    const double below = random.power(-2.0, 1.0);
+    CentreCase given{{head_with_a_tip(), slope(random.between(0.7, 2.0), below, random.power(-2.0, 1.0))},
+                     {.axis = Vec3::UnitZ()},
+                     {.doubt = GetParam(), .within_mm = random.power(-2.0, 0.3)}};
+    const Eigen::Matrix3d turned = random.rotation();
+    for (TriangleMesh* mesh : {&given.joint.ball, &given.joint.socket}) *mesh = test::turned(*mesh, turned);
+    given.motion.axis = turned * given.motion.axis;
+    check_interval(given, random, k, counts);
+  }
+  EXPECT_EQ(counts.limited, cases);
+  EXPECT_GT(counts.bounded, cases / 10);
+  EXPECT_LT(counts.bounded, cases * 9 / 10);
+}
+
+// A threshold likewise. What was turned before the motion begins makes other centres shift the ball across
+// the plane of the turn too.
+TEST(CentreIntervalAttack, OfAThresholdBesideARim) {
+  Dice random(16);
+  std::size_t bounded = 0;
+  const std::size_t cases = random_cases() / 25;
+  for (std::size_t k = 0; k < cases; ++k) {
+    const BallSocketPair joint{
+        head_with_a_tip(), slope(random.between(0.7, 2.0), random.power(-2.0, 1.0), random.power(-2.0, 1.0))};
+    const JointTurn turn{.axis = Vec3::UnitZ(), .inner = random.rotation()};
+    const CentreQuestion question{CentreDoubt::common, random.power(-2.0, 0.0), random.between(0.01, 0.1)};
+    const TriangleMesh ball = test::turned(joint.ball, turn.inner.transpose());
+    const TurnLimits limits({ball, joint.socket});
+    const TurnLimit limit = limits.gap_of(turn, question.gap_mm, kLargest);
+    const CentreInterval interval = limits.centre_interval(turn, limit, kLargest, question);
+    bounded += interval.limited ? 1 : 0;
+    for (int j = 0; interval.limited && j < kCentres; ++j) {
+      const Vec3 t = centre_within(question, random).centre;
+      const BallSocketPair about{test::turned(relative_to(ball, t), turn.inner),
+                                 relative_to(joint.socket, t)};
+      const test::TurnOracle oracle(about, turn.axis);
+      bool reached = oracle.meets_by(interval.high_deg, kNear);
+      for (double angle = interval.high_deg; angle > 0.0 && !reached; angle -= 0.02)
+        reached = oracle.smallest_gap(angle, -test::TurnOracle::kMargin) <= question.gap_mm + 0.005;
+      ASSERT_TRUE(reached) << k << ": " << interval.high_deg;
+    }
+  }
+  EXPECT_GT(bounded, cases / 10);
+}
+
+// Three sheets with one border, which is none of the mesh: the tip crosses all three, and with play passes
+// beside them.
+TEST_P(CentreIntervalAttack, OfSheetsThatShareABorder) {
+  Dice random(14);
+  CentreCounts counts;
+  for (std::size_t k = 0; k < 50 && !HasFailure(); ++k) {
+    const double width = random.between(0.2, 1.5);
+    const double at = random.between(0.7, 2.0);
+    TriangleMesh bubble = slope(at, width, width);
+    for (const double sag : {-0.3, 0.3}) {
+      const TriangleMesh layer = slope(at, width, width, sag);
+      bubble.vertices.push_back(layer.vertices[4]);
+      const auto middle = static_cast<VertexIndex>(bubble.vertices.size() - 1);
+      for (const Face& face : layer.faces) bubble.faces.push_back({face[0], face[1], middle});
+    }
+    const CentreCase given{{head_with_a_tip(), bubble},
+                           {.axis = Vec3::UnitZ()},
+                           {.doubt = GetParam(), .within_mm = random.between(0.5, 1.5)}};
+    check_interval(given, random, k, counts);
+  }
+  EXPECT_EQ(counts.limited, 50U);
+}
+
+// The tip crosses a closed slab beside a sheet. In the plane of the turn the slab has an edge on its front
+// and none on its back: rays there meet two faces and one.
+TEST_P(CentreIntervalAttack, OfASlabWithAnEdgeInThePlaneOfTheTurn) {
+  Dice random(15);
+  CentreCounts counts;
+  for (std::size_t k = 0; k < 50 && !HasFailure(); ++k) {
+    const double width = random.between(0.2, 0.9);
+    const double at = random.between(0.7, 2.0);
+    TriangleMesh slab = slope(at, width, width, 0.0);
+    const Vec3 middle = slab.vertices[4];
+    slab.vertices[4] = 0.5 * (slab.vertices[0] + slab.vertices[3]);  // the front as two halves
+    slab.vertices.push_back(0.5 * (slab.vertices[1] + slab.vertices[2]));
+    slab.vertices.push_back(1.01 * middle + Vec3(0, 0, 0.1 * width));
+    slab.faces = {{0, 4, 5}, {0, 5, 1}, {4, 3, 2}, {4, 2, 5}};
+    for (const auto& [a, b] : {std::pair{0U, 1U}, {1U, 5U}, {5U, 2U}, {2U, 3U}, {3U, 4U}, {4U, 0U}})
+      slab.faces.push_back({a, b, 6});
+    TriangleMesh sheet;
+    test::add_face(sheet, {-30, -10, 40}, {-30, 10, 40}, {-30, 0, -40});
+    const CentreCase given{{head_with_a_tip(), test::joined(slab, sheet)},
+                           {.axis = Vec3::UnitZ()},
+                           {.doubt = GetParam(), .within_mm = random.between(1.0, 1.5)}};
+    check_interval(given, random, k, counts);
+  }
+  EXPECT_EQ(counts.limited, 50U);
+}
+
+// The socket has no face but one whose plane holds the centre.
+TEST_P(CentreIntervalAttack, OfASocketThatIsEdgeOn) {
+  TriangleMesh wall;
+  test::add_face(wall, {0, 20, 10}, {0, 20, -10}, {0, 30, 0});
+  const TurnLimits limits({head_with_a_tip(), wall});
+  const JointTurn turn{.axis = Vec3::UnitZ()};
+  const TurnLimit limit = limits.first_contact(turn, kLargest);
+  EXPECT_NEAR(limit.high_deg, 90.0, 1e-6);
+  const CentreInterval interval = limits.centre_interval(turn, limit, kLargest, {GetParam(), 0.5, 0.0});
+  EXPECT_GT(interval.low_deg, 80.0);
+  EXPECT_GE(interval.high_deg, limit.high_deg);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a proof says of a pose, held against all pairs of faces, by exact signs, and against the solid angle
+// for what is inside; the text is checked by its own checker in e2e.certificate.
+#include "limits/clearance_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/meeting_faces.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
+#include "support/poses.hpp"
+#include "support/soup.hpp"
+
+namespace impinge {
+namespace {
+
+using Says = ClearanceProof::Says;
+
+const BallSocketPair& hip() {
+  static const BallSocketPair pair = [] {
+    const Hip made = make_hip(hip_preset("cam"), 600);
+    return BallSocketPair{made.ball, made.socket};
+  }();
+  return pair;
+}
+
+// Rotations and shifts as a proof has rounded them.
+Pose rounded(const ClearanceProof& proof) {
+  return {rotation_of(proof.outer) * rotation_of(proof.inner), proof.shift};
+}
+
+bool boxes_apart(const Triangle& a, const Triangle& b) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto [a_low, a_high] = std::minmax({a[0][k], a[1][k], a[2][k]});
+    const auto [b_low, b_high] = std::minmax({b[0][k], b[1][k], b[2][k]});
+    if (a_low > b_high || b_low > a_high) return true;
+  }
+  return false;
+}
+
+bool surfaces_meet(const BallSocketPair& pair, const Pose& pose) {
+  const TriangleMesh ball = test::ball_in_socket_frame(pair.ball, pose);
+  return std::ranges::any_of(ball.faces, [&](const Face& f) {
+    const Triangle a = corners_of(ball, f);
+    return std::ranges::any_of(pair.socket.faces, [&](const Face& g) {
+      const Triangle b = corners_of(pair.socket, g);
+      return !boxes_apart(a, b) && faces_meet(a, b);
+    });
+  });
+}
+
+// How often a closed mesh goes round a point (van Oosterom and Strackee 1983), rounded.
+long winding(const TriangleMesh& mesh, const Vec3& x) {
+  double sum = 0.0;
+  for (const Face& face : mesh.faces) {
+    const auto [p, q, r] = corners_of(mesh, face);
+    const Vec3 a = p - x;
+    const Vec3 b = q - x;
+    const Vec3 c = r - x;
+    sum += std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                             b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return std::lround(sum / (2.0 * kPi));
+}
+
+TEST(ClearanceProof, SaysOfRandomPosesWhatAllPairsOfFacesSay) {
+  std::map<Says, int> said;
+  for (const double shift : {0.0, 5.0}) {
+    for (const Pose& pose : test::random_poses(60, 1.8, shift, 5)) {
+      const ClearanceProof proof = prove_pose({hip(), Vec3::Zero()}, pose);
+      ++said[proof.says];
+      EXPECT_LT(proof.rounded_deg, 1e-6);
+      EXPECT_EQ(proof.cuts.empty(), proof.says != Says::clear);
+      if (proof.says != Says::open) {
+        EXPECT_EQ(proof.says == Says::crossing, surfaces_meet(hip(), rounded(proof)));
+      }
+    }
+  }
+  EXPECT_GT(said[Says::clear], 25);
+  EXPECT_GT(said[Says::crossing], 25);
+  EXPECT_LT(said[Says::open], 3);
+  EXPECT_EQ(said[Says::inside], 0);  // the socket is open, and the ball outside of it has no part
+}
+
+TEST(ClearanceProof, NamesTwoFacesThatCross) {
+  std::size_t crossings = 0;
+  for (const Pose& pose : test::random_poses(60, 1.6, 3.0, 9)) {
+    const ClearanceProof proof = prove_pose({hip(), Vec3::Zero()}, pose);
+    if (proof.says != Says::crossing) continue;
+    const TriangleMesh ball = test::ball_in_socket_frame(hip().ball, rounded(proof));
+    EXPECT_TRUE(faces_meet(corners_of(ball, ball.faces.at(proof.faces[0])),
+                           corners_of(hip().socket, hip().socket.faces.at(proof.faces[1]))));
+    ++crossings;
+  }
+  EXPECT_GT(crossings, 10);
+}
+
+// Large triangles through each other's boxes: each pair that is apart has a plane.
+TEST(ClearanceProof, IsFoundForEverySoupThatIsClear) {
+  std::map<Says, int> said;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    TriangleMesh ball = test::soup(3, seed);
+    for (Vec3& x : ball.vertices) x *= 0.4;
+    const BallSocketPair pair{ball, test::soup(3, seed + 1000)};
+    const ClearanceProof proof = prove_pose({pair, Vec3::Zero()}, Pose{});
+    ++said[proof.says];
+    if (proof.says != Says::open) {
+      EXPECT_EQ(proof.says == Says::crossing, surfaces_meet(pair, Pose{})) << seed;
+    }
+  }
+  EXPECT_GT(said[Says::clear], 30);
+  EXPECT_GT(said[Says::crossing], 100);
+  EXPECT_LT(said[Says::open], 3);
+}
+
+// Two spheres beside each other: what is proven from which gap on.
+TEST(ClearanceProof, NeedsAClearance) {
+  const auto said = [](double gap, const Vec3& centre) {
+    const BallSocketPair pair{sphere(20.0, 500, Vec3(0, 0, 20)), sphere(20.0, 500, Vec3(0, 0, -20.0 - gap))};
+    return prove_pose({pair, centre}, Pose{}).says;
+  };
+  const Vec3 far(2e5, 0.0, 0.0);  // where reading may round by 0.08 mm
+  EXPECT_EQ(said(0.0, Vec3::Zero()), Says::open);
+  EXPECT_EQ(said(1e-5, Vec3::Zero()), Says::open);  // reading may have closed it
+  EXPECT_EQ(said(0.05, Vec3::Zero()), Says::clear);
+  EXPECT_EQ(said(-0.5, Vec3::Zero()), Says::crossing);
+  EXPECT_EQ(said(0.05, far), Says::open);
+  EXPECT_EQ(said(0.5, far), Says::clear);
+}
+
+// Without its last face a sphere has no inside.
+TEST(ClearanceProof, KnowsWhatIsInsideOfWhatIsClosed) {
+  const TriangleMesh small = icosphere(5.0, 2);
+  const TriangleMesh large = icosphere(24.0, 3);
+  TriangleMesh open = large;
+  open.faces.pop_back();
+  const auto says = [](const TriangleMesh& ball, const TriangleMesh& socket) {
+    return prove_pose({{ball, socket}, Vec3::Zero()}, {Eigen::Matrix3d::Identity(), Vec3(1.0, 2.0, 3.0)});
+  };
+  EXPECT_EQ(says(small, large).says, Says::inside);
+  EXPECT_TRUE(says(small, large).cuts.empty());
+  EXPECT_EQ(says(large, small).says, Says::inside);
+  EXPECT_EQ(says(small, open).says, Says::clear);
+  EXPECT_EQ(says(open, small).says, Says::clear);
+  EXPECT_EQ(says(small, open).closed, (std::array{true, false}));
+  const TriangleMesh beside = sphere(3.0, 100, Vec3(60, 0, 0));
+  EXPECT_EQ(says(small, beside).says, Says::clear);
+  EXPECT_EQ(says(test::joined(beside, small), large).says, Says::inside);  // its second piece
+  EXPECT_EQ(says(small, test::joined(open, test::joined(beside, icosphere(30.0, 3)))).says, Says::inside);
+}
+
+TEST(ClearanceProof, AgreesWithTheSolidAngle) {
+  test::Dice random(4);
+  const TriangleMesh femur = hip().ball;
+  std::map<Says, int> said;
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 at(random.between(-60, 60), random.between(-60, 60), random.between(-90, 40));
+    const TriangleMesh screw = sphere(0.5, 8, at);
+    const ClearanceProof proof = prove_pose({{femur, screw}, Vec3::Zero()}, Pose{});
+    ++said[proof.says];
+    if (proof.says == Says::clear || proof.says == Says::inside) {
+      EXPECT_EQ(proof.says == Says::inside, winding(femur, at) != 0) << at.transpose();
+    }
+  }
+  EXPECT_GT(said[Says::clear], 30);
+  EXPECT_GT(said[Says::inside], 8);
+}
+
+// Where internal rotation at 60 degrees of flexion begins to meet, to a thousandth of a degree.
+double first_meeting(const JointTurn& turn) {
+  const auto meets = [&](double degrees) {
+    const Eigen::AngleAxisd grown(degrees * kDegree, turn.axis);
+    return surfaces_meet(hip(), {turn.outer * grown.toRotationMatrix() * turn.inner, Vec3::Zero()});
+  };
+  double low = 0.0;
+  while (!meets(low + 0.25)) low += 0.25;
+  double high = low + 0.25;
+  while (high - low > 1e-3) (meets(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+  return low;
+}
+
+TEST(ClearanceProof, OfATurnHoldsUpToContactAndNotBeyond) {
+  const JointTurn turn = joint_turn({.flexion = 60.0}, motion_name("internal_rotation"), Side::right);
+  const double limit = first_meeting(turn);
+  ASSERT_GT(limit, 5.0);
+  const ClearanceProof proof = prove_turn({hip(), Vec3::Zero()}, turn, limit - 0.05);
+  EXPECT_EQ(proof.says, Says::clear);
+  EXPECT_NEAR(degrees_of(proof.last), limit - 0.05, 1e-6);
+  EXPECT_LT(proof.rounded_deg, 1e-6);
+  for (const double beyond : {0.1, 20.0})
+    EXPECT_EQ(prove_turn({hip(), Vec3::Zero()}, turn, limit + beyond).says, Says::open);
+}
+
+// A part of a sphere turns once round within a ring of a larger one, which no plane separates for long.
+TEST(ClearanceProof, OfATurnGoesAllTheWayRound) {
+  const auto part_of = [](TriangleMesh mesh, double least_x) {
+    std::erase_if(mesh.faces, [&](const Face& f) { return mesh.vertices[f[0]].x() < least_x; });
+    return mesh;
+  };
+  const TriangleMesh ball = part_of(icosphere(20.0, 3), 5.0);
+  const auto says = [&](double radius, double degrees) {
+    const BallSocketPair pair{ball, part_of(icosphere(radius, 3), -5.0)};
+    return prove_turn({pair, Vec3::Zero()}, {.axis = Vec3::UnitZ()}, degrees).says;
+  };
+  EXPECT_EQ(says(20.3, 359.0), Says::clear);
+  EXPECT_EQ(says(20.0, 359.0), Says::open);
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// low: no pose from the start has a contact; high: this one has; high - low below a tenth of a degree.
+#include "limits/turn_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "mesh/bodies.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/generated_pair.hpp"
+#include "support/joined.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kWidest = 0.1;  // degrees
+
+bool in_contact(const TurnLimits& limits, const JointTurn& turn, double angle_deg) {
+  return limits.verdict(turn, angle_deg).contact == Contact::yes;
+}
+const JointTurn kAbduct = joint_turn({}, motion_name("abduction"), Side::right);
+
+// The pair with its bump as high as the space: the smooth ball reaches the smooth socket once the part of the
+// bump above 4 mm, 8.86 degrees about its top at 130, is under the rim at 87: a turn of 34.14 degrees. The
+// meshes are a tenth of a millimetre within, which is a degree.
+TEST(TurnLimit, OfTheCamIsThatOfItsFormula) {
+  const TurnLimits limits(make_ball_socket_pair(1600, impinging_cam()));
+  const TurnLimit limit = limits.first_contact(kAbduct, 120.0);
+  EXPECT_EQ(limit.state, LimitState::limited);
+  const double level = 60.0 / kPi * std::acos(std::sqrt(0.8));  // degrees from the top
+  EXPECT_NEAR(limit.low_deg, 130.0 - 87.0 - level, 1.5);
+  EXPECT_LE(limit.high_deg - limit.low_deg, kWidest);
+  EXPECT_FALSE(in_contact(limits, kAbduct, limit.low_deg));
+  EXPECT_TRUE(in_contact(limits, kAbduct, limit.high_deg));
+  EXPECT_GT(limits.smallest_gap(kAbduct, limit.low_deg)->gap_mm, -1e-9);
+}
+
+TEST(TurnLimit, SaysWhenThereIsNone) {
+  const TurnLimits limits(make_ball_socket_pair(400));
+  const TurnLimit limit = limits.first_contact(kAbduct, 150.0);
+  EXPECT_EQ(limit.state, LimitState::free);
+  EXPECT_EQ(limit.low_deg, 150.0);
+  EXPECT_EQ(limit.high_deg, 150.0);
+  EXPECT_FALSE(limit.contact);
+  EXPECT_THROW(limits.first_contact(kAbduct, 0.0), std::invalid_argument);
+  EXPECT_THROW(limits.first_contact(kAbduct, 361.0), std::invalid_argument);
+}
+
+TEST(TurnLimit, SaysWhenTheStartIsBlocked) {
+  const TurnLimits limits({octahedron(30.0), octahedron(29.0)});
+  EXPECT_EQ(limits.first_contact(kAbduct, 90.0).state, LimitState::blocked);
+  const TurnLimits hollow({octahedron(20.0), octahedron(29.0)});
+  EXPECT_EQ(hollow.first_contact(kAbduct, 30.0).state, LimitState::free) << "bone is outside of this socket";
+  TriangleMesh open = test::inside_out(octahedron(29.0));
+  std::erase_if(open.faces, [&](const Face& face) { return std::ranges::find(face, 5U) != face.end(); });
+  const TurnLimits wide({octahedron(20.0), open});
+  EXPECT_EQ(wide.first_contact(kAbduct, 10.0).state, LimitState::free);
+  EXPECT_EQ(wide.gap_of(kAbduct, 9.5, 10.0).state, LimitState::blocked);
+  EXPECT_EQ(wide.gap_of(kAbduct, 8.5, 10.0).state, LimitState::limited);
+}
+
+// A gap falls to a threshold before the surfaces touch, and to a smaller one later.
+TEST(TurnLimit, OfAThresholdComesBeforeContact) {
+  const TurnLimits limits(make_ball_socket_pair(1000, impinging_cam()));
+  double later = limits.first_contact(kAbduct, 120.0).low_deg;
+  for (const double gap : {0.5, 1.0, 2.0}) {
+    const TurnLimit limit = limits.gap_of(kAbduct, gap, 120.0);
+    ASSERT_EQ(limit.state, LimitState::limited);
+    EXPECT_LT(limit.high_deg, later);
+    EXPECT_LE(limit.high_deg - limit.low_deg, kWidest);
+    EXPECT_GT(limits.smallest_gap(kAbduct, limit.low_deg - 1e-6)->gap_mm, gap);
+    EXPECT_LE(limits.smallest_gap(kAbduct, limit.high_deg)->gap_mm, gap);
+    later = limit.high_deg;
+  }
+}
+
+// What the limit moves by when the socket moves across the contact: as `deg_per_mm` says, to first order.
+TEST(TurnLimit, SensitivityIsThatOfAShiftedCentre) {
+  const BallSocketPair joint = make_ball_socket_pair(1000, impinging_cam());
+  const TurnLimit limit = TurnLimits(joint).first_contact(kAbduct, 120.0);
+  constexpr double kShift = 1e-4;  // mm
+  for (const double way : {-kShift, kShift}) {
+    BallSocketPair moved = joint;
+    for (Vec3& x : moved.socket.vertices) x += way * limit.contact->normal;
+    const TurnLimit other = TurnLimits(moved).first_contact(kAbduct, 120.0);
+    EXPECT_NEAR(std::abs(other.low_deg - limit.low_deg), limit.deg_per_mm * kShift,
+                0.01 * limit.deg_per_mm * kShift);
+  }
+}
+
+// A pose goes through outer, axis and inner turns alike: the same limit from wherever the motion begins.
+TEST(TurnLimit, CountsFromWhereTheMotionBegins) {
+  const TurnLimits limits(make_ball_socket_pair(600, impinging_cam()));
+  const double whole = limits.first_contact(kAbduct, 120.0).low_deg;
+  const JointTurn later = joint_turn(parse_motion("abduction=10"), motion_name("abduction"), Side::right);
+  EXPECT_NEAR(limits.first_contact(later, 120.0).low_deg, whole - 10.0, 1e-6);
+  const JointTurn bent =
+      joint_turn(parse_motion("flexion=30,internal_rotation=20"), motion_name("abduction"), Side::right);
+  const TurnLimit limit = limits.first_contact(bent, 120.0);
+  ASSERT_EQ(limit.state, LimitState::limited);
+  EXPECT_FALSE(in_contact(limits, bent, limit.low_deg));
+  EXPECT_TRUE(in_contact(limits, bent, limit.high_deg));
+}
+
+// A ball that is a cap of 60 degrees about +z under a socket that covers directions up to 20 degrees from +z:
+// its rim passes the socket's after 40 degrees, and nothing touches. A thin shell of that shape has no end.
+TEST(TurnLimit, EndsWhereTheMeshOfTheBallDoes) {
+  const TriangleMesh cap = cup(20.0, 60.0, 4000);
+  TriangleMesh shell = cap;
+  const auto inner = static_cast<VertexIndex>(cap.vertices.size());
+  for (const Vec3& x : cap.vertices) shell.vertices.push_back(0.9 * x);
+  for (const Face& face : cap.faces)
+    shell.faces.push_back({face[0] + inner, face[2] + inner, face[1] + inner});
+  for (const auto& [a, b] : boundary_edges(cap)) {
+    shell.faces.push_back({b, a, a + inner});
+    shell.faces.push_back({b, a + inner, b + inner});
+  }
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  const TriangleMesh socket = cup(26.0, 20.0, 4000);
+  const TurnLimit of_sheet = TurnLimits({cap, socket}).first_contact(turn, 90.0);
+  EXPECT_EQ(of_sheet.state, LimitState::unknown);
+  ASSERT_TRUE(of_sheet.leaves_mesh_deg);
+  EXPECT_NEAR(*of_sheet.leaves_mesh_deg, 40.0, 0.2);
+  EXPECT_EQ(of_sheet.low_deg, *of_sheet.leaves_mesh_deg);
+  EXPECT_EQ(of_sheet.high_deg, 90.0);
+  const TurnLimit of_shell = TurnLimits({shell, socket}).first_contact(turn, 90.0);
+  EXPECT_EQ(of_shell.state, LimitState::free);
+  EXPECT_FALSE(of_shell.leaves_mesh_deg);
+}
+
+// What the limit moves by when the common centre of both is off by t: to first order, t . (I - R)^T n.
+TEST(TurnLimit, SensitivityIsThatOfAnUnknownCentre) {
+  const BallSocketPair joint = make_ball_socket_pair(1000, impinging_cam());
+  const TurnLimit limit = TurnLimits(joint).first_contact(kAbduct, 120.0);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(limit.low_deg * kDegree, kAbduct.outer * kAbduct.axis).toRotationMatrix() *
+      kAbduct.outer * kAbduct.inner;
+  const Vec3 n = limit.contact->normal;
+  const Vec3 worst = n - turn.transpose() * n;
+  EXPECT_NEAR(limit.centre_deg_per_mm, worst.norm() * limit.deg_per_mm, 1e-9 * limit.deg_per_mm);
+  constexpr double kOff = 1e-4;  // mm
+  const Vec3 t = kOff * worst.normalized();
+  const TurnLimit other =
+      TurnLimits({relative_to(joint.ball, t), relative_to(joint.socket, t)}).first_contact(kAbduct, 120.0);
+  EXPECT_NEAR(std::abs(other.low_deg - limit.low_deg), limit.centre_deg_per_mm * kOff,
+              0.01 * limit.centre_deg_per_mm * kOff);
+}
+
+// The top of a small face turns on its point under a face that is 5e-12 mm above it: doubles cannot tell that
+// from a touch, and nothing follows.
+TEST(TurnLimit, IsUnknownWhereAGrazeLasts) {
+  const double z = 20.0 + 5e-12;
+  const TriangleMesh ball{{{0, 0, 20}, {3, 0, 15}, {0, 3, 15}}, {{0, 1, 2}}};
+  const TriangleMesh socket{{{-6, -5, z}, {6, -5, z}, {0, 7, z}}, {{0, 1, 2}}};
+  const TurnLimit limit =
+      TurnLimits({ball, socket})
+          .first_contact({Eigen::Matrix3d::Identity(), Vec3::UnitZ(), Eigen::Matrix3d::Identity()}, 120.0);
+  EXPECT_EQ(limit.state, LimitState::unknown);
+  EXPECT_EQ(name(limit.state), "unknown");
+  EXPECT_EQ(limit.low_deg, 0.0);
+  EXPECT_EQ(limit.high_deg, 120.0);
+  EXPECT_FALSE(limit.contact);
+}
+
+}  // namespace
+}  // namespace impinge

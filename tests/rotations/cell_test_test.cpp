@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// No rotation in a cell that is called free has a contact, and every one in a cell that is called blocked
+// has. Where the socket is a sheet, radii decide: all pairs of faces say so of the first thousand, the culled
+// overlay of the others (support/exact_touch.hpp). Where both bones have an inside, CGAL's exact intersection
+// of all faces and solid angles do.
+#include "rotations/cell_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/generated_pair.hpp"
+#include "mesh/star_shape.hpp"
+#include "reference/meeting_surfaces.hpp"
+#include "support/exact_touch.hpp"
+#include "support/joined.hpp"
+#include "support/random_cases.hpp"
+#include "support/turned.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+// Rotations near the border of what is free are few: cells whose parent is open are asked.
+struct Asked {
+  std::size_t free = 0;
+  std::size_t blocked = 0;
+};
+
+RotationCell any_cell(std::mt19937_64& engine, std::uint32_t level) {
+  std::normal_distribution<double> normal;
+  Quaternion4 q;
+  for (double& x : q) x = normal(engine);
+  return cell_of(q, level);
+}
+
+Quaternion4 any_of(const RotationCell& cell, std::mt19937_64& engine) {
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::array<double, 3> along{};
+  for (double& x : along) x = std::clamp(1.3 * place(engine), -1.0, 1.0);  // borders too
+  return point_of(cell, along);
+}
+
+// impinged(rotation) is what the cells must hold.
+template <class Impinged>
+Asked attack(const CellTest& test, std::size_t rotations, const Impinged& impinged) {
+  CellSearch search(test);
+  std::mt19937_64 engine(11);
+  Asked asked;
+  for (std::size_t round = 0; asked.free + asked.blocked < rotations; ++round) {
+    RotationCell cell = any_cell(engine, kFinestCells);
+    // From coarse to fine, as a refinement would: the first that is decided.
+    CellVerdict verdict;
+    for (std::uint32_t level = 2; level <= 9 && verdict.state == CellState::open; ++level) {
+      const RotationCell part{level, cell.number >> (3 * (kFinestCells - level))};
+      verdict = search.decide(part, verdict.hint);
+      if (verdict.state != CellState::open) cell = part;
+    }
+    if (verdict.state == CellState::open || verdict.state == CellState::unknown) continue;
+    const Quaternion4 q = any_of(cell, engine);
+    const bool blocked = verdict.state == CellState::blocked;
+    ++(blocked ? asked.blocked : asked.free);
+    EXPECT_EQ(impinged(rotation_of(q)), blocked) << cell.level << " " << cell.number << " " << q.transpose();
+  }
+  return asked;
+}
+
+Asked attack_by_radii(const BallSocketPair& joint) {
+  const CellTest test(joint);
+  EXPECT_FALSE(test.bodies().has_inside());
+  test::ExactTouch overlay(joint);
+  return attack(test, random_cases() / 2, [&](const Eigen::Matrix3d& rotation) {
+    return overlay.impinged({rotation, Vec3::Zero()});
+  });
+}
+
+// Of a closed mesh.
+bool holds(const TriangleMesh& mesh, const Vec3& x) {
+  double angle = 0.0;
+  for (const Face& face : mesh.faces)
+    angle += solid_angle(corner(mesh, face, 0) - x, corner(mesh, face, 1) - x, corner(mesh, face, 2) - x);
+  return std::abs(angle) > 2.0 * kPi;
+}
+
+// A head with a spike, and a wing that goes behind the wall of the socket; the bones are closed.
+TEST(CellTest, IsNeverWrongOfBonesWithAnInside) {
+  BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
+  joint.ball.vertices[5] *= 1.45;
+  const TriangleMesh head = joint.ball;
+  for (const double side : {1.0, -1.0}) {
+    TriangleMesh wing = octahedron(3.0);
+    for (Vec3& x : wing.vertices) x += Vec3(side * 30.0, 22.0, 0.0);
+    joint.ball = test::joined(joint.ball, wing);
+  }
+  const TriangleMesh inner = joint.socket;
+  TriangleMesh back = inner;
+  for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
+  joint.socket = test::joined(inner, test::inside_out(back));
+  const auto away = static_cast<VertexIndex>(inner.vertices.size());
+  for (const auto& [a, b] : boundary_edges(inner)) {
+    joint.socket.faces.push_back({b, a, a + away});
+    joint.socket.faces.push_back({b, a + away, b + away});
+  }
+  ASSERT_TRUE(boundary_edges(joint.socket).empty());
+  const CellTest test(joint);
+  ASSERT_TRUE(test.bodies().has_inside());
+  test::ExactTouch overlay(joint);
+  std::size_t behind = 0;  // of radii that overlap, where bones are clear
+  const Asked asked =
+      attack(test, std::min<std::size_t>(random_cases(), 2000), [&](const Eigen::Matrix3d& rotation) {
+        const TriangleMesh ball = test::turned(joint.ball, rotation);
+        const bool contact = surfaces_meet(ball, joint.socket) || holds(ball, joint.socket.vertices[0]) ||
+                             holds(joint.socket, rotation * head.vertices[0]) ||
+                             holds(joint.socket, ball.vertices.back()) ||
+                             holds(joint.socket, ball.vertices[head.vertices.size()]);
+        if (!contact && overlay.impinged({rotation, Vec3::Zero()})) ++behind;
+        return contact;
+      });
+  EXPECT_GT(asked.free, 50U);
+  EXPECT_GT(asked.blocked, 50U);
+  EXPECT_GT(behind, 20U);
+}
+
+TEST(CellTest, IsNeverWrongOfAHip) {
+  const Hip hip = make_hip(hip_preset("cam"), 1500);
+  const Asked asked = attack_by_radii({hip.ball, hip.socket});
+  EXPECT_GT(asked.free, random_cases() / 20);
+  EXPECT_GT(asked.blocked, random_cases() / 20);
+}
+
+TEST(CellTest, IsNeverWrongOfAPair) {
+  const Asked asked = attack_by_radii(make_ball_socket_pair(600, impinging_cam()));
+  EXPECT_GT(asked.blocked, 0U);
+}
+
+// A ball with a wide hole and narrow ones under a socket that it never touches. In every rotation of a free
+// cell each direction of the socket meets the ball, in every one of an unknown cell some direction does not:
+// by rays against all faces of the ball, along vertices and random points of the socket.
+TEST(CellTest, IsNeverWrongWhereTheBallEnds) {
+  BallSocketPair joint{sphere(20.0, 1000), cup(26.0, 30.0, 300)};
+  std::mt19937_64 engine(23);
+  std::erase_if(joint.ball.faces, [&](const Face& face) {
+    const auto corners = corners_of(joint.ball, face);
+    return angle_between(corners[0] + corners[1] + corners[2], {0.3, -0.4, 0.7}) < 0.2 || engine() % 200 == 0;
+  });
+  const CellTest test(joint);
+  const RayCaster ball(joint.ball);
+  const auto misses = [&](const Eigen::Matrix3d& rotation, const Vec3& y) {
+    return std::isnan(ball.cast((rotation.transpose() * y).normalized(), Layer::farthest));
+  };
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const auto some_point = [&] {
+    const auto corners = corners_of(joint.socket, joint.socket.faces[engine() % joint.socket.faces.size()]);
+    const double a = part(engine);
+    const double b = (1.0 - a) * part(engine);
+    return Vec3(a * corners[0] + b * corners[1] + (1.0 - a - b) * corners[2]);
+  };
+  std::map<CellState, std::size_t> asked;
+  CellSearch search(test);
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const RotationCell cell = any_cell(engine, 2 + static_cast<std::uint32_t>(round % 7));
+    const CellState state = search.decide(cell).state;
+    ++asked[state];
+    const Eigen::Matrix3d rotation = rotation_of(any_of(cell, engine));
+    bool missed =
+        std::ranges::any_of(joint.socket.vertices, [&](const Vec3& y) { return misses(rotation, y); });
+    const std::size_t points = state == CellState::free ? 100 : state == CellState::unknown ? 30000 : 0;
+    for (std::size_t k = 0; k < points && !missed; ++k) missed = misses(rotation, some_point());
+    if (points == 0) continue;
+    EXPECT_EQ(missed, state == CellState::unknown) << cell.level << " " << cell.number;
+  }
+  EXPECT_GT(asked[CellState::free], random_cases() / 20);
+  EXPECT_GT(asked[CellState::unknown], random_cases() / 20);
+  EXPECT_EQ(asked[CellState::blocked], 0U);
+}
+
+// Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
+// the turn of its direction is that of its own length, whatever a gap adds to that.
+TEST(CellTest, AGapMakesNoDirectionTurnLess) {
+  struct Case {
+    double gap, within;
+  };
+  for (const auto& [gap, within] : {Case{0.0, 0.1}, Case{0.5, 0.1}, Case{2.0, 0.1}, Case{2.0, 0.5}}) {
+    constexpr double kLength = 20.0;
+    const double small = 1e-3 * within;
+    TriangleMesh ball = sphere(0.5 * kLength, 8);
+    test::add_face(ball, {-small, 0, -kLength}, {small, 0, -kLength}, {0, small, -kLength});
+    const Vec3 off(0.0, 0.998 * within, 0.0);
+    const Vec3 to = Vec3(0, 0, kLength) + 2.0 * off;
+    TriangleMesh socket;
+    test::add_face(socket, to + Vec3(-small, -0.1 * small, -1e-9), to + Vec3(small, -0.1 * small, -1e-9),
+                   to + Vec3(0, small, -1e-9));
+    const Eigen::Matrix3d half = Vec3(1.0, -1.0, -1.0).asDiagonal();
+    ASSERT_TRUE(
+        SurfaceOverlay(relative_to(ball, off), relative_to(socket, off)).impinged({half, Vec3::Zero()}));
+    const CellTest test({ball, socket}, {gap, within});
+    for (const double radius : {0.0, 1e-6, 1e-4})
+      EXPECT_NE(CellSearch(test).decide(RotationBall{half, radius}).state, CellState::free)
+          << gap << " " << radius;
+  }
+}
+
+// Moved out by the gap, a corner may be rounded into a plane with the centre: its face counts as before.
+TEST(CellTest, AFaceThatTheGapMakesEdgeOnCounts) {
+  for (const double place : {7.9, 7.901, 7.902, 7.95}) {
+    TriangleMesh ball = sphere(3.0, 8);
+    test::add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
+    const TriangleMesh socket = sphere(15.0, 200);
+    ASSERT_TRUE(SurfaceOverlay(ball, socket).impinged({Eigen::Matrix3d::Identity(), Vec3::Zero()}));
+    const CellTest test({ball, socket}, {1.0, 0.0});
+    EXPECT_NE(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-3}).state, CellState::free)
+        << place;
+  }
+}
+
+}  // namespace
+}  // namespace impinge
