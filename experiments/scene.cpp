@@ -13,21 +13,21 @@
 #include <system_error>
 #include <vector>
 
-#include "command/bones.hpp"
-#include "command/limit.hpp"
-#include "command/limit_table.hpp"
-#include "command/measure_table.hpp"
-#include "command/orientation.hpp"
-#include "command/poses.hpp"
-#include "command/proof_file.hpp"
-#include "command/question.hpp"
-#include "command/report.hpp"
-#include "command/resection.hpp"
-#include "command/scene_files.hpp"
-#include "command/volume.hpp"
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
 #include "files/stopwatch.hpp"
+#include "scene/bones.hpp"
+#include "scene/limit.hpp"
+#include "scene/limit_table.hpp"
+#include "scene/measure_table.hpp"
+#include "scene/orientation.hpp"
+#include "scene/poses.hpp"
+#include "scene/proof_file.hpp"
+#include "scene/question.hpp"
+#include "scene/report.hpp"
+#include "scene/resection.hpp"
+#include "scene/scene_files.hpp"
+#include "scene/volume.hpp"
 
 namespace {
 
@@ -130,7 +130,7 @@ void run_motions(Session& session, const SceneOptions& options) {
 }
 
 void run_measures(const Session& session, const SceneOptions& options) {
-  const std::vector<Measure> found = answer_measures(*session.joint);
+  const std::vector<MeasureRow> found = answer_measures(*session.joint);
   Table table = measure_table();
   add_measure_rows("", found, table);
   write_if_changed(options.out / "measures.csv", to_csv(table));

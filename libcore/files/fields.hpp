@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests, answers and rows of tables, described once. From the description follow their JSON and its schema
-// (joint/document.hpp), the options of a command, the columns of a CSV (files/rows.hpp) and the lists of the reference
-// page. What is described is a plain struct with a static function:
+// (joint/document.hpp), the options of a command, the columns of a CSV (files/rows.hpp) and the lists of the
+// reference page. What is described is a plain struct with a static function:
 //
 //   struct Stop {
 //     double angle = 0.0;

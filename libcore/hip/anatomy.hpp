@@ -2,15 +2,20 @@
 // The joint frame: which way of the input frame is the patient's right, front and top.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include <Eigen/Core>
 
+#include "files/fields.hpp"
+
 namespace impinge {
 
 /// Side of the body: the patient's own left or right.
 enum class Side { left, right };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Side>{"left", "right"};
 
 /// Reads "left" or "right"; std::invalid_argument for anything else.
 Side parse_side(std::string_view text);

@@ -28,8 +28,9 @@ std::size_t edits(std::string_view from, std::string_view to) {
   throw std::invalid_argument(std::string(name) + ": " + what);
 }
 
-// "above 0", "from -90 to 90", "0 or more".
-std::string words(const Range& range) {
+}  // namespace
+
+std::string describe(const Range& range) {
   const bool low = std::isfinite(range.least);
   const bool high = std::isfinite(range.most);
   if (!low) return high ? formatted("up to %g", range.most) : "finite";
@@ -39,8 +40,6 @@ std::string words(const Range& range) {
     return from + (range.above ? formatted(", up to %g", range.most) : formatted(" to %g", range.most));
   return range.above ? from : formatted("%g or more", range.least);
 }
-
-}  // namespace
 
 std::string text_of(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -65,10 +64,10 @@ Json object_schema(Json properties) {
 }
 
 void read_json(const Json& given, std::string_view name, const Range& range, double& value) {
-  if (!given.is_number()) refuse(name, given.dump() + " is no number; give one " + words(range));
+  if (!given.is_number()) refuse(name, given.dump() + " is no number; give one " + describe(range));
   value = given.get<double>();
   if (!std::isfinite(value) || !range.has(value))
-    refuse(name, formatted("%g is out of range; give a number ", value) + words(range));
+    refuse(name, formatted("%g is out of range; give a number ", value) + describe(range));
 }
 
 void read_json(const Json& given, std::string_view name, const Range& /*range*/, bool& value) {
@@ -81,20 +80,30 @@ void read_json(const Json& given, std::string_view name, const Range& /*range*/,
   value = given.get<std::string>();
 }
 
+std::string_view near_word(std::string_view word, std::span<const std::string_view> words) {
+  constexpr std::size_t kMost = 2;
+  std::string_view near;
+  std::size_t least = kMost + 1;
+  for (const std::string_view one : words) {
+    const std::size_t changed = edits(word, one);
+    if (changed < least) {
+      least = changed;
+      near = one;
+    }
+  }
+  return near;
+}
+
 std::size_t place_among(std::string_view word, std::span<const std::string_view> words,
                         std::string_view what) {
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string all;
-  std::string_view near;
-  std::size_t least = 3;  // more letters than these are another word
-  for (const std::string_view one : words) {
-    all += (all.empty() ? "" : ", ") + std::string(one);
-    const std::size_t changed = edits(word, one);
-    if (changed < least) least = changed, near = one;
-  }
-  refuse(what, "'" + std::string(word) + "' is none of its words" +
-                   (near.empty() ? "" : "; did you mean " + std::string(near)) + "? There are " + all);
+  for (const std::string_view one : words) all += (all.empty() ? "" : ", ") + std::string(one);
+  const std::string_view near = near_word(word, words);
+  refuse(what, "there is no '" + std::string(word) + "'" +
+                   (near.empty() ? "; there are " : "; did you mean " + std::string(near) + "? There are ") +
+                   (all.empty() ? "none" : all));
 }
 
 }  // namespace impinge

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -55,6 +56,9 @@ Json json_of(const T& value) {
   }
 }
 
+/// "above 0", "from -90 to 90", "0 or more", "finite".
+std::string describe(const Range& range);
+
 /// The text of a document, indented. Bytes that are not UTF-8, as file names may have, become U+FFFD.
 std::string text_of(const Json& document);
 
@@ -93,8 +97,8 @@ Json schema_of() {
   }
 }
 
-/// Sets a value of a request from JSON; `name` is for messages. std::invalid_argument, one line, where it is
-/// of another kind or out of its range.
+/// Sets a value of a request from JSON; `name` is for messages, and null stands for no value.
+/// std::invalid_argument, one line, where it is of another kind or out of its range.
 void read_json(const Json& given, std::string_view name, const Range& range, double& value);
 void read_json(const Json& given, std::string_view name, const Range& range, bool& value);
 void read_json(const Json& given, std::string_view name, const Range& range, std::string& value);
@@ -106,6 +110,9 @@ void read_json(const Json& given, std::string_view name, const Range& range, std
   else
     read_json(given, name, range, value.emplace());
 }
+
+/// The word that differs by two letters at most, if one does; else empty.
+std::string_view near_word(std::string_view word, std::span<const std::string_view> words);
 
 /// One of these, else std::invalid_argument that names the near one.
 std::size_t place_among(std::string_view word, std::span<const std::string_view> words,

@@ -2,16 +2,16 @@
 #include "joint/joint_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <regex>
 #include <stdexcept>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "joint/document.hpp"
 
 namespace impinge {
 namespace {
@@ -24,7 +24,8 @@ constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_faci
 constexpr std::initializer_list<const char*> kFormats{".ply", ".stl", ".obj", ".off"};
 constexpr const char* kSubject = "subject.json";
 constexpr const char* kCentre = "center_of_rotation_mm";
-constexpr const char* kRadius = "radius_mm";
+constexpr std::array<std::string_view, 9> kKeys{
+    kCentre, "centre", "side", "axes", "radius_mm", "cartilage_mm", "landmarks", "ball_part", "socket_part"};
 
 // The first of these meshes that is there.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
@@ -43,57 +44,58 @@ std::string listed(std::initializer_list<const char*> names) {
   return text;
 }
 
-// What the subject's description says, empty where there is none.
-nlohmann::json description(const fs::path& folder) {
-  const fs::path file = folder / kSubject;
-  if (!fs::is_regular_file(file)) return nullptr;
-  const nlohmann::json subject = nlohmann::json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
-  return subject.is_object() ? subject : nlohmann::json::object();
-}
-
-// The centre that it gives, if there is a description.
-std::optional<Vec3> described_centre(const nlohmann::json& subject, const fs::path& file) {
-  if (subject.is_null()) return std::nullopt;
-  const nlohmann::json centre = subject.value(kCentre, nlohmann::json());
-  const bool numbers = std::all_of(centre.begin(), centre.end(), [](const auto& x) { return x.is_number(); });
-  if (!centre.is_array() || centre.size() != 3 || !numbers) {
-    throw std::runtime_error(
-        file.string() + ": no " + kCentre +
-        ": give the centre of rotation as [x, y, z], or remove the file to have it fitted");
-  }
-  return Vec3(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
-}
-
-std::optional<double> described_radius(const nlohmann::json& subject) {
-  if (subject.is_null()) return std::nullopt;
-  const nlohmann::json radius = subject.value(kRadius, nlohmann::json());
-  return radius.is_number() ? std::optional(radius.get<double>()) : std::nullopt;
-}
-
-std::string text_of(const nlohmann::json& subject, const char* key) {
-  if (!subject.is_object() || !subject.contains(key) || !subject[key].is_string()) return "";
-  return subject[key].get<std::string>();
-}
-
-// The axis code of a text such as "+x = patient left, +y = posterior, +z = superior"; none without one.
-std::optional<std::string> axes_of(const nlohmann::json& subject, const fs::path& file) {
+// The axis code, or that of a text such as "+x = patient left, +y = posterior, +z = superior"; none without
+// one.
+std::optional<std::string> axes_of(const std::string& text) {
   static const std::regex way("= (?:patient )?(right|left|anterior|posterior|superior|inferior)");
-  const std::string text = text_of(subject, "axes");
   std::string code;
   for (auto end = std::sregex_iterator(text.begin(), text.end(), way); end != std::sregex_iterator(); ++end)
     code += static_cast<char>(std::toupper(static_cast<unsigned char>((*end)[1].str().front())));
+  if (code.empty() && text.size() == 3) code = text;
   if (code.empty()) return std::nullopt;
-  try {
-    input_to_joint(code);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(file.string() + ": axes: " + error.what());
-  }
+  input_to_joint(code);
   return code;
 }
 
-std::optional<Side> described_side(const nlohmann::json& subject) {
-  const std::string side = text_of(subject, "side");
-  return side == "left" || side == "right" ? std::optional(parse_side(side)) : std::nullopt;
+Vec3 centre_of(const Json& given) {
+  std::vector<double> numbers;
+  read_json(given, kCentre, {}, numbers);
+  if (numbers.size() != 3)
+    throw std::invalid_argument(std::string(kCentre) + ": is no place; give [x, y, z]");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+// Relative to the folder of the file that names them.
+std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs::path& folder) {
+  std::vector<std::string> names;
+  read_json(given, key, {}, names);
+  std::vector<fs::path> files;
+  for (const std::string& name : names) files.push_back(folder / name);
+  return files;
+}
+
+void read_key(const std::string& key, const Json& value, const fs::path& folder, JointDescription& said) {
+  std::string text;
+  if (key == kCentre || key == "centre") {
+    said.centre = centre_of(value);
+  } else if (key == "side") {
+    read_json(value, key, {}, said.side);
+  } else if (key == "axes") {
+    read_json(value, key, {}, text);
+    said.axes = axes_of(text);
+  } else if (key == "radius_mm") {
+    read_json(value, key, kPositive, said.radius);
+  } else if (key == "cartilage_mm") {
+    read_json(value, key, kNotNegative, said.cartilage_mm);
+  } else if (key == "landmarks") {
+    said.landmarks = files_of(value, key, folder).front();
+  } else if (key == "ball_part") {
+    said.ball_parts = files_of(value, key, folder);
+  } else if (key == "socket_part") {
+    said.socket_parts = files_of(value, key, folder);
+  } else if (const std::string_view meant = near_word(key, kKeys); !meant.empty()) {
+    throw std::invalid_argument(key + ": is no key; did you mean " + std::string(meant) + "?");
+  }
 }
 
 // std::runtime_error, one line, where it holds none.
@@ -102,15 +104,20 @@ JointFolder joint_in(const fs::path& subject) {
   const auto socket = find_mesh(subject, kSockets);
   if (!ball || !socket)
     throw std::runtime_error(subject.string() + " has no " + (ball ? "socket" : "ball") + " mesh");
-  const nlohmann::json text = description(subject);
+  JointFolder found{subject.filename().string(), *ball, *socket, {}, {}, {}, {}};
   const fs::path file = subject / kSubject;
-  return {subject.filename().string(),
-          *ball,
-          *socket,
-          described_centre(text, file),
-          described_radius(text),
-          described_side(text),
-          axes_of(text, file)};
+  if (!fs::is_regular_file(file)) return found;
+  const JointDescription said = read_description(file);
+  if (!said.centre) {
+    throw std::runtime_error(
+        file.string() + ": no " + kCentre +
+        ": give the centre of rotation as [x, y, z], or remove the file to have it fitted");
+  }
+  found.centre = said.centre;
+  found.radius = said.radius;
+  found.side = said.side;
+  found.axes = said.axes;
+  return found;
 }
 
 // The folders in it, in the order of their names.
@@ -127,6 +134,20 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+JointDescription read_description(const fs::path& file) {
+  const Json given = Json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
+  if (!given.is_object()) throw FileError(file, "is no JSON object", "write one, as {\"side\": \"left\"}");
+  JointDescription said;
+  for (const auto& [key, value] : given.items()) {
+    try {
+      read_key(key, value, file.parent_path(), said);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(file.string() + ": " + error.what());
+    }
+  }
+  return said;
+}
 
 JointFolders find_joints(const fs::path& folder) {
   JointFolders found;

@@ -21,15 +21,37 @@ namespace impinge {
 
 /// One joint, as its folder describes it.
 struct JointFolder {
-  std::string subject;           // name of its folder
-  std::filesystem::path ball;    // mesh file
-  std::filesystem::path socket;  // mesh file
-  std::optional<Vec3> centre;    // of rotation, in the input frame, mm, from the description
-  std::optional<double> radius;  // of the head, from the description, mm
-  std::optional<Side> side;      // from the description
-  std::optional<std::string>
-      axes;  // where +x, +y and +z of the meshes point (hip/anatomy.hpp), from the description
+  std::string subject;              // name of its folder
+  std::filesystem::path ball;       // mesh file
+  std::filesystem::path socket;     // mesh file
+  std::optional<Vec3> centre;       // of rotation, in the input frame, mm, from the description
+  std::optional<double> radius;     // of the head, from the description, mm
+  std::optional<Side> side;         // from the description
+  std::optional<std::string> axes;  // where +x, +y and +z of the meshes point (hip/anatomy.hpp), likewise
 };
+
+/// What a JSON file says of a joint: subject.json, or what a user writes. Of each key what is not there is
+/// not said:
+///   center_of_rotation_mm or centre   [x, y, z], mm, in the frame of the meshes
+///   side          left or right
+///   axes          an axis code, or words as "+x = patient left, +y = posterior, +z = superior"
+///   radius_mm     of the head
+///   cartilage_mm  both layers together
+///   landmarks     a file, relative to the folder of this one, as are
+///   ball_part, socket_part   a file, or a list of files
+struct JointDescription {
+  std::optional<Vec3> centre{};
+  std::optional<double> radius{};
+  std::optional<Side> side{};
+  std::optional<std::string> axes{};
+  std::optional<double> cartilage_mm{};
+  std::optional<std::filesystem::path> landmarks{};
+  std::vector<std::filesystem::path> ball_parts{};
+  std::vector<std::filesystem::path> socket_parts{};
+};
+/// FileError for a file that is no JSON object, and for a key whose value is of another kind, or is one of
+/// these but for a letter or two.
+JointDescription read_description(const std::filesystem::path& file);
 
 /// What a folder holds.
 struct JointFolders {

@@ -12,9 +12,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "joint/landmark_file.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "joint/landmark_file.hpp"
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_pieces.hpp"

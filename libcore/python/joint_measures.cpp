@@ -5,43 +5,14 @@
 
 #include <pybind11/stl.h>
 
-#include "hip/published_measures.hpp"
 #include "joint/measures.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
 #include "python/poses.hpp"
+#include "python/question_method.hpp"
 
 namespace impinge::python {
 namespace {
-
-py::object text_or_none(std::string_view text) {
-  return text.empty() ? py::object(py::none()) : py::str(text.data(), text.size());
-}
-
-// With the names of measures.csv.
-py::list measures(const PoseJoint& joint) {
-  std::vector<Measure> found;
-  without_lock(1, [&](std::size_t) { found = answer_measures(joint.joint()); });
-  py::list rows;
-  for (const Measure& measure : found) {
-    py::dict row;
-    row["measure"] = measure.name;
-    row["value"] = measure.value;
-    row["uncertainty"] = measure.uncertainty;
-    row["unit"] = measure.unit;
-    row["state"] = measure.state;
-    const PublishedMeasure published = published_measure(measure.name);
-    row["published_mean"] = published.mean;
-    row["published_sd"] = published.sd;
-    row["published_median"] = published.median;
-    row["published_lower_quartile"] = published.lower_quartile;
-    row["published_upper_quartile"] = published.upper_quartile;
-    row["published_of"] = text_or_none(published.of);
-    row["published_source"] = text_or_none(published.source);
-    rows.append(row);
-  }
-  return rows;
-}
 
 // One line that says what there is no certificate of.
 ClearanceProof proven(PoseJoint& joint, const std::vector<Pose>& poses, const LimitRequest* limit) {
@@ -76,15 +47,13 @@ std::string certificate(PoseJoint& joint, const py::object& pose, const std::opt
 }  // namespace
 
 void bind_measures(JointClass& joint) {
-  joint
-      .def(
-          "measures", &measures,
-          "The measures of both surfaces with their uncertainty, each beside what is published of it: a list "
-          "of dicts with the names of measures.csv.")
-      .def("certificate", &certificate, py::arg("pose") = py::none(), py::kw_only(),
-           py::arg("motion") = py::none(),
-           "The text of a proof that a pose, or with `motion` the way from it to the limit, is without "
-           "contact, or that bodies touch in the pose; experiments/check_certificate.py checks it.");
+  bind_question<MeasureRequest, MeasureAnswer>(
+      joint, "measure",
+      "The measures of both surfaces with their uncertainty, each beside what is published of it.");
+  joint.def("certificate", &certificate, py::arg("pose") = py::none(), py::kw_only(),
+            py::arg("motion") = py::none(),
+            "The text of a proof that a pose, or with `motion` the way from it to the limit, is without "
+            "contact, or that bodies touch in the pose; experiments/check_certificate.py checks it.");
 }
 
 }  // namespace impinge::python

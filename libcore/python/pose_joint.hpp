@@ -15,6 +15,7 @@
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "joint/limits.hpp"
+#include "joint/measures.hpp"
 #include "joint/orientation.hpp"
 #include "joint/pose_series.hpp"
 #include "joint/proof.hpp"
@@ -45,6 +46,11 @@ class PoseJoint {
 
   /// These answer one call at a time: a second thread waits.
   SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
+  template <class Request>
+  auto ask(const Request& request) {
+    const std::scoped_lock lock(busy_);
+    return impinge::answer(session_, request);
+  }
   LimitAnswers limits(const LimitRequest& request);
   ResectionAnswer resection(const ResectionRequest& request);
   OrientationAnswer orientation(const OrientationRequest& request);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "command/options.hpp"
 #include "fuzz/require.hpp"
 #include "hip/anatomy.hpp"
+#include "scene/options.hpp"
 
 namespace {
 

@@ -17,7 +17,7 @@ function fileOf(name) {
   return { name: path.basename(name), size: bytes.length, arrayBuffer: async () => content };
 }
 
-async function main({ ball, socket, side, pose, tables, limits, ...questions }) {
+async function main({ ball, socket, side, pose, tables = [], limits, ...questions }) {
   const { limitsCsv, ownRequest, readMesh } = await pageModules('files_panel', 'limits_panel', 'mesh_files');
   const engine = await require(process.env.JOINT3D_ENGINE)();
   const ask = (kind, request = {}) => {
@@ -33,8 +33,7 @@ async function main({ ball, socket, side, pose, tables, limits, ...questions }) 
     const csv = Buffer.from(ask('export', { format: 'csv', surface: 'both', pose }).bytes).toString();
     return { csv, pose: ask('pose', pose), verdicts: ask('verdicts', pose), bound: ask('bound') };
   });
-  const rows = ask('presets').motions.map((motion) => ({ motion, limits: ask('limits', { ...limits, motion: motion.name }).limits }));
-  answers.limits = limitsCsv('', rows);
+  if (limits) answers.limits = limitsCsv('', ask('presets').motions.map((motion) => ({ motion, limits: ask('limits', { ...limits, motion: motion.name }).limits })));
   const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value);
   process.stdout.write(JSON.stringify(answers, plain));
 }

@@ -104,7 +104,7 @@ test('names of files say joint and pose, and none is empty', () => {
 });
 
 test('measures that are refused are named, once a reason', () => {
-  const of = (measure, refused) => ({ measure, refused, value: refused ? null : 1 });
+  const of = (measure, refused) => ({ measure, state: refused ? `refused: ${refused}` : 'measured', value: refused ? null : 1 });
   assert.equal(words.refusedWords([of('version', null), of('head_radius', null)]), '');
   const some = [of('version', 'no rim'), of('alpha_at_1_30', 'no neck'), of('head_neck_offset', 'no neck'), of('alpha_at_12', 'no neck'), of('coverage', null)];
   assert.equal(words.refusedWords(some), 'Left out: Version of the socket (no rim); Head-neck offset, Alpha at 1:30, 12 o’clock (no neck).');
@@ -137,11 +137,11 @@ test('what is asked while tables follow a joint is asked of that joint', async (
   const client = { ask: async (kind, request) => { sent.push([kind, request]); return { bound_mm: null }; } };
   const slow = new words.SlowWorker(client, { rest: 5, onBound() {}, fault: assert.fail });
   slow.follow({ joint: 'cam' });
-  const first = slow.ask('measures');
+  const first = slow.ask('measure');
   slow.follow({ tables: 'fine' }); // before the joint was sent
   await first;
   await slow.ask('sweep', 'flexion');
-  assert.deepEqual(sent, [['joint', 'cam'], ['tables', 'fine'], ['measures', undefined], ['sweep', 'flexion']]);
+  assert.deepEqual(sent, [['joint', 'cam'], ['tables', 'fine'], ['measure', undefined], ['sweep', 'flexion']]);
   await new Promise((done) => setTimeout(done, 150));
   assert.deepEqual(sent.slice(4), [['bound', undefined]]);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is read; what is refused: tests/e2e/bad_options.py.
-#include "command/options.hpp"
+#include "scene/options.hpp"
 
 #include <string>
 #include <vector>

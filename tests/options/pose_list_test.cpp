@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Poses as files and grids have them. The row of OpenSim's gait2392 is worked out by hand, in its own frame.
-#include "command/pose_list.hpp"
+#include "joint/pose_list.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -98,7 +98,7 @@ def kinds(of):
     return {"Limit": limit, "Volume": volume, "VolumeMotion": volume["motions"][0], "Resection": cut, "Leg": cut["legs"][0],
             "Bracket": cut["legs"][0]["before"], "Neck": cut["neck"],
             "CutSize": walled.resection("flexion=5", least=True)["least"], "OrientationMap": turned,
-            "Orientation": turned["as_scanned"], "Areas": turned["area_deg2"], "Measure": of.measures()[0]}
+            "Orientation": turned["as_scanned"], "Areas": turned["area_deg2"], "Measure": of.measure()["measures"][0], "MeasureAnswer": of.measure()}
 
 
 def test_the_stubs_have_what_the_module_has(hip):

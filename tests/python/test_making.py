@@ -77,7 +77,7 @@ def test_a_side_is_asked_for_and_a_wrong_one_warned_of(files):
         with pytest.raises(ValueError, match="give left or right with side="):
             ask([0, 10, 0])
     with pytest.raises(ValueError, match="measures need to know the side; give left or right"):
-        joint.measures()
+        joint.measure()
     assert joint.volume(width=0.5)["motions"] == []
     with pytest.warns(UserWarning, match="lies to the left of the ball, which no left socket does; check axes= first"):
         wrong = impinge.Joint.read(*files, side="left")

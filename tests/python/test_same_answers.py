@@ -51,19 +51,6 @@ def rows_of(text):
     return list(csv.DictReader(io.StringIO(text)))
 
 
-@pytest.fixture(name="floats", scope="module")
-def made_floats(files, tmp_path_factory):
-    """The two files in floats, which the page's reader keeps."""
-    folder = tmp_path_factory.mktemp("floats")
-    for file in files:
-        head, body = file.read_bytes().split(b"end_header\n", 1)
-        numbers = 3 * int(re.search(rb"element vertex (\d+)", head)[1])
-        assert head.count(b"property double") == 3
-        points = np.frombuffer(body, "<f8", numbers).astype("<f4").tobytes()
-        (folder / file.name).write_bytes(head.replace(b"double", b"float") + b"end_header\n" + points + body[8 * numbers:])
-    return [folder / file.name for file in files]
-
-
 @pytest.fixture(name="joint", scope="module")
 def read_joint(floats):
     return impinge.Joint.read(*floats, side="right")
@@ -76,7 +63,7 @@ def ask_page(floats):
     pose = {**POSE, "cartilage_mm": 4}
     asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
              "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
-             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "volume": {"width": 0.3}, "measures": {},
+             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "volume": {"width": 0.3}, "measure": {},
              "resection": {"required": "; ".join(REQUIRED), "clearance_mm": 0.4},
              "orientation": {"required": "flexion=30", "tilt_deg": 5, "resolution_deg": 0.75}}
     done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(asked)], capture_output=True, text=True, check=False)
@@ -232,26 +219,6 @@ def test_orientation_of_the_page(page, joint):
     fields = ("inclination_deg", "anteversion_deg", "half_width_deg", "state", "leg")
     assert near(np.reshape(mine["squares"], (-1, len(fields))), np.array([list(row) for row in ours["squares"][list(fields)].tolist()]))
     assert mine["legs"] == ours["legs"]
-
-
-def test_measures(joint, floats, tmp_path):
-    scene(floats, tmp_path, "--question", "measures")
-    rows, ours = table(tmp_path, "measures.csv"), joint.measures()
-    assert [[m["measure"], m["unit"], m["state"]] for m in ours] == texts(rows, "measure", "unit", "state")
-    for measure, row in zip(ours, rows):
-        for key in ("value", "uncertainty", *(f"published_{part}" for part in ("mean", "sd", "median", "lower_quartile", "upper_quartile"))):
-            assert measure[key] == number(row[key])
-        for key in ("published_of", "published_source"):
-            assert measure[key] == (row[key] or None)
-
-
-def test_measures_of_the_page(page, joint):
-    for mine, ours in zip(page["measures"]["measures"], joint.measures(), strict=True):
-        assert (mine["measure"], mine["unit"]) == (ours["measure"], ours["unit"])
-        assert ours["state"] == f"refused: {mine['refused']}" if mine["refused"] else not ours["state"].startswith("refused")
-        assert near([mine["value"], mine["uncertainty"]], [ours["value"], ours["uncertainty"]], 1e-6), mine
-        published = mine["published"] or dict.fromkeys(("mean", "sd", "median", "lower_quartile", "upper_quartile", "of", "source"))
-        assert {f"published_{key}": value for key, value in published.items()} == {key: value for key, value in ours.items() if key.startswith("published")}
 
 
 def test_certificates(joint, floats, tmp_path):

@@ -2,8 +2,8 @@
 // A whole scene, as the program runs it.
 #pragma once
 
-#include "command/report.hpp"
 #include "files/file_bytes.hpp"
+#include "scene/report.hpp"
 
 namespace impinge::test {
 

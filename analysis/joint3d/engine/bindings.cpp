@@ -11,8 +11,9 @@
 #include "catalogue.hpp"
 #include "change.hpp"
 #include "files/one_line.hpp"
+#include "joint/document.hpp"
 #include "joint/joint_files.hpp"
-#include "measures.hpp"
+#include "joint/measures.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
 #include "volume.hpp"
@@ -85,9 +86,14 @@ val ask_limits(const val& request) {
   return limits_reply(limits, answer_limits(session(), limits));
 }
 
-val ask_measures(const val& /*request*/) {
+// A request that files/fields.hpp describes, and the document of its answer.
+template <class Request>
+val ask_question(const val& request) {
   require_joint();
-  return measures_reply(*session().joint);
+  Request asked;
+  const val json = val::global("JSON");
+  if (is_given(request)) read_request(Json::parse(json.call<std::string>("stringify", request)), asked);
+  return json.call<val>("parse", text_of(json_of(answer(session(), asked))));
 }
 
 val ask_volume(const val& request) {
@@ -135,7 +141,7 @@ val ask(const std::string& kind, const val& request) {
       {"verdicts", ask_verdicts},
       {"sweep", ask_sweep},
       {"limits", ask_limits},
-      {"measures", ask_measures},
+      {"measure", ask_question<MeasureRequest>},
       {"volume", ask_volume},
       {"resection", ask_resection},
       {"orientation", ask_orientation},

@@ -62,7 +62,7 @@ function start() {
   const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => view.setCut(cut)),
     new OrientationPanel(app, () => new EngineClient(source, lost))];
   changes.forEach((panel) => { panel.onRequired = () => changes.forEach((each) => each.again()); });
-  const measures = new MeasuresPanel(() => slow.ask("measures"));
+  const measures = new MeasuresPanel(() => slow.ask("measure"));
   const tables = new TablesPanel(app, () => make.tables({ ...app.state.tables }));
   const points = new PointsPanel(app, () => slow.ask("points"), { fault, radius: () => view.parts.radius,
     onPoints: (found, apart) => view.setPoints(found, apart) });

@@ -15,18 +15,21 @@ const name = (measure) => NAMES[measure] ?? `Alpha at ${hour(measure)} o’clock
 const number = (value, unit) => ({ deg: `${value.toFixed(1)}°`, 1: `${(100 * value).toFixed(1)} %` })[unit] ?? `${value.toFixed(2)} ${unit}`;
 const amount = ({ value, uncertainty, unit }) => `${number(value, unit)} ± ${number(uncertainty, unit)}`.replace("-", "−");
 /** What is published of the measure, for the reader to hold it against; nothing where nothing is. */
-function published({ published: found, unit }) {
-  if (!found) return [];
-  const { mean, sd, median, lower_quartile: lower, upper_quartile: upper, of, source } = found;
+function published({ unit, published_mean: mean, published_sd: sd, published_median: median, published_lower_quartile: lower,
+  published_upper_quartile: upper, published_of: of, published_source: source }) {
+  if (source === null) return [];
   const spread = mean === null ? `median ${number(median, unit)}, quartiles ${number(lower, unit)} and ${number(upper, unit)}` : `mean ${number(mean, unit)}, SD ${number(sd, unit)}`;
   return [make("dd", { className: "published", title: source, textContent: `Published: ${spread} of ${of} (${source.split(",")[0]})`.replaceAll("+-", "±") })];
 }
 
+const REFUSED = "refused: ";
+const whyRefused = ({ value, state }) => (value === null ? state.replace(REFUSED, "") : null);
+
 /** What is refused, by the reason: "Left out: Version of the socket (the mesh has no rim).", or nothing. */
 export function refusedWords(measures) {
-  const reasons = [...new Set(measures.map(({ refused }) => refused).filter(Boolean))];
+  const reasons = [...new Set(measures.map(whyRefused).filter(Boolean))];
   const named = (why) => {
-    const group = measures.filter(({ refused }) => refused === why).map(({ measure }) => measure);
+    const group = measures.filter((each) => whyRefused(each) === why).map(({ measure }) => measure);
     const hours = group.filter((measure) => measure.startsWith(ALPHA)).map(hour);
     const others = group.filter((measure) => !measure.startsWith(ALPHA)).map(name);
     return [...others, ...(hours.length ? [`Alpha at ${hours.join(", ")} o’clock`] : [])].join(", ");
@@ -36,7 +39,7 @@ export function refusedWords(measures) {
 }
 
 export class MeasuresPanel {
-  /** ask(): the library's reply to `measures`. */
+  /** ask(): the library's reply to `measure`. */
   constructor(ask) {
     Object.assign(this, { ask, asked: 0 });
   }
@@ -48,7 +51,7 @@ export class MeasuresPanel {
     byId("measures-say").textContent = "Measuring …";
     const { measures, fault } = await this.ask().catch((error) => ({ measures: [], fault: `Left out: ${inWords(error)}.` }));
     if (mine !== this.asked) return;
-    byId("measures-rows").replaceChildren(...measures.filter(({ refused }) => !refused).map((each) =>
+    byId("measures-rows").replaceChildren(...measures.filter(({ value }) => value !== null).map((each) =>
       make("div", {}, make("dt", { textContent: name(each.measure) }), make("dd", { textContent: amount(each) }), ...published(each))));
     byId("measures-say").textContent = fault ?? refusedWords(measures);
   }

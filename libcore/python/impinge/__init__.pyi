@@ -144,6 +144,9 @@ class Measure(TypedDict):
     published_of: str | None  # the group, and how it was measured
     published_source: str | None
 
+class MeasureAnswer(TypedDict):
+    measures: list[Measure]
+
 class Landmarks(TypedDict):
     """What landmarks say, degrees."""
 
@@ -270,7 +273,7 @@ class Joint:
         inclination_deg and anteversion_deg (radiographic, of its middle), half_width_deg, leg (where it is not free, the
         place among `legs` of one that is so; else -1) and state (0 free, 1 blocked, 2 unknown, 3 undecided at that
         resolution). Nothing here may guide a treatment."""
-    def measures(self) -> list[Measure]:
+    def measure(self) -> MeasureAnswer:
         """Alpha by the clock, offset, neck-shaft angle, torsion, version, coverage and more of both meshes, each with its
         uncertainty and, where the definition is the same, beside what is published of a population; one that a mesh does
         not carry is refused. They need the side."""

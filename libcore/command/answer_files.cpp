@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/answer_files.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+
+#include "files/file_bytes.hpp"
+#include "files/file_set.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSummary = "summary.json";
+
+fs::path without_slash(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// The nearest folder above it that is there.
+fs::path existing(const fs::path& of) {
+  std::error_code unreadable;
+  fs::path folder = without_slash(of);
+  while (!fs::exists(folder, unreadable)) folder = folder.parent_path();
+  return folder;
+}
+
+// What the summary that lies there lists.
+std::vector<std::string> files_of_earlier(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  if (!fs::is_regular_file(folder / kSummary, unreadable) || fs::is_empty(folder / kSummary, unreadable))
+    return names;
+  const Json said = Json::parse(read_bytes(folder / kSummary), nullptr, /*allow_exceptions=*/false);
+  if (!said.is_object() || !said.contains("files") || !said["files"].is_array()) return names;
+  for (const Json& name : said["files"])
+    if (name.is_string()) names.push_back(name.get<std::string>());
+  return names;
+}
+
+void require_no_input(const fs::path& file, const std::vector<fs::path>& inputs) {
+  std::error_code not_there;
+  for (const fs::path& input : inputs) {
+    if (fs::equivalent(input, file, not_there))
+      throw std::runtime_error(input.string() +
+                               ": would be replaced by the output; choose another folder with --out");
+  }
+}
+
+}  // namespace
+
+AnswerFolder::AnswerFolder(fs::path folder) : folder_(std::move(folder)), there_(existing(folder_)) {
+  require_writable_folder(folder_);
+}
+
+AnswerFolder::~AnswerFolder() {
+  std::error_code kept;
+  fs::path folder = without_slash(folder_);
+  while (folder != there_ && fs::remove(folder, kept)) folder = folder.parent_path();
+}
+
+std::vector<std::string> AnswerFolder::write(const Told& told, Json document,
+                                             const std::vector<fs::path>& inputs) {
+  std::vector<std::string> names = told.wrote;
+  for (const AnswerFile& file : told.files) names.push_back(file.name);
+  names.emplace_back(kSummary);
+  for (const std::string& name : names) require_no_input(folder_ / name, inputs);
+  std::vector<std::string> older;
+  std::error_code unreadable;
+  for (const std::string& name : files_of_earlier(folder_)) {
+    if (std::find(names.begin(), names.end(), name) == names.end() && fs::exists(folder_ / name, unreadable))
+      older.push_back(name);
+  }
+  document["files"] = names;
+  FileSet files;
+  for (const AnswerFile& file : told.files) files.add(folder_ / file.name, file.bytes);
+  files.add(folder_ / kSummary, text_of(document));
+  files.commit();
+  return older;
+}
+
+}  // namespace impinge

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/joint_command.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "command/answer_files.hpp"
+#include "command/joint_options.hpp"
+#include "command/question_command.hpp"
+#include "command/version.hpp"
+#include "files/one_line.hpp"
+#include "joint/joint_folder.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What every question has beside its own options.
+struct JointCommand {
+  QuestionCommand question;
+  JointOptions joint;
+  fs::path joints;  // a folder of joints, instead of one
+  fs::path out;
+  bool json = false;
+  bool quiet = false;
+  bool schema = false;
+  std::size_t threads = 0;
+};
+
+Json document_schema(const QuestionCommand& question) {
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"title", "impinge " + question.name}};
+  Json properties{{"program", {{"const", "impinge"}}},
+                  {"version", {{"type", "string"}}},
+                  {"commit", {{"type", "string"}}},
+                  {"command", {{"const", question.name}}},
+                  {"schema", {{"type", "string"}}},
+                  {"joint", schema_of<JointDocument>()},
+                  {"request", question.request_schema},
+                  {"answer", question.answer_schema},
+                  {"times_ms", {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}}},
+                  {"files", {{"type", "array"}, {"items", {{"type", "string"}}}}}};
+  schema.update(object_schema(std::move(properties)));
+  return schema;
+}
+
+Json document_of(const QuestionCommand& question, Json joint, const Told& told, Json times_ms) {
+  return {{"program", "impinge"},
+          {"version", kVersion},
+          {"commit", commit()},
+          {"command", question.name},
+          {"schema", "impinge " + question.name + " --schema"},
+          {"joint", std::move(joint)},
+          {"request", question.request()},
+          {"answer", told.document},
+          {"times_ms", std::move(times_ms)},
+          {"files", Json::array()}};
+}
+
+struct Answered {
+  Told told;
+  Json document;
+};
+
+// Reads a joint and asks it.
+Answered ask(const JointCommand& command, const JointOptions& options, const Work& work,
+             const Screen& screen) {
+  Stopwatch watch;
+  const QuestionCommand& question = command.question;
+  question.use_cartilage(options.cartilage_mm);
+  Session session = load_joint(options, question.scan_contact());
+  const double read_ms = watch.lap_ms();
+  const Joint& joint = session.joint->joint;
+  if (!command.json) screen.out << describe_joint(options, joint) << std::flush;
+  for (const std::string& warning : joint.warnings)
+    screen.log << "impinge: warning: " << one_line(warning) << std::endl;
+  Answered answered{.told = question.ask(session, work), .document = {}};
+  const Json said = json_of(describe(*session.joint, names_of(options)));
+  answered.document =
+      document_of(question, said, answered.told, {{"read", read_ms}, {"answer", watch.lap_ms()}});
+  return answered;
+}
+
+void add_rows(const std::string& joint, const Table& rows, Table& table) {
+  if (table.columns.empty()) {
+    table.columns = rows.columns;
+    table.columns.insert(table.columns.begin(), {"joint", "", "its folder, or empty"});
+  }
+  for (std::vector<Cell> row : rows.rows) {
+    row.insert(row.begin(), Cell(joint));
+    table.add_row(std::move(row));
+  }
+}
+
+Cell cell_at(const Json& document, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  if (!document.contains(at)) return {};
+  const Json& value = document[at];
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  return value.is_string() ? Cell(value.get<std::string>()) : Cell();
+}
+
+// "/smallest_gap/gap_mm" becomes the column smallest_gap_gap_mm.
+Table row_of_one(const Told& told) {
+  Table table;
+  std::vector<Cell> row;
+  for (const std::string& pointer : told.rows_of_one) {
+    std::string name = pointer.substr(1);
+    std::replace(name.begin(), name.end(), '/', '_');
+    table.columns.push_back({name, "", ""});
+    row.push_back(cell_at(told.document, pointer));
+  }
+  table.add_row(std::move(row));
+  return table;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return names.size() > 1 ? "{" + text + "}" : text;
+}
+
+void add_table(Told& told) {
+  if (told.table_name.empty()) return;
+  Table table;
+  add_rows("", told.table, table);
+  told.files.push_back({told.table_name, to_csv(table)});
+}
+
+void write(AnswerFolder& folder, const Answered& answered, const std::vector<fs::path>& inputs,
+           const JointCommand& command, const Screen& screen) {
+  const std::vector<std::string> older = folder.write(answered.told, answered.document, inputs);
+  std::vector<std::string> names = answered.told.wrote;
+  for (const AnswerFile& file : answered.told.files) names.push_back(file.name);
+  names.emplace_back("summary.json");
+  if (!command.json)
+    screen.out << "wrote               " << folder.path().string() << "/" << listed(names) << std::endl;
+  if (!older.empty())
+    screen.log << "impinge: warning: "
+               << one_line(folder.path().string() + "/" + listed(older) +
+                           " is left from an earlier command: it says nothing about this one")
+               << std::endl;
+}
+
+Work work_of(const JointCommand& command, const Screen& screen) {
+  Work work;
+  work.threads = command.threads > 0 ? command.threads : std::max(1U, std::thread::hardware_concurrency());
+  if (!command.quiet) work.log = &screen.log;
+  return work;
+}
+
+void run_one(const JointCommand& command, const Screen& screen) {
+  Work work = work_of(command, screen);
+  std::unique_ptr<AnswerFolder> folder;
+  if (!command.out.empty()) {
+    folder = std::make_unique<AnswerFolder>(command.out);
+    work.out = command.out;
+  }
+  Answered answered = ask(command, command.joint, work, screen);
+  add_table(answered.told);
+  if (command.json)
+    screen.out << text_of(answered.document);
+  else
+    screen.out << answered.told.words;
+  if (folder) write(*folder, answered, files_of(command.joint), command, screen);
+}
+
+// What is given for all goes before its own description.
+JointOptions options_of(const JointOptions& all, const JointFolder& at) {
+  JointOptions options = all;
+  options.ball = at.ball;
+  options.socket = at.socket;
+  if (!options.centre) options.centre = at.centre;
+  if (!options.side) options.side = at.side;
+  if (!options.axes) options.axes = at.axes;
+  return options;
+}
+
+// Each joint in a folder of its own, and a table of them all.
+void run_all(const JointCommand& command, const Screen& screen) {
+  const JointFolders folders = find_joints(command.joints);
+  Work work = work_of(command, screen);
+  Table table;
+  Json documents = Json::array();
+  std::vector<std::string> left_out = folders.left_out;
+  std::string table_name = "joints.csv";
+  for (const JointFolder& at : folders.joints) {
+    work.say("joint " + std::to_string(&at - folders.joints.data() + 1) + " of " +
+             std::to_string(folders.joints.size()) + ", " + at.subject);
+    try {
+      AnswerFolder folder(command.out / at.subject);
+      work.out = folder.path();
+      const JointOptions options = options_of(command.joint, at);
+      Answered answered = ask(command, options, work, screen);
+      if (!answered.told.table_name.empty()) table_name = answered.told.table_name;
+      add_rows(at.subject, answered.told.table_name.empty() ? row_of_one(answered.told) : answered.told.table,
+               table);
+      add_table(answered.told);
+      folder.write(answered.told, answered.document, files_of(options));
+      documents.push_back(std::move(answered.document));
+    } catch (const std::exception& error) {
+      const std::string what = one_line(error.what());
+      const std::string where = at.ball.parent_path().string();
+      left_out.push_back(what.find(where) == what.npos ? where + ": " + what : what);
+    }
+  }
+  for (const std::string& reason : left_out)
+    screen.log << "impinge: warning: left out: " << one_line(reason) << std::endl;
+  if (documents.empty())
+    throw std::runtime_error(command.joints.string() +
+                             ": none of its joints could be used; see the lines above");
+  AnswerFolder folder(command.out);
+  Told all{.files = {{table_name, to_csv(table)}}};
+  Json document{{"program", "impinge"},
+                {"version", kVersion},
+                {"commit", commit()},
+                {"command", command.question.name},
+                {"joints", command.joints.string()},
+                {"left_out", left_out},
+                {"documents", documents}};
+  folder.write(all, document, {});
+  if (command.json)
+    screen.out << text_of(document);
+  else
+    screen.out << "joints              " << documents.size() << ", in " << table.rows.size() << " rows of "
+               << (command.out / table_name).string() << "; the files of each in a folder of its name"
+               << std::endl;
+}
+
+void run(const JointCommand& command, const Screen& screen) {
+  if (command.schema) {
+    screen.out << text_of(document_schema(command.question));
+    return;
+  }
+  const std::string see = "; see impinge " + command.question.name + " --help";
+  if (command.joints.empty()) {
+    if (command.joint.ball.empty() || command.joint.socket.empty())
+      throw CommandError("two meshes are needed, BALL and SOCKET" + see);
+    return run_one(command, screen);
+  }
+  if (!command.joint.ball.empty())
+    throw CommandError("BALL and SOCKET are one joint, and --joints many: leave one out" + see);
+  if (command.out.empty()) throw CommandError("--joints needs --out, a folder for their answers" + see);
+  run_all(command, screen);
+}
+
+void add_command(CLI::App& program, QuestionCommand question, const Screen& screen,
+                 std::function<void()>& work) {
+  const auto command = std::make_shared<JointCommand>();
+  command->question = std::move(question);
+  CLI::App& app = *program.add_subcommand(command->question.name, command->question.text);
+  app.footer("Example: impinge " + command->question.name + " " + command->question.example);
+  app.add_option("BALL", command->joint.ball, "mesh with the ball: PLY, STL, OBJ or OFF, in mm")
+      ->type_name("FILE");
+  app.add_option("SOCKET", command->joint.socket, "mesh with the socket, in the same frame")
+      ->type_name("FILE");
+  command->question.add_options(app);
+  add_joint_options(app, command->joint);
+  const std::string group = "The answer";
+  app.add_option("--out", command->out, "folder for files; without it the answer is on the screen alone")
+      ->type_name("DIR")
+      ->group(group);
+  app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
+      ->group(group);
+  app.add_option("--joints", command->joints, "in place of BALL and SOCKET: a folder with one folder a joint")
+      ->type_name("DIR")
+      ->group(group);
+  app.add_option("--threads", command->threads, "[all cores]")
+      ->type_name("N")
+      ->check(in_range({1, 1024}))
+      ->group(group);
+  app.add_flag("--quiet", command->quiet, "no progress")->group(group);
+  app.add_flag("--schema", command->schema, "print the JSON Schema of the document, and do nothing else")
+      ->group(group);
+  app.parse_complete_callback(
+      [command, &screen, &work] { work = [command, &screen] { run(*command, screen); }; });
+}
+
+}  // namespace
+
+void Work::say(const std::string& line) const {
+  if (log != nullptr) *log << "impinge: " << one_line(line) << std::endl;
+}
+
+void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work) {
+  for (QuestionCommand& question : std::vector<QuestionCommand>{measure_question()})
+    add_command(program, std::move(question), screen, work);
+}
+
+}  // namespace impinge

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands that ask a question of a joint, or of all joints of a folder.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+namespace impinge {
+
+/// Where a command writes.
+struct Screen {
+  std::ostream& out;
+  std::ostream& log;
+};
+
+/// Options that do not go together, in a way that CLI11 cannot say: what() is one line.
+class CommandError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Adds each question (command/question_command.hpp) as a command. The one that is given sets `work` to what
+/// it will do.
+void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work);
+
+}  // namespace impinge

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/joint_options.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "command/request_options.hpp"
+#include "files/finite_number.hpp"
+#include "files/formatted.hpp"
+#include "joint/cartilage_file.hpp"
+#include "joint/joint_folder.hpp"
+#include "joint/landmark_file.hpp"
+#include "mesh/declared_axes.hpp"
+#include "mesh/io.hpp"
+#include "mesh/mesh_parts.hpp"
+#include "mesh/mesh_pieces.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+Vec3 centre_of(const std::string& text) {
+  Vec3 centre;
+  std::string_view rest = text;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> value = finite_number(rest.substr(0, comma));
+    if ((comma == rest.npos) != (k == 2) || !value)
+      throw CLI::ValidationError("--centre",
+                                 "'" + text + "' is no centre; give fit, or three numbers in mm as X,Y,Z");
+    centre[k] = *value;
+    rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 1);
+  }
+  return centre;
+}
+
+// A number is one thickness, anything else a file.
+void set_cartilage(const std::string& text, JointOptions& options) {
+  const std::optional<double> value = finite_number(text);
+  std::error_code unreadable;
+  if (!value && fs::exists(text, unreadable)) {
+    options.cartilage_map = text;
+  } else if (value && *value >= 0.0) {
+    options.cartilage_mm = *value;
+  } else {
+    throw CLI::ValidationError("--cartilage",
+                               "'" + text +
+                                   "' is no thickness and no file; give a number of mm, 0 or more, "
+                                   "or a CSV of x,y,z,thickness_mm");
+  }
+}
+
+void require_axes(const std::string& code) {
+  try {
+    input_to_joint(code);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--axes", error.what());
+  }
+}
+
+// What the file says and the command line does not.
+void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
+  const JointDescription said = read_description(file);
+  const auto open = [&](const char* option) { return command.count(option) == 0; };
+  if (open("--centre")) options.centre = said.centre;
+  if (open("--side")) options.side = said.side;
+  if (open("--axes")) options.axes = said.axes;
+  if (open("--landmarks")) options.landmarks = said.landmarks;
+  if (open("--ball-part")) options.ball_parts = said.ball_parts;
+  if (open("--socket-part")) options.socket_parts = said.socket_parts;
+  if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = *said.cartilage_mm;
+}
+
+// A file of bone, or the largest of its pieces alone, which `said` then tells.
+TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std::string>& said) {
+  TriangleMesh mesh = read_mesh(file);
+  if (!keep_largest) return mesh;
+  const std::string left_out = keep_largest_piece(mesh);
+  if (!left_out.empty()) said.push_back(file.string() + ": " + left_out);
+  return mesh;
+}
+
+// A part is called as its file is.
+NamedMesh read_bone(const fs::path& file, const std::vector<fs::path>& parts, bool keep_largest,
+                    std::vector<std::string>& said) {
+  NamedMesh bone{file.string(), read_file(file, keep_largest, said)};
+  for (const fs::path& part : parts) {
+    append_part(bone.mesh, bone.parts, part.stem().string(), read_file(part, keep_largest, said));
+    bone.part_names.push_back(part.string());
+  }
+  return bone;
+}
+
+std::string describe_taken(const fs::path& file, Surface of, const JointPart& part) {
+  if (!part.taken) return "";
+  return formatted("%-20s%zu of %zu faces of %s, within %.1f mm of the centre%s; the rest counts as bone\n",
+                   name(of).data(), part.taken->faces, part.taken->of, file.filename().string().c_str(),
+                   part.taken->within_mm, of == Surface::ball ? "" : " and looking to it");
+}
+
+std::vector<std::string> texts_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> texts;
+  for (const fs::path& file : files) texts.push_back(file.string());
+  return texts;
+}
+
+}  // namespace
+
+void add_joint_options(CLI::App& command, JointOptions& options) {
+  const std::string group = "The joint";
+  const auto grouped = [&](CLI::Option* option) { option->group(group); };
+  grouped(command
+              .add_option("--ball-part", options.ball_parts,
+                          "bone beside the ball that can stop it, such as a trochanter; one or more")
+              ->type_name("FILE")
+              ->allow_extra_args(false));
+  grouped(
+      command.add_option("--socket-part", options.socket_parts, "the same beside the socket; one or more")
+          ->type_name("FILE")
+          ->allow_extra_args(false));
+  grouped(command
+              .add_option_function<std::string>(
+                  "--side", [&options](const std::string& text) { options.side = parse_side(text); },
+                  "of the body; abduction and rotation need it")
+              ->check(CLI::IsMember({"left", "right"}).description(""))
+              ->type_name("left|right"));
+  grouped(command
+              .add_option_function<std::string>(
+                  "--axes",
+                  [&options](const std::string& code) {
+                    require_axes(code);
+                    options.axes = code;
+                  },
+                  "where +x, +y and +z of the meshes point: R/L, A/P, S/I [as their headers say, else RAS]")
+              ->type_name("CODE"));
+  grouped(command
+              .add_option_function<std::string>(
+                  "--centre",
+                  [&options](const std::string& text) {
+                    if (text != "fit") options.centre = centre_of(text);
+                  },
+                  "of rotation: that of the sphere that fits the ball, or a place in mm [fit]")
+              ->type_name("fit|X,Y,Z"));
+  grouped(
+      command
+          .add_option("--landmarks", options.landmarks,
+                      "markups of 3D Slicer, or a CSV label,x,y,z, that give the frames of pelvis and femur")
+          ->type_name("FILE"));
+  grouped(command
+              .add_option_function<std::string>(
+                  "--cartilage", [&options](const std::string& text) { set_cartilage(text, options); },
+                  "thickness of both layers together [4], or a CSV of it by place: x,y,z,thickness_mm")
+              ->type_name("MM|FILE"));
+  grouped(command
+              .add_option_function<std::string>(
+                  "--keep",
+                  [&options](const std::string& which) { options.keep_largest = which == "largest"; },
+                  "of each file all pieces, or the largest alone [all]")
+              ->check(CLI::IsMember({"all", "largest"}).description(""))
+              ->type_name("all|largest"));
+  grouped(command
+              .add_option("--overlap", options.overlap_mm,
+                          "depth along a ray to which the surfaces may overlap without contact [0]")
+              ->check(in_range(kNotNegative))
+              ->type_name("MM"));
+  const auto config = std::make_shared<fs::path>();
+  grouped(command
+              .add_option("--config", *config,
+                          "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint")
+              ->type_name("FILE")
+              ->check(CLI::ExistingFile));
+  command.callback([&command, &options, config] {
+    if (!config->empty()) use_description(command, *config, options);
+  });
+}
+
+std::vector<fs::path> files_of(const JointOptions& options) {
+  std::vector<fs::path> files{options.ball, options.socket};
+  for (const auto& more : {options.landmarks, options.cartilage_map}) {
+    if (more) files.push_back(*more);
+  }
+  files.insert(files.end(), options.ball_parts.begin(), options.ball_parts.end());
+  files.insert(files.end(), options.socket_parts.begin(), options.socket_parts.end());
+  return files;
+}
+
+JointNames names_of(const JointOptions& options) {
+  return {options.ball.string(), options.socket.string(), texts_of(options.ball_parts),
+          texts_of(options.socket_parts)};
+}
+
+Session load_joint(const JointOptions& options, const ScanContactOptions& told) {
+  JointInput input;
+  std::vector<std::string> said;
+  input.ball = read_bone(options.ball, options.ball_parts, options.keep_largest, said);
+  input.socket = read_bone(options.socket, options.socket_parts, options.keep_largest, said);
+  input.centre = options.centre;
+  input.side = options.side;
+  input.axes = agreed_axes(options.ball, options.socket, options.axes, "--axes").code;
+  input.overlap_mm = options.overlap_mm;
+  input.wording.meshes = "BALL and SOCKET";
+  Joint joint = assemble_joint(std::move(input));
+  if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
+  if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
+  joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());
+  const std::string axes = joint.axes;
+  Session session(std::move(joint), options.side, axes);
+  warn_of_contact(*session.joint, told);
+  return session;
+}
+
+std::string describe_joint(const JointOptions& options, const Joint& joint) {
+  std::string text = describe_taken(options.ball, Surface::ball, joint.ball) +
+                     describe_taken(options.socket, Surface::socket, joint.socket);
+  if (!options.axes && joint.axes != "RAS")
+    text += "axes                " + joint.axes + ", as the headers of the meshes say\n";
+  if (!joint.frames) return text;
+  text +=
+      formatted("landmarks           pelvic tilt %.1f degrees in the scan", joint.frames->pelvic_tilt_deg);
+  if (const auto& scanned = joint.frames->scanned) {
+    return text +
+           formatted(
+               ", the femur at flexion %.1f, abduction %.1f, internal rotation %.1f: angles are counted from "
+               "neutral\n",
+               scanned->flexion, scanned->abduction, scanned->internal_rotation);
+  }
+  return text + ": angles are counted from the pose of the scan\n";
+}
+
+}  // namespace impinge

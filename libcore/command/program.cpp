@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/program.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <thread>
+
+#include "command/joint_command.hpp"
+#include "command/version.hpp"
+#include "files/one_line.hpp"
+#include "joint/document.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr const char* kAbout =
+    "How far a ball-and-socket joint turns before its bones meet, and where: range of motion, "
+    "femoroacetabular\n"
+    "impingement, joint space, resection. BALL and SOCKET are meshes in mm, such as a femur and a pelvis.";
+constexpr const char* kFooter =
+    "Exit code: 0; 1 where a mesh or file cannot be used; 2 for a wrong command or option.";
+
+// The first word that is no option.
+std::string command_word(int argc, const char* const* argv) {
+  for (int k = 1; k < argc; ++k)
+    if (argv[k][0] != '-') return argv[k];
+  return "";
+}
+
+void require_command(const std::string& word, const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  std::vector<std::string_view> words(names.begin(), names.end());
+  if (!word.empty()) place_among(word, words, "impinge");
+}
+
+// What CLI11 says of a wrong option, and the near one.
+std::string advice(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App* command = &program;
+  for (const CLI::App* asked : program.get_subcommands()) command = asked;
+  std::string text = error.what();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command->get_options()) names.push_back(option->get_name());
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  for (const std::string& extra : program.remaining(true)) {
+    const std::string_view near = near_word(extra.substr(0, extra.find('=')), words);
+    if (!near.empty()) text += "; did you mean " + std::string(near) + "?";
+  }
+  return text + "; see " + (command == &program ? "impinge" : "impinge " + command->get_name()) + " --help";
+}
+
+// An empty text is what a script gives whose variable is not set.
+void require_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results())
+      if (value.empty())
+        throw CLI::ValidationError(option->get_name(), "is empty; give it a value or leave it out");
+  }
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log) {
+  const auto fail = [&log](const std::string& what, int code) {
+    log << "impinge: error: " << one_line(what) << std::endl;
+    return code;
+  };
+  CLI::App program{kAbout, "impinge"};
+  program.footer(kFooter);
+  program.require_subcommand(0, 1);
+  program.set_version_flag("--version", std::string("impinge ") + kVersion + " (commit " + commit() + ")");
+  std::function<void()> work;  // of the command that was given
+  const Screen screen{out, log};
+  add_joint_commands(program, screen, work);
+  try {
+    require_command(command_word(argc, argv), program);
+    program.parse(argc, argv);
+    for (const CLI::App* command : program.get_subcommands()) require_values(*command);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return program.exit(asked, out, log);
+  } catch (const CLI::ParseError& error) {
+    return fail(advice(program, error), 2);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 2);
+  }
+  if (!work) {
+    out << program.help();
+    return 2;
+  }
+  try {
+    work();
+  } catch (const CommandError& error) {
+    return fail(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory; choose a coarser --precision or smaller meshes", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+  return 0;
+}
+
+}  // namespace impinge

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A question of a joint as a command: options fill a request, the answer becomes words, a document and files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "command/request_options.hpp"
+#include "files/csv.hpp"
+#include "files/fields.hpp"
+#include "files/stopwatch.hpp"
+#include "joint/document.hpp"
+#include "joint/scan_contact.hpp"
+#include "joint/session.hpp"
+
+namespace impinge {
+
+/// What a question may use while it works.
+struct Work {
+  std::optional<std::filesystem::path> out;  // a folder that there is; none: nothing is written
+  std::size_t threads = 1;
+  std::ostream* log = nullptr;  // for progress; none: --quiet
+
+  /// A line of progress.
+  void say(const std::string& line) const;
+};
+
+/// A file of an answer.
+struct AnswerFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// An answer in all its forms. A question fills what it has.
+struct Told {
+  std::string words{};               // lines for a terminal
+  Json document{};                   // of the answer
+  std::vector<AnswerFile> files{};   // beside summary.json; written together
+  std::vector<std::string> wrote{};  // files that are there already: it wrote them while it worked
+  std::string table_name{};          // such as "limits.csv"; empty: it has none
+  Table table{};                     // rows of that file, without the column `joint`
+  std::vector<std::string>
+      rows_of_one{};  // JSON pointers into the document: columns of joints.csv, see --joints
+};
+
+/// A command that asks one question of a joint.
+struct QuestionCommand {
+  std::string name;                              // of the command
+  std::string text;                              // of its help, one sentence
+  std::string example;                           // what follows "impinge NAME"
+  std::function<void(CLI::App&)> add_options{};  // of the request
+  std::function<void(double cartilage_mm)> use_cartilage{};
+  std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
+  std::function<Json()> request{};                     // as JSON
+  std::function<Told(Session&, const Work&)> ask{};    // std::exception, one line, where there is no answer
+  Json request_schema{};
+  Json answer_schema{};
+};
+
+/// Where a request has a gap that counts as contact, it says how large it is and which option gave it.
+template <class Request>
+ScanContactOptions scan_contact_of(const Request& request) {
+  if constexpr (requires { request.threshold_mm(); })
+    return {"--overlap", request.threshold_mm(), Request::kThresholdOption};
+  return {.overlap = "--overlap"};
+}
+
+/// The question of which `Request` holds what is asked and `told(session, request, work)` gives all forms of
+/// the answer, an `Answer`.
+template <Described Request, Described Answer>
+QuestionCommand question_of(std::string name, std::string text, std::string example,
+                            Told (*told)(Session&, const Request&, const Work&)) {
+  const auto request = std::make_shared<Request>();
+  QuestionCommand made{.name = std::move(name), .text = std::move(text), .example = std::move(example)};
+  made.add_options = [request](CLI::App& command) { add_request(command, *request); };
+  made.use_cartilage = [request](double cartilage_mm) {
+    if constexpr (requires { request->cartilage_mm; }) request->cartilage_mm = cartilage_mm;
+  };
+  made.scan_contact = [request] { return scan_contact_of(*request); };
+  made.request = [request] { return json_of(*request); };
+  made.ask = [request, told](Session& session, const Work& work) { return told(session, *request, work); };
+  made.request_schema = schema_of<Request>();
+  made.answer_schema = schema_of<Answer>();
+  return made;
+}
+
+/// The questions that there are, each in a file of its own.
+QuestionCommand measure_question();
+
+}  // namespace impinge

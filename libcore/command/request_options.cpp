@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/request_options.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "files/finite_number.hpp"
+#include "joint/document.hpp"
+
+namespace impinge {
+
+std::string option_name(std::string_view field) {
+  for (const std::string_view unit : {"_mm", "_deg"})
+    if (field.ends_with(unit)) field.remove_suffix(unit.size());
+  std::string name = "--" + std::string(field);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+std::string type_name(std::string_view unit) {
+  if (unit.empty() || unit == "1") return "NUMBER";
+  std::string name(unit);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+CLI::Validator in_range(const Range& range) {
+  return CLI::Validator(
+      [range](const std::string& text) -> std::string {
+        const std::optional<double> value = finite_number(text);
+        if (value && range.has(*value)) return "";
+        return "'" + text + "' is " + (value ? "out of range" : "no number") + "; give one that is " +
+               describe(range);
+      },
+      "");
+}
+
+Motion motion_option(const std::string& option, const std::string& text) {
+  try {
+    return parse_motion(text);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
+}  // namespace impinge

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options of a command from the fields of a request (files/fields.hpp): clearance_mm becomes --clearance MM,
+// with its text, its range and the value that it has when it is not given.
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "files/fields.hpp"
+#include "files/formatted.hpp"
+#include "hip/motion.hpp"
+
+namespace impinge {
+
+/// "--clearance" of "clearance_mm".
+std::string option_name(std::string_view field);
+/// "MM" of "mm"; "NUMBER" without a unit.
+std::string type_name(std::string_view unit);
+/// Of numbers.
+CLI::Validator in_range(const Range& range);
+/// "flexion=90,internal_rotation=10", for an option; CLI::ValidationError.
+Motion motion_option(const std::string& option, const std::string& text);
+
+template <class Owner, class Value>
+void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& request) {
+  const std::string name = option_name(field.name);
+  std::string text(field.text);
+  Value& value = request.*field.member;
+  CLI::Option* option = nullptr;
+  if constexpr (std::same_as<Value, bool>) {
+    option = command.add_flag(name, value, text);
+  } else if constexpr (InWords<Value>) {
+    std::string words;
+    for (const std::string_view word : words_of<Value>)
+      words += (words.empty() ? "" : "|") + std::string(word);
+    text += " [" + std::string(word_of(value)) + "]";
+    option =
+        command
+            .add_option_function<std::string>(
+                name,
+                [&value](const std::string& word) {
+                  for (std::size_t k = 0; k < words_of<Value>.size(); ++k)
+                    if (words_of<Value>[k] == word) value = static_cast<Value>(k);
+                },
+                text)
+            ->check(CLI::IsMember(std::vector<std::string>(words_of<Value>.begin(), words_of<Value>.end()))
+                        .description(""))
+            ->type_name(words);
+  } else if constexpr (std::same_as<Value, Motion>) {
+    option = command.add_option_function<std::string>(
+        name, [&value, name](const std::string& given) { value = motion_option(name, given); }, text);
+    option->type_name("MOTION");
+  } else if constexpr (std::same_as<Value, std::vector<Motion>>) {
+    option = command.add_option_function<std::vector<std::string>>(
+        name,
+        [&value, name](const std::vector<std::string>& given) {
+          for (const std::string& one : given) value.push_back(motion_option(name, one));
+        },
+        text);
+    option->type_name("MOTION")->allow_extra_args(false);
+  } else if constexpr (std::same_as<Value, std::vector<std::string>>) {
+    option =
+        command.add_option(name, value, text)->delimiter(',')->allow_extra_args(false)->type_name("NAME,...");
+  } else if constexpr (std::same_as<Value, double> || std::same_as<Value, std::optional<double>>) {
+    if constexpr (std::same_as<Value, double>) text += formatted(" [%g]", value);
+    option =
+        command.add_option(name, value, text)->check(in_range(field.range))->type_name(type_name(field.unit));
+  } else {
+    option = command.add_option(name, value, text);
+  }
+  option->group("The question");
+}
+
+/// One option for each field, but for cartilage_mm, which is the joint's --cartilage.
+template <Described Request>
+void add_request(CLI::App& command, Request& request) {
+  for_each_field<Request>([&](const auto& field) {
+    if (field.name != "cartilage_mm") add_field(command, field, request);
+  });
+}
+
+}  // namespace impinge

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/question_method.hpp"
+
+#include <stdexcept>
+
+namespace impinge::python {
+
+Json json_of_arguments(const py::args& args, const py::kwargs& named,
+                       std::span<const std::string_view> fields) {
+  if (args.size() > fields.size())
+    throw py::type_error("there are " + std::to_string(fields.size()) + " arguments at most, not " +
+                         std::to_string(args.size()));
+  py::dict given;
+  for (std::size_t k = 0; k < args.size(); ++k) given[py::str(fields[k].data(), fields[k].size())] = args[k];
+  for (const auto& [name, value] : named) {
+    if (given.contains(name)) throw py::type_error("'" + name.cast<std::string>() + "' is given twice");
+    given[name] = value;
+  }
+  const auto plain = py::cpp_function([](const py::object& value) { return value.attr("tolist")(); });
+  return Json::parse(
+      py::module_::import("json").attr("dumps")(given, py::arg("default") = plain).cast<std::string>());
+}
+
+py::object object_of(const Json& document) {
+  return py::module_::import("json").attr("loads")(text_of(document));
+}
+
+}  // namespace impinge::python

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A question of a joint as a method: arguments fill a request (files/fields.hpp), in the order of its fields
+// or by their names; the answer is its document as a dict.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "joint/document.hpp"
+#include "python/arrays.hpp"
+#include "python/joint_class.hpp"
+
+namespace impinge::python {
+
+/// JSON of arguments, of which arrays of NumPy become lists.
+Json json_of_arguments(const py::args& args, const py::kwargs& named,
+                       std::span<const std::string_view> fields);
+/// Dicts, lists, numbers and texts of JSON.
+py::object object_of(const Json& document);
+
+/// `text`, then a line for each field of the request and of the answer.
+template <Described Request, Described Answer>
+std::string docstring_of(std::string_view text) {
+  std::string lines(text);
+  const auto add = [&lines](const auto& field) {
+    lines += "\n  " + std::string(field.name) +
+             (field.unit.empty() || field.unit == "1" ? "" : " (" + std::string(field.unit) + ")") + ": " +
+             std::string(field.text);
+  };
+  if constexpr (std::tuple_size<decltype(Request::fields())>::value > 0) {
+    lines += "\n\nArguments";
+    for_each_field<Request>(add);
+  }
+  lines += "\n\nReturns a dict with";
+  for_each_field<Answer>(add);
+  return lines;
+}
+
+/// Adds the method. `more(joint, answer, dict)` adds what is no JSON, such as arrays.
+template <Described Request, Described Answer>
+void bind_question(JointClass& joint, const char* name, std::string_view text,
+                   void (*more)(const PoseJoint&, const Answer&, py::dict&) = nullptr) {
+  joint.def(
+      name,
+      [more](PoseJoint& self, const py::args& args, const py::kwargs& named) {
+        std::vector<std::string_view> fields;
+        for_each_field<Request>([&](const auto& field) { fields.push_back(field.name); });
+        Request request;
+        read_request(json_of_arguments(args, named, fields), request);
+        std::optional<Answer> found;
+        without_lock(1, [&](std::size_t) { found = self.ask(request); });
+        py::dict answer = object_of(json_of(*found));
+        if (more != nullptr) more(self, *found, answer);
+        return answer;
+      },
+      docstring_of<Request, Answer>(text).c_str());
+}
+
+}  // namespace impinge::python

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each question asked three ways: the program `impinge`, the module of Python, and the page (tests/joint3d/answers.js) give the
+same document, and that of the program is valid against its schema.
+
+Python runs the code of the program on the same machine: its numbers are equal. The page's library is WebAssembly, where libm
+and the order of three products differ: tests/python/test_same_answers.py says by how much."""
+import json
+import os
+import subprocess
+
+import impinge
+import jsonschema
+import pytest
+from shared import ROOT, program
+
+# The question, what is asked, and how much the numbers of the page may differ.
+QUESTIONS = [
+    ("measure", {}, 1e-6),
+]
+
+
+def options(request):
+    """The request as a person types it: clearance_mm is --clearance."""
+    words = []
+    for name, value in request.items():
+        option = "--" + name.removesuffix("_mm").removesuffix("_deg").replace("_", "-")
+        for one in value if isinstance(value, list) else [value]:
+            words += [option] if one is True else [option, str(one)]
+    return words
+
+
+def different(mine, ours, allowed, where=""):
+    """The first place at which two documents differ; None where they are the same."""
+    if isinstance(ours, dict) and isinstance(mine, dict):
+        if list(mine) != list(ours):
+            return f"{where}: {list(mine)} {list(ours)}"
+        pairs = [(mine[key], ours[key], f"{where}/{key}") for key in ours]
+    elif isinstance(ours, list) and isinstance(mine, list) and len(mine) == len(ours):
+        pairs = [(a, b, f"{where}/{k}") for k, (a, b) in enumerate(zip(mine, ours))]
+    elif isinstance(ours, float) and isinstance(mine, (int, float)):
+        return None if abs(mine - ours) <= allowed else f"{where}: {mine} {ours}"
+    else:
+        return None if mine == ours else f"{where}: {mine} {ours}"
+    return next((found for pair in pairs if (found := different(pair[0], pair[1], allowed, pair[2]))), None)
+
+
+def answered(files, question, request):
+    done = program("IMPINGE", question, *files, "--side", "right", "--json", *options(request))
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("question,request_", [(name, asked) for name, asked, _ in QUESTIONS])
+def test_the_program_and_python(floats, question, request_):
+    document = answered(floats, question, request_)
+    jsonschema.validate(document, json.loads(program("IMPINGE", question, "--schema").stdout))
+    ours = getattr(impinge.Joint.read(*floats, side="right"), question)(**request_)
+    assert different({key: ours[key] for key in document["answer"]}, document["answer"], 0.0) is None
+
+
+def test_the_page(floats):
+    if "JOINT3D_ENGINE" not in os.environ:
+        pytest.skip("no page is built")
+    asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", **{name: request for name, request, _ in QUESTIONS}}
+    done = subprocess.run([os.environ["NODE"], str(ROOT / "tests/joint3d/answers.js"), json.dumps(asked)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    page = json.loads(done.stdout)
+    for question, request, allowed in QUESTIONS:
+        ours = answered(floats, question, request)["answer"]
+        assert different({key: page[question][key] for key in ours}, ours, allowed) is None

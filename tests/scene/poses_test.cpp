@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many poses, held against every face and every vertex: exact overlay and ray casting. And a run that ended
+// in any of its bytes goes on to the same file.
+#include "scene/poses.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "files/file_bytes.hpp"
+#include "gap/overlay.hpp"
+#include "mesh/generated_pair.hpp"
+#include "mesh/io.hpp"
+#include "scene/joint.hpp"
+#include "support/poses.hpp"
+#include "support/temporary_folder.hpp"
+#include "table/pairwise.hpp"
+
+namespace impinge {
+namespace {
+
+const Vec3 kCentre(-86.0, 20.5, -580.25);  // the centre, frame of the input
+
+class Poses : public testing::Test {
+ protected:
+  Poses() {
+    PairShape shape;
+    shape.cam_height = 4.4;
+    pair_ = make_ball_socket_pair(1200, shape);
+    options_.ball = folder_.path() / "ball.ply";
+    options_.socket = folder_.path() / "socket.ply";
+    options_.out = folder_.path() / "out";
+    std::filesystem::create_directory(options_.out);
+    options_.centre = kCentre;
+    options_.side = Side::left;
+    BallSocketPair seen = pair_;
+    for (TriangleMesh* mesh : {&seen.ball, &seen.socket}) {
+      for (Vec3& x : mesh->vertices) x += kCentre;
+    }
+    write_mesh(options_.ball, seen.ball);
+    write_mesh(options_.socket, seen.socket);
+  }
+
+  // poses.csv, row by row; the head is the first.
+  std::vector<std::vector<std::string>> answered() {
+    const Session session = load_joint(options_);
+    summary_ = answer_poses(options_, *session.joint, log_);
+    joint_ = {session.joint->joint.ball.mesh, session.joint->joint.socket.mesh};
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(bytes());
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> cells(1);
+      for (const char c : line) c == ',' ? cells.emplace_back() : cells.back().append(1, c);
+      rows.push_back(cells);
+    }
+    return rows;
+  }
+  std::string bytes() const { return read_bytes(options_.out / "poses.csv"); }
+
+  test::TemporaryFolder folder_;
+  BallSocketPair pair_;
+  BallSocketPair joint_;  // as it was read, centre frame
+  SceneOptions options_;
+  nlohmann::json summary_;
+  std::ostringstream log_;
+};
+
+// The least of all gaps, by rays through all faces.
+double least_gap(const BallSocketPair& joint, const Pose& pose) {
+  const RayCaster ball(joint.ball);
+  const RayCaster socket(joint.socket);
+  double least = INFINITY;
+  for (const Vec3& v : joint.ball.vertices) {
+    const Vec3 x = to_socket(pose, v);
+    least = std::fmin(least, socket.cast(x.normalized(), Layer::nearest) - x.norm());
+  }
+  for (const Vec3& v : joint.socket.vertices) {
+    const Vec3 x = to_ball(pose, v);
+    least = std::fmin(least, x.norm() - ball.cast(x.normalized(), Layer::farthest));
+  }
+  return least;
+}
+
+TEST_F(Poses, AgreeWithEveryFaceAndEveryVertex) {
+  const std::vector<Pose> poses = test::random_poses(300, 1.5, 7.0, 7);
+  std::string matrices;
+  for (const Pose& pose : poses) {
+    const Vec3 moved = pose.translation + kCentre - pose.rotation * kCentre;
+    std::ostringstream line;
+    line.precision(17);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) line << pose.rotation(i, k) << ',';
+      line << moved[i] << (i < 2 ? "," : "\n");
+    }
+    matrices += line.str();
+  }
+  options_.poses = folder_.write("poses.txt", matrices);
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), poses.size() + 1);
+  const SurfaceOverlay overlay(joint_.ball, joint_.socket);
+  std::size_t touching = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto& row = rows[k + 1];
+    ASSERT_EQ(row[2], "yes");
+    EXPECT_EQ(row[1] == "yes", overlay.impinged(poses[k])) << k;
+    touching += row[1] == "yes";
+    EXPECT_LT(std::stod(row[7]), 1e-9);
+    EXPECT_NEAR(std::stod(row[3]), least_gap(joint_, poses[k]), std::stod(row[7]) + 1e-9) << k;
+  }
+  EXPECT_GT(touching, 20U);
+  EXPECT_LT(touching, 280U);
+  EXPECT_EQ(summary_["touching"], touching);
+}
+
+TEST_F(Poses, ARowThatIsNotTrackedKeepsItsNumberAndSaysSo) {
+  options_.poses = folder_.write("poses.csv", ",,,,,,,,,,,\n1,0,0,0,0,1,0,0,0,0,1,0\n");
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"1", "untracked", "", "", "", "", "", ""}));
+  EXPECT_EQ(rows[2][0] + rows[2][1], "2no");
+  EXPECT_EQ(summary_["number_of_poses"], 2);
+  EXPECT_EQ(summary_["untracked"], 1);
+  EXPECT_EQ(summary_["smallest_gap"]["pose"], 2);
+  EXPECT_NE(describe_poses(summary_).find("1 without numbers: untracked"), std::string::npos);
+}
+
+// A quarter of a turn of flexion about the centre c is x' = R x + c - R c. Its translation is given in
+// another unit, left out, or both bones have moved in the room.
+TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
+  Eigen::Matrix3d turn;
+  turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  const Vec3 right = kCentre - turn * kCentre;
+  const double away = 600.0;
+  for (const auto& [given, advice] :
+       {std::pair<Vec3, std::string>(right, ""),
+        {right + Vec3(20.0, 0.0, 0.0), ""},
+        {right / 1000.0, "look like metres; give mm"},
+        {right / 10.0, "look like centimetres; give mm"},
+        {Vec3::Zero(),
+         "turn about the origin of the frame; add the translation c - R c, c = -86.000,20.500,-580.250"},
+        {right + Vec3(0.0, away, 0.0), "the inverse of the socket's times that of the ball"}}) {
+    std::ostringstream row;
+    row.precision(17);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) row << turn(i, k) << ',';
+      row << given[i] << (i < 2 ? "," : "\n");
+    }
+    options_.poses = folder_.write("poses.csv", "1,0,0,0,0,1,0,0,0,0,1,0\n" + row.str());
+    log_.str("");
+    answered();
+    const std::string said = log_.str();
+    EXPECT_EQ(summary_["warnings"].size(), advice.empty() ? 0U : 1U) << advice;
+    EXPECT_EQ(said.find("1 of 2 poses, first pose 2, move the centre of the ball as far as ") != said.npos,
+              !advice.empty())
+        << said;
+    EXPECT_NE(said.find(advice), said.npos) << said;
+  }
+}
+
+TEST_F(Poses, AnglesTurnAsInOnePose) {
+  options_.path = "flexion=0..60/30,abduction=-20..20/20";
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 10U);
+  EXPECT_EQ(rows[0].back(), "abduction");
+  EXPECT_EQ(rows[9][8] + rows[9][9], "6020");
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const Motion motion{.flexion = std::stod(rows[k][8]), .abduction = std::stod(rows[k][9])};
+    const Pose pose{joint_rotation(motion, Side::left), Vec3::Zero()};
+    EXPECT_NEAR(std::stod(rows[k][3]), least_gap(joint_, pose), 1e-9);
+  }
+}
+
+// More than are answered between two writes.
+TEST_F(Poses, ManyAreInTheirOrder) {
+  options_.path = "flexion=0..60/0.02";
+  options_.question = Question::touch;
+  const auto rows = answered();
+  ASSERT_EQ(rows.size(), 3002U);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    ASSERT_EQ(rows[k].front(), std::to_string(k));
+    ASSERT_NEAR(std::stod(rows[k].back()), 0.02 * static_cast<double>(k - 1), 1e-9);
+  }
+}
+
+// Area of the vertices of a surface whose gap is `most` or less, by rays through all faces.
+double area_within(const BallSocketPair& joint, const Pose& pose, Surface of, double most) {
+  const TriangleMesh& mesh = of == Surface::ball ? joint.ball : joint.socket;
+  const RayCaster other(of == Surface::ball ? joint.socket : joint.ball);
+  const std::vector<double> areas = vertex_areas(mesh);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const Vec3 x = of == Surface::ball ? to_socket(pose, mesh.vertices[i]) : to_ball(pose, mesh.vertices[i]);
+    const Layer layer = of == Surface::ball ? Layer::nearest : Layer::farthest;
+    const double gap = (of == Surface::ball ? 1.0 : -1.0) * (other.cast(x.normalized(), layer) - x.norm());
+    if (gap <= most) sum += areas[i];
+  }
+  return sum;
+}
+
+TEST_F(Poses, AreasAreThoseOfAllGaps) {
+  options_.path = "flexion=10..90/40,internal_rotation=-30..30/15";
+  options_.areas = true;
+  options_.cartilage_mm = 3.1;
+  const auto rows = answered();
+  EXPECT_EQ(rows[0][8] + rows[0][11], "bone_ball_mm2cartilage_socket_mm2");
+  double bone = 0.0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const Motion motion{.flexion = std::stod(rows[k][12]), .internal_rotation = std::stod(rows[k][13])};
+    const Pose pose{joint_rotation(motion, Side::left), Vec3::Zero()};
+    EXPECT_NEAR(std::stod(rows[k][8]), area_within(joint_, pose, Surface::ball, 0.0), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][9]), area_within(joint_, pose, Surface::socket, 0.0), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][10]), area_within(joint_, pose, Surface::ball, 3.1), 1e-9) << k;
+    EXPECT_NEAR(std::stod(rows[k][11]), area_within(joint_, pose, Surface::socket, 3.1), 1e-9) << k;
+    bone += std::stod(rows[k][8]);
+  }
+  EXPECT_GT(bone, 1.0);
+}
+
+TEST_F(Poses, WhatIsNotAskedForIsLeftOut) {
+  options_.path = "flexion=0..10/5";
+  options_.question = Question::touch;
+  EXPECT_EQ(answered()[1][3], "");
+  EXPECT_TRUE(summary_["smallest_gap"].is_null());
+  options_.question = Question::first_contact;
+  EXPECT_EQ(answered()[1][1], "");
+  EXPECT_TRUE(summary_["touching"].is_null());
+}
+
+TEST_F(Poses, ARunThatEndedAnywhereGoesOnToTheSameBytes) {
+  options_.path = "flexion=0..150/30,internal_rotation=-20..20/20";
+  answered();
+  const std::string whole = bytes();
+  const nlohmann::json told = summary_["smallest_gap"];
+  std::filesystem::path part;
+  {  // its name, from a run that cannot end
+    std::filesystem::remove(options_.out / "poses.csv");
+    std::filesystem::create_directory(options_.out / "poses.csv");
+    EXPECT_ANY_THROW(answered());
+    std::filesystem::remove(options_.out / "poses.csv");
+    for (const auto& file : std::filesystem::directory_iterator(options_.out)) {
+      if (file.path().extension() == ".part") part = file.path();
+    }
+  }
+  ASSERT_FALSE(part.empty());
+  EXPECT_EQ(read_bytes(part), whole);  // nothing was lost
+  for (std::size_t end = 0; end <= whole.size(); end += 37) {
+    folder_.write("out" / part.filename(), whole.substr(0, end));
+    log_.str("");
+    answered();
+    EXPECT_EQ(bytes(), whole) << end;
+    EXPECT_EQ(summary_["smallest_gap"], told);
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
+  EXPECT_NE(log_.str().find("answered before"), std::string::npos);
+  // Another question has a part of its own.
+  folder_.write("out" / part.filename(), whole.substr(0, 200));
+  options_.path = "flexion=0..150/30,internal_rotation=-20..20/10";
+  EXPECT_EQ(answered().size(), 31U);
+  EXPECT_TRUE(std::filesystem::exists(part));
+}
+
+}  // namespace
+}  // namespace impinge

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user must know of a joint before any answer is said once, in one line that names the file and what
+// to do: further pieces, flaws, a centre beside the ball, contact and gaps at the start. Spheres of known
+// gap.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "joint/scan_contact.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/io.hpp"
+#include "scene/joint.hpp"
+#include "support/joined.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
+
+namespace impinge {
+namespace {
+
+const Vec3 kFramed(-86.0, 20.5, -580.25);  // the centre, frame of the files
+
+class SceneWarnings : public ::testing::Test {
+ protected:
+  // Opens to the right of a right hip; the gap is 25 mm less the radius of the ball.
+  SceneWarnings() {
+    TriangleMesh socket = cup(25.0, 80.0, 3000);
+    for (Vec3& v : socket.vertices) v = Vec3(-v.z(), v.y(), v.x());
+    options_.ball = written("ball.ply", sphere(22.0, 3000));
+    options_.socket = written("socket.ply", socket);
+    options_.out = folder_.path() / "out";
+    options_.side = Side::right;
+  }
+  std::filesystem::path written(const std::string& name, TriangleMesh mesh) {
+    for (Vec3& x : mesh.vertices) x += kFramed;
+    write_mesh(folder_.path() / name, mesh);
+    return folder_.path() / name;
+  }
+  // The warnings, from the names of the files on.
+  std::vector<std::string> said() {
+    std::vector<std::string> lines = load_joint(options_).joint->joint.warnings;
+    const std::string folder = folder_.path().string() + "/";
+    for (std::string& line : lines) {
+      if (line.starts_with(folder)) line.erase(0, folder.size());
+    }
+    return lines;
+  }
+
+  test::TemporaryFolder folder_;
+  SceneOptions options_;
+};
+
+using Lines = std::vector<std::string>;
+
+const TriangleMesh kSpeck = sphere(0.5, 20, {0.0, 0.0, 23.5});
+
+TEST_F(SceneWarnings, AGoodJointHasNone) { EXPECT_EQ(said(), Lines()); }
+
+TEST_F(SceneWarnings, APieceBesideTheBallIsNamedAndCanBeLeftOut) {
+  const TriangleMesh screw = sphere(3.0, 100, {2.0, 0.0, 0.0});
+  options_.ball = written("ball.ply", test::joined(test::joined(kSpeck, sphere(22.0, 3000)), screw));
+  ASSERT_FALSE(said().empty());
+  EXPECT_EQ(
+      said().front(),
+      "ball.ply: has 3 pieces that do not hang together, 44.0, 6.0 and 1.0 mm across; each counts as bone, "
+      "and a speck of a segmentation can block all motion: remove what is no bone, or take the largest "
+      "piece alone with --keep largest");
+  options_.keep_largest = true;
+  EXPECT_EQ(said(), Lines{"ball.ply: 2 of its 3 pieces left out, 6.0 and 1.0 mm across"});
+  EXPECT_EQ(load_joint(options_).joint->joint.ball.mesh.faces.size(), 3000U);
+}
+
+TEST_F(SceneWarnings, PartsAndWhatIsInThemAreTakenAndTheirFlawsAreTheirs) {
+  const TriangleMesh screw = sphere(1.0, 100, {60.0, 0.0, 0.0});
+  TriangleMesh flipped = sphere(5.0, 100, {60.0, 0.0, 0.0});
+  std::swap(flipped.faces[3][0], flipped.faces[3][1]);
+  options_.ball_parts = {written("bone.ply", flipped), written("screw.ply", screw)};
+  options_.socket_parts = {written("two.stl", test::joined(sphere(5.0, 100, {-60.0, 0.0, 0.0}), kSpeck))};
+  const Lines lines = said();
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].rfind("two.stl: has 2 pieces", 0), 0U) << lines[0];
+  EXPECT_EQ(lines[1], "bone.ply: 100 faces, 52 vertices, 1 part, closed flaws: 1 flipped faces");
+  EXPECT_EQ(load_joint(options_).joint->joint.ball.validation.flipped_faces, 1U);
+}
+
+// A quarter of the radius is 5.5 mm, and 5 mm are less.
+TEST_F(SceneWarnings, ACentreBesideTheSphereThatFitsIsSaidWithBoth) {
+  options_.centre = kFramed + Vec3(0.0, 4.9, 0.0);
+  EXPECT_EQ(said(), Lines());
+  options_.centre = kFramed + Vec3(0.0, -5.2, 0.0);
+  const Lines lines = said();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].rfind(
+                "ball.ply: the centre that was given, -86.000,15.300,-580.250, is 5.2 mm from -86.00", 0),
+            0U)
+      << lines[0];
+  EXPECT_NE(lines[0].find("sphere of radius 22.0 mm"), std::string::npos) << lines[0];
+}
+
+TEST_F(SceneWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
+  options_.ball = written("ball.ply", sphere(25.25, 3000));
+  const MotionName* const limits[] = {nullptr, &motion_name("flexion")};
+  for (const MotionName* limit : limits) {
+    options_.limit = limit;
+    const Lines lines = said();
+    ASSERT_EQ(lines.size(), 1U);
+    const std::string& line = lines[0];
+    EXPECT_EQ(line.rfind("ball and socket touch as scanned, 0.2", 0), 0U) << line;
+    EXPECT_NE(line.find(" o'clock: what begins there is blocked; check the centre"), line.npos) << line;
+    EXPECT_NE(line.find("; --overlap with a little more than that depth asks for"), line.npos) << line;
+  }
+  options_.limit = nullptr;
+  options_.volume = VolumeOptions{};
+  EXPECT_EQ(said().size(), 1U);
+}
+
+// As a smaller ball has it: where the whole overlap is allowed there is a gap.
+TEST_F(SceneWarnings, AnOverlapThatIsAllowedIsNoContact) {
+  options_.ball = written("ball.ply", sphere(25.25, 3000));
+  for (const double overlap : {0.2, 0.35, 1.25}) {
+    options_.overlap_mm = overlap;
+    EXPECT_EQ(said().size(), overlap > 0.3 ? 0U : 1U) << overlap;
+    const Session session = load_joint(options_);
+    const ScanContact found = contact_in(*session.joint, Pose());
+    EXPECT_NEAR(*found.gap_mm, overlap - 0.25, 0.05);
+    EXPECT_EQ(found.touch, overlap < 0.3);
+  }
+  options_.overlap_mm = 30.0;
+  const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_); });
+  EXPECT_NE(refused.find("ball.ply: has a point 25"), std::string::npos) << refused;
+}
+
+TEST_F(SceneWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
+  EXPECT_EQ(said(), Lines());
+  options_.limit = &motion_name("flexion");
+  const Lines lines = said();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].rfind("the smallest gap as scanned is 2.9", 0), 0U) << lines[0];
+  EXPECT_NE(lines[0].find("not above the 4 mm of --cartilage: what asks for a gap of that size is blocked"),
+            std::string::npos)
+      << lines[0];
+  options_.cartilage_mm = 2.0;
+  EXPECT_EQ(said(), Lines());
+  options_.limit = nullptr;
+  options_.volume = VolumeOptions{.gap_mm = 3.5};
+  ASSERT_EQ(said().size(), 1U);
+  EXPECT_NE(said()[0].find("not above the 3.5 mm of --gap"), std::string::npos);
+}
+
+TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
+  const ScanContactOptions options{.overlap = "--overlap", .threshold_mm = 4.0, .threshold = "--cartilage"};
+  ScanContact found;
+  const auto said = [&] { return describe_contact(found, "as scanned", options); };
+  EXPECT_EQ(said(), "");
+  found.touch = true;
+  found.bodies = "trochanter and spine";
+  EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: what begins", 0), 0U);
+  EXPECT_EQ(said().find("--overlap"), std::string::npos);
+  EXPECT_EQ(describe_threshold(found, "as scanned", options), "");
+  found.gap_mm = -1.25;
+  EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: what"), std::string::npos);
+  found.hours = 1.5;
+  EXPECT_NE(said().find("1.250 mm deep along a ray at 1:30 o'clock: "), std::string::npos);
+  EXPECT_NE(said().find("--overlap"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace impinge
