@@ -105,15 +105,12 @@ Cell cell_at(const Json& document, const std::string& pointer) {
   return value.is_string() ? Cell(value.get<std::string>()) : Cell();
 }
 
-// "/smallest_gap/gap_mm" becomes the column smallest_gap_gap_mm.
 Table row_of_one(const Told& told) {
   Table table;
   std::vector<Cell> row;
-  for (const std::string& pointer : told.rows_of_one) {
-    std::string name = pointer.substr(1);
-    std::replace(name.begin(), name.end(), '/', '_');
-    table.columns.push_back({name, "", ""});
-    row.push_back(cell_at(told.document, pointer));
+  for (const HeadlineColumn& column : told.row_of_one) {
+    table.columns.push_back({column.name, "", ""});
+    row.push_back(cell_at(told.document, column.at));
   }
   table.add_row(std::move(row));
   return table;
@@ -150,7 +147,8 @@ void write(AnswerFolder& folder, const Answered& answered, const std::vector<fs:
 Work work_of(const JointCommand& command, const Screen& screen) {
   Work work;
   work.threads = command.threads > 0 ? command.threads : std::max(1U, std::thread::hardware_concurrency());
-  if (!command.quiet) work.log = &screen.log;
+  work.log = &screen.log;
+  work.quiet = command.quiet;
   return work;
 }
 
@@ -238,6 +236,11 @@ void run(const JointCommand& command, const Screen& screen) {
     return;
   }
   const std::string see = "; see impinge " + command.question.name + " --help";
+  try {
+    command.question.check();
+  } catch (const std::invalid_argument& error) {
+    throw CommandError(error.what() + see);
+  }
   if (command.joints.empty()) {
     if (command.joint.ball.empty() || command.joint.socket.empty())
       throw CommandError("two meshes are needed, BALL and SOCKET" + see);
@@ -284,11 +287,16 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
 }  // namespace
 
 void Work::say(const std::string& line) const {
-  if (log != nullptr) *log << "impinge: " << one_line(line) << std::endl;
+  if (log != nullptr && !quiet) *log << "impinge: " << one_line(line) << std::endl;
+}
+
+void Work::warn(const std::string& line) const {
+  if (log != nullptr) *log << "impinge: warning: " << one_line(line) << std::endl;
 }
 
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work) {
-  for (QuestionCommand& question : std::vector<QuestionCommand>{measure_question()})
+  for (QuestionCommand& question :
+       std::vector<QuestionCommand>{gaps_question(), touch_question(), poses_question(), measure_question()})
     add_command(program, std::move(question), screen, work);
 }
 

@@ -28,16 +28,25 @@ namespace impinge {
 struct Work {
   std::optional<std::filesystem::path> out;  // a folder that there is; none: nothing is written
   std::size_t threads = 1;
-  std::ostream* log = nullptr;  // for progress; none: --quiet
+  std::ostream* log = nullptr;  // for warnings and progress
+  bool quiet = false;           // no progress
 
   /// A line of progress.
   void say(const std::string& line) const;
+  /// A line that says what looks wrong.
+  void warn(const std::string& line) const;
 };
 
 /// A file of an answer.
 struct AnswerFile {
   std::string name;
   std::string bytes;
+};
+
+/// A column of joints.csv, and the place of its value in the document (a JSON pointer).
+struct HeadlineColumn {
+  std::string name;
+  std::string at;
 };
 
 /// An answer in all its forms. A question fills what it has.
@@ -60,8 +69,9 @@ struct QuestionCommand {
   std::function<void(CLI::App&)> add_options{};  // of the request
   std::function<void(double cartilage_mm)> use_cartilage{};
   std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
-  std::function<Json()> request{};                     // as JSON
-  std::function<Told(Session&, const Work&)> ask{};    // std::exception, one line, where there is no answer
+  std::function<void()> check{};    // std::invalid_argument where what is asked does not go together
+  std::function<Json()> request{};  // as JSON
+  std::function<Told(Session&, const Work&)> ask{};  // std::exception, one line, where there is no answer
   Json request_schema{};
   Json answer_schema{};
 };
@@ -86,6 +96,9 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
     if constexpr (requires { request->cartilage_mm; }) request->cartilage_mm = cartilage_mm;
   };
   made.scan_contact = [request] { return scan_contact_of(*request); };
+  made.check = [request] {
+    if constexpr (requires { request->check(); }) request->check();
+  };
   made.request = [request] { return json_of(*request); };
   made.ask = [request, told](Session& session, const Work& work) { return told(session, *request, work); };
   made.request_schema = schema_of<Request>();
@@ -94,6 +107,9 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
 }
 
 /// The questions that there are, each in a file of its own.
+QuestionCommand gaps_question();
+QuestionCommand poses_question();
+QuestionCommand touch_question();
 QuestionCommand measure_question();
 
 }  // namespace impinge

@@ -16,6 +16,7 @@
 #include "files/fields.hpp"
 #include "files/formatted.hpp"
 #include "hip/motion.hpp"
+#include "joint/document.hpp"
 
 namespace impinge {
 
@@ -28,6 +29,18 @@ CLI::Validator in_range(const Range& range);
 /// "flexion=90,internal_rotation=10", for an option; CLI::ValidationError.
 Motion motion_option(const std::string& option, const std::string& text);
 
+template <InWords E>
+std::string words_text(const char* between) {
+  std::string text;
+  for (const std::string_view word : words_of<E>) text += (text.empty() ? "" : between) + std::string(word);
+  return text;
+}
+
+template <InWords E>
+CLI::Validator word_check() {
+  return CLI::IsMember(std::vector<std::string>(words_of<E>.begin(), words_of<E>.end())).description("");
+}
+
 template <class Owner, class Value>
 void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& request) {
   const std::string name = option_name(field.name);
@@ -37,22 +50,16 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
   if constexpr (std::same_as<Value, bool>) {
     option = command.add_flag(name, value, text);
   } else if constexpr (InWords<Value>) {
-    std::string words;
-    for (const std::string_view word : words_of<Value>)
-      words += (words.empty() ? "" : "|") + std::string(word);
     text += " [" + std::string(word_of(value)) + "]";
-    option =
-        command
-            .add_option_function<std::string>(
-                name,
-                [&value](const std::string& word) {
-                  for (std::size_t k = 0; k < words_of<Value>.size(); ++k)
-                    if (words_of<Value>[k] == word) value = static_cast<Value>(k);
-                },
-                text)
-            ->check(CLI::IsMember(std::vector<std::string>(words_of<Value>.begin(), words_of<Value>.end()))
-                        .description(""))
-            ->type_name(words);
+    option = command
+                 .add_option_function<std::string>(
+                     name,
+                     [&value](const std::string& word) {
+                       value = static_cast<Value>(place_among(word, words_of<Value>, ""));
+                     },
+                     text)
+                 ->check(word_check<Value>())
+                 ->type_name(words_text<Value>("|"));
   } else if constexpr (std::same_as<Value, Motion>) {
     option = command.add_option_function<std::string>(
         name, [&value, name](const std::string& given) { value = motion_option(name, given); }, text);
@@ -65,6 +72,19 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
         },
         text);
     option->type_name("MOTION")->allow_extra_args(false);
+  } else if constexpr (requires { requires InWords<typename Value::value_type>; }) {
+    using Word = typename Value::value_type;
+    option = command.add_option_function<std::vector<std::string>>(
+        name,
+        [&value](const std::vector<std::string>& given) {
+          for (const std::string& word : given)
+            value.push_back(static_cast<Word>(place_among(word, words_of<Word>, "")));
+        },
+        text);
+    option->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name(words_text<Word>(","))
+        ->check(word_check<Word>());
   } else if constexpr (std::same_as<Value, std::vector<std::string>>) {
     option =
         command.add_option(name, value, text)->delimiter(',')->allow_extra_args(false)->type_name("NAME,...");

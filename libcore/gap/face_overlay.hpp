@@ -25,6 +25,7 @@
 #include <array>
 #include <cstddef>
 
+#include "files/fields.hpp"
 #include "sphere/orientation.hpp"
 #include "sphere/plane_side.hpp"
 
@@ -41,6 +42,9 @@ bool holds_centre(const OverlayFace& face);
 
 /// Which of the three kinds of direction above it is; `centre`: the face of the socket holds the centre.
 enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<OverlayKind>{
+    "ball vertex", "socket vertex", "crossing of edges", "centre of the ball"};
 
 /// A direction at which the gap over two faces may be smallest.
 struct OverlayPoint {

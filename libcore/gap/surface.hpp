@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "files/fields.hpp"
 #include "gap/pose.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "table/face_cap.hpp"
@@ -16,13 +17,15 @@ namespace impinge {
 
 /// The two surfaces of a joint. A scan looks up the vertices of one in the table of the other.
 enum class Surface { ball, socket };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Surface>{"ball", "socket"};
 inline constexpr std::array kSurfaces{Surface::ball, Surface::socket};
 
 /// The one that it faces.
 constexpr Surface other(Surface of) { return of == Surface::ball ? Surface::socket : Surface::ball; }
 
 /// "ball" or "socket".
-constexpr std::string_view name(Surface of) { return of == Surface::ball ? "ball" : "socket"; }
+constexpr std::string_view name(Surface of) { return word_of(of); }
 
 /// Its mesh.
 inline const TriangleMesh& mesh_of(const BallSocketPair& joint, Surface of) {

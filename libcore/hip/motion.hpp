@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "files/fields.hpp"
 #include "hip/anatomy.hpp"
 
 namespace impinge {
@@ -18,6 +20,14 @@ struct Motion {
   double flexion = 0.0;            // of the femur forward; extension is negative
   double abduction = 0.0;          // of the femur away from the midline; adduction is negative
   double internal_rotation = 0.0;  // of the femur's front towards the midline; external rotation is negative
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"flexion", "deg", "of the femur forward; extension is negative", &Motion::flexion},
+        Field{"abduction", "deg", "away from the midline; adduction is negative", &Motion::abduction},
+        Field{"internal_rotation", "deg", "of the front towards the midline; external is negative",
+              &Motion::internal_rotation}};
+  }
 };
 
 /// One of the six motions: an angle of Motion, and which way it counts.

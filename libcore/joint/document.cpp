@@ -2,6 +2,7 @@
 #include "joint/document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "files/formatted.hpp"
@@ -78,6 +79,32 @@ void read_json(const Json& given, std::string_view name, const Range& /*range*/,
 void read_json(const Json& given, std::string_view name, const Range& /*range*/, std::string& value) {
   if (!given.is_string()) refuse(name, given.dump() + " is no text; give one");
   value = given.get<std::string>();
+}
+
+void read_json(const Json& given, std::string_view name, const Range& /*range*/, Motion& value) {
+  try {
+    if (given.is_string()) {
+      value = parse_motion(given.get<std::string>());
+      return;
+    }
+    std::array<double, 3> angles{};
+    if (given.is_object()) {
+      read_request(given, value);
+      angles = {value.flexion, value.abduction, value.internal_rotation};
+    } else {
+      std::vector<double> numbers;
+      read_json(given, name, {}, numbers);
+      if (numbers.size() != angles.size())
+        throw std::invalid_argument("is not three angles in degrees: flexion, abduction, internal rotation");
+      std::copy(numbers.begin(), numbers.end(), angles.begin());
+    }
+    for (const double angle : angles)
+      if (!(std::abs(angle) <= kLargestAngle))
+        throw std::invalid_argument("an angle is not within 180 degrees of 0");
+    value = {angles[0], angles[1], angles[2]};
+  } catch (const std::invalid_argument& error) {
+    refuse(name, error.what());
+  }
 }
 
 std::string_view near_word(std::string_view word, std::span<const std::string_view> words) {

@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/fields.hpp"
+#include "hip/motion.hpp"
 
 namespace impinge {
 
@@ -117,6 +118,10 @@ std::string_view near_word(std::string_view word, std::span<const std::string_vi
 /// One of these, else std::invalid_argument that names the near one.
 std::size_t place_among(std::string_view word, std::span<const std::string_view> words,
                         std::string_view what);
+
+/// A text as "flexion=90,internal_rotation=10", three numbers (flexion, abduction, internal rotation), or an
+/// object of them; degrees.
+void read_json(const Json& given, std::string_view name, const Range& range, Motion& value);
 
 template <InWords E>
 void read_json(const Json& given, std::string_view name, const Range& range, E& value) {

@@ -144,10 +144,10 @@ SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, cons
     const double gap = likely_gap(of, *faces[k], x, ends);
     const double bound = std::max(ends.high - gap, gap - ends.low);
     if (asked.max_error_mm && bound > *asked.max_error_mm) {
-      throw std::runtime_error(formatted(
-          "option --max-error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
-          "for a larger error",
-          *asked.max_error_mm, name(of).data(), vertex, bound));
+      throw std::runtime_error(
+          formatted("max_error: %g mm is less than rounding leaves of the gap of %s vertex %zu, %.2g mm; ask "
+                    "for a larger error",
+                    *asked.max_error_mm, name(of).data(), vertex, bound));
     }
     bounds[k][vertex] = bound;
     return gap;
@@ -200,14 +200,6 @@ Measurement measure_main(Session& session, const PoseQuestion& asked) {
                 {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
   }
   return result;
-}
-
-std::optional<NearestPart> nearest_part(SessionJoint& joint, const Pose& pose) {
-  const auto nearest = joint.bodies().nearest_part(pose);
-  if (!nearest) return std::nullopt;
-  const BodyPairs::Nearest& found = *nearest;
-  return NearestPart{found.distance_mm, found.touch, body_name(joint.joint.ball.parts, found.pair.ball),
-                     body_name(joint.joint.socket.parts, found.pair.socket)};
 }
 
 // Vertices of parts lie behind those of the main surface.

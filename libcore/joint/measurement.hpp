@@ -11,17 +11,9 @@
 #include "joint/needed_work.hpp"
 #include "joint/pose_answer.hpp"
 #include "joint/pose_question.hpp"
+#include "joint/touch.hpp"
 
 namespace impinge {
-
-/// Bone beside a joint in a pose: the two bodies that are nearest to each other, of which one at least is a
-/// part.
-struct NearestPart {
-  double distance_mm = 0.0;      // of their surfaces; 0 in contact
-  bool touch = false;            // exact
-  std::string ball_part = {};    // empty: the ball's main surface
-  std::string socket_part = {};  // the same of the socket
-};
 
 /// All gaps, and what else was asked for. Gaps, and all that rests on them, are those between the main
 /// surfaces: vertices of parts have none. Distances are to any bone of the other side.
@@ -35,7 +27,7 @@ struct Measurement : PoseAnswer {
   std::optional<PoseVerdicts> proven;         // by the bounds, where they are asked for
   std::optional<BodyPairs::Verdict> contact;  // of the bones, where verdicts are asked for
   std::optional<Certificate> certificate;     // of radial overlap, likewise
-  std::optional<NearestPart> part;            // if the joint has parts
+  std::optional<NearestPartDocument> part;    // if the joint has parts
   std::string way;                            // how the gaps were found and why so, one clause
   std::vector<LeftOut> left_out;              // work and memory that the question did not need
 };

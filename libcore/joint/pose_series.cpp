@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/pose_series.hpp"
 
-#include <algorithm>
-
-#include "gap/measured_gap.hpp"
-
 namespace impinge {
 
 PoseSeries::PoseSeries(const Joint& joint, const SeriesOutputs& outputs)
@@ -45,15 +41,7 @@ SeriesAnswer PoseSeries::answer(const Pose& pose) const {
     answer.areas = {scans_[0].area(pose, Surface::ball, outputs_.cartilage_mm),
                     scans_[1].area(pose, Surface::socket, outputs_.cartilage_mm)};
   }
-  if (!outputs_.smallest_gap) return answer;
-  const std::optional<LeastGap> least = joint_.least_gap(pose);
-  if (!least) return answer;
-  const Surface scanned = least->at.scanned;
-  const TriangleMesh& mesh = scanned == Surface::ball ? meshes_.ball : meshes_.socket;
-  const Vec3& x = mesh.vertices[least->at.vertex];
-  const CertifiedGap ends = measured_gap(scanned, joint_.faces(other(scanned)), to_other(scanned, pose, x));
-  answer.smallest = SeriesGap{*least, std::max(ends.high - least->gap_mm, least->gap_mm - ends.low),
-                              scanned == Surface::ball ? to_socket(pose, x) : x};
+  if (outputs_.smallest_gap) answer.smallest = posed_gap(joint_, meshes_, pose);
   return answer;
 }
 

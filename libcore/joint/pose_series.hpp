@@ -12,6 +12,7 @@
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "hip/joint.hpp"
+#include "joint/posed_gap.hpp"
 #include "limits/body_pairs.hpp"
 
 namespace impinge {
@@ -30,16 +31,9 @@ struct SeriesArea {
   double cartilage = 0.0;  // where the gap is the cartilage's thickness or less
 };
 
-/// The smallest radial gap of a pose and its vertex.
-struct SeriesGap {
-  LeastGap least;
-  double bound_mm = 0.0;      // proven bound on the error of that vertex's gap; infinite if nothing is proven
-  Vec3 place = Vec3::Zero();  // of the vertex, posed, centre frame of the socket, mm
-};
-
 struct SeriesAnswer {
   std::optional<BodyPairs::Verdict> touch;         // exact; none if not asked for
-  std::optional<SeriesGap> smallest;               // none also where the surfaces do not face each other
+  std::optional<PosedGap> smallest;                // none also where the surfaces do not face each other
   std::optional<std::array<SeriesArea, 2>> areas;  // of ball and socket; none if not asked for
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/scan_contact.hpp"
 
-#include "contact/culled_joint.hpp"
 #include "files/formatted.hpp"
 #include "gap/surface.hpp"
+#include "joint/posed_gap.hpp"
 
 namespace impinge {
 namespace {
@@ -21,15 +21,11 @@ void warn(const std::string& line, SessionJoint& joint) {
 ScanContact contact_in(SessionJoint& joint, const Pose& pose) {
   const BodyPairs::Verdict verdict = joint.bodies().verdict(pose);
   const BallSocketPair meshes{joint.main(Surface::ball), joint.main(Surface::socket)};
-  const auto smallest = CulledJoint(meshes).least_gap(pose);
   ScanContact found;
   found.touch = verdict.contact == Contact::yes;
-  if (smallest) {
-    const auto& [scanned, vertex] = smallest->at;
-    const Vec3& x = mesh_of(meshes, scanned).vertices[vertex];
-    found.gap_mm = smallest->gap_mm;
-    if (joint.dial)
-      found.hours = joint.dial->hours(joint.axes * (scanned == Surface::ball ? to_socket(pose, x) : x));
+  if (const auto smallest = posed_gap(CulledJoint(meshes), meshes, pose)) {
+    found.gap_mm = smallest->least.gap_mm;
+    if (joint.dial) found.hours = joint.dial->hours(joint.axes * smallest->place);
   }
   const std::string ball = body_name(joint.joint.ball.parts, verdict.pair.ball);
   const std::string socket = body_name(joint.joint.socket.parts, verdict.pair.socket);

@@ -40,6 +40,7 @@
 
 #include "contact/culled_overlay.hpp"
 #include "contact/moved_faces.hpp"
+#include "files/fields.hpp"
 #include "gap/pose.hpp"
 #include "hip/motion.hpp"
 #include "limits/turn_contact.hpp"
@@ -50,9 +51,13 @@ namespace impinge {
 
 /// Are bones in contact, or a point inside one? `unknown` where only an opening of a mesh could tell.
 enum class Contact : std::uint8_t { no, yes, unknown };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Contact>{"no", "yes", "unknown"};
 
 /// By what a contact was told: surfaces meet, a point is inside, or radii overlap (see above).
 enum class ContactRule : std::uint8_t { surfaces, inside, radii };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<ContactRule>{"surfaces", "inside", "radii"};
 
 /// All poses near a rotation of the ball.
 struct NearPoses {

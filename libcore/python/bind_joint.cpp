@@ -106,6 +106,16 @@ void bind_facts(JointClass& joint) {
           },
           "Radius and root mean square residual of the sphere that fits the ball, mm; None "
           "where the centre was given.")
+      .def(
+          "ask",
+          [](const py::object& self, const std::string& question, const py::kwargs& request) {
+            for (const std::string& name : {"_" + question, question})
+              if (py::hasattr(self, name.c_str())) return py::object(self.attr(name.c_str())(**request));
+            throw std::invalid_argument("there is no question '" + question + "'; impinge --help lists them");
+          },
+          py::arg("question"),
+          "The answer of `impinge QUESTION --json` as a dict: a question by its name, its request as "
+          "keywords.")
       .def("__repr__", &described);
 }
 

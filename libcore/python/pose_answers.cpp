@@ -8,9 +8,11 @@
 
 #include <pybind11/stl.h>
 
+#include "joint/gaps.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
 #include "python/poses.hpp"
+#include "python/question_method.hpp"
 
 namespace impinge::python {
 namespace {
@@ -99,7 +101,7 @@ struct SmallestRow {
   std::int64_t surface;
 };
 
-SmallestRow smallest_row(const SessionJoint& joint, const std::optional<SeriesGap>& found) {
+SmallestRow smallest_row(const SessionJoint& joint, const std::optional<PosedGap>& found) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (!found) return {kNone, kNone, kNone, -1, -1};
   return {
@@ -121,6 +123,8 @@ py::array smallest_gap(PoseJoint& joint, const py::object& given) {
 }  // namespace
 
 void bind_pose_answers(JointClass& joint) {
+  bind_question<TouchRequest, TouchAnswer>(joint, "_touch", "Do the bones touch in a pose?");
+  bind_question<GapsRequest, GapsAnswer>(joint, "_gaps", "What all gaps of a pose say.");
   PYBIND11_NUMPY_DTYPE(SmallestRow, gap_mm, bound_mm, clock, vertex, surface);
   const auto none = py::none();
   joint

@@ -5,11 +5,6 @@
 
 namespace impinge {
 
-const char* name(Contact contact) {
-  if (contact == Contact::unknown) return "unknown";
-  return contact == Contact::yes ? "yes" : "no";
-}
-
 std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found) {
   const std::string line = "contact             ";
   if (found.contact == Contact::no) return line + "none\n";
@@ -38,7 +33,7 @@ std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found
 
 nlohmann::json contact_json(const Joint& joint, const BodyPairs::Verdict& found) {
   constexpr const char* kRules[] = {"surfaces", "inside", "radii"};
-  nlohmann::json contact{{"state", name(found.contact)}, {"by", nullptr}};
+  nlohmann::json contact{{"state", word_of(found.contact)}, {"by", nullptr}};
   if (found.contact == Contact::yes) contact["by"] = kRules[static_cast<std::size_t>(found.rule)];
   if (found.contact != Contact::no) {
     add_part_names(joint, body_name(joint.ball.parts, found.pair.ball),

@@ -11,9 +11,6 @@
 
 namespace impinge {
 
-/// "no", "yes", "unknown".
-const char* name(Contact contact);
-
 /// The line for a terminal, such as "contact             yes: the surfaces of ball and socket meet".
 std::string describe_contact(const Joint& joint, const BodyPairs::Verdict& found);
 

@@ -23,20 +23,6 @@ json vertex_verdicts_json(const VertexVerdicts& verdicts) {
 
 }  // namespace
 
-const char* name(OverlayKind kind) {
-  switch (kind) {
-    case OverlayKind::ball_corner:
-      return "ball vertex";
-    case OverlayKind::socket_corner:
-      return "socket vertex";
-    case OverlayKind::centre:
-      return "centre of the ball";
-    case OverlayKind::crossing:
-      break;
-  }
-  return "crossing of edges";
-}
-
 const char* verdict_name(bool impinged) { return impinged ? "impinged" : "clear"; }
 
 nlohmann::json bounds_json(const std::optional<PoseVerdicts>& proven) {
@@ -80,7 +66,7 @@ nlohmann::json certificate_json(const std::optional<Certificate>& found) {
           {"ball", vertex_verdicts_json(certificate.ball)},
           {"socket", vertex_verdicts_json(certificate.socket)},
           {"deepest_mm", deepest ? nlohmann::json(deepest->depth) : nlohmann::json(nullptr)},
-          {"deepest_at", deepest ? nlohmann::json(name(deepest->kind)) : nlohmann::json(nullptr)}};
+          {"deepest_at", deepest ? nlohmann::json(word_of(deepest->kind)) : nlohmann::json(nullptr)}};
 }
 
 }  // namespace impinge

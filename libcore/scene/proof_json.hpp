@@ -10,7 +10,6 @@
 
 namespace impinge {
 
-const char* name(OverlayKind kind);       // of a contact, as in "ball vertex"
 const char* verdict_name(bool impinged);  // "impinged" or "clear"
 
 /// What is proven about the gaps of all vertices: the largest bound, how many vertices have none, the

@@ -35,13 +35,14 @@ std::string describe_certificate(const std::optional<Certificate>& found) {
   if (!found) return "";
   if (!found->deepest) return "radial overlap      none\n";
   return "radial overlap      by up to " + rounded_up(found->deepest->depth, 3) + " mm at a " +
-         name(found->deepest->kind) + (found->vertices_impinged() ? "" : "; of no vertex") + "\n";
+         std::string(word_of(found->deepest->kind)) + (found->vertices_impinged() ? "" : "; of no vertex") +
+         "\n";
 }
 
-std::string describe_part(const std::optional<NearestPart>& part) {
+std::string describe_part(const std::optional<NearestPartDocument>& part) {
   if (!part) return "";
-  const std::string bodies = (part->ball_part.empty() ? "ball" : part->ball_part) + " and " +
-                             (part->socket_part.empty() ? "socket" : part->socket_part);
+  const std::string bodies =
+      part->ball_part.value_or("ball") + " and " + part->socket_part.value_or("socket");
   if (part->touch) return "parts               " + bodies + " touch\n";
   return "parts               " + bodies + " are nearest, " + rounded_down(part->distance_mm, 3) +
          " mm apart\n";

@@ -85,10 +85,10 @@ json histogram_json(const SurfaceAnswer& found) {
 }
 
 // Null of a joint without parts.
-json nearest_json(const std::optional<NearestPart>& part, const Joint& joint) {
+json nearest_json(const std::optional<NearestPartDocument>& part, const Joint& joint) {
   if (!part) return nullptr;
   json found{{"distance_mm", part->distance_mm}, {"touch", part->touch}};
-  add_part_names(joint, part->ball_part, part->socket_part, found);
+  add_part_names(joint, part->ball_part.value_or(""), part->socket_part.value_or(""), found);
   return found;
 }
 

@@ -13,9 +13,13 @@ import jsonschema
 import pytest
 from shared import ROOT, program
 
+SMALL = 1.4e-9  # mm, mm^2, degrees
 # The question, what is asked, and how much the numbers of the page may differ.
 QUESTIONS = [
     ("measure", {}, 1e-6),
+    ("touch", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
+    ("gaps", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
+    ("gaps", {"pose": "flexion=80", "surfaces": "ball", "outputs": "gaps", "scheme": "rsid", "precision_deg": 2}, SMALL),
 ]
 
 
@@ -54,17 +58,16 @@ def answered(files, question, request):
 def test_the_program_and_python(floats, question, request_):
     document = answered(floats, question, request_)
     jsonschema.validate(document, json.loads(program("IMPINGE", question, "--schema").stdout))
-    ours = getattr(impinge.Joint.read(*floats, side="right"), question)(**request_)
+    ours = impinge.Joint.read(*floats, side="right").ask(question, **request_)
     assert different({key: ours[key] for key in document["answer"]}, document["answer"], 0.0) is None
 
 
 def test_the_page(floats):
     if "JOINT3D_ENGINE" not in os.environ:
         pytest.skip("no page is built")
-    asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", **{name: request for name, request, _ in QUESTIONS}}
+    asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "questions": [[name, request] for name, request, _ in QUESTIONS]}
     done = subprocess.run([os.environ["NODE"], str(ROOT / "tests/joint3d/answers.js"), json.dumps(asked)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    page = json.loads(done.stdout)
-    for question, request, allowed in QUESTIONS:
+    for (question, request, allowed), mine in zip(QUESTIONS, json.loads(done.stdout)["questions"], strict=True):
         ours = answered(floats, question, request)["answer"]
-        assert different({key: page[question][key] for key in ours}, ours, allowed) is None
+        assert different({key: mine[key] for key in ours}, ours, allowed) is None

@@ -12,6 +12,7 @@
 #include "change.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"
+#include "joint/gaps.hpp"
 #include "joint/joint_files.hpp"
 #include "joint/measures.hpp"
 #include "replies.hpp"
@@ -142,6 +143,8 @@ val ask(const std::string& kind, const val& request) {
       {"sweep", ask_sweep},
       {"limits", ask_limits},
       {"measure", ask_question<MeasureRequest>},
+      {"touch", ask_question<TouchRequest>},
+      {"gaps", ask_question<GapsRequest>},
       {"volume", ask_volume},
       {"resection", ask_resection},
       {"orientation", ask_orientation},

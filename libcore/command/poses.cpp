@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint/poses.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "command/answer_key.hpp"
+#include "command/question_command.hpp"
+#include "files/file_bytes.hpp"
+#include "files/formatted.hpp"
+#include "files/rows.hpp"
+#include "files/stopwatch.hpp"
+#include "files/temporary_file.hpp"
+#include "files/thread_team.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr const char* kVersion = "poses 1";  // of the code that answers: rows of another one are not kept
+
+std::string line_of(const std::vector<Cell>& cells) {
+  std::string line;
+  for (const Cell& cell : cells) line += (line.empty() ? "" : ",") + cell.text();
+  return line + "\n";
+}
+
+std::string head_of(const PoseList& list, bool areas) {
+  std::vector<Cell> names;
+  for (const Column& column : columns_of<PoseRow>()) names.emplace_back(column.name);
+  if (areas)
+    for (const Column& column : columns_of<PoseAreas>()) names.emplace_back(column.name);
+  for (const PoseColumn& column : list.columns) names.emplace_back(column.name);
+  return line_of(names);
+}
+
+std::string text_of_row(const SessionJoint& joint, const PoseList& list, std::size_t row,
+                        const SeriesAnswer& answer) {
+  std::vector<Cell> cells = cells_of(row_of(joint, list, row, answer));
+  if (cells[1].text().empty()) cells[1] = Cell();
+  if (const auto& areas = answer.areas) {
+    const PoseAreas found{(*areas)[0].bone, (*areas)[1].bone, (*areas)[0].cartilage, (*areas)[1].cartilage};
+    for (Cell& cell : cells_of(found)) cells.push_back(std::move(cell));
+  }
+  for (std::size_t k = 0; k < list.columns.size(); ++k)
+    cells.emplace_back(list.values[row * list.width() + k]);
+  return line_of(cells);
+}
+
+// What all rows say together, from their text: some of them may be from an earlier run.
+class Tally {
+ public:
+  void add(std::string_view row) {
+    std::vector<std::string> cell;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const std::size_t end = std::min(row.find_first_of(",\n"), row.size());
+      cell.emplace_back(row.substr(0, end));
+      row.remove_prefix(std::min(end + 1, row.size()));
+    }
+    ++found_.number_of_poses;
+    if (cell[1] == "yes") ++touching_;
+    if (cell[1] == "untracked") ++found_.untracked;
+    if (cell[3].empty() || (found_.smallest_gap && std::stod(cell[3]) >= found_.smallest_gap->gap_mm)) return;
+    found_.smallest_gap =
+        SmallestOfPoses{found_.number_of_poses, std::stod(cell[3]), cell[4], std::stoull(cell[5]), {}};
+    if (!cell[6].empty()) found_.smallest_gap->clock = cell[6];
+  }
+  std::size_t rows() const { return found_.number_of_poses; }
+  PosesAnswer answer(bool touch, const std::string& doubt) const {
+    PosesAnswer found = found_;
+    if (touch) found.touching = touching_;
+    if (!doubt.empty()) found.doubt = doubt;
+    return found;
+  }
+
+ private:
+  PosesAnswer found_;
+  std::size_t touching_ = 0;
+};
+
+// The rows, in a file that they are added to where there is a folder for it.
+class Rows {
+ public:
+  // Keeps the whole rows below this head that the file has.
+  Rows(const Work& work, const std::string& key, const std::string& head) {
+    if (!work.out) return;
+    whole_ = *work.out / "poses.csv";
+    file_ = *work.out / ("poses-" + key + ".part");
+    std::error_code unreadable;
+    std::string bytes =
+        std::filesystem::is_regular_file(file_, unreadable) && !std::filesystem::is_empty(file_, unreadable)
+            ? read_bytes(file_)
+            : std::string();
+    bytes.resize(bytes.rfind('\n') + 1);  // a killed run may have cut a row
+    if (!bytes.starts_with(head)) bytes = head;
+    for (std::size_t at = head.size(); at < bytes.size(); at = bytes.find('\n', at) + 1)
+      tally_.add(std::string_view(bytes).substr(at));
+    write_bytes(file_, bytes);
+    out_.open(file_, std::ios::binary | std::ios::app);
+    require_good();
+  }
+
+  // What was added can be read.
+  void add(const std::vector<std::string>& rows) {
+    for (const std::string& row : rows) {
+      tally_.add(row);
+      if (!file_.empty()) out_ << row;
+    }
+    out_.flush();
+    require_good();
+  }
+  // Takes the place of the whole file.
+  void finish() {
+    if (file_.empty()) return;
+    out_.close();
+    require_good();
+    std::error_code error;
+    std::filesystem::rename(file_, whole_, error);
+    if (error) fail_writing(whole_, error.value());
+  }
+  const Tally& tally() const { return tally_; }
+
+ private:
+  void require_good() const {
+    if (!file_.empty() && !out_) fail_writing(file_, errno);
+  }
+
+  std::filesystem::path file_;
+  std::filesystem::path whole_;
+  std::ofstream out_;
+  Tally tally_;
+};
+
+void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSeries& series, const Work& work,
+                Rows& rows) {
+  Stopwatch watch;
+  double answer_ms = 0.0;
+  double said_ms = 0.0;
+  const std::size_t kept = rows.tally().rows();
+  if (kept > 0) work.say(formatted("%zu of %zu poses were answered before", kept, list.size()));
+  for (std::size_t pose = kept; pose < list.size();) {
+    constexpr std::size_t kRowsOfAThread = 512;  // between two writes
+    std::vector<std::string> texts(std::min(work.threads * kRowsOfAThread, list.size() - pose));
+    on_threads(work.threads, [&](std::size_t thread) {
+      for (std::size_t k = thread; k < texts.size(); k += work.threads)
+        texts[k] = text_of_row(
+            joint, list, pose + k,
+            list.tracked(pose + k) ? series.answer(pose_in(joint, list, pose + k)) : SeriesAnswer());
+    });
+    rows.add(texts);
+    pose += texts.size();
+    answer_ms += watch.lap_ms();
+    constexpr double kSilence = 2000.0;  // ms
+    if (answer_ms < said_ms + kSilence || pose == list.size()) continue;
+    said_ms = answer_ms;
+    const double left =
+        answer_ms * static_cast<double>(list.size() - pose) / static_cast<double>(pose - kept);
+    work.say(formatted("pose %zu of %zu, %.0f s left", pose, list.size(), left / 1e3));
+  }
+}
+
+std::string words_of(const PosesAnswer& found) {
+  std::string text = formatted("poses               %zu", found.number_of_poses);
+  if (found.touching) text += formatted(", %zu of them touch", *found.touching);
+  if (found.untracked > 0)
+    text += formatted(", %zu without numbers: untracked in poses.csv", found.untracked);
+  text += "\n";
+  if (!found.smallest_gap) return text;
+  return text + formatted("smallest gap        %.3f mm at %s vertex %zu in pose %zu\n",
+                          found.smallest_gap->gap_mm, found.smallest_gap->surface.c_str(),
+                          found.smallest_gap->vertex, found.smallest_gap->pose);
+}
+
+Told told(Session& session, const PosesRequest& request, const Work& work) {
+  const SessionJoint& joint = *session.joint;
+  const PoseList list = list_of(request, joint);
+  const SeriesOutputs outputs = outputs_of(request);
+  const PoseSeries series(joint.joint, outputs);
+  const std::string head = head_of(list, outputs.areas);
+  std::string given = std::string(kVersion) + head;
+  for (const double value : list.values) given += Cell(value).text() + ",";
+  Rows rows(work, answer_key(joint, json_of(request), given), head);
+  const std::string doubt = doubt_of(request, joint, list);
+  if (!doubt.empty()) work.warn(doubt);
+  answer_all(joint, list, series, work, rows);
+  rows.finish();
+  const PosesAnswer found = rows.tally().answer(outputs.touch, doubt);
+  Told told{.words = words_of(found), .document = json_of(found)};
+  if (work.out) told.wrote = {"poses.csv"};
+  told.row_of_one = {
+      {"poses", "/number_of_poses"}, {"touching", "/touching"}, {"smallest_gap_mm", "/smallest_gap/gap_mm"}};
+  return told;
+}
+
+}  // namespace
+
+QuestionCommand poses_question() {
+  return question_of<PosesRequest, PosesAnswer>(
+      "poses", "Contact and the smallest gap in each of many poses.",
+      "femur.ply pelvis.ply --side right --path flexion=0..120/1 --out path", &told);
+}
+
+}  // namespace impinge
