@@ -57,8 +57,7 @@ struct Told {
   std::vector<std::string> wrote{};  // files that are there already: it wrote them while it worked
   std::string table_name{};          // such as "limits.csv"; empty: it has none
   Table table{};                     // rows of that file, without the column `joint`
-  std::vector<std::string>
-      rows_of_one{};  // JSON pointers into the document: columns of joints.csv, see --joints
+  std::vector<HeadlineColumn> row_of_one{};  // of joints.csv (--joints), where there is no table
 };
 
 /// A command that asks one question of a joint.

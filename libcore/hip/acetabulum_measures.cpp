@@ -13,9 +13,8 @@
 #include <Eigen/Geometry>
 
 #include "hip/hip_measures.hpp"
+#include "hip/rim_profile.hpp"
 #include "mesh/sphere_section.hpp"
-#include "sphere/schemes/fibonacci.hpp"
-#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
@@ -24,93 +23,7 @@ constexpr double kOnPlane = 0.1;       // mm
 constexpr double kEnough = 1.0 / 3.0;  // of the points, on the plane
 constexpr int kTrials = 2000;
 constexpr unsigned kSeed = 1;
-constexpr std::size_t kMeridians = 180;
-constexpr double kFirst = 30.0 * kDegree;  // from the pole: within is the fossa
-constexpr double kFloor = 75.0 * kDegree;  // before that a meridian has met the sphere
-constexpr double kLast = 130.0 * kDegree;  // beyond is no rim
-constexpr double kStep = 0.5 * kDegree;
-constexpr double kAtEnd = 0.5;           // mm
-constexpr double kDent = 3.0 * kDegree;  // of the rim, that is bridged
-
-// The faces that may bound the socket, about its centre.
-TriangleMesh near_socket(const TriangleMesh& socket, const SphereFit& sphere) {
-  TriangleMesh near = relative_to({socket.vertices, {}}, sphere.centre);
-  std::ranges::copy_if(socket.faces, std::back_inserter(near.faces),
-                       [&](const Face& face) { return near.vertices[face[0]].norm() < 2.0 * sphere.radius; });
-  return near;
-}
-
-// A socket about its centre, as rays from there meet it.
-struct Sphere {
-  const NearFaces& faces;
-  double radius;  // mm
-  double band;    // share of it
-
-  bool covers(const Vec3& u) const {
-    return std::abs(faces.radius(u, Layer::nearest) / radius - 1.0) < band;  // NaN where nothing is met
-  }
-};
-
-// Into the socket: the mean of what is covered.
-Vec3 pole_of(const Sphere& sphere) {
-  const auto directions = Fibonacci::with_precision(4.0);
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (sphere.covers(directions.direction(k))) sum += directions.direction(k);
-  }
-  if (sum.isZero(0.0))
-    throw std::invalid_argument("the socket has no inside to measure; check that it is one");
-  return sum.normalized();
-}
-
-// Where the surface leaves the sphere along a meridian, radians from the pole; none where it never meets it,
-// or does not leave it.
-std::optional<double> rim_on(const Sphere& sphere, const Vec3& pole, const Vec3& outward) {
-  const auto at = [&](double polar) { return Vec3(std::cos(polar) * pole + std::sin(polar) * outward); };
-  std::optional<double> last;
-  for (double polar = kFirst; polar < kLast; polar += kStep) {
-    if (sphere.covers(at(polar))) last = polar;
-    if (!last && polar > kFloor) return std::nullopt;
-    if (last && polar > *last + kDent) break;
-  }
-  if (!last || *last + kStep >= kLast) return std::nullopt;
-  double high = *last + kStep;
-  for (int k = 0; k < 12; ++k) {
-    const double middle = 0.5 * (*last + high);
-    (sphere.covers(at(middle)) ? *last : high) = middle;
-  }
-  return last;
-}
-
-// The rim about the socket's centre, mm; a meridian without one has no point. And the share of directions
-// within.
-struct Rim {
-  std::vector<std::optional<Vec3>> points;
-  double coverage = 0.0;
-};
-
-Rim rim_of(const Sphere& sphere, const Vec3& pole, double first_meridian) {
-  const Vec3 across = pole.unitOrthogonal();
-  const Vec3 third = pole.cross(across);
-  Rim rim;
-  std::size_t met = 0;
-  for (std::size_t k = 0; k < kMeridians; ++k) {
-    const double turn =
-        2.0 * kPi * (static_cast<double>(k) + first_meridian) / static_cast<double>(kMeridians);
-    const Vec3 outward = std::cos(turn) * across + std::sin(turn) * third;
-    const auto polar = rim_on(sphere, pole, outward);
-    rim.points.emplace_back();
-    if (!polar) continue;
-    const Vec3 u = std::cos(*polar) * pole + std::sin(*polar) * outward;
-    rim.points.back() = sphere.faces.radius(u, Layer::nearest) * u;
-    rim.coverage += 0.5 * (1.0 - std::cos(*polar));
-    ++met;
-  }
-  if (2 * met < kMeridians)
-    throw std::invalid_argument("the socket has no rim to measure; give one that is open");
-  rim.coverage /= static_cast<double>(met);
-  return rim;
-}
+constexpr double kAtEnd = 0.5;  // mm
 
 double distance_to(const Segment& edge, const Vec3& x) {
   const Vec3 along = edge[1] - edge[0];
@@ -119,7 +32,7 @@ double distance_to(const Segment& edge, const Vec3& x) {
 }
 
 // Share of the rim where an edge of one face alone is near.
-double at_mesh_end(const TriangleMesh& mesh, const Rim& rim) {
+double at_mesh_end(const TriangleMesh& mesh, const RimProfile& rim) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) ++uses[std::minmax(face[k], face[(k + 1) % 3])];
@@ -176,7 +89,7 @@ std::vector<Vec3> most_on_a_plane(const std::vector<Vec3>& points, double tolera
 }
 
 // The plane that most points lie on, refined over these.
-Plane rim_plane(const Rim& rim, double tolerance_times) {
+Plane rim_plane(const RimProfile& rim, double tolerance_times) {
   std::vector<Vec3> points;
   for (const auto& x : rim.points) {
     if (x) points.push_back(*x);
@@ -189,7 +102,7 @@ Plane rim_plane(const Rim& rim, double tolerance_times) {
 
 // Where the rim crosses the coronal plane through the head's centre, the upper of the crossings; `centre`
 // from that of the socket.
-std::optional<double> lateral_centre_edge(const Rim& rim, const Vec3& centre, double lateral) {
+std::optional<double> lateral_centre_edge(const RimProfile& rim, const Vec3& centre, double lateral) {
   std::optional<Vec3> highest;
   for (std::size_t k = 0; k < rim.points.size(); ++k) {
     const auto& from = rim.points[k];
@@ -212,12 +125,9 @@ AcetabulumMeasures measure_acetabulum(const TriangleMesh& socket, const SphereFi
   AcetabulumMeasures found;
   found.socket = fit_socket(socket, head, {.trim = choices.trim});
   const TriangleMesh near = near_socket(socket, found.socket);
-  const NearFaces faces(near, 0.0);
-  const Sphere sphere{faces, found.socket.radius, choices.rim_band};
-  const Vec3 pole = pole_of(sphere);
-  const Rim rim = rim_of(sphere, pole, choices.first_meridian);
+  const RimProfile rim = rim_profile(near, found.socket.radius, choices);
   const Plane plane = rim_plane(rim, choices.plane_tolerance);
-  const double out = plane.normal.dot(pole) > 0.0 ? -1.0 : 1.0;
+  const double out = plane.normal.dot(rim.pole) > 0.0 ? -1.0 : 1.0;
   found.opening = out * plane.normal;
   const double lateral = side == Side::left ? -1.0 : 1.0;
   const Vec3& o = found.opening;

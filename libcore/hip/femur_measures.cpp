@@ -136,6 +136,10 @@ double torsion_deg(const Vec3& neck, const Vec3& shaft) {
 
 }  // namespace
 
+Vec3 neck_axis(const std::vector<Segment>& section) {
+  return mean_over(section, [](const Vec3& x) { return x; }).normalized();
+}
+
 FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureChoices& choices) {
   FemurMeasures found;
   BallFitOptions fit;
@@ -147,7 +151,7 @@ FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureCh
   if (section.empty()) {
     throw std::invalid_argument("the ball has no neck to measure; give a mesh that reaches 1.35 head radii");
   }
-  const Vec3 neck = mean_over(section, [](const Vec3& x) { return x; }).normalized();
+  const Vec3 neck = neck_axis(section);
   if (!goes_round(section, neck))
     throw std::invalid_argument(
         "the ball's mesh ends at the neck; give one that has all of its section at 1.35 head radii");

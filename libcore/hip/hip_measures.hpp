@@ -6,10 +6,12 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "hip/anatomy.hpp"
 #include "hip/hip_surface.hpp"
 #include "hip/sphere_fit.hpp"
+#include "mesh/sphere_section.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
@@ -51,6 +53,10 @@ struct FemurMeasures {
 /// * torsion is from the transverse axis of the joint frame, which need not be that of the knee.
 /// std::invalid_argument, one line, if the mesh has no head or no neck, or ends at the neck.
 FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureChoices& choices = {});
+
+/// Unit vector from the centre of a head, the origin, through the middle of a section of its neck, which is
+/// not empty.
+Vec3 neck_axis(const std::vector<Segment>& section);
 
 /// What is measured of a socket.
 struct AcetabulumMeasures {

@@ -2,17 +2,15 @@
 #include "joint/limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "hip/sphere_fit.hpp"
-#include "joint/volume.hpp"
+#include "files/formatted.hpp"
 #include "mesh/mesh_parts.hpp"
-#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {
@@ -21,73 +19,85 @@ double largest_of(const LimitRequest& request) {
   return std::min(request.largest_deg, largest_growth(request.start, motion_name(request.growing)));
 }
 
-// The main surface of a bone that goes on is named nothing, the rest of the bone by its part.
-std::string name_at(const TriangleMesh& mesh, const std::vector<MeshPart>& parts, std::size_t body,
-                    const Vec3& place) {
-  if (body > 0 || parts.empty() || !parts.front().of_main) return body_name(parts, body);
-  const auto nearest = [&](std::size_t from, std::size_t to) {
-    double least = HUGE_VAL;
-    for (std::size_t f = from; f < to; ++f) {
-      const auto [a, b, c] = corners_of(mesh, mesh.faces[f]);
-      least = std::min(least, squared_distance_to_triangle(place, a, b, c));
-    }
-    return least;
+// Where bones meet: the contact of a limit, or of what is blocked the deepest vertex of the main surfaces.
+struct Meeting {
+  Vec3 place;            // mm, about the centre of the turn, socket at rest
+  Eigen::Matrix3d ball;  // the ball's rotation there
+  std::array<std::size_t, 2> body;
+  double within_mm;  // how far along its ray from the place each surface is, at most
+};
+
+std::optional<Meeting> meeting_of(const CentredLimits& centred, const JointTurn& turn,
+                                  const ToldLimit& told) {
+  const auto at = [&](double angle) {
+    return Eigen::Matrix3d(turn.outer * Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix() * turn.inner);
   };
-  const std::size_t rest = parts.front().first_face;
-  const std::size_t end = parts.size() > 1 ? parts[1].first_face : mesh.faces.size();
-  return nearest(0, rest) <= nearest(rest, end) ? "" : parts.front().name;
+  if (const auto& contact = told.limit.contact)
+    return Meeting{contact->place, at(contact->angle), contact->body, told.threshold_mm};
+  if (told.limit.state != LimitState::blocked) return std::nullopt;
+  const auto least = centred.limits.smallest_gap(turn, 0.0);
+  if (!least || least->gap_mm > told.threshold_mm) return std::nullopt;
+  const bool of_ball = least->at.scanned == Surface::ball;
+  const Vec3& x = (of_ball ? centred.meshes.ball : centred.meshes.socket).vertices[least->at.vertex];
+  return Meeting{of_ball ? Vec3(at(0.0) * x) : x, at(0.0), {}, HUGE_VAL};
 }
 
-// The dial is about the joint's centre, the contact about the centre of the turn.
-LimitAnswer answered(const SessionJoint& joint, const char* about, const CentredLimits& centred,
-                     const JointTurn& turn, double threshold, double largest) {
-  LimitAnswer limit{about,
+// The point of a surface about the centre of the turn: of a gap one of the surfaces is at the place, the
+// other along its ray.
+Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_mm) {
+  if (within_mm == 0.0) return place;
+  const Vec3 u = place.stableNormalized();
+  const double radius = joint.faces(of).radius(joint.axes.transpose() * u,
+                                               of == Surface::ball ? Layer::farthest : Layer::nearest);
+  return std::abs(radius - place.norm()) <= within_mm ? Vec3(radius * u) : place;
+}
+
+// The dial and the places are about the joint's centre, the meeting about the centre of the turn.
+LimitAnswer answered(Session& session, Surface about, const JointTurn& turn, double threshold,
+                     double largest) {
+  SessionJoint& joint = *session.joint;
+  const bool of_socket = about == Surface::socket;
+  const CentredLimits& centred = of_socket ? *session.socket_limits : *session.limits;
+  LimitAnswer limit{of_socket ? "socket" : "ball",
                     joint.joint.centre + joint.axes.transpose() * centred.centre,
                     told_limit(centred.limits, turn, threshold, largest),
                     std::nullopt,
                     "",
                     ""};
-  const auto& contact = limit.told.limit.contact;
-  if (!contact) return limit;
-  if (joint.dial) limit.hours = joint.dial->hours(contact->place + centred.centre);
-  const Eigen::Matrix3d rotation =
-      turn.outer * Eigen::AngleAxisd(contact->angle, turn.axis).toRotationMatrix() * turn.inner;
-  limit.ball_part = name_at(centred.meshes.ball, joint.joint.ball.parts, contact->body[0],
-                            rotation.transpose() * contact->place);
-  limit.socket_part =
-      name_at(centred.meshes.socket, joint.joint.socket.parts, contact->body[1], contact->place);
+  const auto at = meeting_of(centred, turn, limit.told);
+  if (!at) return limit;
+  if (joint.dial) limit.hours = joint.dial->hours(at->place + centred.centre);
+  const Vec3 ball_centre = of_socket ? centred.centre : Vec3::Zero();  // of the turn, in the ball
+  const Vec3 x = point_of(joint, Surface::ball, at->ball.transpose() * at->place, at->within_mm);
+  const Vec3 y = point_of(joint, Surface::socket, at->place, at->within_mm);
+  const auto [ball, socket] = at->body;
+  limit.ball_part =
+      ball > 0 ? body_name(joint.joint.ball.parts, ball) : place_on_ball(*session.places, ball_centre + x);
+  limit.socket_part = socket > 0 ? body_name(joint.joint.socket.parts, socket)
+                                 : place_on_socket(*session.places, centred.centre + y);
   return limit;
-}
-
-// The centre of the socket, in the joint frame; none where no sphere fits it.
-std::optional<Vec3> socket_centre(const Joint& joint, const BallSocketPair& meshes) {
-  try {
-    return fit_socket(main_surface(meshes.socket, joint.socket.parts),
-                      fit_ball(main_surface(meshes.ball, joint.ball.parts)))
-        .centre;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
 }
 
 // Of the joint's own meshes about the centre of the ball, and about that of the socket where it has one.
 void make_limits(Session& session, bool about_socket) {
   const SessionJoint& joint = *session.joint;
+  const Joint& bones = joint.joint;
+  if (!session.places)
+    session.places =
+        joint_places({in_joint_frame(joint, main_surface(bones.ball.mesh, bones.ball.parts)),
+                      in_joint_frame(joint, main_surface(bones.socket.mesh, bones.socket.parts))});
   if (!session.limits) {
     session.limits =
-        std::make_unique<CentredLimits>(joint.joint,
+        std::make_unique<CentredLimits>(bones,
                                         BallSocketPair{in_joint_frame(joint, joint.mesh(Surface::ball)),
                                                        in_joint_frame(joint, joint.mesh(Surface::socket))},
                                         joint.axes * joint.shift);
   }
-  if (!about_socket || session.socket_limits || session.no_socket_centre) return;
+  if (!about_socket || session.socket_limits || !session.places->socket) return;
+  const Vec3& centre = session.places->socket->centre;
   const BallSocketPair& meshes = session.limits->meshes;
-  const std::optional<Vec3> centre = socket_centre(joint.joint, meshes);
-  session.no_socket_centre = !centre;
-  if (!centre) return;
   session.socket_limits = std::make_unique<CentredLimits>(
-      joint.joint, BallSocketPair{relative_to(meshes.ball, *centre), relative_to(meshes.socket, *centre)},
-      *centre);
+      bones, BallSocketPair{relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre);
 }
 
 }  // namespace
@@ -105,14 +115,28 @@ LimitAnswers answer_limits(Session& session, const LimitRequest& request) {
   make_limits(session, !shifted);
   const SessionJoint& joint = *session.joint;
   const JointTurn turn = joint_turn(request.start, motion_name(request.growing), joint.side);
-  const LimitAnswer contact = answered(joint, "ball", *session.limits, turn, 0.0, largest);
+  const LimitAnswer contact = answered(session, Surface::ball, turn, 0.0, largest);
   const double threshold = request.cartilage_mm;
-  LimitAnswers answer{
-      largest, contact, std::nullopt,
-      threshold > 0.0 ? answered(joint, "ball", *session.limits, turn, threshold, largest) : contact};
+  LimitAnswers answer{largest, contact, std::nullopt,
+                      threshold > 0.0 ? answered(session, Surface::ball, turn, threshold, largest) : contact};
   if (!shifted && session.socket_limits)
-    answer.socket = answered(joint, "socket", *session.socket_limits, turn, 0.0, largest);
+    answer.socket = answered(session, Surface::socket, turn, 0.0, largest);
   return answer;
+}
+
+std::string meets(const LimitAnswer& answer) {
+  return answer.ball_part.empty() ? "" : meeting_words(answer.ball_part, answer.socket_part);
+}
+
+std::string what_of(const LimitAnswer& answer) {
+  const ToldLimit& told = answer.told;
+  std::string what = meets(answer);
+  const auto add = [&what](const std::string& doubt) { what += (what.empty() ? "" : "; ") + doubt; };
+  if (told.hangs_on_less())
+    add(formatted("sensitive to less than %g mm", kErrorOfInput));
+  else if (told.limit.leaves_mesh_deg)
+    add("the ball's mesh ends from " + rounded_down(*told.limit.leaves_mesh_deg, 1));
+  return what;
 }
 
 Sweep sweep(Session& session, const LimitRequest& request, double step_deg) {

@@ -27,9 +27,16 @@ struct LimitAnswer {
   Vec3 centre;                  // this centre, mm, input frame
   ToldLimit told;               // its bracket, and what half a millimetre changes
   std::optional<double> hours;  // where they touch, on the dial
-  std::string ball_part;        // part of the ball that stops it (mesh/mesh_parts.hpp); empty: main surface
+  std::string ball_part;        // what of the ball touches there (hip/joint_places.hpp), or the name of its
+                                // part (mesh/mesh_parts.hpp); empty without a contact
   std::string socket_part;      // the same of the socket
 };
+
+/// What meets what, as "rim and neck"; empty where nothing does.
+std::string meets(const LimitAnswer& answer);
+/// What a reader must know: what meets what, and a mark where half a millimetre changes the limit
+/// (ToldLimit::hangs_on_less()) or the ball's mesh ends. The column `what` of limits.csv.
+std::string what_of(const LimitAnswer& answer);
 
 /// The limits of one growing angle.
 struct LimitAnswers {

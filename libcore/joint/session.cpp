@@ -56,7 +56,7 @@ void use(Session& session, std::unique_ptr<SessionJoint> joint) {
   session.joint = std::move(joint);
   session.limits.reset();
   session.socket_limits.reset();
-  session.no_socket_centre = false;
+  session.places.reset();
 }
 
 }  // namespace

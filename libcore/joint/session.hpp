@@ -15,6 +15,7 @@
 #include "hip/clock.hpp"
 #include "hip/hip_parameters.hpp"
 #include "hip/joint.hpp"
+#include "hip/joint_places.hpp"
 #include "hip/motion.hpp"
 #include "joint/surface_table.hpp"
 #include "limits/turn_limit.hpp"
@@ -118,7 +119,7 @@ struct Session {
   /// Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
   std::unique_ptr<CentredLimits> limits;
   std::unique_ptr<CentredLimits> socket_limits;
-  bool no_socket_centre = false;  // no sphere fits the socket
+  std::optional<JointPlaces> places;  // likewise; joint frame, about the joint's centre
 };
 
 /// Replaces the joint by a hip made from parameters, with tables of the present settings.

@@ -14,11 +14,11 @@ std::optional<double> first_reached(const TurnLimit& limit) {
 }  // namespace
 
 bool ToldLimit::hangs_on_less() const {
-  if (limit.state == LimitState::blocked) return false;
+  const bool later = !common.limited || common.high_deg - limit.high_deg > kOfNote;
+  if (limit.state == LimitState::blocked) return later;
+  if (limit.low_deg - common.low_deg > kOfNote) return true;
   if (limit.state != LimitState::limited) return half_mm_gap_deg.has_value();
-  return limit.low_deg - half_mm_gap_deg.value_or(limit.low_deg) > kOfNote ||
-         limit.low_deg - common.low_deg > kOfNote || !common.limited ||
-         common.high_deg - limit.high_deg > kOfNote;
+  return later || limit.low_deg - half_mm_gap_deg.value_or(limit.low_deg) > kOfNote;
 }
 
 ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double threshold_mm,

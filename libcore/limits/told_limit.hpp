@@ -24,9 +24,9 @@ struct ToldLimit {
   std::optional<double> half_mm_gap_deg;
 
   /// Does the limit depend on less than half a millimetre: was the gap that small more than 5 degrees before
-  /// the limit, or is there no limit although it was; or may the limit of a centre within that be more than 5
-  /// degrees off? The 5 degrees are our choice: a limitation of that size
-  /// is what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
+  /// the limit, or is there no limit although it was; or may the limit of a centre within that, also of what
+  /// is free or blocked here, be more than 5 degrees off? The 5 degrees are our choice: a limitation of that
+  /// size is what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
   bool hangs_on_less() const;
 };
 

@@ -188,6 +188,9 @@ CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimi
                                            const CentreQuestion& question) const {
   const CentreIntervals& centres = intervals(question);
   CentreInterval interval{0.0, largest_deg, false};
+  if (limit.state == LimitState::blocked && question.doubt == CentreDoubt::common &&
+      (turn.outer * turn.inner).isIdentity(0.0))
+    return {0.0, 0.0, true};  // at rest no common centre moves the ball
   if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
     const auto high = centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});

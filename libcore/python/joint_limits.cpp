@@ -36,6 +36,7 @@ py::dict limit_dict(const SessionJoint& joint, const std::string& motion, const 
   row["half_mm_gap_deg"] = or_none(told.half_mm_gap_deg);
   row["leaves_ball_mesh_deg"] = or_none(limit.leaves_mesh_deg);
   row["clock"] = or_none(answer.hours);
+  row["what"] = what_of(answer);
   row["position"] = py::none();
   if (limit.contact) {
     const Vec3 place = joint.axes.transpose() * limit.contact->place + answer.centre;

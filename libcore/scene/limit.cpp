@@ -32,11 +32,14 @@ json limit_json(const SessionJoint& joint, const LimitAnswer& answer) {
              {"half_mm_gap_deg", or_null(told.half_mm_gap_deg)},
              {"hangs_on_less_than_half_mm", told.hangs_on_less()},
              {"leaves_ball_mesh_deg", or_null(limit.leaves_mesh_deg)}};
+  if (!meets(answer).empty()) {
+    found["clock"] = answer.hours ? json(clock_text(*answer.hours)) : json(nullptr);
+    found.update(
+        {{"ball_part", answer.ball_part}, {"socket_part", answer.socket_part}, {"meets", meets(answer)}});
+  }
   if (!limit.contact) return found;
   found["position"] = point_json(joint.axes.transpose() * limit.contact->place + answer.centre);
   found["contact"] = name(limit.contact->kind);
-  found["clock"] = answer.hours ? json(clock_text(*answer.hours)) : json(nullptr);
-  add_part_names(joint.joint, answer.ball_part, answer.socket_part, found);
   return found;
 }
 
@@ -47,11 +50,11 @@ std::string sentence(const LimitAnswer& answer) {
     case LimitState::free:
       return "none up to " + low + " degrees";
     case LimitState::blocked:
-      return "reached before it begins";
+      return "reached before it begins" + (meets(answer).empty() ? "" : ", " + meets(answer));
     case LimitState::limited:
       return "between " + rounded_down(limit.low_deg, 4) + " and " + rounded_up(limit.high_deg, 4) +
-             " degrees" + (answer.hours ? " at " + clock_text(*answer.hours) + " o'clock" : "") +
-             (parts_of(answer).empty() ? "" : ", by " + parts_of(answer));
+             " degrees" + (answer.hours ? " at " + clock_text(*answer.hours) + " o'clock" : "") + ", " +
+             meets(answer);
     case LimitState::unknown:
       break;
   }
@@ -88,11 +91,6 @@ std::string range_text(const CentreInterval& range) {
   const std::string from = rounded_down(range.low_deg, 1);
   if (!range.limited) return range.low_deg > 0.0 ? "none before " + from + " degrees" : "unknown";
   return from + " to " + rounded_up(range.high_deg, 1) + " degrees";
-}
-
-std::string parts_of(const LimitAnswer& answer) {
-  const bool both = !answer.ball_part.empty() && !answer.socket_part.empty();
-  return answer.ball_part + (both ? " and " : "") + answer.socket_part;
 }
 
 LimitRequest limit_request(const SceneOptions& options) {

@@ -27,8 +27,6 @@ nlohmann::json limit_summary(const SceneOptions& options, const SessionJoint& jo
 /// The same as text for a terminal.
 std::string describe_limits(const SceneOptions& options, const LimitAnswers& found);
 
-/// The parts of bone that stop a motion, as "greater trochanter and AIIS"; empty if the main surfaces do.
-std::string parts_of(const LimitAnswer& answer);
 /// Where the limit may be, such as "20.8 to 61.9 degrees".
 std::string range_text(const CentreInterval& range);
 

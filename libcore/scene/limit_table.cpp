@@ -11,16 +11,6 @@
 namespace impinge {
 namespace {
 
-std::string what_of(const LimitAnswer& answer) {
-  const ToldLimit& told = answer.told;
-  std::string parts = parts_of(answer);
-  const std::string before = parts.empty() ? "" : "by " + parts + "; ";
-  if (told.hangs_on_less()) return before + formatted("sensitive to less than %g mm", kErrorOfInput);
-  if (told.limit.leaves_mesh_deg)
-    return before + "the ball's mesh ends from " + rounded_down(*told.limit.leaves_mesh_deg, 1);
-  return parts.empty() ? "" : "by " + parts;
-}
-
 Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
 void add(const std::string& joint, const std::string& motion, const LimitAnswer& answer, Table& table) {
@@ -75,7 +65,7 @@ Table limit_table() {
                    {"centre_high_deg", "deg", "and not free here for any"},
                    {"half_mm_gap_deg", "deg", "where the gap of a vertex first falls to 0.5 mm"},
                    {"clock", "h", "where the surfaces touch"},
-                   {"what", "", "what a reader must know"}};
+                   {"what", "", "what meets what, and what a reader must know"}};
   return table;
 }
 

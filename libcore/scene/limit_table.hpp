@@ -25,7 +25,7 @@ std::vector<MotionLimits> answer_motions(Session& session, const SceneOptions& o
 
 /// limits.csv without rows: joint, motion, threshold_mm (0: contact of the surfaces), centre (ball or socket,
 /// about whose centre the ball turns), state, low_deg, high_deg (limits/turn_limit.hpp), centre_low_deg,
-/// centre_high_deg (for every common centre within 0.5 mm), half_mm_gap_deg, clock, what (remarks in words).
+/// centre_high_deg (for every common centre within 0.5 mm), half_mm_gap_deg, clock, what (what_of()).
 Table limit_table();
 
 /// Adds a row for each limit of a joint.

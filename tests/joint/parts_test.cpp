@@ -46,8 +46,8 @@ TEST(Parts, AreNamedByALimit) {
     EXPECT_EQ(found.contact.socket_part, found.socket.value().socket_part);
     return found.contact.ball_part + "/" + found.contact.socket_part;
   };
-  EXPECT_EQ(parts_of(70.0, "internal_rotation"), "/AIIS");
-  EXPECT_EQ(parts_of(0.0, "adduction"), "/");
+  EXPECT_EQ(parts_of(70.0, "internal_rotation"), "neck/AIIS");
+  EXPECT_EQ(parts_of(0.0, "adduction"), "neck/rim");
   const Joint& with = session.joint->joint;
   EXPECT_EQ(with.centre, without.joint->joint.centre);
   EXPECT_EQ(with.warnings, without.joint->joint.warnings);

@@ -16,7 +16,7 @@ before(async () => {
 const LIMIT = {
   about: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20', within_mm: 0.5,
   centre_low_deg: 40.06, centre_high_deg: 60.04, play_low_deg: 39.06, play_high_deg: null,
-  half_mm_gap_deg: 50.06, hangs_on_less: false, leaves_ball_mesh_deg: null,
+  half_mm_gap_deg: 50.06, hangs_on_less: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck',
 };
 
 test('ends are rounded outward', () => {
@@ -34,7 +34,7 @@ test('ends are rounded outward', () => {
 
 test('a limit is told with ends rounded outward, for any centre and with play', () => {
   const told = words.limitWords(LIMIT);
-  assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock \(certified: no contact is skipped\)/);
+  assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock, rim and neck \(certified: no contact is skipped\)/);
   assert.match(told, /any centre within 0\.5 mm: at 40\.0° to 60\.1°; with that much play of the ball: not before 39\.0°\./);
   assert.match(told, /falls to 0\.5 mm at 50\.0°\.$/);
   assert.match(words.limitWords({ ...LIMIT, centre_low_deg: 0, centre_high_deg: null }), /within 0\.5 mm: not known;/);
@@ -111,14 +111,14 @@ test('measures that are refused are named, once a reason', () => {
 });
 
 test('a file of limits has a cell for every column, and quotes a name', () => {
-  const limits = [LIMIT, { ...LIMIT, about: 'socket', state: 'free', clock: null, leaves_ball_mesh_deg: 30.06 }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, hangs_on_less: true }];
+  const limits = [LIMIT, { ...LIMIT, about: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to less than 0.5 mm' }];
   const [head, ...lines] = words.limitsCsv('cam, right', [{ motion: { name: 'fadir' }, limits }]).trim().split('\n');
   assert.equal(head.split(',').length, 12);
-  assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,');
-  assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,the ball\'s mesh ends from 30.0');
+  assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,rim and neck');
+  assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,');
   const shifted = words.limitsCsv('cam', [{ motion: { name: 'fadir' }, limits: [limits[2]] }], 'ball shifted by 0.0, 1.0, 0.0 mm').split('\n');
-  assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; sensitive to less than 0.5 mm"$/);
-  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,sensitive to less than 0.5 mm');
+  assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; rim and head; sensitive to less than 0.5 mm"$/);
+  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,rim and head; sensitive to less than 0.5 mm');
 });
 
 test('a state comes back from its fragment, with the camera, and nonsense is left out', async () => {

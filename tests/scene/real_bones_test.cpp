@@ -187,10 +187,14 @@ TEST(RealBones, TurnUntilSurfacesMeet) {
       for (std::size_t k = 0; k < motions.size(); ++k) {
         const double expected = (whole ? of->whole : of->cropped)[k];
         if (expected == 0.0) continue;
-        const TurnLimit limit =
-            answer_limits(session, {.start = {}, .growing = motions[k]}).contact.told.limit;
+        const LimitAnswer found = answer_limits(session, {.start = {}, .growing = motions[k]}).contact;
+        const TurnLimit& limit = found.told.limit;
         EXPECT_NEAR(limit.low_deg, expected, 0.01) << hip << " " << motions[k] << " " << whole;
         EXPECT_LT(limit.high_deg - limit.low_deg, 1e-6);
+        EXPECT_EQ(meets(found), whole && k == 3 ? "bone beyond the rim and trochanter or shaft"
+                                : k == 4        ? "head within the socket"
+                                                : "rim and neck")
+            << hip << " " << motions[k] << " " << whole;
       }
     }
   }

@@ -103,7 +103,8 @@ val limit_value(const LimitAnswer& found) {
                 std::pair("half_mm_gap_deg", or_null(told.half_mm_gap_deg)),
                 std::pair("hangs_on_less", told.hangs_on_less()),
                 std::pair("leaves_ball_mesh_deg", or_null(told.limit.leaves_mesh_deg)),
-                std::pair("clock", clock_or_null(found.hours)));
+                std::pair("clock", clock_or_null(found.hours)), std::pair("meets", meets(found)),
+                std::pair("what", what_of(found)));
 }
 
 // As they stand in the socket, about whose centre a page draws.

@@ -7,27 +7,22 @@ const COLUMNS = [["ball", false], ["socket", false], ["ball", true]]; // about w
 const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what"];
 
 /** One limit, short, and in full where a reader points at it. */
-function shortly({ state, low_deg: low, high_deg: high, clock }) {
+function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
   const words = {
     limited: [`${roundedDown(low, 1)}°`, `between ${roundedDown(low, 4)}° and ${roundedUp(high, 4)}°${clock ? `, at ${clock} o’clock` : ""}`],
     free: ["free", `none up to ${roundedDown(low, 0)}°`],
     blocked: ["at once", "reached before the motion begins"],
     unknown: [`> ${roundedDown(low, 1)}°`, `none up to ${roundedDown(low, 1)}°; nothing is known beyond`],
   };
-  return words[state];
-}
-
-/** What a reader must know of a limit, as `scene` says it. */
-function what({ hangs_on_less: hangs, within_mm: within, leaves_ball_mesh_deg: leaves }) {
-  if (hangs) return `sensitive to less than ${within} mm`;
-  return leaves === null ? "" : `the ball's mesh ends from ${roundedDown(leaves, 1)}`;
+  const [text, title] = words[state];
+  return [text, [title, what].filter(Boolean).join("; ")];
 }
 
 /** limits.csv of [{ motion, limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
 export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.about, limit.state, limit.low_deg, limit.high_deg,
-    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, what(limit)].filter(Boolean).join("; "))];
+    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, limit.what].filter(Boolean).join("; "))];
   const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
   return [CSV.join(), ...lines, ""].join("\n");
 }
@@ -96,9 +91,10 @@ export class LimitsPanel {
   cell(motion, limit) {
     if (!limit) return make("td", { textContent: "–" });
     const [text, title] = shortly(limit);
-    if (limit.state !== "limited") return make("td", { textContent: text, title });
+    const mark = limit.hangs_on_less ? [" ±"] : [];
+    if (limit.state !== "limited") return make("td", { title }, text, ...mark);
     const go = make("button", { type: "button", className: "plain", textContent: text, title, onclick: () => this.onPose(motion, limit.low_deg) });
-    return make("td", {}, go, ...(limit.clock ? [make("span", { className: "clock", textContent: limit.clock })] : []));
+    return make("td", { title }, go, ...mark, ...(limit.clock ? [make("span", { className: "clock", textContent: limit.clock })] : []));
   }
 
   write() {
@@ -107,7 +103,7 @@ export class LimitsPanel {
       const limits = this.rows[k]?.limits;
       const of = ([about, cartilage]) => limits.find((each) => each.about === about && each.threshold_mm > 0 === cartilage);
       const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of ? "…" : "" })];
-      return make("tr", {}, make("th", { scope: "row", textContent: motion.label }), ...cells);
+      return make("tr", {}, make("th", { scope: "row" }, motion.label, ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
     }));
     byId("save-limits").disabled = !this.motions || !this.complete();
     byId("limits-say").textContent = this.of && !this.complete() ? `Working, ${done} of ${this.motions.length} …` : "";

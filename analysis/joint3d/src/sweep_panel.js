@@ -49,9 +49,9 @@ function whatTouches({ about, threshold_mm: threshold }) {
 
 /** A certified limit in words. */
 export function limitWords(limit) {
-  const { state, low_deg: low, high_deg: high, clock } = limit;
+  const { state, low_deg: low, high_deg: high, clock, meets } = limit;
   const words = {
-    limited: `first touch between ${roundedDown(low, 4)}° and ${roundedUp(high, 4)}°${clock ? `, at ${clock} o’clock` : ""} (certified: no contact is skipped)`,
+    limited: `first touch between ${roundedDown(low, 4)}° and ${roundedUp(high, 4)}°${clock ? `, at ${clock} o’clock` : ""}, ${meets} (certified: no contact is skipped)`,
     free: `do not touch up to ${roundedDown(low, 0)}° (certified)`,
     blocked: "touch or overlap at the start of this motion",
     unknown: `do not touch ${unknownBeyond(limit)}`,

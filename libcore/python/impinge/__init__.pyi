@@ -37,6 +37,7 @@ class Limit(TypedDict):
     half_mm_gap_deg: float | None  # where the gap of a vertex first falls to 0.5 mm
     leaves_ball_mesh_deg: float | None  # from here on the ball's mesh ends under the socket
     clock: float | None  # hours, where the surfaces touch
+    what: str  # what meets what, as "rim and neck", and marks, as in limits.csv
     position: tuple[float, float, float] | None  # the same, frame of the meshes
 
 class VolumeMotion(TypedDict):

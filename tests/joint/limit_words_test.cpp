@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contract: a limit says what of the bones meets, whichever centre the ball turns about, for contact, for a
+// threshold and where all is blocked from the start. What places are called: tests/hip/joint_places_test.cpp.
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "hip/hip_surface.hpp"
+#include "joint/limits.hpp"
+
+namespace impinge {
+namespace {
+
+Session session_of(Hip hip, const Vec3& centre) {
+  JointInput input;
+  input.centre = centre;
+  input.ball = {"ball", std::move(hip.ball)};
+  input.socket = {"socket", std::move(hip.socket)};
+  return {assemble_joint(std::move(input)), Side::right, "RAS"};
+}
+
+HipParameters right(const char* preset) {
+  HipParameters parameters = hip_preset(preset);
+  parameters.side = Side::right;
+  return parameters;
+}
+
+TEST(LimitWords, SayThatACamMeetsTheRim) {
+  Session session;
+  use_hip(session, right("cam"));
+  const LimitAnswers found = answer_limits(
+      session, {.start = {.flexion = 90.0}, .growing = "internal_rotation", .cartilage_mm = 2.0});
+  for (const LimitAnswer* limit : {&found.contact, &found.socket.value(), &found.cartilage}) {
+    ASSERT_EQ(limit->told.limit.state, LimitState::limited);
+    EXPECT_EQ(meets(*limit), "rim and neck");
+  }
+}
+
+// About a point beside the head's centre, towards which the head cannot stay: it meets the wall of the socket
+// where, seen from the head, nothing but the sphere is.
+TEST(LimitWords, SayThatAHeadMeetsTheSocketWithin) {
+  HipParameters parameters = right("normal");
+  parameters.joint_space = 1.0;
+  const Vec3 centre(0.0, -8.0, 0.0);
+  Session session = session_of(make_hip(parameters, 3000), centre);
+  const LimitAnswer found = answer_limits(session, {.start = {}, .growing = "flexion"}).contact;
+  ASSERT_EQ(found.told.limit.state, LimitState::limited);
+  EXPECT_EQ(meets(found), "head within the socket");
+  const HipSurface hip = hip_surface(parameters);
+  const Vec3 place = found.told.limit.contact.value().place + centre - hip.socket_centre;
+  EXPECT_NEAR(place.norm(), hip.socket_radius, 0.2);
+  EXPECT_GT(-hip.opening.dot(place.normalized()), std::cos(0.75 * parameters.half_opening * kDegree));
+}
+
+// A threshold moves no name: the head is a layer of cartilage away from the socket.
+TEST(LimitWords, NameTheBonesBehindAThreshold) {
+  HipParameters parameters = right("normal");
+  parameters.joint_space = 5.0;
+  Session session = session_of(make_hip(parameters, 3000), Vec3(0.0, -4.0, 0.0));
+  const LimitAnswer found =
+      answer_limits(session, {.start = {}, .growing = "flexion", .cartilage_mm = 4.0}).cartilage;
+  ASSERT_EQ(found.told.limit.state, LimitState::limited);
+  EXPECT_EQ(meets(found), "head within the socket");
+}
+
+// The deepest place, of a head too large for its socket or of too thick a layer: towards the pole.
+TEST(LimitWords, NameWhatBlocksFromTheStart) {
+  const HipSurface surface = hip_surface(right("normal"));
+  const Vec3 to_pole = -0.4 * surface.opening;
+  Hip hip = make_hip(right("normal"), 3000);
+  for (Vec3& x : hip.ball.vertices) x += to_pole;
+  const Hip fitting = hip;
+  for (Vec3& x : hip.ball.vertices) x *= (surface.head_radius + 7.0) / surface.head_radius;
+  Session large = session_of(std::move(hip), to_pole);
+  const LimitAnswer contact = answer_limits(large, {.start = {}, .growing = "flexion"}).contact;
+  EXPECT_EQ(contact.told.limit.state, LimitState::blocked);
+  EXPECT_EQ(what_of(contact), "head within the socket") << "sure for all centres";
+  Session tight = session_of(fitting, to_pole);
+  const LimitAnswers found = answer_limits(tight, {.start = {}, .growing = "flexion", .cartilage_mm = 5.0});
+  EXPECT_EQ(found.cartilage.told.limit.state, LimitState::blocked);
+  EXPECT_EQ(meets(found.cartilage), "head within the socket");
+  EXPECT_EQ(meets(found.contact), "rim and neck");
+}
+
+// The mark is where half a millimetre moves the end by more than five degrees, whatever the end is.
+TEST(LimitWords, MarkWideRanges) {
+  LimitAnswer answer{"ball", Vec3::Zero(), {}, std::nullopt, "neck", "rim"};
+  ToldLimit& told = answer.told;
+  const auto marked = [&](LimitState state, double low, const CentreInterval& range) {
+    told.limit.state = state;
+    told.limit.low_deg = told.limit.high_deg = low;
+    told.common = range;
+    const bool mark = what_of(answer).find("; sensitive to less than 0.5 mm") != std::string::npos;
+    EXPECT_EQ(mark, told.hangs_on_less());
+    return mark;
+  };
+  EXPECT_FALSE(marked(LimitState::limited, 60.0, {55.5, 64.5, true}));
+  EXPECT_TRUE(marked(LimitState::limited, 60.0, {40.0, 60.0, true}));
+  EXPECT_TRUE(marked(LimitState::limited, 60.0, {60.0, 140.0, true}));
+  EXPECT_TRUE(marked(LimitState::limited, 60.0, {60.0, 180.0, false}));
+  EXPECT_FALSE(marked(LimitState::free, 180.0, {178.0, 180.0, false}));
+  EXPECT_TRUE(marked(LimitState::free, 180.0, {140.0, 180.0, false}));
+  EXPECT_FALSE(marked(LimitState::blocked, 0.0, {0.0, 0.0, true}));
+  EXPECT_TRUE(marked(LimitState::blocked, 0.0, {0.0, 40.0, true}));
+  EXPECT_TRUE(marked(LimitState::blocked, 0.0, {0.0, 180.0, false}));
+}
+
+}  // namespace
+}  // namespace impinge
