@@ -17,8 +17,10 @@
 #include "hip/arrangement.hpp"
 #include "hip/length_unit.hpp"
 #include "hip/whole_bone.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/mesh_pieces.hpp"
 #include "mesh/surface_vertices.hpp"
+#include "mesh/weld.hpp"
 
 namespace impinge {
 namespace {
@@ -265,6 +267,21 @@ bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   return true;
 }
 
+// A part that shares sides of its border with the bone so far, where both end, was cut from it and goes on
+// from it.
+void join_what_goes_on(JointPart& bone) {
+  const auto border = [](const TriangleMesh& mesh) { return boundary_edges(weld(mesh)).size(); };
+  for (std::size_t k = 0; k < bone.parts.size(); ++k) {
+    if (bone.parts[k].of_main) continue;
+    const std::size_t apart =
+        border(whole_main(bone.mesh, bone.parts)) + border(part_surface(bone.mesh, bone.parts, k));
+    bone.parts[k].of_main = true;
+    if (border(whole_main(bone.mesh, bone.parts)) < apart) continue;
+    bone.parts[k].of_main = false;
+    return;  // parts of the main bone come first
+  }
+}
+
 // Seen from the centre, the surface remains what it was.
 void make_smaller(const JointInput& input, Joint& joint) {
   if (input.overlap_mm == 0.0) return;
@@ -307,6 +324,8 @@ Joint assemble_joint(JointInput input) {
   add_parts(std::move(socket), joint.socket, joint);
   warn_of_layers(joint.ball, input.ball.name, "outermost", joint);
   warn_of_layers(joint.socket, input.socket.name, "nearest", joint);
+  join_what_goes_on(joint.ball);
+  join_what_goes_on(joint.socket);
   make_smaller(input, joint);
   return joint;
 }

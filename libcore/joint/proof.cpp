@@ -29,10 +29,7 @@ void require_proven(const ClearanceProof& proof, const std::string& when) {
 
 // The rest of a whole bone is in the file of its main surface.
 std::array<std::size_t, 2> files_of(const Joint& joint) {
-  const auto files = [](const JointPart& part) {
-    return 1 + static_cast<std::size_t>(
-                   std::ranges::count_if(part.parts, [](const MeshPart& of) { return !of.of_main; }));
-  };
+  const auto files = [](const JointPart& part) { return 1 + part.parts.size() - (part.taken ? 1 : 0); };
   return {files(joint.ball), files(joint.socket)};
 }
 

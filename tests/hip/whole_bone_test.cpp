@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -121,6 +122,26 @@ TEST(WholeBone, IsTheSameInsideOutAndWithTheCentreGiven) {
   const Joint joint = assemble_joint(std::move(turned));
   EXPECT_EQ(joint.ball.taken.value().faces, usual.ball.taken.value().faces);
   EXPECT_EQ(joint.socket.taken.value().faces, usual.socket.taken.value().faces);
+}
+
+// What a tool cut off is of the bone again; what lies beside it is not.
+TEST(WholeBone, PartsThatWereCutFromItGoOnFromIt) {
+  const TriangleMesh bone = femur();
+  TriangleMesh head = bone;
+  TriangleMesh shaft = bone;
+  const auto beyond = [&](const Face& face) {
+    return (corner(bone, face, 0) - kScanned).norm() > 1.45 * kHead;
+  };
+  std::erase_if(head.faces, beyond);
+  std::erase_if(shaft.faces, std::not_fn(beyond));
+  JointInput input = whole_joint(head, pelvis());
+  append_part(input.ball.mesh, input.ball.parts, "shaft", shaft);
+  append_part(input.ball.mesh, input.ball.parts, "screw", sphere(2.0, 100, kScanned));
+  const Joint joint = assemble_joint(std::move(input));
+  ASSERT_FALSE(joint.ball.taken);
+  EXPECT_TRUE(joint.ball.parts[0].of_main);
+  EXPECT_FALSE(joint.ball.parts[1].of_main);
+  EXPECT_TRUE(closes(faces_of(whole_main(joint.ball.mesh, joint.ball.parts))));
 }
 
 TEST(WholeBone, PartsThatAreGivenStayBehindTheRest) {

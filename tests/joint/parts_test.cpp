@@ -21,7 +21,9 @@
 #include "joint/resection.hpp"
 #include "joint/volume.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/edges.hpp"
 #include "support/hip_with_parts.hpp"
+#include "support/joined.hpp"
 #include "support/thrown.hpp"
 
 namespace impinge {
@@ -230,6 +232,28 @@ TEST(Parts, InsideOtherBoneTouchIt) {
   Hip screw = make_hip({}, 1000);
   append_part(screw.socket, screw.socket_parts, "screw", sphere(2.0, 100));
   expect_inside(screw);
+}
+
+// The wall about a head, closed, as two files: its inner side, and all else. Neither holds the head.
+TEST(Parts, ThatGoOnFromASocketAreOneBoneWithIt) {
+  const TriangleMesh inner = cup(26.0, 60.0, 400);
+  TriangleMesh outer = test::inside_out(cup(30.0, 60.0, 400));
+  for (const auto& [a, b] : boundary_edges(inner)) {
+    const auto next = static_cast<VertexIndex>(outer.vertices.size());
+    outer.vertices.insert(outer.vertices.end(), {inner.vertices[a], inner.vertices[b]});
+    outer.faces.push_back({next + 1, next, a});
+    outer.faces.push_back({next + 1, a, b});
+  }
+  Hip hip;
+  hip.ball = sphere(20.0, 400);
+  hip.socket = inner;
+  append_part(hip.socket, hip.socket_parts, "outer side", outer);
+  Session session = session_of(std::move(hip));
+  EXPECT_EQ(session.joint->bodies().verdict({}).contact, Contact::no);
+  EXPECT_EQ(session.joint->bodies().verdict({Eigen::Matrix3d::Identity(), Vec3(0, 0, 100)}).contact,
+            Contact::no);
+  const TurnLimit limit = answer_limits(session, {.start = {}, .growing = "flexion"}).contact.told.limit;
+  EXPECT_EQ(limit.state, LimitState::free);
 }
 
 ResectionRequest requiring(const std::string& motion, bool least = false) {
