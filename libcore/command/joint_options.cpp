@@ -20,21 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Vec3 centre_of(const std::string& text) {
-  Vec3 centre;
-  std::string_view rest = text;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const std::size_t comma = rest.find(',');
-    const std::optional<double> value = finite_number(rest.substr(0, comma));
-    if ((comma == rest.npos) != (k == 2) || !value)
-      throw CLI::ValidationError("--centre",
-                                 "'" + text + "' is no centre; give fit, or three numbers in mm as X,Y,Z");
-    centre[k] = *value;
-    rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 1);
-  }
-  return centre;
-}
-
 // A number is one thickness, anything else a file.
 void set_cartilage(const std::string& text, JointOptions& options) {
   const std::optional<double> value = finite_number(text);
@@ -138,7 +123,7 @@ void add_joint_options(CLI::App& command, JointOptions& options) {
               .add_option_function<std::string>(
                   "--centre",
                   [&options](const std::string& text) {
-                    if (text != "fit") options.centre = centre_of(text);
+                    if (text != "fit") options.centre = place_option("--centre", text);
                   },
                   "of rotation: that of the sphere that fits the ball, or a place in mm [fit]")
               ->type_name("fit|X,Y,Z"));

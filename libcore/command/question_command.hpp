@@ -51,12 +51,12 @@ struct HeadlineColumn {
 
 /// An answer in all its forms. A question fills what it has.
 struct Told {
-  std::string words{};               // lines for a terminal
-  Json document{};                   // of the answer
-  std::vector<AnswerFile> files{};   // beside summary.json; written together
-  std::vector<std::string> wrote{};  // files that are there already: it wrote them while it worked
-  std::string table_name{};          // such as "limits.csv"; empty: it has none
-  Table table{};                     // rows of that file, without the column `joint`
+  std::string words{};                       // lines for a terminal
+  Json document{};                           // of the answer
+  std::vector<AnswerFile> files{};           // beside summary.json; written together
+  std::vector<std::string> wrote{};          // files that are there already: it wrote them while it worked
+  std::string table_name{};                  // such as "limits.csv"; empty: it has none
+  Table table{};                             // rows of that file, without the column `joint`
   std::vector<HeadlineColumn> row_of_one{};  // of joints.csv (--joints), where there is no table
 };
 
@@ -109,6 +109,8 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
 QuestionCommand gaps_question();
 QuestionCommand poses_question();
 QuestionCommand touch_question();
+QuestionCommand limits_question();
+QuestionCommand certify_question();
 QuestionCommand measure_question();
 
 }  // namespace impinge

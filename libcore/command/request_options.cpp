@@ -44,4 +44,18 @@ Motion motion_option(const std::string& option, const std::string& text) {
   }
 }
 
+Vec3 place_option(const std::string& option, const std::string& text) {
+  Vec3 place;
+  std::string_view rest = text;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> value = finite_number(rest.substr(0, comma));
+    if ((comma == rest.npos) != (k == 2) || !value)
+      throw CLI::ValidationError(option, "'" + text + "' is no place; give three numbers in mm as X,Y,Z");
+    place[k] = *value;
+    rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 1);
+  }
+  return place;
+}
+
 }  // namespace impinge

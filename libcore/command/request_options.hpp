@@ -28,6 +28,8 @@ std::string type_name(std::string_view unit);
 CLI::Validator in_range(const Range& range);
 /// "flexion=90,internal_rotation=10", for an option; CLI::ValidationError.
 Motion motion_option(const std::string& option, const std::string& text);
+/// Three numbers as X,Y,Z, in the same way.
+Vec3 place_option(const std::string& option, const std::string& text);
 
 template <InWords E>
 std::string words_text(const char* between) {
@@ -60,10 +62,14 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
                      text)
                  ->check(word_check<Value>())
                  ->type_name(words_text<Value>("|"));
-  } else if constexpr (std::same_as<Value, Motion>) {
+  } else if constexpr (std::same_as<Value, Motion> || std::same_as<Value, std::optional<Motion>>) {
     option = command.add_option_function<std::string>(
         name, [&value, name](const std::string& given) { value = motion_option(name, given); }, text);
     option->type_name("MOTION");
+  } else if constexpr (std::same_as<Value, std::optional<Vec3>>) {
+    option = command.add_option_function<std::string>(
+        name, [&value, name](const std::string& given) { value = place_option(name, given); }, text);
+    option->type_name("X,Y,Z");
   } else if constexpr (std::same_as<Value, std::vector<Motion>>) {
     option = command.add_option_function<std::vector<std::string>>(
         name,

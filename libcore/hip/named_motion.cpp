@@ -2,6 +2,8 @@
 #include "hip/named_motion.hpp"
 
 #include <array>
+#include <stdexcept>
+#include <string>
 
 namespace impinge {
 namespace {
@@ -23,5 +25,14 @@ constexpr std::array kMotions{
 }  // namespace
 
 std::span<const NamedMotion> named_motions() { return kMotions; }
+
+const NamedMotion& named_motion(std::string_view name) {
+  std::string names;
+  for (const NamedMotion& motion : kMotions) {
+    if (motion.name == name) return motion;
+    names += (names.empty() ? "" : ", ") + std::string(motion.name);
+  }
+  throw std::invalid_argument("unknown motion '" + std::string(name) + "'; there are " + names);
+}
 
 }  // namespace impinge

@@ -24,4 +24,7 @@ struct NamedMotion {
 /// clinician takes them as the patient allows).
 std::span<const NamedMotion> named_motions();
 
+/// The one of that name; std::invalid_argument, one line, that lists them.
+const NamedMotion& named_motion(std::string_view name);
+
 }  // namespace impinge

@@ -81,6 +81,13 @@ void read_json(const Json& given, std::string_view name, const Range& /*range*/,
   value = given.get<std::string>();
 }
 
+void read_json(const Json& given, std::string_view name, const Range& range, Vec3& value) {
+  std::vector<double> numbers;
+  read_json(given, name, range, numbers);
+  if (numbers.size() != 3) refuse(name, "is not three numbers, x, y and z");
+  value = {numbers[0], numbers[1], numbers[2]};
+}
+
 void read_json(const Json& given, std::string_view name, const Range& /*range*/, Motion& value) {
   try {
     if (given.is_string()) {

@@ -18,6 +18,7 @@
 
 #include "files/fields.hpp"
 #include "hip/motion.hpp"
+#include "sphere/direction.hpp"
 
 namespace impinge {
 
@@ -118,6 +119,9 @@ std::string_view near_word(std::string_view word, std::span<const std::string_vi
 /// One of these, else std::invalid_argument that names the near one.
 std::size_t place_among(std::string_view word, std::span<const std::string_view> words,
                         std::string_view what);
+
+/// A place or shift: three numbers.
+void read_json(const Json& given, std::string_view name, const Range& range, Vec3& value);
 
 /// A text as "flexion=90,internal_rotation=10", three numbers (flexion, abduction, internal rotation), or an
 /// object of them; degrees.

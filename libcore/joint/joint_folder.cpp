@@ -57,14 +57,6 @@ std::optional<std::string> axes_of(const std::string& text) {
   return code;
 }
 
-Vec3 centre_of(const Json& given) {
-  std::vector<double> numbers;
-  read_json(given, kCentre, {}, numbers);
-  if (numbers.size() != 3)
-    throw std::invalid_argument(std::string(kCentre) + ": is no place; give [x, y, z]");
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
 // Relative to the folder of the file that names them.
 std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs::path& folder) {
   std::vector<std::string> names;
@@ -77,7 +69,7 @@ std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs
 void read_key(const std::string& key, const Json& value, const fs::path& folder, JointDescription& said) {
   std::string text;
   if (key == kCentre || key == "centre") {
-    said.centre = centre_of(value);
+    read_json(value, key, {}, said.centre);
   } else if (key == "side") {
     read_json(value, key, {}, said.side);
   } else if (key == "axes") {

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "files/formatted.hpp"
+#include "hip/named_motion.hpp"
 #include "mesh/mesh_parts.hpp"
 
 namespace impinge {
@@ -100,6 +102,50 @@ void make_limits(Session& session, bool about_socket) {
       bones, BallSocketPair{relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre);
 }
 
+bool is_rest(const Motion& start) {
+  return start.flexion == 0.0 && start.abduction == 0.0 && start.internal_rotation == 0.0;
+}
+
+std::optional<std::string> text_or_none(std::string text) {
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
+std::optional<double> end_or_none(const CentreInterval& range) {
+  return range.limited ? std::optional(range.high_deg) : std::nullopt;
+}
+
+LimitDocument document_of(const SessionJoint& joint, std::string_view motion, const LimitRequest& asked,
+                          double largest_deg, const LimitAnswer& answer) {
+  const ToldLimit& told = answer.told;
+  const TurnLimit& limit = told.limit;
+  LimitDocument found;
+  found.motion = motion;
+  found.threshold_mm = told.threshold_mm;
+  found.centre = answer.about;
+  found.state = limit.state;
+  found.low_deg = limit.low_deg;
+  found.high_deg = limit.high_deg;
+  found.centre_low_deg = told.common.low_deg;
+  found.centre_high_deg = end_or_none(told.common);
+  found.half_mm_gap_deg = told.half_mm_gap_deg;
+  if (answer.hours) found.clock = clock_text(*answer.hours);
+  found.what = what_of(answer);
+  found.start = asked.start;
+  found.largest_deg = largest_deg;
+  found.centre_of_rotation = answer.centre;
+  found.play_low_deg = told.play.low_deg;
+  found.play_high_deg = end_or_none(told.play);
+  found.hangs_on_less_than_half_mm = told.hangs_on_less();
+  found.leaves_ball_mesh_deg = limit.leaves_mesh_deg;
+  found.ball_part = text_or_none(answer.ball_part);
+  found.socket_part = text_or_none(answer.socket_part);
+  found.meets = text_or_none(meets(answer));
+  if (!limit.contact) return found;
+  found.position = joint.axes.transpose() * limit.contact->place + answer.centre;
+  found.contact = limit.contact->kind;
+  return found;
+}
+
 }  // namespace
 
 CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre)
@@ -137,6 +183,45 @@ std::string what_of(const LimitAnswer& answer) {
   else if (told.limit.leaves_mesh_deg)
     add("the ball's mesh ends from " + rounded_down(*told.limit.leaves_mesh_deg, 1));
   return what;
+}
+
+void LimitsRequest::check() const {
+  for (const std::string& name : motions) {
+    const NamedMotion& motion = named_motion(name);
+    if (pose && !is_rest(motion.start))
+      throw std::invalid_argument("motions: " + name + " begins at a pose of its own; leave the pose out");
+  }
+}
+
+std::vector<LimitDocument> documents_of(const SessionJoint& joint, std::string_view motion,
+                                        const LimitRequest& asked, const LimitAnswers& found) {
+  std::vector<LimitDocument> limits;
+  const auto add = [&](const LimitAnswer& limit) {
+    limits.push_back(document_of(joint, motion, asked, found.largest_deg, limit));
+  };
+  add(found.contact);
+  if (found.socket) add(*found.socket);
+  if (asked.cartilage_mm > 0.0) add(found.cartilage);
+  return limits;
+}
+
+LimitsAnswer answer(Session& session, const LimitsRequest& request) {
+  request.check();
+  LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .limits = {}};
+  for (const NamedMotion& motion : named_motions()) {
+    const bool named =
+        std::find(request.motions.begin(), request.motions.end(), motion.name) != request.motions.end();
+    if (!(request.motions.empty() ? !request.pose || is_rest(motion.start) : named)) continue;
+    const LimitRequest one{.start = request.pose.value_or(motion.start),
+                           .growing = std::string(motion.growing),
+                           .largest_deg = request.largest_deg,
+                           .translation = request.translation.value_or(Vec3::Zero()),
+                           .cartilage_mm = request.cartilage_mm};
+    const LimitAnswers found = answer_limits(session, one);
+    for (LimitDocument& limit : documents_of(*session.joint, motion.name, one, found))
+      answer.limits.push_back(std::move(limit));
+  }
+  return answer;
 }
 
 Sweep sweep(Session& session, const LimitRequest& request, double step_deg) {

@@ -72,4 +72,33 @@ ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
   return proof;
 }
 
+void CertifyRequest::check() const {
+  if (motion) motion_name(*motion);
+}
+
+CertifyAnswer answer(Session& session, const CertifyRequest& request) {
+  const Joint& joint = session.joint->joint;
+  if (joint.frames)
+    throw std::invalid_argument(
+        "a certificate is about the meshes as they lie in their files; leave the landmarks out");
+  if (joint.overlap_mm > 0.0)
+    throw std::invalid_argument("a certificate is about the meshes as they are; leave the overlap out");
+  const Motion pose = request.pose.value_or(Motion());
+  try {
+    const ClearanceProof proof =
+        request.motion ? answer_proof(session, LimitRequest{.start = pose, .growing = *request.motion})
+                       : answer_proof(*session.joint, pose_of(*session.joint, pose));
+    constexpr std::array<const char*, 3> kSays{"clear", "crossing", "inside"};
+    CertifyAnswer found{kSays.at(static_cast<std::size_t>(proof.says)),
+                        {},
+                        proof.closed,
+                        proof.rounded_deg,
+                        proof_text(proof)};
+    if (request.motion) found.to_deg = degrees_of(proof.last);
+    return found;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string("no certificate: ") + error.what());
+  }
+}
+
 }  // namespace impinge

@@ -7,7 +7,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
+#include <tuple>
 
+#include "files/fields.hpp"
 #include "joint/limits.hpp"
 #include "limits/clearance_proof.hpp"
 
@@ -24,5 +28,44 @@ ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose);
 /// Proves that the motion is clear from its start to kProofEndsBefore before the lower end of its limit,
 /// about the centre of the ball, which is not shifted. std::runtime_error as above.
 ClearanceProof answer_proof(Session& session, const LimitRequest& request);
+
+struct CertifyRequest {
+  std::optional<Motion> pose;
+  std::optional<std::string> motion;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"pose", "", "that is proven, or that the motion begins at [the pose of the scan]",
+              &CertifyRequest::pose},
+        Field{"motion", "",
+              "prove the way from the pose to the limit of this motion, as flexion [none: the pose alone]",
+              &CertifyRequest::motion}};
+  }
+  void check() const;
+};
+
+struct CertifyAnswer {
+  std::string says;
+  std::optional<double> to_deg;
+  std::array<bool, 2> closed{};
+  double rounded_deg = 0.0;
+  std::string text;  // of the certificate
+
+  static constexpr auto fields() {
+    using Found = CertifyAnswer;
+    return std::tuple{
+        Field{"says", "",
+              "clear: the surfaces do not meet; crossing: they do; inside: one body is inside the other",
+              &Found::says},
+        Field{"to_deg", "deg", "how far along the motion that is proven; null for a pose", &Found::to_deg},
+        Field{"closed", "", "are all pieces of ball and socket? What is open has no inside", &Found::closed},
+        Field{"rounded_deg", "deg", "by how much the rotations differ from those asked for, at most",
+              &Found::rounded_deg}};
+  }
+};
+
+/// std::runtime_error, one line, where nothing can be proven; std::invalid_argument where landmarks or an
+/// overlap make it a joint that the files do not show.
+CertifyAnswer answer(Session& session, const CertifyRequest& request);
 
 }  // namespace impinge

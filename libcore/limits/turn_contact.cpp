@@ -176,20 +176,6 @@ SweptParts moved_out(const TriangleMesh& mesh, double out, double nearest) {
 
 }  // namespace
 
-std::string_view name(ContactKind kind) {
-  switch (kind) {
-    case ContactKind::ball_vertex:
-      return "ball vertex";
-    case ContactKind::socket_vertex:
-      return "socket vertex";
-    case ContactKind::edges:
-      return "edges";
-    case ContactKind::rims:
-      break;
-  }
-  return "rims";
-}
-
 TurnBody::TurnBody(const TriangleMesh& mesh)
     : faces(turn_faces(mesh)),
       first_corner(mesh.faces.size(), {false, false, false}),

@@ -38,6 +38,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/fields.hpp"
 #include "hip/motion.hpp"
 #include "limits/sinusoid.hpp"
 #include "limits/swept_parts.hpp"
@@ -48,9 +49,10 @@ namespace impinge {
 /// Which of the parts touch: a corner of one and a face of the other, two edges, or, for a threshold, a
 /// vertex and a rim as the centre sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
-
-/// "ball vertex", "socket vertex", "edges", "rims".
-std::string_view name(ContactKind kind);
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<ContactKind>{"ball vertex", "socket vertex",
+                                                                       "edges", "rims"};
+constexpr std::string_view name(ContactKind kind) { return word_of(kind); }
 
 struct TurnContact {
   double angle = 0.0;                     // radians; nothing touches before

@@ -28,20 +28,6 @@ Pose pose_at(const JointTurn& turn, double angle) {
 
 }  // namespace
 
-std::string_view name(LimitState state) {
-  switch (state) {
-    case LimitState::limited:
-      return "limited";
-    case LimitState::free:
-      return "free";
-    case LimitState::blocked:
-      return "blocked";
-    case LimitState::unknown:
-      break;
-  }
-  return "unknown";
-}
-
 TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
     : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},

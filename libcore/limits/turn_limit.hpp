@@ -38,6 +38,7 @@
 #include <vector>
 
 #include "contact/culled_overlay.hpp"
+#include "files/fields.hpp"
 #include "hip/motion.hpp"
 #include "limits/body_pairs.hpp"
 #include "limits/centre_interval.hpp"
@@ -54,9 +55,10 @@ enum class LimitState {
   blocked,  // contact, or a gap at or below the threshold, at the start: low and high are 0
   unknown,  // none up to low; from there to high, the largest angle asked for, nothing is certain
 };
-
-/// "limited", "free", "blocked", "unknown".
-std::string_view name(LimitState state);
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<LimitState>{"limited", "free", "blocked",
+                                                                      "unknown"};
+constexpr std::string_view name(LimitState state) { return word_of(state); }
 
 /// The bracket of a limit, and where the surfaces touch there.
 struct TurnLimit {

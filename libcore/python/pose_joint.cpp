@@ -46,11 +46,6 @@ SeriesAnswer PoseJoint::answer(const SeriesOutputs& outputs, const Pose& pose) {
   return series->answer(pose);
 }
 
-LimitAnswers PoseJoint::limits(const LimitRequest& request) {
-  const std::scoped_lock lock(busy_);
-  return answer_limits(session_, request);
-}
-
 ResectionAnswer PoseJoint::resection(const ResectionRequest& request) {
   const std::scoped_lock lock(busy_);
   return answer_resection(session_, request);
@@ -59,11 +54,6 @@ ResectionAnswer PoseJoint::resection(const ResectionRequest& request) {
 OrientationAnswer PoseJoint::orientation(const OrientationRequest& request) {
   const std::scoped_lock lock(busy_);
   return answer_orientation(session_, request);
-}
-
-ClearanceProof PoseJoint::proof(const LimitRequest& request) {
-  const std::scoped_lock lock(busy_);
-  return answer_proof(session_, request);
 }
 
 }  // namespace impinge::python

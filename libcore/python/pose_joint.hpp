@@ -51,10 +51,8 @@ class PoseJoint {
     const std::scoped_lock lock(busy_);
     return impinge::answer(session_, request);
   }
-  LimitAnswers limits(const LimitRequest& request);
   ResectionAnswer resection(const ResectionRequest& request);
   OrientationAnswer orientation(const OrientationRequest& request);
-  ClearanceProof proof(const LimitRequest& request);
 
  private:
   std::mutex busy_;  // held while something is made, or asked that keeps what it made

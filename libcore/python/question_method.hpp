@@ -39,7 +39,7 @@ std::string docstring_of(std::string_view text) {
 /// Adds the method. `more(joint, answer, dict)` adds what is no JSON, such as arrays.
 template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
-                   void (*more)(const PoseJoint&, const Answer&, py::dict&) = nullptr) {
+                   void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr) {
   joint.def(
       name,
       [more](PoseJoint& self, const py::args& args, const py::kwargs& named) {

@@ -34,7 +34,7 @@ async function main({ ball, socket, side, pose, tables = [], limits, questions: 
     const csv = Buffer.from(ask('export', { format: 'csv', surface: 'both', pose }).bytes).toString();
     return { csv, pose: ask('pose', pose), verdicts: ask('verdicts', pose), bound: ask('bound') };
   });
-  if (limits) answers.limits = limitsCsv('', ask('presets').motions.map((motion) => ({ motion, limits: ask('limits', { ...limits, motion: motion.name }).limits })));
+  if (limits) answers.limits = limitsCsv('', ask('presets').motions.map((motion) => ({ motion, limits: ask('limits', { ...limits, motions: [motion.name] }).limits })));
   const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value);
   process.stdout.write(JSON.stringify(answers, plain));
 }

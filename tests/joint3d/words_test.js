@@ -14,9 +14,9 @@ before(async () => {
 });
 
 const LIMIT = {
-  about: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20', within_mm: 0.5,
+  centre: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20',
   centre_low_deg: 40.06, centre_high_deg: 60.04, play_low_deg: 39.06, play_high_deg: null,
-  half_mm_gap_deg: 50.06, hangs_on_less: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck',
+  half_mm_gap_deg: 50.06, hangs_on_less_than_half_mm: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck',
 };
 
 test('ends are rounded outward', () => {
@@ -111,7 +111,7 @@ test('measures that are refused are named, once a reason', () => {
 });
 
 test('a file of limits has a cell for every column, and quotes a name', () => {
-  const limits = [LIMIT, { ...LIMIT, about: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to less than 0.5 mm' }];
+  const limits = [LIMIT, { ...LIMIT, centre: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to less than 0.5 mm' }];
   const [head, ...lines] = words.limitsCsv('cam, right', [{ motion: { name: 'fadir' }, limits }]).trim().split('\n');
   assert.equal(head.split(',').length, 12);
   assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,rim and neck');

@@ -121,9 +121,10 @@ test('limits are those of a sweep, and measures those that a hip was made with',
     ['Flexion (thigh forward)', 'Internal rotation at 45 degrees of flexion', 'FADIR (at 90 of flexion and 15 of adduction)']);
   assert.equal(new Set(parameters.map(({ meaning }) => meaning)).size, 39);
   const request = { motion: 'fadir', translation: [0, 0.5, 0], cartilage_mm: 3 };
-  assert.deepEqual((await one('limits', request)).limits, (await one('sweep', { ...request, step_deg: 30 })).limits);
-  assert.deepEqual((await one('limits', { motion: 'flexion' })).limits.map(({ about, threshold_mm: mm }) => [about, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
-  assert.equal((await one('limits', { motion: 'flexion', largest_deg: 360 })).largest_deg, 180);
+  const { motion, ...shape } = request;
+  assert.deepEqual((await one('limits', { ...shape, motions: [motion], largest_deg: 150 })).limits, (await one('sweep', { ...request, step_deg: 30 })).limits);
+  assert.deepEqual((await one('limits', { motions: ['flexion'] })).limits.map(({ centre, threshold_mm: mm }) => [centre, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
+  assert.equal((await one('limits', { motions: ['flexion'] })).limits[0].largest_deg, 180);
   const made = (await one('joint', { source: 'preset', name: 'normal', parameters: {} })).parameters;
   const { measures } = await one('measure');
   assert.ok(measures.every(({ value, state }) => value !== null && state === 'measured'));
@@ -152,7 +153,7 @@ test('the volume agrees with gaps and limits', async () => {
   const at = (axis, angle) => (angle - axis.least) / axis.step;
   const state = (f, a, r) => states[(at(flexion, f) * abduction.count + at(abduction, a)) * rotation.count + at(rotation, r)];
   assert.equal(state(0, 0, 0), 2, 'the pose of the scan');
-  const { limits: [limit] } = await one('limits', { motion: 'flexion', largest_deg: 140 });
+  const { limits: [limit] } = await one('limits', { motions: ['flexion'], largest_deg: 140 });
   for (let f = 0; f < limit.low_deg && f <= 140; f += flexion.step) assert.ok(state(f, 0, 0) > 0, `flexion ${f} is reached`);
   let blocked = 0;
   let reached = 0;
@@ -174,7 +175,7 @@ test('a limit is that of the shifted ball', async () => {
   const { error_mm: error } = await one('tables', { scheme: 'cube_gnomonic', precision_deg: 0.5, storage: 'float' });
   const asked = { motion: 'abduction', largest_deg: 130, step_deg: 5 };
   const without = await one('sweep', asked);
-  assert.deepEqual(without.limits.map(({ about, threshold_mm: mm }) => [about, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
+  assert.deepEqual(without.limits.map(({ centre, threshold_mm: mm }) => [centre, mm]), [['ball', 0], ['socket', 0], ['ball', 4]]);
   for (const translation of [[-5, 0, 1], [0.5, 1, 0.5], [0, 1.5, -2]]) {
     const { angles, smallest: curve, limits } = await one('sweep', { ...asked, translation });
     const [limit] = limits;
@@ -186,7 +187,7 @@ test('a limit is that of the shifted ball', async () => {
     angles.forEach((angle, i) => {
       if (angle < limit.low_deg) assert.ok(curve[i] > -2 * error, `${name}: ${curve[i]} at ${angle}`);
     });
-    assert.ok(limits.every(({ about }) => about === 'ball'), name);
+    assert.ok(limits.every(({ centre }) => centre === 'ball'), name);
   }
   const shifted = { translation: [0, 1.5, -2], flexion: 40 };
   assert.ok(Math.abs((await one('verdicts', shifted)).low_mm - (await one('pose', shifted)).smallest.gap_mm) < 2 * error);
@@ -222,7 +223,7 @@ test('a cut reaches what is required', async () => {
 
 // The squares make up the map; the socket as it is is free up to a limit and blocked beyond.
 test('the map of orientations agrees with a limit', async () => {
-  const { limits: [limit] } = await one('limits', { motion: 'flexion', largest_deg: 170 });
+  const { limits: [limit] } = await one('limits', { motions: ['flexion'], largest_deg: 170 });
   assert.equal(limit.state, 'limited');
   for (const [angle, state] of [[limit.low_deg - 3, 'free'], [limit.high_deg + 3, 'blocked']]) {
     const { squares, legs, area_deg2: area, as_scanned: now, map, error } = await one('orientation', { required: `flexion=${angle}` });

@@ -17,6 +17,10 @@ SMALL = 1.4e-9  # mm, mm^2, degrees
 # The question, what is asked, and how much the numbers of the page may differ.
 QUESTIONS = [
     ("measure", {}, 1e-6),
+    ("limits", {}, 1e-6),
+    ("limits", {"motions": ["flexion", "abduction"], "pose": "internal_rotation=5", "cartilage_mm": 2}, 1e-6),
+    ("certify", {"pose": "flexion=80"}, 1e-6),
+    ("certify", {"pose": "flexion=80", "motion": "internal_rotation"}, 1e-6),
     ("touch", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80", "surfaces": "ball", "outputs": "gaps", "scheme": "rsid", "precision_deg": 2}, SMALL),

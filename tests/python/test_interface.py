@@ -40,8 +40,8 @@ REFUSED = [
     (ValueError, lambda j: j.gaps(TURNS, out=(np.empty((5, 3), np.float32), None)), "out: give two writable float32 arrays"),
     (ValueError, lambda j: j.gaps(TURNS, out=(j.gaps(TURNS)[0].astype(float), None)), "out: give two writable float32"),
     (ValueError, lambda j: j.limits("bend"), "unknown motion 'bend'"),
-    (ValueError, lambda j: j.limits("flexion", start=[180, 0, 0]), "leaves no room for flexion"),
-    (ValueError, lambda j: j.limits(cartilage_mm=-1), "cartilage_mm: is no thickness"),
+    (ValueError, lambda j: j.limits("flexion", pose=[180, 0, 0]), "leaves no room for flexion"),
+    (ValueError, lambda j: j.limits(cartilage_mm=-1), "cartilage_mm: -1 is out of range"),
     (ValueError, lambda j: j.volume(width=1), "width: is no share; give a number above 0 and below 1"),
     (ValueError, lambda j: j.volume(width=np.nan), "width: is no share"),
     (ValueError, lambda j: j.volume(gap_mm=-1), "gap_mm: is no length; give a number of mm, 0 or more"),
@@ -60,9 +60,9 @@ REFUSED = [
     (RuntimeError, lambda j: j.resection("flexion=150,internal_rotation=90"), "the axis of the neck at ("),
     (ValueError, lambda j: j.orientation_map("flexion=20", tilt_deg=91), "tilt_deg: is no tilt; give degrees from -90 to 90"),
     (ValueError, lambda j: j.orientation_map("flexion=20", resolution_deg=0), "resolution_deg: is none; give degrees"),
-    (ValueError, lambda j: j.certificate(TURNS), "poses: a certificate is of one pose, not of 5"),
-    (ValueError, lambda j: j.certificate(motion="bend"), "unknown motion 'bend'"),
-    (RuntimeError, lambda j: j.certificate([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.01 degrees"),
+    (ValueError, lambda j: j.certify(TURNS), "pose: "),
+    (ValueError, lambda j: j.certify(motion="bend"), "unknown motion 'bend'"),
+    (RuntimeError, lambda j: j.certify([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.01 degrees"),
     (ValueError, lambda j: impinge.Scheme("rside"), "unknown scheme 'rside'; there are "),
     (ValueError, lambda j: impinge.Scheme("rsid", 0.7), "an RSID precision divides 180 degrees"),
     (ValueError, lambda j: impinge.Scheme("rsid").stencils([0, 0, 0]), "directions: a vector is zero"),
@@ -91,7 +91,7 @@ def members(tree):
 
 def kinds(of):
     """Keys of what a question answers, by the name of the stub's dict."""
-    limit, volume = of.limits("flexion")[0], of.volume(width=0.5)
+    limit, volume = of.limits("flexion")["limits"][0], of.volume(width=0.5)
     cut, turned = of.resection("flexion=90,internal_rotation=25"), of.orientation_map("flexion=10", resolution_deg=9)
     beside = sphere(5.0)
     walled = impinge.Joint.from_arrays(sphere(20.0), (beside[0] + [0, 0, 30], beside[1]), centre=(0, 0, 0))

@@ -32,7 +32,7 @@ def test_landmarks_give_joints_of_arrays_the_frames_that_they_give_those_of_file
             joint = impinge.Joint.from_arrays(*arrays, side="right", centre=read.centre, landmarks=given)
             assert joint.landmarks == truth.landmarks
             assert np.allclose(joint.matrices(TURNS), truth.matrices(TURNS), atol=1e-9)
-            assert joint.limits("flexion")[0]["low_deg"] == pytest.approx(truth.limits("flexion")[0]["low_deg"], abs=1e-3)
+            assert joint.limits("flexion")["limits"][0]["low_deg"] == pytest.approx(truth.limits("flexion")["limits"][0]["low_deg"], abs=1e-3)
         assert impinge.Joint.read(*files, side="right", centre=read.centre, landmarks=landmarks).landmarks == truth.landmarks
     assert joint.landmarks["scanned_flexion_deg"] == pytest.approx(np.degrees(np.arctan2(40, 380)) - 7)
 

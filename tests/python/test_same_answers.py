@@ -25,10 +25,6 @@ POSE = {"flexion": 80, "abduction": -10, "internal_rotation": 20}
 REQUIRED = ["flexion=90,internal_rotation=25", "flexion=100"]
 SCHEMES = ("rsid", "usid", "icosahedral_sine", "octahedral_equal_area", "fibonacci")  # rows, a curve, triangles, others
 CUBE = {"scheme": "cube_gnomonic", "precision_deg": 1, "storage": "uint16"}  # that Python has too, interpolated as the page does it
-STARTS = {  # of the motions that are not asked from the pose of the scan: what grows, and from where
-    **{f"internal_rotation_at_{angle}": ("internal_rotation", [angle, 0, 0]) for angle in (45, 70, 90)},
-    "external_rotation_at_90": ("external_rotation", [90, 0, 0]), "fadir": ("internal_rotation", [90, -15, 0]),
-    "faber": ("external_rotation", [45, 30, 0])}
 
 
 def number(cell):
@@ -122,22 +118,6 @@ def test_gaps_of_the_tables_of_the_page(page, joint):
     for name, gap in zip(("ball", "socket"), joint.gaps(words(POSE), precision_deg=CUBE["precision_deg"])):
         mine = np.array(found[f"{name}_gap"], dtype=float)
         assert np.array_equal(mine, gap[0], equal_nan=True) and np.isfinite(mine).any(), name
-
-
-def test_limits(joint, floats, tmp_path):
-    """Every row of limits.csv, clocks included."""
-    scene(floats, tmp_path, "--question", "limits")
-    rows = table(tmp_path, "limits.csv")
-    motions = list(dict.fromkeys(row["motion"] for row in rows))
-    assert len(motions) == 12 and set(STARTS) < set(motions)
-    for motion in motions:
-        growing, start = STARTS.get(motion, (motion, [0, 0, 0]))
-        found, theirs = joint.limits(growing, start=start), [row for row in rows if row["motion"] == motion]
-        assert texts(found, "centre", "state", "what") == texts(theirs, "centre", "state", "what")
-        for limit, row in zip(found, theirs):
-            for key in ("threshold_mm", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg"):
-                assert limit[key] == number(row[key]), (motion, key)
-            assert minutes(limit["clock"]) == minutes(row["clock"]), motion
 
 
 def test_limits_of_the_page(page, floats, tmp_path):

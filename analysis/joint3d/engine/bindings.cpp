@@ -78,13 +78,8 @@ val ask_sweep(const val& request) {
   const LimitRequest limits = limit_request(request);
   const double step_deg = step_request(request);
   const Sweep found = sweep(session(), limits, step_deg);
-  return sweep_reply(limits, found, answer_limits(session(), limits));
-}
-
-val ask_limits(const val& request) {
-  require_joint();
-  const LimitRequest limits = limit_request(request);
-  return limits_reply(limits, answer_limits(session(), limits));
+  return sweep_reply(*session().joint, request["motion"].as<std::string>(), limits, found,
+                     answer_limits(session(), limits));
 }
 
 // A request that files/fields.hpp describes, and the document of its answer.
@@ -92,9 +87,9 @@ template <class Request>
 val ask_question(const val& request) {
   require_joint();
   Request asked;
-  const val json = val::global("JSON");
-  if (is_given(request)) read_request(Json::parse(json.call<std::string>("stringify", request)), asked);
-  return json.call<val>("parse", text_of(json_of(answer(session(), asked))));
+  if (is_given(request))
+    read_request(Json::parse(val::global("JSON").call<std::string>("stringify", request)), asked);
+  return val_of(json_of(answer(session(), asked)));
 }
 
 val ask_volume(const val& request) {
@@ -141,7 +136,7 @@ val ask(const std::string& kind, const val& request) {
       {"pose", ask_pose},
       {"verdicts", ask_verdicts},
       {"sweep", ask_sweep},
-      {"limits", ask_limits},
+      {"limits", ask_question<LimitsRequest>},
       {"measure", ask_question<MeasureRequest>},
       {"touch", ask_question<TouchRequest>},
       {"gaps", ask_question<GapsRequest>},

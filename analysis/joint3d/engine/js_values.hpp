@@ -14,6 +14,7 @@
 #include <emscripten/bind.h>
 
 #include "hip/clock.hpp"
+#include "joint/document.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
@@ -57,6 +58,9 @@ val or_null(const std::optional<Value>& value) {
 }
 
 inline val number_or_null(double value) { return std::isfinite(value) ? val(value) : val::null(); }
+
+// Objects, lists, numbers and texts of JSON.
+inline val val_of(const Json& document) { return val::global("JSON").call<val>("parse", text_of(document)); }
 
 inline val clock_or_null(const std::optional<double>& hours) {
   return hours ? val(clock_text(*hours)) : val::null();

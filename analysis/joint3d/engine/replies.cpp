@@ -88,25 +88,6 @@ val histogram_value(const GapHistogram& ball, const GapHistogram& socket) {
                 std::pair("socket", float_array(socket.area)));
 }
 
-val end_or_null(const CentreInterval& interval) {
-  return interval.limited ? val(interval.high_deg) : val::null();
-}
-
-val limit_value(const LimitAnswer& found) {
-  const ToldLimit& told = found.told;
-  return object(std::pair("about", found.about), std::pair("threshold_mm", told.threshold_mm),
-                std::pair("state", text(name(told.limit.state))), std::pair("low_deg", told.limit.low_deg),
-                std::pair("high_deg", told.limit.high_deg), std::pair("centre_low_deg", told.common.low_deg),
-                std::pair("centre_high_deg", end_or_null(told.common)),
-                std::pair("play_low_deg", told.play.low_deg),
-                std::pair("play_high_deg", end_or_null(told.play)), std::pair("within_mm", kErrorOfInput),
-                std::pair("half_mm_gap_deg", or_null(told.half_mm_gap_deg)),
-                std::pair("hangs_on_less", told.hangs_on_less()),
-                std::pair("leaves_ball_mesh_deg", or_null(told.limit.leaves_mesh_deg)),
-                std::pair("clock", clock_or_null(found.hours)), std::pair("meets", meets(found)),
-                std::pair("what", what_of(found)));
-}
-
 // As they stand in the socket, about whose centre a page draws.
 std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -181,16 +162,9 @@ val pose_reply(const SessionJoint& joint, const PoseRequest& request, const Pose
                 std::pair("colours", colours));
 }
 
-val limits_reply(const LimitRequest& request, const LimitAnswers& limits) {
-  val told = val::array();
-  told.call<void>("push", limit_value(limits.contact));
-  if (limits.socket) told.call<void>("push", limit_value(*limits.socket));
-  if (request.cartilage_mm > 0.0) told.call<void>("push", limit_value(limits.cartilage));
-  return object(std::pair("limits", told), std::pair("largest_deg", limits.largest_deg));
-}
-
-val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits) {
-  val reply = limits_reply(request, limits);
+val sweep_reply(const SessionJoint& joint, const std::string& motion, const LimitRequest& request,
+                const Sweep& found, const LimitAnswers& limits) {
+  val reply = val_of(json_of(LimitsAnswer{kErrorOfInput, documents_of(joint, motion, request, limits)}));
   reply.set("angles", float_array(found.angles));
   reply.set("smallest", float_array(found.smallest));
   return reply;

@@ -12,7 +12,7 @@ val tables_reply(const SessionTables& tables);
 val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found);
 val points_reply(const Session& session);
 val verdicts_reply(const PoseVerdicts& found);
-val limits_reply(const LimitRequest& request, const LimitAnswers& limits);
-val sweep_reply(const LimitRequest& request, const Sweep& found, const LimitAnswers& limits);
+val sweep_reply(const SessionJoint& joint, const std::string& motion, const LimitRequest& request,
+                const Sweep& found, const LimitAnswers& limits);
 
 }  // namespace impinge

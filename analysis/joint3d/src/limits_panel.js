@@ -21,7 +21,7 @@ function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
 /** limits.csv of [{ motion, limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
 export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.about, limit.state, limit.low_deg, limit.high_deg,
+  const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.centre, limit.state, limit.low_deg, limit.high_deg,
     limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, limit.what].filter(Boolean).join("; "))];
   const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
   return [CSV.join(), ...lines, ""].join("\n");
@@ -77,7 +77,7 @@ export class LimitsPanel {
     this.of = JSON.stringify(shape);
     for (const motion of this.motions) {
       try {
-        const { limits } = await this.ask({ ...shape, motion: motion.name, largest_deg: 360 });
+        const { limits } = await this.ask({ ...shape, motions: [motion.name] });
         if (mine !== this.run) return;
         this.rows.push({ motion, limits });
         this.write();
@@ -91,7 +91,7 @@ export class LimitsPanel {
   cell(motion, limit) {
     if (!limit) return make("td", { textContent: "–" });
     const [text, title] = shortly(limit);
-    const mark = limit.hangs_on_less ? [" ±"] : [];
+    const mark = limit.hangs_on_less_than_half_mm ? [" ±"] : [];
     if (limit.state !== "limited") return make("td", { title }, text, ...mark);
     const go = make("button", { type: "button", className: "plain", textContent: text, title, onclick: () => this.onPose(motion, limit.low_deg) });
     return make("td", { title }, go, ...mark, ...(limit.clock ? [make("span", { className: "clock", textContent: limit.clock })] : []));
@@ -101,7 +101,7 @@ export class LimitsPanel {
     const done = this.rows.length;
     byId("limits-rows").replaceChildren(...(this.motions ?? []).map((motion, k) => {
       const limits = this.rows[k]?.limits;
-      const of = ([about, cartilage]) => limits.find((each) => each.about === about && each.threshold_mm > 0 === cartilage);
+      const of = ([about, cartilage]) => limits.find((each) => each.centre === about && each.threshold_mm > 0 === cartilage);
       const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of ? "…" : "" })];
       return make("tr", {}, make("th", { scope: "row" }, motion.label, ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
     }));

@@ -6,6 +6,7 @@ import { drawSweep } from "./plots.js";
 import { TURNS } from "./state.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
+const WITHIN = 0.5; // mm: kErrorOfInput of the library
 
 /** The pose at an angle of a motion. */
 export function poseAlong(motion, degrees) {
@@ -23,12 +24,12 @@ function range(low, high) {
 function ofOtherCentres(limit) {
   const centre = range(limit.centre_low_deg, limit.centre_high_deg);
   const play = range(limit.play_low_deg, limit.play_high_deg);
-  return ` With any centre within ${limit.within_mm} mm: ${centre}; with that much play of the ball: ${play}.`;
+  return ` With any centre within ${WITHIN} mm: ${centre}; with that much play of the ball: ${play}.`;
 }
 
-function halfMillimetre({ within_mm: within, half_mm_gap_deg: half, hangs_on_less: hangs }) {
+function halfMillimetre({ half_mm_gap_deg: half, hangs_on_less_than_half_mm: hangs }) {
   if (half === null) return "";
-  return ` The gap falls to ${within} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer is sensitive to less than that" : ""}.`;
+  return ` The gap falls to ${WITHIN} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer is sensitive to less than that" : ""}.`;
 }
 
 function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
@@ -42,9 +43,9 @@ function ofTheRest({ state, leaves_ball_mesh_deg: leaves }) {
   return ` The ball’s mesh ends under the socket from ${roundedDown(leaves, 1)}° on: what is missing may come first.`;
 }
 
-function whatTouches({ about, threshold_mm: threshold }) {
+function whatTouches({ centre, threshold_mm: threshold }) {
   if (threshold > 0) return `Layers of cartilage, ${threshold} mm in all, as the vertices see them,`;
-  return about === "ball" ? "Bones" : "About the socket’s centre, bones";
+  return centre === "ball" ? "Bones" : "About the socket’s centre, bones";
 }
 
 /** A certified limit in words. */

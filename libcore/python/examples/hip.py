@@ -52,7 +52,7 @@ def main(words):
     touched = first_touch(joint, poses)
     picture(joint, poses[0] if touched is None else touched, words[-1])
 
-    for limit in joint.limits("internal_rotation", start="flexion=90"):
+    for limit in joint.limits("internal_rotation", pose="flexion=90")["limits"]:
         print(f"{limit['motion']} to {limit['threshold_mm']:g} mm about the {limit['centre']}: {limit['state']}, "
               f"free to {limit['low_deg']:.2f} degrees")
 
