@@ -61,7 +61,7 @@ class Body:
     """All surfaces of a side: points about the centre, in whole numbers of 1 / unit mm, none twice; and faces, each by three of them."""
 
     def __init__(self, paths, centre):
-        rows, triangles, self.files = [], [], []
+        rows, triangles, self.files = [], [], []  # triangles: of each file
         for path in paths:
             data = pathlib.Path(path).read_bytes()
             self.files.append(f"{path} (sha256 {hashlib.sha256(data).hexdigest()})")
@@ -73,25 +73,28 @@ class Body:
                 points, faces = read_ply(data)
             need(faces and all(len(f) == 3 and 0 <= min(f) <= max(f) < len(points) for f in faces) and {*map(len, points)} == {3},
                  f"{path}: not all faces are triangles of its vertices")
-            triangles += [[i + len(rows) for i in f] for f in faces]
+            triangles.append([[i + len(rows) for i in f] for f in faces])
             rows += points
         ratios = [[number(x).as_integer_ratio() for x in row] for row in rows]
         self.unit = math.lcm(*{d for row in ratios for _, d in row}, *(c.denominator for c in centre))
         places, at = {}, [c.numerator * (self.unit // c.denominator) for c in centre]
         place = [places.setdefault(tuple(n * (self.unit // d) - c for (n, d), c in zip(row, at)), len(places)) for row in ratios]
-        self.points, self.faces = list(places), [tuple(place[i] for i in f) for f in triangles]
-        # Pieces are connected across corners; in a closed one each edge belongs to an even number of faces.
-        above, odd, self.pieces = list(range(len(places))), set(), {}
+        self.points, self.faces, self.closed, self.hollow = list(places), [], [], False
+        for faces in ([tuple(place[i] for i in f) for f in file] for file in triangles):  # closed if each edge is of an even number of them
+            self.faces += faces
+            once, odd = {tuple(sorted(f)): f for f in faces if len({*f}) == 3}, set()
+            for a, b, c in once:
+                odd ^= {(a, b), (b, c), (a, c)}
+            self.closed.append([] if odd else list(once.values()))
+        above, self.pieces = list(range(len(places))), {}  # pieces are connected across corners
         def top(i):
             while above[i] != i:
                 above[i] = i = above[above[i]]
             return i
         for a, b, c in self.faces:
             above[top(a)] = above[top(b)] = top(c)
-            odd ^= {(min(e), max(e)) for e in ((a, b), (b, c), (c, a)) if a != b != c != a}
         for f in self.faces:
             self.pieces.setdefault(top(f[0]), []).append(f)
-        self.closed = [self.pieces[piece] for piece in self.pieces.keys() - {top(a) for a, _ in odd}]
 
     def cut_by_planes(self, faces, planes):
         """Faces with a corner on the near side of one of the planes n x <= d, and those with one on the far side."""
@@ -170,10 +173,10 @@ def check_cuts(head, ball, socket, lines):
     need(not stack, "a part is missing")
 
 
-def is_inside(x, points, pieces):
-    """Is it inside one of them, with an odd number of faces above it? None where an edge is above it."""
-    low, high, odd = list(map(math.floor, x)), list(map(math.ceil, x)), [False] * len(pieces)
-    for k, f in ((k, f) for k, faces in enumerate(pieces) for f in faces):
+def is_inside(x, points, files, hollow):
+    """Is it inside one of them, with an odd number of its faces above it? The first may be hollow. None where an edge is above it."""
+    low, high, odd = list(map(math.floor, x)), list(map(math.ceil, x)), [hollow] + [False] * (len(files) - 1)
+    for k, f in ((k, f) for k, faces in enumerate(files) for f in faces):
         a, b, c = (points[i] for i in f)
         if all(min(a[i], b[i], c[i]) <= high[i] and max(a[i], b[i], c[i]) >= low[i] for i in (0, 1)):
             turns = [(p[0] - x[0]) * (q[1] - x[1]) - (p[1] - x[1]) * (q[0] - x[0]) for p, q in ((a, b), (b, c), (c, a))]
@@ -183,27 +186,24 @@ def is_inside(x, points, pieces):
             odd[k] ^= above > 0 and not min(turns) < 0 < max(turns)
     return any(odd)
 
-
-def any_inside(of, body, place):
-    """Is a piece of a body, its points moved by place(), inside a closed piece of the other? What is above leans a little."""
+def any_inside(of, body, place, is_socket):
+    """Is a piece of a body, its points moved by place(), inside a closed file of the other? What is above leans a little."""
     lean = lambda p: (1000 * p[0] + 209 * p[2], 1000 * p[1] + 96 * p[2], p[2])
-    points, known = list(map(lean, body.points)), []
-    for faces in of.pieces.values() if body.closed else ():
-        tried = (is_inside(lean([v * body.unit for v in place(of.points[f[0]])]), points, body.closed) for f in faces)
-        known.append(next((inside for inside in tried if inside is not None), None))
-    return need(None not in known, "no line up tells whether a piece is inside") or any(known)
-
+    points = list(map(lean, body.points))
+    body.hollow = is_socket and is_inside((0, 0, 0), points, body.closed[:1], False)
+    tried = lambda f: is_inside(lean([v * body.unit for v in place(of.points[f[0]])]), points, body.closed, body.hollow)
+    known = [next((inside for inside in map(tried, faces) if inside is not None), None) for faces in of.pieces.values() if any(body.closed)]
+    return need(None not in (body.hollow, *known), "no line up tells what is inside") or any(known)
 
 def passes(p, q, a, b, c):
     """Does an edge meet a triangle? Not one in its plane."""
     ends, turns = (volume(p, a, b, c), volume(q, a, b, c)), [volume(p, q, *side) for side in ((a, b), (b, c), (c, a))]
     return any(ends) and ends[0] * ends[1] <= 0 and (min(turns) >= 0 or max(turns) <= 0)
 
-
 def told(head, ball, socket):
     words = lambda vector: " ".join(f"{float(x):.9g}" for x in vector)
     turn = lambda w, *v: words([math.degrees(2 * math.atan2(math.hypot(*v), w))]) + " degrees about " + words(x / (math.hypot(*v) or 1) for x in v)
-    yield from (f"{name}: {', '.join(of.files)}; {len(of.faces)} faces, {len(of.pieces)} pieces, {len(of.closed)} closed{', no other has an inside' * (len(of.closed) < len(of.pieces))}"
+    yield from (f"{name}: {', '.join(of.files)}; {len(of.faces)} faces, {len(of.pieces)} pieces, {len(of.files) - of.closed.count([])} of {len(of.files)} files closed{', no other has an inside' * ([] in of.closed)}{', the first round the centre: its outside is bone' * of.hollow}"
                 for name, of in (("ball", ball), ("socket", socket)))
     yield f"centre: {words(head['centre'])} mm in the frame of the files"
     yield f"pose: the ball turned by {turn(*turned(head, (1, 0)))} from where its files have it, and shifted by {words(head['shift'])} mm"
@@ -237,8 +237,8 @@ def check(certificate, ball, socket, *parts):
         need(any(passes(h[k - 1], h[k], *other) for h, other in ((f, g), (g, f)) for k in range(3)), "the two faces do not meet")
         proven = "face {} of the ball and face {} of the socket have a common point".format(*faces)
     else:
-        inside = any_inside(ball, socket, in_socket) or any_inside(socket, ball, in_ball)
-        proven = f"{'a point' if inside else 'no piece'} of one body is inside a closed piece of the other"
+        inside = any_inside(ball, socket, in_socket, True) or any_inside(socket, ball, in_ball, False)
+        proven = f"{'a point' if inside else 'no piece'} of one body is inside a closed file of the other"
         need(inside == (says == "contact"), proven)
     return "\n".join([f"{says}: {'no two faces meet, and ' * (says == 'clear')}{proven}", *told(head, ball, socket)])
 

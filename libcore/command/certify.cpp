@@ -15,10 +15,9 @@ std::string words_of(const CertifyAnswer& found, bool kept) {
   } else if (found.says == "inside") {
     text += "contact, one body is inside the other";
   } else {
-    const bool closed = found.closed[0] && found.closed[1];
-    text += closed ? "no contact" : "surfaces do not meet";
+    text += found.closed ? "no contact" : "surfaces do not meet";
     if (found.to_deg) text += " from 0 to " + rounded_down(*found.to_deg, 4) + " degrees";
-    if (!closed) text += ", and nothing is inside what is closed";
+    if (!found.closed) text += ", and nothing is inside what is closed";
   }
   text += formatted("; rotations rounded by %.1g degrees\n", found.rounded_deg);
   return kept ? text

@@ -18,6 +18,8 @@ JointTurn in_input_frame(const JointTurn& turn, const Eigen::Matrix3d& axes) {
 }
 
 void require_proven(const ClearanceProof& proof, const std::string& when) {
+  if (proof.says == ClearanceProof::Says::unknown)
+    throw std::runtime_error("no surfaces meet, but a bone is open, and no closed one tells what is inside");
   if (proof.says != ClearanceProof::Says::open) return;
   const Vec3& x = proof.place;
   throw std::runtime_error(
@@ -33,6 +35,14 @@ std::array<std::size_t, 2> files_of(const Joint& joint) {
   return {files(joint.ball), files(joint.socket)};
 }
 
+// Not shifted, as a session's are.
+BodyPairs bodies_of(const Joint& joint) {
+  const JointPart& ball = joint.ball;
+  const JointPart& socket = joint.socket;
+  return {{main_surface(ball.mesh, ball.parts), main_surface(socket.mesh, socket.parts)},
+          bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts})};
+}
+
 // Where a face is in the files: those of a whole bone were put in another order.
 std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
   return part.taken && face < part.taken->of ? part.taken->given[face] : face;
@@ -42,7 +52,7 @@ std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
 
 ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose) {
   const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
-  ClearanceProof proof = prove_pose({meshes, joint.joint.centre}, pose);
+  ClearanceProof proof = prove_pose({meshes, bodies_of(joint.joint), joint.joint.centre}, pose);
   require_proven(proof, "");
   proof.faces = {given_face(joint.joint.ball, proof.faces[0]),
                  given_face(joint.joint.socket, proof.faces[1])};
@@ -59,13 +69,14 @@ ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
   const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
   const JointTurn turn =
       in_input_frame(joint_turn(request.start, motion_name(request.growing), joint.side), joint.axes);
+  const BodyPairs bodies = bodies_of(joint.joint);
   ClearanceProof proof;
   for (const double before : kProofEndsBefore) {
     if (!(limit > before)) break;
-    proof = prove_turn({meshes, joint.joint.centre}, turn, limit - before);
+    proof = prove_turn({meshes, bodies, joint.joint.centre}, turn, limit - before);
     if (proof.says == ClearanceProof::Says::inside)
-      throw std::runtime_error("the motion begins in contact: a piece of one body is inside the other");
-    if (proof.says == ClearanceProof::Says::clear) break;
+      throw std::runtime_error("the motion begins in contact: a point of one body is inside the other");
+    if (proof.says != ClearanceProof::Says::open) break;
   }
   require_proven(proof, formatted("%.4f degrees along the motion ", proof.open_deg));
   proof.files = files_of(joint.joint);

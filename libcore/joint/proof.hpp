@@ -47,7 +47,7 @@ struct CertifyRequest {
 struct CertifyAnswer {
   std::string says;
   std::optional<double> to_deg;
-  std::array<bool, 2> closed{};
+  bool closed = false;
   double rounded_deg = 0.0;
   std::string text;  // of the certificate
 
@@ -58,7 +58,7 @@ struct CertifyAnswer {
               "clear: the surfaces do not meet; crossing: they do; inside: one body is inside the other",
               &Found::says},
         Field{"to_deg", "deg", "how far along the motion that is proven; null for a pose", &Found::to_deg},
-        Field{"closed", "", "are all pieces of ball and socket? What is open has no inside", &Found::closed},
+        Field{"closed", "", "have all bodies no opening? What is open has no inside", &Found::closed},
         Field{"rounded_deg", "deg", "by how much the rotations differ from those asked for, at most",
               &Found::rounded_deg}};
   }

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "contact/part_distance.hpp"
@@ -25,7 +26,9 @@ namespace impinge {
 namespace {
 
 constexpr double kNodeRounding = 1e-9;  // of lengths
-constexpr double kWidestHole = 0.1;     // of the size of a body, of one that is no sheet
+constexpr double kLidRounding = 1e-6;   // of the size of a body, that boxes of openings are grown by
+constexpr double kWidestHole = 0.1;     // of the size of a body that is no sheet; of its area, if flat
+constexpr double kFlat = 0.1;           // of the length of a border, that it may be thick
 constexpr int kRays = 16;               // that are asked whether a point is inside
 
 // Evenly over all directions, none of them along an axis or a diagonal.
@@ -49,11 +52,14 @@ TriangleMesh without_flat_faces(TriangleMesh mesh) {
 }
 
 // Does the segment pass the box?
-bool passes(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& to) {
+bool passes(const Opening& opening, const Vec3& out_of, const Vec3& into) {
+  const auto& [axes, box] = opening;
+  const Vec3 from = axes * out_of;
+  const Vec3 to = axes * into;
   double first = 0.0;
   double last = 1.0;
   for (int k = 0; k < 3; ++k) {
-    const double along = to[k] - from[k];  // not 0 along any of the ways out
+    const double along = to[k] - from[k];
     const double low = (box.min()[k] - from[k]) / along;
     const double high = (box.max()[k] - from[k]) / along;
     first = std::max(first, std::min(low, high));
@@ -124,6 +130,28 @@ bool may_come_near(const SweptParts& ball, const SweptParts& socket, const Eigen
   });
 }
 
+Opening opening_of(const std::vector<Vec3>& border, double grown) {
+  Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(border.size()));
+  for (std::size_t k = 0; k < border.size(); ++k) at.col(static_cast<Eigen::Index>(k)) = border[k];
+  const Eigen::Matrix3Xd off = at.colwise() - at.rowwise().mean().eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(off * off.transpose());
+  Opening made{spread.eigenvectors().transpose(), {}};
+  at = made.axes * at;
+  made.box = {at.rowwise().minCoeff().array() - grown, at.rowwise().maxCoeff().array() + grown};
+  return made;
+}
+
+void add_box(const Opening& opening, TriangleMesh& mesh) {
+  const auto first = static_cast<VertexIndex>(mesh.vertices.size());
+  for (int k = 0; k < 8; ++k)
+    mesh.vertices.push_back(opening.axes.transpose() *
+                            opening.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)));
+  for (const VertexIndex k : {0U, 3U, 5U, 6U}) {  // corners of which no two share a side
+    for (const auto& [a, b] : {std::pair{1U, 2U}, {2U, 4U}, {4U, 1U}})
+      mesh.faces.push_back({first + k, first + (k ^ a), first + (k ^ b)});
+  }
+}
+
 // Without those that are there again.
 TriangleMesh once(TriangleMesh mesh) {
   std::set<Face> seen;
@@ -146,7 +174,7 @@ static int winding(const TriangleMesh& mesh, bool ball) {
   return (volume > 0.0) == ball ? 1 : -1;
 }
 
-BodyPairs::Body::Body(const TriangleMesh& of, bool turns, bool main) {
+BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
   const TriangleMesh each = once(of);
   const TriangleMesh mesh = without_flat_faces(each);
   turn = TurnBody(mesh);
@@ -155,8 +183,8 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, bool main) {
   else
     fixed.emplace(mesh);
   find_openings(each);
-  hollow = main && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
-  if (main && sheet) wound = winding(mesh, turns);
+  hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
+  if (what == Is::main && sheet) wound = winding(mesh, turns);
   find_pieces(mesh);
 }
 
@@ -170,16 +198,23 @@ void BodyPairs::Body::find_openings(const TriangleMesh& all) {
     odd.push_back(ends(all, half_edges[0]));
     sets.join(odd.back()[0], odd.back()[1], false);
   });
-  std::map<std::size_t, Eigen::AlignedBox3d> boxes;
+  std::map<std::size_t, std::vector<Vec3>> borders;
   for (const Edge& edge : odd) {
-    for (const VertexIndex v : edge) boxes[sets.find(v).root].extend(all.vertices[v]);
+    for (const VertexIndex v : edge) borders[sets.find(v).root].push_back(all.vertices[v]);
   }
-  if (boxes.empty()) return;
-  const double size = 2.0 * faces().nodes()[0].radius;
-  for (const auto& [root, box] : boxes) {
-    openings.push_back(box);
-    sheet = sheet || box.diagonal().norm() > kWidestHole * size;
+  if (borders.empty()) return;
+  double area = 0.0;
+  for (const Face& face : all.faces) area += 0.5 * area_vector(all, face).norm();
+  const double radius = faces().nodes()[0].radius;
+  TriangleMesh lid;
+  for (const auto& [root, border] : borders) {
+    openings.push_back(opening_of(border, kLidRounding * radius));
+    const Vec3 size = openings.back().box.sizes();
+    const bool cut = size[0] <= kFlat * size[2] && size[1] * size[2] <= kWidestHole * area;
+    sheet = sheet || (!cut && size.norm() > kWidestHole * 2.0 * radius);
+    add_box(openings.back(), lid);
   }
+  if (!sheet) lids = TurnBody(lid);
 }
 
 void BodyPairs::Body::find_pieces(const TriangleMesh& mesh) {
@@ -225,7 +260,7 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
   bool outside = false;
   for (const Vec3& way : kWays) {
     const Vec3 to = x + 2.0 * (away + all.radius) * way;
-    if (std::ranges::any_of(openings, [&](const auto& box) { return passes(box, x, to); })) continue;
+    if (std::ranges::any_of(openings, [&](const Opening& at) { return passes(at, x, to); })) continue;
     const std::optional<int> sum = crossings(x, to);
     if (!sum) continue;
     const bool odd = *sum % 2 != 0;
@@ -250,8 +285,7 @@ Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& 
   const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
     const Vec3 centre = place(node.centre);
     const double near = node.radius + reach + kNodeRounding * (centre.norm() + node.radius);
-    return std::ranges::any_of(openings,
-                               [&](const auto& box) { return box.exteriorDistance(centre) <= near; });
+    return std::ranges::any_of(openings, [&](const Opening& at) { return at.distance(centre) <= near; });
   });
   if (!enters) return found;
   if (reach > 0.0) return Contact::unknown;
@@ -269,9 +303,10 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     const bool ball = kSurfaces[k] == Surface::ball;
     const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;
     auto& bodies = ball ? ball_ : socket_;
-    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball, true));
+    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball,
+                                            whole ? Body::Is::whole : Body::Is::main));
     for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
-      bodies.push_back(std::make_unique<Body>(part, ball, false));
+      bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
@@ -285,9 +320,16 @@ BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const 
   if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
   const Contact in_socket =
       socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
-  if (in_socket == Contact::yes) return {Contact::yes, ContactRule::inside, pair};
+  if (in_socket == Contact::yes) return {Contact::yes, ContactRule::inside, pair, socket.openings.empty()};
   const Contact in_ball = ball.holds_of(socket, 0.0, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
-  return {in_ball == Contact::no ? in_socket : in_ball, ContactRule::inside, pair};
+  return {in_ball == Contact::no ? in_socket : in_ball, ContactRule::inside, pair, ball.openings.empty()};
+}
+
+bool BodyPairs::closed() const {
+  const auto all_closed = [](const auto& bodies) {
+    return std::ranges::all_of(bodies, [](const auto& body) { return body->openings.empty(); });
+  };
+  return all_closed(ball_) && all_closed(socket_);
 }
 
 // ask(pair) gives a verdict: the first yes, else the first that is not known.
@@ -434,28 +476,44 @@ std::vector<BodyPairs::Vertex> BodyPairs::near(const Pair& pair, const Pose& pos
 bool BodyPairs::is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const {
   const Body& other = vertex.of_ball ? *socket_[vertex.pair.socket] : *ball_[vertex.pair.ball];
   const Vec3 x = vertex.of_ball ? to_socket(pose, vertex.x) : to_ball(pose, vertex.x);
-  return other.faces().farther_than(depth_mm, x) && other.holds(x) == Contact::yes;
+  const double far = x.norm();  // in all of the turn, whatever its axis
+  const auto near = [&](const Opening& at) {
+    const double farthest = at.box.min().cwiseAbs().cwiseMax(at.box.max().cwiseAbs()).norm();
+    return at.distance(Vec3::Zero()) <= far + depth_mm && far - depth_mm <= farthest;
+  };
+  return !other.sheet && std::ranges::none_of(other.openings, near) &&
+         other.faces().farther_than(depth_mm, x) && other.holds(x) == Contact::yes;
+}
+
+// visit(ball, socket, pair) is of surfaces, and of each with what may close the other.
+template <class Visit>
+void BodyPairs::for_each_turned(const Visit& visit) const {
+  for (const Pair& pair : pairs_) {
+    const Body& ball = *ball_[pair.ball];
+    const Body& socket = *socket_[pair.socket];
+    visit(ball.turn, socket.turn, pair);
+    if (!ball.lids.faces.empty()) visit(ball.lids, socket.turn, pair);
+    if (!socket.lids.faces.empty()) visit(ball.turn, socket.lids, pair);
+  }
 }
 
 std::optional<TurnContact> BodyPairs::first_contact(const JointTurn& turn, AngleSpan angles) const {
   std::optional<TurnContact> first;
-  for (const Pair& pair : pairs_) {
-    const auto found =
-        impinge::first_contact({ball_[pair.ball]->turn, socket_[pair.socket]->turn, turn}, angles);
-    if (!found || (first && found->angle >= first->angle)) continue;
+  for_each_turned([&](const TurnBody& ball, const TurnBody& socket, const Pair& pair) {
+    const auto found = impinge::first_contact({ball, socket, turn}, angles);
+    if (!found || (first && found->angle >= first->angle)) return;
     first = found;
     first->body = {pair.ball, pair.socket};
     angles.to = found->angle;
-  }
+  });
   return first;
 }
 
 double BodyPairs::first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket,
                                const WithinSpan& within, double largest) const {
-  for (const Pair& pair : pairs_) {
-    largest = impinge::first_within({ball_[pair.ball]->faces(), ball, socket_[pair.socket]->faces(), socket},
-                                    within, largest);
-  }
+  for_each_turned([&](const TurnBody& turning, const TurnBody& resting, const Pair&) {
+    largest = impinge::first_within({turning.faces, ball, resting.faces, socket}, within, largest);
+  });
   return largest;
 }
 

@@ -11,15 +11,16 @@
 // as no opening can change it. Whatever closes an opening is taken to lie in the box of its border. Then rays
 // that pass no such box cross what they would of the closed bone. If all of 16 such rays cross it an odd
 // number of times the point is inside, if none does it is outside; else, or if no ray is left, it is not
-// known.
+// known. From a clear pose bodies move continuously, and what is not inside another comes to be so only
+// through a pose in which surfaces meet, or through such a box: a turn is searched for both.
 //
-// A sheet, that is a mesh with an opening wider than a tenth of it (our choice; such as a cropped
-// acetabulum), does not say where its bone ends behind. A point is inside only if all rays come from behind
-// it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. A main
-// surface is wound by what it is, outwards or to the centre. And a single pose in which a socket of that kind
-// is not met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. Motions do not need
-// that: from a clear pose bodies move continuously, and what is not inside another comes to be so only
-// through a pose in which surfaces meet, or through an opening.
+// A sheet, such as a cropped acetabulum, does not say where its bone ends behind. It is a mesh with an
+// opening wider than a tenth of it, unless that is flat, as where a shaft is cut, and no side of its box has
+// more than a tenth of the area of the faces (our choice). A point is inside only if all rays come from
+// behind it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. A
+// main surface is wound by what it is, outwards or to the centre. And a single pose in which a socket of that
+// kind is not met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of
+// a sheet where its surface is met, and no more.
 //
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
@@ -59,6 +60,13 @@ enum class ContactRule : std::uint8_t { surfaces, inside, radii };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<ContactRule>{"surfaces", "inside", "radii"};
 
+/// A box round the border of an opening.
+struct Opening {
+  Eigen::Matrix3d axes;  // to the frame of the box, along which the border spreads, least first
+  Eigen::AlignedBox3d box;
+  double distance(const Vec3& x) const { return box.exteriorDistance((axes * x).eval()); }
+};
+
 /// All poses near a rotation of the ball.
 struct NearPoses {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -81,10 +89,13 @@ class BodyPairs {
     Contact contact = Contact::no;
     ContactRule rule = ContactRule::surfaces;  // of yes
     Pair pair{};                               // of yes and of unknown
+    bool closed = false;                       // the point is inside a body without an opening
   };
 
   /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
   bool has_inside() const { return !radial_; }
+  /// Has none of them an opening?
+  bool closed() const;
   /// Does the ball's mesh end where its bone goes on?
   bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
   /// Are any in contact? Exact, for the ball's vertices as the pose rounds them.
@@ -113,9 +124,11 @@ class BodyPairs {
   };
   /// The vertices of two bodies within that distance, mm, of a place in the socket's frame.
   std::vector<Vertex> near(const Pair& pair, const Pose& pose, const Vec3& place, double within) const;
-  /// Is it inside the other body, and farther than that from its surface?
+  /// Is it inside the other body, farther than that from its surface, and did it come there through that,
+  /// about whatever centre, if this shifts it by no more? No of a sheet, and of what an opening may let in.
   bool is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const;
-  /// The first contact of all pairs in these angles of a turn, radians, if there is one.
+  /// The first contact of all pairs in these angles of a turn, radians, if there is one; or with what may
+  /// close a body, behind which inside is to be asked for.
   std::optional<TurnContact> first_contact(const JointTurn& turn, AngleSpan angles) const;
   /// The least first_within() (swept_parts.hpp) of all pairs, radians. `ball` and `socket` are the rotations
   /// to the frame whose +z is the axis.
@@ -124,11 +137,13 @@ class BodyPairs {
 
  private:
   struct Body {
-    Body(const TriangleMesh& of, bool turns, bool main);
+    enum class Is : std::uint8_t { main, whole, part };
+    Body(const TriangleMesh& of, bool turns, Is what);
     TurnBody turn;                    // each face once, none without area
     std::optional<MovedFaces> moved;  // the same, of the ball's side
     std::optional<FixedFaces> fixed;  // of the socket's
-    std::vector<Eigen::AlignedBox3d> openings;
+    std::vector<Opening> openings;
+    TurnBody lids;  // these boxes, of a body that is no sheet
     bool sheet = false;
     int wound = 1;             // of a sheet: -1 if its faces are seen from the bone's inside
     std::vector<Vec3> pieces;  // a vertex of each connected piece
@@ -165,6 +180,8 @@ class BodyPairs {
   Verdict verdict(const Pair& pair, const Pose& pose) const;
   template <class Ask>
   Verdict first_of(const Ask& ask) const;
+  template <class Visit>
+  void for_each_turned(const Visit& visit) const;
 
   std::vector<std::unique_ptr<const Body>> ball_;
   std::vector<std::unique_ptr<const Body>> socket_;

@@ -22,20 +22,21 @@
 // vertex is asked for at walls.
 //
 // Upper end. There is contact whatever the centre where a vertex of one body is farther than s inside the
-// other; of a body that is open, this takes it that nothing came in through an opening. A sheet has no inside
-// (limits/body_pairs.hpp): let the way of a vertex, as it turns about the origin, nowhere come within s of
-// the border of a sheet, cross the sheet an odd number of times, and begin and end farther than s from it.
-// The ways about other centres stay within s of this one and can be shrunk to it clear of the border, so they
-// cross the sheet too: surfaces meet. The crossings are counted by layers: before the limit there is none,
-// and from there on, where no jump edge comes into the vertex's direction, the layers of the mesh that are
-// nearer than the vertex change by one with each. Of a threshold: let p = R x be a vertex of the ball beyond
-// the nearest layer of the socket, moved out by g, farther than s from all of its faces, and let no jump edge
-// of the socket be within asin(max(r, s) / m) of p's direction, m its least radius. Over that cap the nearest
-// layer is a continuous graph. The path from t to R x + d along a ray from t is within max(r, s) of the one
-// from 0 to p; where it is beyond m it is in the cone over the cap; it begins within the layer, and ends in a
-// ball about p that does not meet it and is beyond: it crosses the layer. So the gap is reached for every t
-// and every d. Likewise for a vertex of the socket within the farthest layer of the ball, with asin((r + s) /
-// |y|). The turn of the ray adds 2 g r / |p| to s.
+// other and, if that has openings, the sphere about the origin on which the vertex turns is farther than s
+// from all of them: it came in through the surface. A sheet has no inside (limits/body_pairs.hpp): let the
+// way of a vertex, as it turns about the origin, nowhere come within s of the border of a sheet, cross the
+// sheet an odd number of times, and begin and end farther than s from it. The ways about other centres stay
+// within s of this one and can be shrunk to it clear of the border, so they cross the sheet too: surfaces
+// meet. The crossings are counted by layers: before the limit there is none, and from there on, where no jump
+// edge comes into the vertex's direction, the layers of the mesh that are nearer than the vertex change by
+// one with each. Of a threshold: let p = R x be a vertex of the ball beyond the nearest layer of the socket,
+// moved out by g, farther than s from all of its faces, and let no jump edge of the socket be within
+// asin(max(r, s) / m) of p's direction, m its least radius. Over that cap the nearest layer is a continuous
+// graph. The path from t to R x + d along a ray from t is within max(r, s) of the one from 0 to p; where it
+// is beyond m it is in the cone over the cap; it begins within the layer, and ends in a ball about p that
+// does not meet it and is beyond: it crosses the layer. So the gap is reached for every t and every d.
+// Likewise for a vertex of the socket within the farthest layer of the ball, with asin((r + s) / |y|). The
+// turn of the ray adds 2 g r / |p| to s.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "files/formatted.hpp"
-#include "limits/inside_pieces.hpp"
 
 namespace impinge {
 namespace {
@@ -37,26 +36,20 @@ CutMotion motion_of(const ClearanceProof& proof) {
   return {rotation_of(proof.outer), axis, rotation_of(proof.inner), proof.shift, proof.last};
 }
 
-// At the start of what the cuts are clear for.
-ClearanceProof::Says with_insides(const UncertainMesh& ball, const UncertainMesh& socket,
-                                  const CutMotion& motion) {
-  const Pose pose{motion.outer * motion.inner, motion.shift};
-  UncertainMesh posed = ball;
-  for (Vec3& x : posed.mesh.vertices) x = to_socket(pose, x);
-  UncertainMesh seen = socket;
-  for (Vec3& x : seen.mesh.vertices) x = to_ball(pose, x);
-  const Inside first = inside_pieces(posed, socket);
-  const Inside second = inside_pieces(seen, ball);
-  if (first == Inside::yes || second == Inside::yes) return ClearanceProof::Says::inside;
-  const bool open = first == Inside::open || second == Inside::open;
-  return open ? ClearanceProof::Says::open : ClearanceProof::Says::clear;
+// At the start of what the cuts are clear for. That a ball reaches beyond a sheet is no meeting of surfaces.
+ClearanceProof::Says with_insides(const BodyPairs& bodies, const CutMotion& motion) {
+  const BodyPairs::Verdict found = bodies.verdict({motion.outer * motion.inner, motion.shift});
+  if (found.contact == Contact::no || (found.contact == Contact::yes && found.rule == ContactRule::radii))
+    return ClearanceProof::Says::clear;
+  const bool proven = found.contact == Contact::yes && found.closed;
+  return proven ? ClearanceProof::Says::inside : ClearanceProof::Says::unknown;
 }
 
 void prove(const ProofJoint& joint, ClearanceProof& proof) {
   proof.centre = to_nine_decimals(joint.centre);
   const UncertainMesh ball = uncertain(joint.meshes.ball, joint.centre);
   const UncertainMesh socket = uncertain(joint.meshes.socket, joint.centre);
-  proof.closed = {all_closed(ball.mesh), all_closed(socket.mesh)};
+  proof.closed = joint.bodies.closed();
   const CutMotion motion = motion_of(proof);
   CutAnswer found = clear_cuts(ball, socket, motion);
   if (found.crossing) {
@@ -66,7 +59,7 @@ void prove(const ProofJoint& joint, ClearanceProof& proof) {
     proof.place = found.open->place;
     proof.open_deg = found.open->degrees;
   } else {
-    proof.says = with_insides(ball, socket, motion);
+    proof.says = with_insides(joint.bodies, motion);
     if (proof.says == ClearanceProof::Says::clear) proof.cuts = std::move(found.cuts);
   }
 }

@@ -3,10 +3,9 @@
 // checked with the mesh files and without this library. (joint/certificate.hpp has the exact verdict on a
 // pose, without a proof.)
 //
-// A body is all surfaces of a side: ball and socket with their parts (mesh/mesh_parts.hpp). Clear: the
-// surfaces do not meet (limits/clear_cuts.hpp), and no piece of one is inside a closed piece of the other at
-// the start (limits/inside_pieces.hpp), so that none comes to be. Contact: two faces cross, or surfaces do
-// not meet and a piece is inside.
+// Clear: no surfaces of the two sides meet (limits/clear_cuts.hpp), and at the start nothing is inside a body
+// of the other (limits/body_pairs.hpp), nor is that left open. Contact: two faces cross, or surfaces do not
+// meet and a point is inside a body without an opening. What only an opening could tell has no proof.
 //
 // The page experiments/certificate_format.md says what the text means, and experiments/check_certificate.py
 // checks it in exact arithmetic. Here all is prepared in doubles with a margin for their rounding: that
@@ -20,6 +19,7 @@
 
 #include "gap/pose.hpp"
 #include "hip/motion.hpp"
+#include "limits/body_pairs.hpp"
 #include "limits/clear_cuts.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
@@ -39,8 +39,9 @@ struct ClearanceProof {
   enum class Says : std::uint8_t {
     clear,     // from the start to `last`, by `cuts`
     crossing,  // `faces` cross in the pose
-    inside,    // surfaces do not meet in the pose, and a piece of one is inside a closed piece of the other
-    open,  // nothing: at `open_deg` and about `place` the bodies are too near to tell a gap from a contact
+    inside,    // surfaces do not meet in the pose, and a point is inside a body without an opening
+    open,     // nothing: at `open_deg` and about `place` the bodies are too near to tell a gap from a contact
+    unknown,  // nothing: surfaces do not meet, and what is inside an opening of a mesh may change
   };
   Says says = Says::open;
   Vec3 centre = Vec3::Zero();  // mm, input frame; to nine decimals
@@ -54,21 +55,22 @@ struct ClearanceProof {
   Vec3 place = Vec3::Zero();               // where open, mm, about the centre
   double open_deg = 0.0;                   // where open, from the start
   std::array<std::size_t, 2> files{1, 1};  // of ball and socket: the main surface and its parts
-  std::array<bool, 2> closed{};            // are all pieces of ball and socket? What is not has no inside
+  bool closed = false;                     // have none of the bodies an opening?
   double rounded_deg = 0.0;                // by how much the rotations differ from those asked for, at most
 };
 
-/// The meshes in the centre frame as they were read, and their centre in the input frame, mm. Faces of parts
-/// (mesh/mesh_parts.hpp) are more faces of their side.
+/// The meshes in the centre frame as they were read, the bodies that they are, and their centre in the input
+/// frame, mm. Faces of parts (mesh/mesh_parts.hpp) are more faces of their side.
 struct ProofJoint {
   const BallSocketPair& meshes;
+  const BodyPairs& bodies;
   Vec3 centre;
 };
 
 ClearanceProof prove_pose(const ProofJoint& joint, const Pose& pose);
 
-/// Of the turn from its start to last_deg (above 0, below 360): clear, inside at its start, or open. The
-/// turn's axis is a coordinate axis.
+/// Of the turn from its start to last_deg (above 0, below 360): clear, inside or unknown at its start, or
+/// open. The turn's axis is a coordinate axis.
 ClearanceProof prove_turn(const ProofJoint& joint, const JointTurn& turn, double last_deg);
 
 /// The text of a proof that is not open.

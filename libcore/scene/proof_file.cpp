@@ -25,11 +25,10 @@ std::string describe_proof(const SceneOptions& options, const ClearanceProof& pr
   } else if (proof.says == ClearanceProof::Says::inside) {
     text += "contact, one body is inside the other";
   } else {
-    const bool closed = proof.closed[0] && proof.closed[1];
-    text += closed ? "no contact" : "surfaces do not meet";
+    text += proof.closed ? "no contact" : "surfaces do not meet";
     if (options.limit != nullptr)
       text += " from 0 to " + rounded_down(degrees_of(proof.last), 4) + " degrees";
-    if (!closed) text += ", and nothing is inside what is closed";
+    if (!proof.closed) text += ", and nothing is inside what is closed";
   }
   return text + formatted("; rotations rounded by %.1g degrees: ", proof.rounded_deg) +
          options.certificate->string() + "\n";

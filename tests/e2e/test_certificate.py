@@ -95,13 +95,13 @@ class Certificate(GeneratedPair):
     def test_what_is_said_is_what_is_proven(self):
         """A proof of another pose, centre or file is no answer: the reader sees which one it is."""
         self.made("said.txt", "--question", "limit", "--motion", "abduction", "--pose", "flexion=30")
-        said = self.accepted("said.txt", "clear: no two faces meet, and no piece of one body is inside a closed piece of the other\n")
+        said = self.accepted("said.txt", "clear: no two faces meet, and no piece of one body is inside a closed file of the other\n")
         kinds = dict(line.split(": ", 1) for line in said.splitlines())
         self.assertEqual(list(kinds), ["clear", "ball", "socket", "centre", "pose", "motion"])
         for side, file in (("ball", self.ball), ("socket", self.socket)):
             self.assertIn(f"{file} (sha256 {hashlib.sha256(file.read_bytes()).hexdigest()})", kinds[side])
-        self.assertIn("1 pieces, 1 closed", kinds["ball"])
-        self.assertIn("1 pieces, 0 closed, no other has an inside", kinds["socket"])
+        self.assertIn("1 pieces, 1 of 1 files closed", kinds["ball"])
+        self.assertIn("1 pieces, 0 of 1 files closed, no other has an inside", kinds["socket"])
         self.assertEqual(kinds["centre"].split()[3:], "mm in the frame of the files".split())
         self.assertLess(max(abs(float(x)) for x in kinds["centre"].split()[:3]), 1e-3)
         self.assertRegex(kinds["pose"], "^the ball turned by 30 degrees about 1 0 0 from where its files have it, and shifted by 0 0 0 mm$")
@@ -239,23 +239,35 @@ class Certificate(GeneratedPair):
         self.refused(self.word(lines, 0, 3, "clear"), "no cut|no integers")
 
     def test_a_body_inside_the_other(self):
-        """A small octahedron in a large one, a larger one about both, and one that has lost a face."""
+        """Octahedra: between the layers of a shell and in its hollow, in a closed socket round the centre and out of it, and in one that has lost a face."""
         corners = [(0, 0, 1), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, -1)]
         faces = [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 1), (5, 2, 1), (5, 3, 2), (5, 4, 3), (5, 1, 4)]
-        ball, socket, opened = (
-            write_obj(self.root / f"{name}.obj", [[size * x for x in p] for p in corners], some)
-            for name, size, some in (("small", 20.0, faces), ("large", 30.0, faces), ("opened", 30.0, faces[1:]))
-        )
+
+        def write(name: str, *sizes: float, x=0.0, lost=0):
+            """Layers, x mm beside the centre."""
+            points = [[size * p[0] + x, size * p[1], size * p[2]] for size in sizes for p in corners]
+            return write_obj(self.root / f"{name}.obj", points, [[i + 6 * k for i in f] for k in range(len(sizes)) for f in faces][lost:])
+
+        small, large, shell, opened = write("small", 20.0), write("large", 30.0), write("shell", 25.0, 30.0), write("opened", 30.0, lost=1)
+        beyond = write("beyond", 20.0, 40.0)
+        core, bead, far = write("core", 5.0, x=9.0), write("bead", 0.5, x=27.5), write("far", 5.0, x=90.0)
         asked = ["--centre", "0,0,0", "--question", "touch"]
-        lines = self.made("inside.txt", *asked, ball=ball, socket=socket)
-        self.assertEqual(lines[9:], ["inside", "end"])
-        self.accepted("inside.txt", "contact: a point of one body is inside a closed piece of the other\n", ball=ball, socket=socket)
-        self.refused(lines, "no piece of one body", ball=ball, socket=opened)
-        self.refused(self.word(lines, 3, 1, "100"), "no piece of one body", ball=ball, socket=socket)
-        clear = self.made("clear.txt", *asked, ball=ball, socket=opened)
-        said = self.accepted("clear.txt", "clear", ball=ball, socket=opened)
-        self.assertIn("1 pieces, 0 closed, no other has an inside", said)
-        self.refused(clear, "a point of one body is inside|part is", ball=ball, socket=socket)
+        for ball, socket, contact in ((small, large, False), (beyond, large, True), (large, core, True), (shell, core, False), (shell, bead, True),
+                                      (small, shell, False), (shell, far, False), (opened, far, False)):
+            with self.subTest(ball=ball.stem, socket=socket.stem):
+                lines = self.made("inside.txt", *asked, ball=ball, socket=socket)
+                said = self.accepted("inside.txt", "contact: a point" if contact else "clear: no two faces meet, and no piece", ball=ball, socket=socket)
+                self.assertEqual("its outside is bone" in said, socket == large)
+                if contact:
+                    self.assertEqual(lines[9:], ["inside", "end"])
+                else:
+                    self.refused(self.word(lines[:9], 0, 3, "contact") + ["inside", "end"], "no piece of one body", ball=ball, socket=socket)
+        lines = self.made("inside.txt", *asked, ball=large, socket=core)
+        self.refused(lines, "no piece of one body", ball=opened, socket=core)
+        self.refused(self.word(lines, 3, 1, "100"), "no piece of one body", ball=large, socket=core)
+        done = self.scene("none.txt", *asked, ball=opened, socket=core)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr.splitlines()[-1], "no surfaces meet, but a bone is open, and no closed one tells what is inside$")
 
     def test_bone_beside_the_joint(self):
         lines = self.made("parts.txt", "--question", "touch", "--pose", "flexion=60", *self.parts, **self.with_parts)
@@ -344,7 +356,7 @@ class Certificate(GeneratedPair):
                                "--question", "touch", "--pose", f"abduction={degrees}", "--out", self.root / "out", "--certificate", self.root / "whole.txt")
                     self.assertEqual(done.returncode, 0, done.stderr)
                     said = self.accepted("whole.txt", says, **files)
-                    self.assertEqual(said.count("1 pieces, 1 closed\n"), 2)
+                    self.assertEqual(said.count("1 pieces, 1 of 1 files closed\n"), 2)
                     found.append((self.root / "whole.txt").read_text().splitlines())
             self.refused(found[0][:4] + found[1][4:5] + found[0][5:], "part is not clear", **files)
             self.refused(found[1][:4] + found[0][4:5] + found[1][5:], "do not meet", **files)

@@ -11,6 +11,7 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "limits/turn_limit.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/meeting_faces.hpp"
@@ -30,6 +31,10 @@ const BallSocketPair& hip() {
     return BallSocketPair{made.ball, made.socket};
   }();
   return pair;
+}
+
+ClearanceProof proof_of(const BallSocketPair& pair, const Pose& pose, const Vec3& centre = Vec3::Zero()) {
+  return prove_pose({pair, BodyPairs(pair, {}), centre}, pose);
 }
 
 // Rotations and shifts as a proof has rounded them.
@@ -75,7 +80,7 @@ TEST(ClearanceProof, SaysOfRandomPosesWhatAllPairsOfFacesSay) {
   std::map<Says, int> said;
   for (const double shift : {0.0, 5.0}) {
     for (const Pose& pose : test::random_poses(60, 1.8, shift, 5)) {
-      const ClearanceProof proof = prove_pose({hip(), Vec3::Zero()}, pose);
+      const ClearanceProof proof = proof_of(hip(), pose);
       ++said[proof.says];
       EXPECT_LT(proof.rounded_deg, 1e-6);
       EXPECT_EQ(proof.cuts.empty(), proof.says != Says::clear);
@@ -93,7 +98,7 @@ TEST(ClearanceProof, SaysOfRandomPosesWhatAllPairsOfFacesSay) {
 TEST(ClearanceProof, NamesTwoFacesThatCross) {
   std::size_t crossings = 0;
   for (const Pose& pose : test::random_poses(60, 1.6, 3.0, 9)) {
-    const ClearanceProof proof = prove_pose({hip(), Vec3::Zero()}, pose);
+    const ClearanceProof proof = proof_of(hip(), pose);
     if (proof.says != Says::crossing) continue;
     const TriangleMesh ball = test::ball_in_socket_frame(hip().ball, rounded(proof));
     EXPECT_TRUE(faces_meet(corners_of(ball, ball.faces.at(proof.faces[0])),
@@ -110,7 +115,7 @@ TEST(ClearanceProof, IsFoundForEverySoupThatIsClear) {
     TriangleMesh ball = test::soup(3, seed);
     for (Vec3& x : ball.vertices) x *= 0.4;
     const BallSocketPair pair{ball, test::soup(3, seed + 1000)};
-    const ClearanceProof proof = prove_pose({pair, Vec3::Zero()}, Pose{});
+    const ClearanceProof proof = proof_of(pair, Pose{});
     ++said[proof.says];
     if (proof.says != Says::open) {
       EXPECT_EQ(proof.says == Says::crossing, surfaces_meet(pair, Pose{})) << seed;
@@ -125,7 +130,7 @@ TEST(ClearanceProof, IsFoundForEverySoupThatIsClear) {
 TEST(ClearanceProof, NeedsAClearance) {
   const auto said = [](double gap, const Vec3& centre) {
     const BallSocketPair pair{sphere(20.0, 500, Vec3(0, 0, 20)), sphere(20.0, 500, Vec3(0, 0, -20.0 - gap))};
-    return prove_pose({pair, centre}, Pose{}).says;
+    return proof_of(pair, Pose{}, centre).says;
   };
   const Vec3 far(2e5, 0.0, 0.0);  // where reading may round by 0.08 mm
   EXPECT_EQ(said(0.0, Vec3::Zero()), Says::open);
@@ -136,25 +141,55 @@ TEST(ClearanceProof, NeedsAClearance) {
   EXPECT_EQ(said(0.5, far), Says::clear);
 }
 
-// Without its last face a sphere has no inside.
-TEST(ClearanceProof, KnowsWhatIsInsideOfWhatIsClosed) {
+// What a proof and a pose say of one body in another, and the limit of a turn by which nothing moves.
+void expect_inside(const BallSocketPair& pair, Contact contact, Says says, const Pose& pose = {}) {
+  const BodyPairs bodies(pair, {});
+  const BodyPairs::Verdict found = bodies.verdict(pose);
+  EXPECT_EQ(found.contact, contact);
+  EXPECT_EQ(found.rule, contact == Contact::yes ? ContactRule::inside : found.rule);
+  EXPECT_EQ(prove_pose({pair, bodies, Vec3::Zero()}, pose).says, says);
+  const LimitState state =
+      TurnLimits(pair).first_contact({.outer = pose.rotation, .axis = Vec3::UnitZ()}, 0.5).state;
+  if (!pose.translation.isZero()) return;
+  EXPECT_EQ(state, contact == Contact::yes  ? LimitState::blocked
+                   : contact == Contact::no ? LimitState::free
+                                            : LimitState::unknown);
+  EXPECT_EQ(prove_turn({pair, bodies, Vec3::Zero()}, {.axis = Vec3::UnitZ()}, 0.5).says, says);
+}
+
+// One rule of inside for poses, limits and proofs: between the layers of a shell and not in its hollow; of a
+// closed socket round the centre, outside of it; in a body without an opening alone where it is proven.
+TEST(ClearanceProof, SaysWhatIsInsideAsPosesAndLimitsDo) {
   const TriangleMesh small = icosphere(5.0, 2);
   const TriangleMesh large = icosphere(24.0, 3);
+  const TriangleMesh shell = test::joined(large, icosphere(20.0, 3));
+  const auto at = [&](double x, double radius = 1.0) { return sphere(radius, 200, Vec3(x, 2.0, 1.0)); };
+  expect_inside({small, large}, Contact::no, Says::clear);
+  expect_inside({large, at(10.0, 3.0)}, Contact::yes, Says::inside);
+  expect_inside({small, large}, Contact::yes, Says::inside, {Eigen::Matrix3d::Identity(), Vec3(60, 2, 3)});
+  expect_inside({shell, at(10.0, 3.0)}, Contact::no, Says::clear);
+  expect_inside({small, shell}, Contact::no, Says::clear);
+  expect_inside({shell, at(22.0, 0.5)}, Contact::yes, Says::inside);
+  expect_inside({at(22.0, 0.5), shell}, Contact::yes, Says::inside);
+  expect_inside({shell, at(30.0)}, Contact::no, Says::clear);
+  expect_inside({test::joined(shell, at(0.0)), at(0.0, 0.3)}, Contact::yes, Says::inside);
+  expect_inside({test::joined(at(0.0), at(60.0)), at(0.0, 4.0)}, Contact::yes, Says::inside);
+  expect_inside({test::joined(at(60.0), at(40.0)), at(40.0, 3.0)}, Contact::yes, Says::inside);
   TriangleMesh open = large;
   open.faces.pop_back();
-  const auto says = [](const TriangleMesh& ball, const TriangleMesh& socket) {
-    return prove_pose({{ball, socket}, Vec3::Zero()}, {Eigen::Matrix3d::Identity(), Vec3(1.0, 2.0, 3.0)});
-  };
-  EXPECT_EQ(says(small, large).says, Says::inside);
-  EXPECT_TRUE(says(small, large).cuts.empty());
-  EXPECT_EQ(says(large, small).says, Says::inside);
-  EXPECT_EQ(says(small, open).says, Says::clear);
-  EXPECT_EQ(says(open, small).says, Says::clear);
-  EXPECT_EQ(says(small, open).closed, (std::array{true, false}));
-  const TriangleMesh beside = sphere(3.0, 100, Vec3(60, 0, 0));
-  EXPECT_EQ(says(small, beside).says, Says::clear);
-  EXPECT_EQ(says(test::joined(beside, small), large).says, Says::inside);  // its second piece
-  EXPECT_EQ(says(small, test::joined(open, test::joined(beside, icosphere(30.0, 3)))).says, Says::inside);
+  expect_inside({open, at(10.0, 3.0)}, Contact::yes, Says::unknown);
+  expect_inside({open, at(40.0)}, Contact::no, Says::clear);
+  const auto [a, b, c] = corners_of(large, large.faces.back());
+  expect_inside({open, sphere(0.05, 200, (a + b + c) / 3.0)}, Contact::yes, Says::unknown);
+  EXPECT_FALSE(proof_of({open, at(40.0)}, Pose{}).closed);
+  EXPECT_TRUE(proof_of({large, at(40.0)}, Pose{}).closed);
+  // Files are bodies of their own: in what two of them have in common is inside.
+  const BallSocketPair main{small, at(60.0)};
+  const BoneParts parts{{}, {at(-40.0, 4.0), at(-42.0, 4.0)}};
+  const BallSocketPair all{at(-41.0, 0.5),
+                           test::joined(main.socket, test::joined(parts.socket[0], parts.socket[1]))};
+  EXPECT_EQ(prove_pose({all, BodyPairs({all.ball, main.socket}, parts), Vec3::Zero()}, {}).says,
+            Says::inside);
 }
 
 TEST(ClearanceProof, AgreesWithTheSolidAngle) {
@@ -164,7 +199,7 @@ TEST(ClearanceProof, AgreesWithTheSolidAngle) {
   for (int k = 0; k < 300; ++k) {
     const Vec3 at(random.between(-60, 60), random.between(-60, 60), random.between(-90, 40));
     const TriangleMesh screw = sphere(0.5, 8, at);
-    const ClearanceProof proof = prove_pose({{femur, screw}, Vec3::Zero()}, Pose{});
+    const ClearanceProof proof = proof_of({femur, screw}, Pose{});
     ++said[proof.says];
     if (proof.says == Says::clear || proof.says == Says::inside) {
       EXPECT_EQ(proof.says == Says::inside, winding(femur, at) != 0) << at.transpose();
@@ -191,12 +226,13 @@ TEST(ClearanceProof, OfATurnHoldsUpToContactAndNotBeyond) {
   const JointTurn turn = joint_turn({.flexion = 60.0}, motion_name("internal_rotation"), Side::right);
   const double limit = first_meeting(turn);
   ASSERT_GT(limit, 5.0);
-  const ClearanceProof proof = prove_turn({hip(), Vec3::Zero()}, turn, limit - 0.05);
+  const BodyPairs bodies(hip(), {});
+  const ClearanceProof proof = prove_turn({hip(), bodies, Vec3::Zero()}, turn, limit - 0.05);
   EXPECT_EQ(proof.says, Says::clear);
   EXPECT_NEAR(degrees_of(proof.last), limit - 0.05, 1e-6);
   EXPECT_LT(proof.rounded_deg, 1e-6);
   for (const double beyond : {0.1, 20.0})
-    EXPECT_EQ(prove_turn({hip(), Vec3::Zero()}, turn, limit + beyond).says, Says::open);
+    EXPECT_EQ(prove_turn({hip(), bodies, Vec3::Zero()}, turn, limit + beyond).says, Says::open);
 }
 
 // A part of a sphere turns once round within a ring of a larger one, which no plane separates for long.
@@ -208,7 +244,7 @@ TEST(ClearanceProof, OfATurnGoesAllTheWayRound) {
   const TriangleMesh ball = part_of(icosphere(20.0, 3), 5.0);
   const auto says = [&](double radius, double degrees) {
     const BallSocketPair pair{ball, part_of(icosphere(radius, 3), -5.0)};
-    return prove_turn({pair, Vec3::Zero()}, {.axis = Vec3::UnitZ()}, degrees).says;
+    return prove_turn({pair, BodyPairs(pair, {}), Vec3::Zero()}, {.axis = Vec3::UnitZ()}, degrees).says;
   };
   EXPECT_EQ(says(20.3, 359.0), Says::clear);
   EXPECT_EQ(says(20.0, 359.0), Says::open);

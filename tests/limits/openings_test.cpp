@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes into a bone through an opening: poses, limits and their ranges for other centres. By the closed
+// forms that bodies were made from, and by a stepped look at all faces.
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "limits/turn_limit.hpp"
+#include "limits/turn_oracle.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/icosphere.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
+#include "support/turned.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kFlaskAt = 50.0;     // mm from the axis, +z, to the middle of a flask
+constexpr double kFlaskRadius = 8.0;  // of it
+constexpr double kNeedle = 6.0;       // of a needle
+constexpr double kBefore = 40.0;      // degrees that it is before the flask
+
+// Without the faces within an angle, radians, of a direction.
+TriangleMesh opened(TriangleMesh mesh, const Vec3& towards, double angle) {
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    return (a + b + c).normalized().dot(towards) > std::cos(angle);
+  });
+  return mesh;
+}
+
+TriangleMesh flask(const Vec3& towards, double angle) {
+  return test::moved(opened(icosphere(kFlaskRadius, 4), towards, angle), {kFlaskAt, 0, 0});
+}
+
+// Along its way, whose direction is +y in the middle of the flask.
+TriangleMesh needle(double degrees) {
+  TriangleMesh mesh = octahedron(1.0);
+  for (Vec3& x : mesh.vertices) x = Vec3(kFlaskAt + 0.1 * x.x(), 0.5 * kNeedle * x.y(), 0.1 * x.z());
+  return test::turned(mesh, degrees * kDegree, Vec3::UnitZ());
+}
+
+BallSocketPair joint_beside() { return {icosphere(5.0, 2), cup(8.0, 60.0, 100)}; }
+
+const JointTurn kTurnIn{.axis = Vec3::UnitZ()};
+constexpr double kMostDegrees = 60.0;
+
+// Up to the upper end surfaces have met about each of these centres; returns whether there is one.
+bool check_range(const TriangleMesh& bone, const TurnLimits& limits, const TurnLimit& limit) {
+  const CentreQuestion question{CentreDoubt::common, 1.0, 0.0};
+  const CentreInterval range = limits.centre_interval(kTurnIn, limit, kMostDegrees, question);
+  EXPECT_LE(range.low_deg, limit.low_deg);
+  test::Dice dice(3);
+  for (int k = 0; range.limited && k < 20; ++k) {
+    const test::TurnOracle oracle({needle(-kBefore), bone}, kTurnIn.axis,
+                                  {0.999 * dice.direction(), Vec3::Zero()});
+    EXPECT_TRUE(oracle.meets_by(range.high_deg, 1e-6L)) << k << ": " << range.high_deg;
+  }
+  return range.limited;
+}
+
+// The needle turns in through a hole and on to the wall behind: whatever the hole is of, no centre's surfaces
+// are said to have met before they have. The hole closes within its box, where the needle's tip begins to be
+// inside. Of a bowl, a sheet, surfaces alone are asked.
+TEST(Openings, LetANeedleIn) {
+  for (const double angle : {0.35, 0.5, 0.8, 1.5}) {
+    const TriangleMesh bone = flask(-Vec3::UnitY(), angle);
+    const TurnLimits limits(joint_beside(), {{needle(-kBefore)}, {bone}});
+    const TurnLimit limit = limits.first_contact(kTurnIn, kMostDegrees);
+    const double inside = kBefore + 1.0;  // degrees
+    EXPECT_EQ(limits.verdict(kTurnIn, inside).contact, Contact::yes) << angle;
+    EXPECT_EQ(limits.verdict(kTurnIn, inside).rule, ContactRule::inside) << angle;
+    EXPECT_FALSE(check_range(bone, limits, limit)) << angle;
+    ASSERT_EQ(limit.state, LimitState::limited) << angle;
+    const double tip = std::atan2(0.5 * kNeedle, kFlaskAt) / kDegree;
+    const double wall = kBefore + std::asin(kFlaskRadius / kFlaskAt) / kDegree - tip;
+    if (angle > 0.7) {
+      EXPECT_NEAR(limit.low_deg, wall, 0.3);
+      continue;
+    }
+    const auto at = [&](double y) { return kBefore + std::asin(y / kFlaskAt) / kDegree - tip; };
+    EXPECT_GT(limit.low_deg, at(-kFlaskRadius - 0.1)) << angle;
+    EXPECT_LT(limit.low_deg, at(-kFlaskRadius * std::cos(angle)) + 0.2) << angle;
+    EXPECT_GT(limit.high_deg, limit.low_deg);
+    EXPECT_LT(limit.high_deg, at(-kFlaskRadius * std::cos(angle)) + 0.8) << angle;
+  }
+}
+
+// A hole farther from the axis than what is met changes nothing.
+TEST(Openings, ElsewhereLeaveALimitAndItsRange) {
+  const TriangleMesh whole = flask(Vec3::UnitX(), 0.0);
+  const TurnLimit expected =
+      TurnLimits(joint_beside(), {{needle(-kBefore)}, {whole}}).first_contact(kTurnIn, kMostDegrees);
+  for (const double angle : {0.1, 0.35, 0.5}) {
+    const TriangleMesh bone = flask(Vec3::UnitX(), angle);
+    ASSERT_FALSE(boundary_edges(bone).empty());
+    const TurnLimits limits(joint_beside(), {{needle(-kBefore)}, {bone}});
+    const TurnLimit limit = limits.first_contact(kTurnIn, kMostDegrees);
+    EXPECT_EQ(limit.state, LimitState::limited);
+    EXPECT_NEAR(limit.low_deg, expected.low_deg, 1e-9);
+    EXPECT_NEAR(limit.high_deg, expected.high_deg, 1e-9);
+    EXPECT_TRUE(check_range(bone, limits, limit)) << angle;
+  }
+}
+
+// Never inside, but through the box of the hole: unknown from there on.
+TEST(Openings, PassedAtTheMouthAreUnknown) {
+  TriangleMesh bone = flask(Vec3::UnitX(), 0.5);
+  TriangleMesh probe = test::moved(octahedron(0.2), {kFlaskAt + kFlaskRadius * std::cos(0.45), 0, 0});
+  probe = test::turned(probe, -kBefore * kDegree, Vec3::UnitZ());
+  const TurnLimits limits(joint_beside(), {{probe}, {bone}});
+  const TurnLimit limit = limits.first_contact(kTurnIn, kMostDegrees);
+  EXPECT_NE(limit.state, LimitState::free);
+  EXPECT_LT(limit.low_deg, kBefore);
+  EXPECT_NE(limits.verdict(kTurnIn, kBefore).contact, Contact::no);
+}
+
+// A rod with a round head and a cut end, 150 mm below its centre; or closed there.
+TriangleMesh rod(double radius, bool closed) {
+  constexpr VertexIndex kRound = 24;
+  TriangleMesh mesh;
+  const auto ring = [&](double r, double z) {
+    for (VertexIndex k = 0; k < kRound; ++k)
+      mesh.vertices.emplace_back(r * std::cos(2.0 * kPi * k / kRound), r * std::sin(2.0 * kPi * k / kRound),
+                                 z);
+  };
+  mesh.vertices.emplace_back(0, 0, radius);
+  for (const double polar : {0.3, 0.6, 0.9, 1.2, 1.5})
+    ring(radius * std::sin(polar), radius * std::cos(polar));
+  ring(radius, -75.0);
+  ring(radius, -150.0);
+  for (VertexIndex k = 0; k < kRound; ++k) {
+    const VertexIndex next = (k + 1) % kRound;
+    mesh.faces.push_back({0, 1 + k, 1 + next});
+    for (VertexIndex row = 1; row < 1 + 6 * kRound; row += kRound) {
+      mesh.faces.push_back({row + k, row + k + kRound, row + next + kRound});
+      mesh.faces.push_back({row + k, row + next + kRound, row + next});
+    }
+    if (closed)
+      mesh.faces.push_back(
+          {static_cast<VertexIndex>(mesh.vertices.size()), 1 + 6 * kRound + next, 1 + 6 * kRound + k});
+  }
+  if (closed) mesh.vertices.emplace_back(0, 0, -150.0);
+  return mesh;
+}
+
+TriangleMesh head_of(TriangleMesh bone) {
+  std::erase_if(bone.faces, [&](const Face& face) { return bone.vertices[face[1]].z() < 0.0; });
+  return bone;
+}
+
+// A femur whose shaft is cut: what is in it is inside, wholly or with its tip, and what is below it is not.
+TEST(Openings, OfACutShaftLeaveItsInside) {
+  for (const bool closed : {true, false}) {
+    for (const bool turned : {false, true}) {
+      const Eigen::Matrix3d turn =
+          turned ? Eigen::AngleAxisd(0.4, Vec3(1, 2, 0.3).normalized()).toRotationMatrix()
+                 : Eigen::Matrix3d::Identity();
+      const TriangleMesh femur = test::turned(rod(20.0, closed), turn);
+      BoneParts bones;
+      bones.whole_ball = femur;
+      const BallSocketPair main{test::turned(head_of(rod(20.0, closed)), turn),
+                                test::turned(cup(23.0, 60.0, 200), turn)};
+      const auto said = [&](double z, double length) {
+        BoneParts with = bones;
+        TriangleMesh screw = octahedron(1.0);
+        for (Vec3& x : screw.vertices) x = turn * Vec3(3.0 + x.x(), 2.0 + x.y(), z + 0.5 * length * x.z());
+        with.socket.push_back(screw);
+        return BodyPairs(main, with).verdict({}).contact;
+      };
+      EXPECT_EQ(said(-60.0, 30.0), Contact::yes);
+      EXPECT_EQ(said(-120.0, 20.0), Contact::yes);
+      EXPECT_EQ(said(-150.0, 120.0), Contact::yes) << "from below, with its tip";
+      EXPECT_EQ(said(-220.0, 100.0), Contact::no);
+      EXPECT_EQ(said(-152.0, 3.0), Contact::no);
+    }
+  }
+}
+
+// A pelvis whose back is cut open has an inside still: radii do not decide, what is in its bone is, and what
+// is behind is not.
+TEST(Openings, OfACutPelvisMakeItNoSheet) {
+  const TriangleMesh inner = cup(26.0, 60.0, 400);
+  const TriangleMesh back = opened(cup(30.0, 60.0, 400), Vec3(0.5, 0.0, 0.85).normalized(), 0.15);
+  TriangleMesh pelvis = test::joined(inner, test::inside_out(back));
+  const auto away = static_cast<VertexIndex>(inner.vertices.size());
+  for (const auto& [a, b] : boundary_edges(inner)) {
+    pelvis.faces.push_back({b, a, a + away});
+    pelvis.faces.push_back({b, a + away, b + away});
+  }
+  ASSERT_FALSE(boundary_edges(pelvis).empty());
+  BoneParts whole;
+  whole.whole_socket = pelvis;
+  const BallSocketPair main{icosphere(1.0, 2), inner};
+  const BodyPairs pairs(main, whole);
+  EXPECT_TRUE(pairs.has_inside());
+  const auto said = [&](const Vec3& at) { return pairs.verdict({Eigen::Matrix3d::Identity(), at}).contact; };
+  EXPECT_EQ(said({0, 0, 20}), Contact::no);
+  EXPECT_EQ(said({-14, 0, 24.2}), Contact::yes);
+  EXPECT_EQ(said({-20, 0, 40}), Contact::no);
+  EXPECT_NE(said({0.5 * 31, 0, 0.85 * 31}), Contact::yes);
+}
+
+}  // namespace
+}  // namespace impinge
