@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     touch contact
+// @can     touch contact steps
 // @links   gap peer::fcl
 //
 // FCL's trees of boxes on both surfaces, one answer for a whole pose. fcl_obb and fcl_collide: oriented
@@ -87,6 +87,9 @@ Method fcl_method() {
       return ContactQuery{[distance](const Pose& pose) { return distance(pose) <= 0.0; }, {}, distance};
     };
     return cases;
+  };
+  method.steps = [](const BallSocketPair& pair) {
+    return std::vector{touch_only("fcl_collide", "FCL", 0, pair, fcl_touch)};
   };
   return method;
 }

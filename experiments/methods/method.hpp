@@ -72,6 +72,8 @@ struct Method {
   std::function<std::vector<TouchCase>(const BallSocketPair&, double)> touch = {};
   /// contact.hpp: whether the joint touches, or its smallest gap, in many poses of a motion.
   std::function<std::vector<ContactCase>(const BallSocketPair&)> contact = {};
+  /// contact.hpp: whether the surfaces touch, in steps up to a first contact; of others' libraries.
+  std::function<std::vector<ContactCase>(const BallSocketPair&)> steps = {};
   /// baseline.hpp: the comparison of Section 3.6, at several resolutions.
   std::function<std::vector<BaselineCase>(const BallSocketPair&, const BaselineSizes&)> baseline = {};
 };
@@ -82,6 +84,7 @@ std::vector<Method> points_methods();
 std::vector<Method> gaps_methods();
 std::vector<Method> touch_methods();
 std::vector<Method> contact_methods();
+std::vector<Method> steps_methods();
 std::vector<Method> baseline_methods();
 
 /// The cases of all methods with an ability, in the order of their places: cases_of(touch_methods(),

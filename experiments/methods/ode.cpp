@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     contact
+// @can     contact steps
 // @links   gap peer::ode
 //
 // Method ode_collide: trees of boxes along the axes, by OPCODE inside the Open Dynamics Engine. One contact
@@ -74,6 +74,11 @@ Method ode_method() {
   Method method;
   method.contact = [](const BallSocketPair& pair) {
     ContactCase one = touch_only("ode_collide", "ODE (OPCODE), touch", 2, pair, ode_touch);
+    one.few = true;
+    return std::vector{one};
+  };
+  method.steps = [](const BallSocketPair& pair) {
+    ContactCase one = touch_only("ode_collide", "ODE", 2, pair, ode_touch);
     one.few = true;
     return std::vector{one};
   };

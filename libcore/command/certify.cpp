@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kFile = "certificate.txt";
 
-std::string words_of(const CertifyAnswer& found, bool kept) {
+std::string describe_certificate(const CertifyAnswer& found, bool kept) {
   std::string text = "certificate         ";
   if (found.says == "crossing") {
     text += "contact, surfaces cross";
@@ -26,7 +26,7 @@ std::string words_of(const CertifyAnswer& found, bool kept) {
 
 Told told(Session& session, const CertifyRequest& request, const Work& work) {
   const CertifyAnswer found = answer(session, request);
-  Told told{.words = words_of(found, work.out.has_value()), .document = json_of(found)};
+  Told told{.words = describe_certificate(found, work.out.has_value()), .document = json_of(found)};
   told.files = {{kFile, found.text}};
   told.row_of_one = {{"says", "/says"}, {"to_deg", "/to_deg"}};
   return told;

@@ -82,7 +82,7 @@ std::string describe_way(const GapsAnswer& found) {
          (items.empty() ? "left out            nothing\n" : items);
 }
 
-std::string words_of(const SessionJoint& joint, const GapsRequest& request, const GapsAnswer& found) {
+std::string describe_gaps(const SessionJoint& joint, const GapsRequest& request, const GapsAnswer& found) {
   std::string text = describe_centre(joint.joint) + describe_table(request, found) +
                      (found.contact ? describe(*found.contact) : "") +
                      describe_overlap(found.radial_overlap) + describe(found.nearest_part) +
@@ -95,7 +95,7 @@ std::string words_of(const SessionJoint& joint, const GapsRequest& request, cons
 Told told(Session& session, const GapsRequest& request, const Work& work) {
   const GapsAnswer found = answer(session, request);
   const SessionJoint& joint = *session.joint;
-  Told told{.words = words_of(joint, request, found), .document = json_of(found)};
+  Told told{.words = describe_gaps(joint, request, found), .document = json_of(found)};
   told.row_of_one = {{"contact", "/contact/state"},
                      {"smallest_gap_mm", "/smallest_gap/gap_mm"},
                      {"surface", "/smallest_gap/surface"},

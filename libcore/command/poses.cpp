@@ -18,7 +18,7 @@
 namespace impinge {
 namespace {
 
-constexpr const char* kVersion = "poses 1";  // of the code that answers: rows of another one are not kept
+constexpr const char* kRowsVersion = "poses 1";  // of the code that answers: rows of another one are not kept
 
 std::string line_of(const std::vector<Cell>& cells) {
   std::string line;
@@ -160,7 +160,7 @@ void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSerie
   }
 }
 
-std::string words_of(const PosesAnswer& found) {
+std::string describe_poses(const PosesAnswer& found) {
   std::string text = formatted("poses               %zu", found.number_of_poses);
   if (found.touching) text += formatted(", %zu of them touch", *found.touching);
   if (found.untracked > 0)
@@ -178,7 +178,7 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   const SeriesOutputs outputs = outputs_of(request);
   const PoseSeries series(joint.joint, outputs);
   const std::string head = head_of(list, outputs.areas);
-  std::string given = std::string(kVersion) + head;
+  std::string given = std::string(kRowsVersion) + head;
   for (const double value : list.values) given += Cell(value).text() + ",";
   Rows rows(work, answer_key(joint, json_of(request), given), head);
   const std::string doubt = doubt_of(request, joint, list);
@@ -186,7 +186,7 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   answer_all(joint, list, series, work, rows);
   rows.finish();
   const PosesAnswer found = rows.tally().answer(outputs.touch, doubt);
-  Told told{.words = words_of(found), .document = json_of(found)};
+  Told told{.words = describe_poses(found), .document = json_of(found)};
   if (work.out) told.wrote = {"poses.csv"};
   told.row_of_one = {
       {"poses", "/number_of_poses"}, {"touching", "/touching"}, {"smallest_gap_mm", "/smallest_gap/gap_mm"}};

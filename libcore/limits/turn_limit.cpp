@@ -31,11 +31,16 @@ Pose pose_at(const JointTurn& turn, double angle) {
 TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
     : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
-      vertices(meshes),
       ends(bodies.ball_ends() ? boundary_edges(meshes.ball) : std::vector<Edge>{}),
       seen(surface_vertices(meshes.socket)),
       ball(meshes.ball),
       socket(meshes.socket) {}
+
+const CulledJoint& TurnLimits::Answers::vertices() {
+  const std::lock_guard lock(making);
+  if (!culled) culled.emplace(meshes);
+  return *culled;
+}
 
 TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
     : answers_(std::make_unique<Answers>(std::move(joint), beside)) {}
@@ -46,7 +51,7 @@ const TurnGap& TurnLimits::gap(double gap_mm) const {
 }
 
 std::optional<LeastGap> TurnLimits::smallest_gap(const JointTurn& turn, double angle_deg) const {
-  return answers_->vertices.least_gap(pose_at(turn, angle_deg * kDegree));
+  return answers_->vertices().least_gap(pose_at(turn, angle_deg * kDegree));
 }
 
 BodyPairs::Verdict TurnLimits::verdict(const JointTurn& turn, double angle_deg) const {
@@ -132,7 +137,7 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
   for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * meshes.socket.vertices[v]);
   end.covered = [&](std::size_t point, double angle) {
     const Vec3& y = meshes.socket.vertices[answers_->seen[point]];
-    return !std::isnan(answers_->vertices.gap(Surface::socket, to_ball(pose_at(turn, angle), y)));
+    return !std::isnan(answers_->vertices().gap(Surface::socket, to_ball(pose_at(turn, angle), y)));
   };
   const auto beyond = first_beyond(end, certain.value_or(largest));
   if (!beyond) return;
@@ -159,15 +164,16 @@ TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double larges
         return contact ? contact : vertex;
       },
       [&](double angle) {
-        const auto smallest = answers_->vertices.least_gap(pose_at(turn, angle));
+        const auto smallest = answers_->vertices().least_gap(pose_at(turn, angle));
         return smallest && smallest->gap_mm <= gap_mm;
       });
 }
 
 const CentreIntervals& TurnLimits::intervals(const CentreQuestion& question) const {
+  const CulledJoint& vertices = answers_->vertices();
   const std::lock_guard lock(answers_->making);
   const std::array key{static_cast<double>(question.doubt), question.within_mm, question.gap_mm};
-  return answers_->intervals.try_emplace(key, answers_->vertices, question, answers_->bodies).first->second;
+  return answers_->intervals.try_emplace(key, vertices, question, answers_->bodies).first->second;
 }
 
 CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,

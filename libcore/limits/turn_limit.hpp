@@ -109,14 +109,15 @@ class TurnLimits {
 
   struct Answers {
     Answers(BallSocketPair joint, const BoneParts& beside);
+    const CulledJoint& vertices();  // made when first asked for
     BodyPairs bodies;       // made before the meshes are taken
     BallSocketPair meshes;  // the main surfaces, without their edge-on faces
-    CulledJoint vertices;
     std::vector<Edge> ends;         // of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // of the socket: those of its faces
     TurnBody ball;                  // of the main surfaces
     TurnBody socket;
     std::mutex making;  // of what follows, when it is first asked for
+    std::optional<CulledJoint> culled;
     std::map<double, TurnGap> gaps;
     std::map<std::array<double, 3>, CentreIntervals> intervals;  // by doubt, reach and gap
   };

@@ -15,7 +15,7 @@ namespace {
 void warn_of_start(PoseJoint& joint, const LimitsAnswer& found, py::dict& /*answer*/) {
   const auto blocked = [&](bool by_gap) {
     return std::find_if(found.limits.begin(), found.limits.end(), [&](const LimitDocument& limit) {
-      return limit.state == LimitState::blocked && limit.threshold_mm > 0.0 == by_gap;
+      return limit.state == LimitState::blocked && (limit.threshold_mm > 0.0) == by_gap;
     });
   };
   const auto limit = blocked(true);

@@ -8,6 +8,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "hip/motion.hpp"
+#include "limits/turn_limit.hpp"
+#include "phantoms/implant.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -47,6 +50,22 @@ TEST(Phantom, GapsAreWithinTheirBounds) {
   for (const PhantomRow& row : rows) {
     EXPECT_LE(std::abs(row.error), row.allowed) << row.phantom << ", " << row.quantity;
     EXPECT_LT(row.allowed, 2.0) << "a bound that says something";
+  }
+}
+
+// The neck, 6 mm from its axis, meets the rim of the cup, 16.1 mm from the centre and square to its opening.
+TEST(Phantom, AnImplantTurnsUntilItsNeckMeetsTheRim) {
+  const auto outwards = [](double forward_deg) {
+    const double forward = forward_deg * kDegree;
+    return Vec3(std::cos(forward), std::sin(forward), -1.0).normalized();
+  };
+  const TurnLimits limits(make_implant(40000));
+  for (const char* motion : {"flexion", "extension", "abduction", "adduction"}) {
+    const JointTurn turn = joint_turn({}, motion_name(motion), Side::right);
+    const auto expected = first_turn_to(
+        {outwards(10.0), outwards(20.0), turn.axis, std::cos(0.5 * kPi - std::asin(6.0 / 16.1))});
+    ASSERT_TRUE(expected);
+    EXPECT_NEAR(limits.first_contact(turn, 180.0).high_deg, *expected / kDegree, 0.5) << motion;
   }
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error and time of the limits of all named motions: ours, in closed form, and what steps with a test of
+// touch find, halved where one touches.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "17_limit_time/turned_joint.hpp"
+#include "files/csv.hpp"
+#include "harness/timing.hpp"
+
+namespace impinge::lab {
+
+// How much is timed.
+struct LimitPlan {
+  std::vector<double> steps_deg;      // of a library
+  std::vector<double> few_steps_deg;  // of a slow one (ContactCase::few)
+  std::size_t motions = 12;           // that libraries are asked for: the first so many
+  std::size_t few_motions = 12;       // that slow ones are
+  int rounds = 1;
+  int few_rounds = 1;  // of slow ones
+  TimingOptions timing;
+};
+LimitPlan limit_plan(bool quick);
+
+// What is written, and the labels of the methods.
+struct LimitTimes {
+  Table table;
+  TimingRun timing;
+  std::map<std::string, std::string> labels;
+};
+LimitTimes empty_limit_times();         // no rows yet
+std::vector<Column> limit_time_keys();  // its first columns: joint, faces, method, step_deg
+
+// Adds the rows of a joint. The truth of a motion is the smallest angle at which any method finds contact and
+// CGAL a common point of the surfaces, exactly. std::runtime_error where that is before the lower end of
+// ours, or no common point is where ours says that there is contact. Motions that begin in contact are left
+// out; none of the joint where all do.
+void add_limit_times(const TurnedJoint& joint, const LimitPlan& plan, LimitTimes& found, Progress& progress);
+
+}  // namespace impinge::lab

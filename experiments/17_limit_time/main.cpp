@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @question  What do the limits of all motions cost, and what do steps miss?
+// @writes    limit_time limit_time_samples
+// @bones     yes
+// @timing    yes
+// @seconds   25 1200
+// @links     harness real_joints hip change phantoms method_cgal steps_methods
+//
+// The limits of the named motions of a generated hip, of a replaced one and of real joints with whole bones:
+// in closed form (limits/turn_limit.hpp), alone and with the range for every centre within half a millimetre;
+// and by others' tests of touch in steps of 5 to 0.1 degrees, halved to 0.01 where one touches.
+// Before anything is timed the smallest angle at which CGAL finds a common point of the surfaces, of all that
+// any method found, is held against ours.
+
+#include "17_limit_time/limit_times.hpp"
+#include "harness/driver.hpp"
+#include "harness/timing_report.hpp"
+#include "limits/told_limit.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::lab;
+
+// Of ball and socket together.
+constexpr std::size_t kHipFacesInQuick = 6000;
+constexpr std::size_t kHipFacesInFull = 24000;
+constexpr std::size_t kImplantFacesInQuick = 12000;
+constexpr std::size_t kImplantFacesInFull = 119000;
+
+void body(DriverRun& run) {
+  LimitTimes found = empty_limit_times();
+  const LimitPlan plan = limit_plan(run.quick());
+  LimitPlan of_implant = plan;  // head and cup are close all round: poses take others ten times as long
+  of_implant.motions = run.quick() ? 1 : 3;
+  of_implant.few_motions = 1;
+  if (run.quick()) of_implant.steps_deg.pop_back();
+  const auto add = [&](const TurnedJoint& joint, const LimitPlan& so) {
+    add_limit_times(joint, so, found, run.progress);
+  };
+  add(generated_hip(run.quick() ? kHipFacesInQuick : kHipFacesInFull), plan);
+  add(replaced_hip(run.quick() ? kImplantFacesInQuick : kImplantFacesInFull), of_implant);
+  if (run.bones) {
+    for (const TurnedJoint& joint : whole_joints(*run.bones, run.progress)) add(joint, plan);
+  }
+  Result result{"limit_time", "What do limits of all motions cost, and what do steps miss?", found.table};
+  result.parameters = {
+      {"labels", found.labels}, {"halved_to_deg", 0.01}, {"centre_within_mm", kErrorOfInput}};
+  result.labels = found.labels;
+  write_timed(run, result, limit_time_keys(), found.timing);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return impinge::lab::run_driver(
+      argc, argv,
+      {"17_limit_time", "What limits of motions cost, and what steps miss.", /*takes_bones=*/true}, body);
+}
