@@ -2,6 +2,7 @@
 // Commands that ask a question of a joint, or of all joints of a folder.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <ostream>
 #include <stdexcept>
@@ -20,6 +21,12 @@ struct Screen {
 class CommandError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
+};
+
+/// Another program has said why: only its exit code is left to give.
+struct Refused : std::exception {
+  explicit Refused(int with) : code(with) {}
+  int code;
 };
 
 /// Adds each question (command/question_command.hpp) as a command. The one that is given sets `work` to what

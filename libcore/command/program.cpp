@@ -6,6 +6,7 @@
 #include <new>
 #include <thread>
 
+#include "command/hip.hpp"
 #include "command/joint_command.hpp"
 #include "command/version.hpp"
 #include "files/one_line.hpp"
@@ -61,7 +62,8 @@ void require_values(const CLI::App& command) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log) {
+int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log,
+                std::span<const AddCommand> more) {
   const auto fail = [&log](const std::string& what, int code) {
     log << "impinge: error: " << one_line(what) << std::endl;
     return code;
@@ -73,6 +75,9 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   std::function<void()> work;  // of the command that was given
   const Screen screen{out, log};
   add_joint_commands(program, screen, work);
+  add_check_command(program, screen, work);
+  add_hip_command(program, screen, work);
+  for (const AddCommand add : more) add(program, screen, work);
   try {
     require_command(command_word(argc, argv), program);
     program.parse(argc, argv);
@@ -90,6 +95,8 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   }
   try {
     work();
+  } catch (const Refused& refused) {
+    return refused.code;
   } catch (const CommandError& error) {
     return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {

@@ -2,12 +2,21 @@
 // The program `impinge`.
 #pragma once
 
+#include <functional>
 #include <ostream>
+#include <span>
+
+#include "command/joint_command.hpp"
 
 namespace impinge {
 
+/// Adds a command, which sets `work` to what it will do.
+using AddCommand = void (*)(CLI::App& program, const Screen& screen, std::function<void()>& work);
+
 /// Runs a command line. Returns the exit code: 0 on success, 1 where a mesh or file cannot be used, 2 for a
 /// wrong command or option. Answers go to `out`; warnings, progress and the one line of an error to `log`.
-int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log);
+/// `more` are commands beside those of this folder.
+int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log,
+                std::span<const AddCommand> more = {});
 
 }  // namespace impinge

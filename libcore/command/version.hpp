@@ -4,7 +4,7 @@
 
 namespace impinge {
 
-inline constexpr const char* kVersion = IMPINGE_VERSION;
+extern const char* const kVersion;  // of the project
 /// Of the sources that it was built from, as git abbreviates it, with "-dirty" where files had changed;
 /// "unknown" outside of git.
 const char* commit();

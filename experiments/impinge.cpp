@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program `impinge`: the commands of libcore/command, and
+//
+//   impinge cohort --study FILE [--hips N] --shard i/K --out DIR     works out one part of K, or goes on
+//   where it was impinge cohort --merge DIR                                       cohort.csv, cohort.json and
+//   shards.json
+//
+// many hips: a study of how parameters spread over a population, or a folder of real joints, in shards that
+// any engine may run, and their results together.
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cohort/merge.hpp"
+#include "cohort/shard.hpp"
+#include "command/program.hpp"
+#include "files/file_bytes.hpp"
+
+namespace {
+
+using namespace impinge;
+using namespace impinge::lab;
+
+struct Options {
+  std::string study;
+  std::optional<std::size_t> hips;
+  std::string shard = "1/1";
+  std::string out;
+  std::string merge;
+};
+
+void declare(CLI::App& app, Options& options) {
+  CLI::Option* study =
+      app.add_option("--study", options.study, "JSON file; experiments/cohort.md has its keys");
+  app.add_option("--hips", options.hips, "number of hips, in place of the study's")
+      ->needs(study)
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  app.add_option("--shard", options.shard, "i/K: part i of K, i from 1 to K")
+      ->capture_default_str()
+      ->needs(study);
+  CLI::Option* out = app.add_option("--out", options.out, "folder for the shards and the merged results");
+  study->needs(out);
+  out->needs(study);
+  app.add_option("--merge", options.merge, "folder of finished shards")->excludes(study)->excludes(out);
+}
+
+void run(const Options& options, const ShardName& shard, std::ostream& out) {
+  if (!options.merge.empty()) {
+    const Merged merged = merge(options.merge);
+    out << "wrote " << options.merge << "/{cohort.csv,cohort.json,shards.json}: " << merged.hips
+        << " hips in " << merged.shards << (merged.shards == 1 ? " shard" : " shards") << std::endl;
+    return;
+  }
+  const Study study = read_study(options.study, options.hips);
+  require_writable_folder(options.out);
+  const ShardRun done = run_shard(study, shard, options.out);
+  out << "wrote " << shard_file(options.out, shard).string() << ": hips " << done.hips.first << " to "
+      << done.hips.last << " (exclusive), " << done.kept << " of them kept from an earlier run, "
+      << done.seconds << " s of one core" << std::endl;
+}
+
+void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& app = *program.add_subcommand(
+      "cohort", "Limits, shape and zones of small gaps of many hips, in shards (parts).");
+  app.footer("Example: impinge cohort --study study.json --shard 1/12 --out hips");
+  declare(app, *options);
+  app.parse_complete_callback([options, &screen, &work] {
+    work = [options, &screen] {
+      if (options->study.empty() && options->merge.empty())
+        throw CommandError("nothing to do: give --study and --out, or --merge; see impinge cohort --help");
+      ShardName shard;
+      try {
+        shard = parse_shard(options->shard);
+      } catch (const std::invalid_argument& error) {
+        throw CommandError("--shard: " + std::string(error.what()));
+      }
+      run(*options, shard, screen.out);
+    };
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program(argc, argv, std::cout, std::cerr, std::array<AddCommand, 1>{add_cohort});
+}

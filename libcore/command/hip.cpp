@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/hip.hpp"
+
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command/request_options.hpp"
+#include "files/file_bytes.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "mesh/generated_pair.hpp"
+#include "mesh/io.hpp"
+
+namespace impinge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPair = "pair";  // a ball in a socket with a known gap
+
+struct HipOptions {
+  std::string name = "normal";
+  std::vector<std::string> changes;
+  std::size_t faces = 12000;
+  fs::path out;
+};
+
+// Writes the parts of a mesh, each in a file of its name, and returns the option that gives them to a
+// question.
+std::string write_parts(const fs::path& out, const TriangleMesh& mesh, const std::vector<MeshPart>& parts,
+                        const std::string& option) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    std::string name = parts[k].name;
+    for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const fs::path file = out / (name + ".ply");
+    write_mesh(file, part_surface(mesh, parts, k));
+    text += " " + option + " " + file.string();
+  }
+  return text;
+}
+
+void write_both(const fs::path& out, const BallSocketPair& meshes) {
+  write_mesh(out / "ball.ply", meshes.ball);
+  write_mesh(out / "socket.ply", meshes.socket);
+}
+
+void make(const HipOptions& options, std::ostream& out) {
+  if (options.name == kPair) {
+    if (!options.changes.empty())
+      throw CommandError("--set: changes a hip, and the pair is none; leave it out");
+    require_writable_folder(options.out);
+    write_both(options.out, make_ball_socket_pair(options.faces));
+    out << "wrote               " << (options.out / "{ball.ply,socket.ply}").string()
+        << ": a ball in a socket" << std::endl;
+    return;
+  }
+  HipParameters parameters = hip_preset(options.name);
+  for (const std::string& change : options.changes) set_hip_parameter(parameters, change);
+  const Hip made = make_hip(parameters, options.faces);
+  require_writable_folder(options.out);
+  write_both(options.out, main_surfaces(made));
+  const std::string ask = " " + (options.out / "ball.ply").string() + " " +
+                          (options.out / "socket.ply").string() + " --side " +
+                          std::string(word_of(parameters.side)) +
+                          write_parts(options.out, made.ball, made.ball_parts, "--ball-part") +
+                          write_parts(options.out, made.socket, made.socket_parts, "--socket-part");
+  out << "wrote               " << (options.out / "{ball.ply,socket.ply}").string() << ": a "
+      << word_of(parameters.side)
+      << " hip, axes RAS, the centre at the origin\nask it              impinge limits" << ask << std::endl;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all{kPair};
+  for (const std::string_view name : hip_preset_names()) all.emplace_back(name);
+  return all;
+}
+
+}  // namespace
+
+void add_hip_command(CLI::App& program, const Screen& screen, std::function<void()>& work) {
+  const auto options = std::make_shared<HipOptions>();
+  CLI::App& app = *program.add_subcommand("hip", "A generated hip as two meshes, to try the questions on.");
+  app.footer("Example: impinge hip cam --out cam_hip");
+  std::string listed;
+  for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
+  app.add_option("NAME", options->name, listed + " [normal]")
+      ->check(CLI::IsMember(names()).description(""))
+      ->type_name("");
+  app.add_option("--set", options->changes,
+                 "a parameter of the hip (hip/hip_parameters.hpp has all); once or more")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--faces", options->faces, "of each surface, about [12000]")
+      ->type_name("N")
+      ->check(in_range({20, 1e8}));
+  app.add_option("-o,--out", options->out, "folder for the meshes")->type_name("DIR")->required();
+  app.parse_complete_callback(
+      [options, &screen, &work] { work = [options, &screen] { make(*options, screen.out); }; });
+}
+
+}  // namespace impinge
