@@ -168,7 +168,7 @@ void run(const SceneOptions& options) {
     std::cerr << "scene: warning: " << one_line(warning) << std::endl;
   if (options.certificate) run_proof(session, options);
   if (options.volume) {
-    std::cout << describe_volume(write_volume(options, *session.joint, std::cerr));
+    std::cout << write_volume(options, session, std::cerr).words;
   } else if (options.many()) {
     run_poses(session, options);
   } else if (options.all_motions) {

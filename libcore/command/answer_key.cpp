@@ -36,9 +36,8 @@ std::string answer_key(const SessionJoint& joint, const Json& request, std::stri
   key = hash_of(std::span(joint.axes.data(), 9), key);
   if (const auto& map = joint.joint.cartilage)
     key = hash_of(std::span(map->thickness), hash_of(std::span(map->directions), key));
-  for (const std::string_view text :
-       {std::string_view(text_of(json_of(describe(joint, {})))), std::string_view(text_of(request)), version})
-    key = fnv1a(text, key);
+  key = fnv1a(text_of(json_of(describe(joint, {}))) + text_of(request), key);
+  key = fnv1a(version, key);
   return formatted("%016llx", static_cast<unsigned long long>(key));
 }
 

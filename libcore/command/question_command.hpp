@@ -112,5 +112,6 @@ QuestionCommand touch_question();
 QuestionCommand limits_question();
 QuestionCommand certify_question();
 QuestionCommand measure_question();
+QuestionCommand volume_question();
 
 }  // namespace impinge

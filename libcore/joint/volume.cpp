@@ -2,33 +2,57 @@
 #include "joint/volume.hpp"
 
 #include <algorithm>
-#include <utility>
+
+#include "hip/named_motion.hpp"
 
 namespace impinge {
 namespace {
 
-VolumeStop stop_of(const SessionJoint& joint, const CellTest& test, const MotionVolume& volume,
-                   const NamedMotion& motion) {
-  const MotionName& growing = motion_name(motion.growing);
-  const JointTurn turn = joint_turn(motion.start, growing, joint.side);
-  VolumeStop stop{&motion, volume.limit(turn, std::min(largest_growth(motion.start, growing), 180.0))};
-  if (!stop.limit.stops) return stop;
-  const CellHint& hint = stop.limit.stops->hint;
+std::optional<std::string> part_or_none(std::string name) {
+  return name.empty() ? std::nullopt : std::optional(std::move(name));
+}
+
+VolumeMotion motion_in(const MotionVolume& volume, const SessionJoint& joint, const CellTest& test,
+                       const NamedMotion& motion) {
+  const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), joint.side);
+  const VolumeLimit limit =
+      volume.limit(turn, std::min(largest_growth(motion.start, motion_name(motion.growing)), 180.0));
+  VolumeMotion found;
+  found.motion = motion.name;
+  found.low_deg = limit.low_deg;
+  found.high_deg = limit.high_deg;
+  if (!limit.stops) return found;
+  const CellHint& hint = limit.stops->hint;
   if (hint.socket_face == CellHint::kNone) {
-    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(stop.limit.stops->cell)), true)) {
-      stop.ball_part = body_name(joint.joint.ball.parts, pair->ball);
-      stop.socket_part = body_name(joint.joint.socket.parts, pair->socket);
+    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(limit.stops->cell)), true)) {
+      found.ball_part = part_or_none(body_name(joint.joint.ball.parts, pair->ball));
+      found.socket_part = part_or_none(body_name(joint.joint.socket.parts, pair->socket));
     }
-    return stop;
+    return found;
   }
   const DirectionFace& socket = test.surface(Surface::socket).faces()[hint.socket_face];
-  if (joint.dial)
-    stop.hours = joint.dial->hours(socket.range.low * socket.cap.axis + joint.axes * joint.shift);
-  stop.on_ball = test.ball_axis(hint);
-  return stop;
+  if (joint.dial) found.clock = clock_text(joint.dial->hours(socket.range.low * socket.cap.axis));
+  found.ball_direction = test.ball_axis(hint);
+  return found;
 }
 
 }  // namespace
+
+VolumeRow volume_row(const VolumeCell& at) {
+  const Quaternion4 q = centre(at.cell);
+  VolumeRow row{.level = at.cell.level,
+                .cell = at.cell.number,
+                .w = q[0],
+                .x = q[1],
+                .y = q[2],
+                .z = q[3],
+                .radius_deg = angular_radius(at.cell) / kDegree,
+                .share = share(at.cell),
+                .state = name(at.state),
+                .reachable = at.reachable};
+  if (!at.reachable && at.within_reach) row.reachable.reset();
+  return row;
+}
 
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
   const JointPart& of_ball = joint.joint.ball;
@@ -40,13 +64,26 @@ CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const 
           bone_parts({ball, of_ball.parts}, {facing, of_socket})};
 }
 
-VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request) {
-  const CellTest test = cell_test(joint, joint.mesh(Surface::socket), request.question);
-  VolumeAnswer answer{MotionVolume(test, request.settings), {}};
-  if (!joint.side) return answer;
+VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettings how) {
+  const SessionJoint& joint = *session.joint;
+  const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
+  how.width = request.width;
+  MotionVolume volume(test, how);
+  const VolumeShares& shares = volume.shares();
+  VolumeAnswer found{.share_low = shares.low(),
+                     .share_high = shares.high(),
+                     .reachable_low = shares.reached(),
+                     .reachable_high = shares.within_reach(),
+                     .neutral_blocked = shares.reachable_high == 0.0,
+                     .unknown = shares.unknown,
+                     .open = shares.open,
+                     .cells_asked = shares.cells,
+                     .motions = {},
+                     .volume = std::move(volume)};
+  if (!joint.side) return found;
   for (const NamedMotion& motion : named_motions())
-    answer.stops.push_back(stop_of(joint, test, answer.volume, motion));
-  return answer;
+    found.motions.push_back(motion_in(found.volume, joint, test, motion));
+  return found;
 }
 
 }  // namespace impinge

@@ -1,48 +1,138 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motion volume of a session's joint (rotations/volume.hpp), in the joint frame about the centre of the
-// ball.
+// All rotations of a session's joint (rotations/volume.hpp), in the joint frame about the centre of the ball,
+// without a shift.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
-#include "hip/named_motion.hpp"
+#include "files/fields.hpp"
 #include "joint/session.hpp"
 #include "rotations/volume.hpp"
 
 namespace impinge {
 
+struct VolumeRequest {
+  double width = 0.05;
+  double gap_mm = 0.0;
+  double centre_within_mm = 0.0;
+
+  static constexpr const char* kThresholdOption = "--gap";
+  double threshold_mm() const { return gap_mm; }
+
+  static constexpr auto fields() {
+    using Asked = VolumeRequest;
+    return std::tuple{
+        Field{"width", "1", "share of all rotations that may stay undecided, above 0 and up to 1",
+              &Asked::width, Range{.least = 0.0, .most = 1.0, .above = true}},
+        Field{"gap_mm", "mm", "gaps up to this count as contact, e.g. the cartilage's thickness",
+              &Asked::gap_mm, kNotNegative},
+        Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
+              &Asked::centre_within_mm, kNotNegative}};
+  }
+};
+
+/// What stops a motion, as far as the cells know.
+struct VolumeMotion {
+  std::string_view motion;
+  double low_deg = 0.0;
+  std::optional<double> high_deg;
+  std::optional<std::string> clock;
+  std::optional<Vec3> ball_direction;
+  std::optional<std::string> ball_part;
+  std::optional<std::string> socket_part;
+
+  static constexpr auto fields() {
+    using Stop = VolumeMotion;
+    return std::tuple{
+        Field{"motion", "", "its name (hip/named_motion.hpp)", &Stop::motion},
+        Field{"low_deg", "deg", "every rotation from its start to here is free", &Stop::low_deg},
+        Field{"high_deg", "deg", "here one is blocked; null where none is on the way", &Stop::high_deg},
+        Field{"clock", "", "on the dial, of the socket's face that may be touched first", &Stop::clock},
+        Field{"ball_direction", "1",
+              "unit vector to the ball's face that may be touched first, at rest: right, anterior, superior",
+              &Stop::ball_direction},
+        Field{"ball_part", "", "part of the ball that may be touched first; null: the ball itself",
+              &Stop::ball_part},
+        Field{"socket_part", "", "the same of the socket", &Stop::socket_part}};
+  }
+};
+
+struct VolumeAnswer {
+  double share_low = 0.0;
+  double share_high = 0.0;
+  double reachable_low = 0.0;
+  double reachable_high = 0.0;
+  bool neutral_blocked = false;
+  double unknown = 0.0;
+  double open = 0.0;
+  std::size_t cells_asked = 0;
+  std::vector<VolumeMotion> motions;
+  MotionVolume volume;
+
+  static constexpr auto fields() {
+    using Found = VolumeAnswer;
+    return std::tuple{
+        Field{"share_low", "1", "of all rotations that is free, at least", &Found::share_low},
+        Field{"share_high", "1", "at most", &Found::share_high},
+        Field{"reachable_low", "1",
+              "share that is reached from the pose of the scan without contact, at least",
+              &Found::reachable_low},
+        Field{"reachable_high", "1", "at most", &Found::reachable_high},
+        Field{"neutral_blocked", "", "is the pose of the scan?", &Found::neutral_blocked},
+        Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there", &Found::unknown},
+        Field{"open", "1", "share that is undecided", &Found::open},
+        Field{"cells_asked", "1", "cells of rotations that were decided", &Found::cells_asked},
+        Field{"motions", "", "each named motion; none without a side", &Found::motions}};
+  }
+};
+
+/// A cell of `volume`, as volume.csv has it.
+struct VolumeRow {
+  std::uint32_t level = 0;
+  std::uint64_t cell = 0;
+  double w = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double radius_deg = 0.0;
+  double share = 0.0;
+  std::string_view state;
+  std::optional<bool> reachable;
+
+  static constexpr auto fields() {
+    using Row = VolumeRow;
+    return std::tuple{
+        Field{"level", "1", "how often a cube was halved (rotations/rotation_cells.hpp)", &Row::level},
+        Field{"cell", "1", "its number among the cells of that level", &Row::cell},
+        Field{"w", "1", "of the quaternion of its middle, the largest coordinate 1: a rotation of the ball",
+              &Row::w},
+        Field{"x", "1", "likewise, about the axis to the right", &Row::x},
+        Field{"y", "1", "anterior", &Row::y},
+        Field{"z", "1", "superior", &Row::z},
+        Field{"radius_deg", "deg", "no rotation of the cell is farther from its middle", &Row::radius_deg},
+        Field{"share", "1", "of all rotations", &Row::share},
+        Field{"state", "", "free, blocked, unknown, or open: undecided", &Row::state},
+        Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
+              &Row::reachable}};
+  }
+};
+VolumeRow volume_row(const VolumeCell& at);
+
 /// Most cells that programs allow, which take some gigabytes of memory.
 inline constexpr std::size_t kMostVolumeCells = 20'000'000;
 
-/// What is asked, and how finely.
-struct VolumeRequest {
-  CellQuestion question;    // contact, a gap, or an uncertain centre
-  VolumeSettings settings;  // when to stop
-};
+/// The width of `how` is that of the request. std::invalid_argument as for CellTest and MotionVolume.
+VolumeAnswer answer(Session& session, const VolumeRequest& request,
+                    VolumeSettings how = {.most_cells = kMostVolumeCells});
 
 /// The test for cells of rotations, parts of bone included. `socket` is the socket's mesh with its parts,
 /// about the centre of the ball (SessionJoint::seen) or as it was before the ball was shifted.
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question = {});
-
-/// What stops a motion.
-struct VolumeStop {
-  const NamedMotion* motion;
-  VolumeLimit limit;
-  std::optional<double> hours = {};  // on the dial, of the socket's face that may be touched first
-  std::optional<Vec3> on_ball = {};  // unit direction of the ball's face, in the ball at rest, joint frame
-  std::string ball_part = {};        // part of the ball that may be touched first; empty: none
-  std::string socket_part = {};      // the same of the socket
-};
-
-struct VolumeAnswer {
-  MotionVolume volume;
-  std::vector<VolumeStop> stops;  // of all named motions; none without a side
-};
-
-/// std::invalid_argument as for CellTest and MotionVolume.
-VolumeAnswer answer_volume(const SessionJoint& joint, const VolumeRequest& request);
 
 }  // namespace impinge

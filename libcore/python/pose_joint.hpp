@@ -22,6 +22,7 @@
 #include "joint/resection.hpp"
 #include "joint/scan_contact.hpp"
 #include "joint/session.hpp"
+#include "joint/volume.hpp"
 
 namespace impinge::python {
 
@@ -46,10 +47,10 @@ class PoseJoint {
 
   /// These answer one call at a time: a second thread waits.
   SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
-  template <class Request>
-  auto ask(const Request& request) {
+  template <class Request, class... How>
+  auto ask(const Request& request, const How&... how) {
     const std::scoped_lock lock(busy_);
-    return impinge::answer(session_, request);
+    return impinge::answer(session_, request, how...);
   }
   ResectionAnswer resection(const ResectionRequest& request);
   OrientationAnswer orientation(const OrientationRequest& request);

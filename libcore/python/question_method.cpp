@@ -16,9 +16,16 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
     if (given.contains(name)) throw py::type_error("'" + name.cast<std::string>() + "' is given twice");
     given[name] = value;
   }
+  const auto dumps = py::module_::import("json").attr("dumps");
   const auto plain = py::cpp_function([](const py::object& value) { return value.attr("tolist")(); });
-  return Json::parse(
-      py::module_::import("json").attr("dumps")(given, py::arg("default") = plain).cast<std::string>());
+  Json arguments = Json::object();
+  for (const auto& [name, value] : given) {
+    const auto key = name.cast<std::string>();
+    const auto text = dumps(value, py::arg("default") = plain).cast<std::string>();
+    if ((arguments[key] = Json::parse(text, nullptr, /*allow_exceptions=*/false)).is_discarded())
+      throw std::invalid_argument(key + ": " + text + " is not finite; give a number");  // NaN, Infinity
+  }
+  return arguments;
 }
 
 py::object object_of(const Json& document) {

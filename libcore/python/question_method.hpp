@@ -36,19 +36,26 @@ std::string docstring_of(std::string_view text) {
   return lines;
 }
 
-/// Adds the method. `more(joint, answer, dict)` adds what is no JSON, such as arrays.
+template <class Request>
+auto ask_once(PoseJoint& joint, const Request& request) {
+  return joint.ask(request);
+}
+
+/// Adds the method. `more(joint, answer, dict)` adds what is no JSON, such as arrays; `ask`, without Python's
+/// lock, may look for interrupts.
 template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
-                   void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr) {
+                   void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,
+                   Answer (*ask)(PoseJoint&, const Request&) = &ask_once<Request>) {
   joint.def(
       name,
-      [more](PoseJoint& self, const py::args& args, const py::kwargs& named) {
+      [more, ask](PoseJoint& self, const py::args& args, const py::kwargs& named) {
         std::vector<std::string_view> fields;
         for_each_field<Request>([&](const auto& field) { fields.push_back(field.name); });
         Request request;
         read_request(json_of_arguments(args, named, fields), request);
         std::optional<Answer> found;
-        without_lock(1, [&](std::size_t) { found = self.ask(request); });
+        without_lock(1, [&](std::size_t) { found.emplace(ask(self, request)); });
         py::dict answer = object_of(json_of(*found));
         if (more != nullptr) more(self, *found, answer);
         return answer;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/asked.hpp"
 
-#include <cstdint>
-
+#include "command/answer_key.hpp"
 #include "files/file_bytes.hpp"
 #include "files/formatted.hpp"
 #include "scene/json_values.hpp"
@@ -103,11 +102,6 @@ void add_part_names(const Joint& joint, const std::string& ball, const std::stri
   const auto named = [](const std::string& name) { return name.empty() ? json(nullptr) : json(name); };
   if (!joint.ball.parts.empty()) found["ball_part"] = named(ball);
   if (!joint.socket.parts.empty()) found["socket_part"] = named(socket);
-}
-
-std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start) {
-  for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  return start;
 }
 
 std::string asked_key(const SceneOptions& options, const Joint& joint, std::string_view more) {

@@ -2,7 +2,6 @@
 // Records what was asked, so that an answer can be reproduced.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -25,10 +24,6 @@ void add_taken(const JointPart& part, nlohmann::json& found);
 /// socket_part: null for the main surface, no key if the joint has no parts on that side.
 void add_part_names(const Joint& joint, const std::string& ball, const std::string& socket,
                     nlohmann::json& found);
-
-inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325U;  // hash of no bytes
-/// Hash FNV-1a of 64 bits (Fowler, Noll, Vo). `start` is the hash of the bytes before these.
-std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start = kFnvStart);
 
 /// Hash (fnv1a(), 16 hexadecimal digits) of what an answer depends on: the bytes of meshes and landmark file,
 /// asked_json() and `more`.

@@ -114,7 +114,7 @@ json answer_joint(Session& session, const SceneOptions& options, std::ostream& l
   SessionJoint& joint = *session.joint;
   if (options.volume) {
     require_writable_folder(options.out);
-    return write_volume(options, joint, log);
+    return write_volume(options, session, log).document;
   }
   if (!options.change) return question_summary(options, joint, answer_question(joint, options));
   Stopwatch watch;

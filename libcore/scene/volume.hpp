@@ -3,28 +3,17 @@
 #pragma once
 
 #include <ostream>
-#include <string>
 
-#include <nlohmann/json.hpp>
-
-#include "joint/session.hpp"
+#include "command/question_command.hpp"
+#include "joint/volume.hpp"
 #include "scene/options.hpp"
 
 namespace impinge {
 
-/// Refines the motion volume and writes to options.out
-///   volume.csv   a row a cell: level, cell (its number), w, x, y, z (quaternion of its middle, scaled to a
-///                largest coordinate of 1: a rotation of the ball in the joint frame), radius_deg, share of
-///                all rotations, state, reachable (yes: certainly without contact from the pose of the scan;
-///                no: certainly not; else empty)
-///   volume.svg   if the side is known: the picture of volume_picture.hpp
-///   volume.json  the summary, which is returned
-/// Until these are complete, "volume-KEY.part" holds what was worked out: a later run goes on from there and
-/// ends with the same bytes. A line of progress every few seconds goes to `log`. FileError if a file cannot
-/// be written.
-nlohmann::json write_volume(const SceneOptions& options, const SessionJoint& joint, std::ostream& log);
+Told tell_volume(Session& session, const VolumeRequest& request, const Work& work);  // command/volume.cpp
 
-/// volume.json as text for a terminal.
-std::string describe_volume(const nlohmann::json& found);
+/// Writes volume.csv, volume.svg if the side is known, and volume.json to options.out. FileError if a file
+/// cannot be written.
+Told write_volume(const SceneOptions& options, Session& session, std::ostream& log);
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`scene` where it writes a table: all motions, measures, and every joint of a folder. Rows of a table are those of the
-questions asked one by one. SCENE and MAKE_PAIR name the two programs; IMPINGE_BONES may name a folder of real joints.
+questions asked one by one. SCENE, IMPINGE and MAKE_PAIR name the programs; IMPINGE_BONES may name a folder of real joints.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import unittest
 from pathlib import Path
 
 SCENE = os.environ["SCENE"]
+IMPINGE = os.environ["IMPINGE"]
 MAKE_PAIR = os.environ["MAKE_PAIR"]
 MOTIONS = ["flexion", "extension", "abduction", "adduction", "internal_rotation", "external_rotation"]
 CLINICAL = ["internal_rotation_at_45", "internal_rotation_at_70", "internal_rotation_at_90", "external_rotation_at_90", "fadir",
@@ -135,11 +136,30 @@ class Tables(unittest.TestCase):
                              (smallest["gap_mm"], smallest["surface"], smallest["vertex"]))
         self.assertEqual({row["touch"] for row in rows}, {"yes"})
 
-    def test_volume_and_changes_of_a_folder_are_those_of_its_joints(self):
+    def test_the_volume_of_a_folder_is_that_of_its_joints(self):
+        def ask(out, *words):
+            done = run(IMPINGE, "volume", *words, "--out", self.root / out, "--width", "0.3")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return self.root / out
+
+        every = ask("volume", "--joints", self.bones)
+        rows = rows_of(every / "joints.csv")
+        self.assertEqual([row.pop("joint") for row in rows], ["a_right", "b_left"])
+        for row, name in zip(rows, ("a_right", "b_left")):
+            folder = self.bones / name
+            alone = ask(f"volume_{name}", folder / "ball.ply", folder / "socket.ply", "--side", name.split("_")[1], "--centre", "0,0,0")
+            said = json.loads((alone / "volume.json").read_text())
+            self.assertEqual(list(row), ["share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"])
+            self.assertEqual([float(cell) for cell in row.values()], [said[key] for key in row])
+            for of in (alone, every / name):
+                self.assertEqual(sorted(file.name for file in of.iterdir()), ["summary.json", "volume.csv", "volume.json", "volume.svg"])
+            for file in ("volume.csv", "volume.json", "volume.svg"):
+                self.assertEqual((every / name / file).read_bytes(), (alone / file).read_bytes(), file)
+
+    def test_changes_of_a_folder_are_those_of_its_joints(self):
         required = ("--require", "flexion=100,internal_rotation=25")
-        asked = {"volume": ("--width", "0.3"), "resection": required, "orientation": (*required, "--tilt", "5")}
+        asked = {"resection": required, "orientation": (*required, "--tilt", "5")}
         numbers = {
-            "volume": lambda said: [said[key] for key in ("share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open")],
             "resection": lambda said: [*said["volume_mm3"], *said["area_mm2"], *said["depth_mm"]],
             "orientation": lambda said: [said["as_scanned"][key] for key in ("inclination_deg", "anteversion_deg", "state")]
             + [said["area_deg2"][key] for key in ("free", "blocked", "unknown", "open")],

@@ -13,6 +13,7 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "hip/named_motion.hpp"
 #include "joint/limits.hpp"
 #include "joint/measurement.hpp"
 #include "joint/orientation.hpp"
@@ -98,21 +99,21 @@ TEST(Parts, TouchInPosesBehindTheLimit) {
 TEST(Parts, AreInVolumeAndOrientation) {
   Session session = session_of(make_hip(test::hip_with_parts(), 1000));
   Session without = session_of(make_hip({}, 1000));
-  VolumeRequest request;
-  request.settings.width = 0.08;
-  const VolumeAnswer found = answer_volume(*session.joint, request);
-  const VolumeAnswer alone = answer_volume(*without.joint, request);
-  EXPECT_LT(found.volume.shares().high(), alone.volume.shares().high());
+  const VolumeAnswer found = answer(session, VolumeRequest{.width = 0.08});
+  const VolumeAnswer alone = answer(without, VolumeRequest{.width = 0.08});
+  EXPECT_LT(found.share_high, alone.share_high);
   std::size_t by_spine = 0;
-  for (std::size_t k = 0; k < found.stops.size(); ++k) {
-    const VolumeStop& stop = found.stops[k];
-    const auto [start, growing] = std::pair(stop.motion->start, std::string(stop.motion->growing));
-    const TurnLimit limit = answer_limits(session, {.start = start, .growing = growing}).contact.told.limit;
-    EXPECT_LE(stop.limit.low_deg, limit.high_deg + 1e-6) << stop.motion->name;
-    if (stop.limit.high_deg) {
-      EXPECT_GE(*stop.limit.high_deg, limit.low_deg - 1e-6) << stop.motion->name << " " << limit.high_deg;
+  for (std::size_t k = 0; k < found.motions.size(); ++k) {
+    const NamedMotion& motion = named_motions()[k];
+    const VolumeMotion& stop = found.motions[k];
+    const LimitRequest asked{.start = motion.start, .growing = std::string(motion.growing)};
+    const TurnLimit limit = answer_limits(session, asked).contact.told.limit;
+    EXPECT_EQ(stop.motion, motion.name);
+    EXPECT_LE(stop.low_deg, limit.high_deg + 1e-6) << motion.name;
+    if (stop.high_deg) {
+      EXPECT_GE(*stop.high_deg, limit.low_deg - 1e-6) << motion.name << " " << limit.high_deg;
     }
-    EXPECT_TRUE(alone.stops[k].socket_part.empty());
+    EXPECT_FALSE(alone.motions[k].socket_part);
     by_spine += stop.socket_part == "AIIS" ? 1U : 0U;
   }
   EXPECT_GE(by_spine, 1U);

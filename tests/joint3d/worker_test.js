@@ -147,7 +147,7 @@ test('limits are those of a sweep, and measures those that a hip was made with',
 test('the volume agrees with gaps and limits', async () => {
   const volume = await one('volume', { width: 0.2 });
   assert.equal(volume.error, undefined);
-  const { low, high, reachable_low: least, reachable_high: most, flexion, abduction, internal_rotation: rotation, states } = volume;
+  const { share_low: low, share_high: high, reachable_low: least, reachable_high: most, flexion, abduction, internal_rotation: rotation, states } = volume;
   assert.ok(0 < least && least <= low + 1e-6 && low < high && most <= high + 1e-6 && high < 1 && high - low <= 0.2 + 1e-6, JSON.stringify([least, low, most, high]));
   assert.equal(states.length, flexion.count * abduction.count * rotation.count);
   const at = (axis, angle) => (angle - axis.least) / axis.step;
@@ -165,7 +165,7 @@ test('the volume agrees with gaps and limits', async () => {
     reached += state(f, a, r) === 2;
   }
   assert.ok(blocked > 40 && reached > 10, `${blocked} blocked, ${reached} reached`);
-  assert.match((await one('volume', { width: 0 })).error, /choose a width from 0.02/);
+  assert.match((await one('volume', { width: 0.01 })).error, /choose a width from 0.02/);
 });
 
 // Gaps, curve and limit are along rays from the ball's own centre: a shift that brings bones together at the start is a limit

@@ -11,7 +11,7 @@ import subprocess
 import impinge
 import jsonschema
 import pytest
-from shared import ROOT, program
+from shared import ROOT, program, table
 
 SMALL = 1.4e-9  # mm, mm^2, degrees
 # The question, what is asked, and how much the numbers of the page may differ.
@@ -24,6 +24,7 @@ QUESTIONS = [
     ("touch", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80", "surfaces": "ball", "outputs": "gaps", "scheme": "rsid", "precision_deg": 2}, SMALL),
+    ("volume", {"width": 0.3, "gap_mm": 0.2}, 1e-6),
 ]
 
 
@@ -64,6 +65,17 @@ def test_the_program_and_python(floats, question, request_):
     jsonschema.validate(document, json.loads(program("IMPINGE", question, "--schema").stdout))
     ours = impinge.Joint.read(*floats, side="right").ask(question, **request_)
     assert different({key: ours[key] for key in document["answer"]}, document["answer"], 0.0) is None
+
+
+def test_cells_are_the_rows_of_volume(floats, tmp_path):
+    done = program("IMPINGE", "volume", *floats, "--width", 0.3, "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    rows, cells = table(tmp_path, "volume.csv"), impinge.Joint.read(*floats).volume(width=0.3)["cells"]
+    assert len(rows) == len(cells) > 500
+    for key in ("level", "cell", "w", "x", "y", "z", "radius_deg", "share"):
+        assert (cells[key] == [float(row[key]) for row in rows]).all(), key
+    assert [("free", "blocked", "unknown", "open")[k] for k in cells["state"]] == [row["state"] for row in rows]
+    assert [{1: "yes", 0: "no", -1: ""}[k] for k in cells["reachable"]] == [row["reachable"] for row in rows]
 
 
 def test_the_page(floats):

@@ -59,7 +59,7 @@ def ask_page(floats):
     pose = {**POSE, "cartilage_mm": 4}
     asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
              "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
-             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "volume": {"width": 0.3}, "measure": {},
+             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "measure": {},
              "resection": {"required": "; ".join(REQUIRED), "clearance_mm": 0.4},
              "orientation": {"required": "flexion=30", "tilt_deg": 5, "resolution_deg": 0.75}}
     done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(asked)], capture_output=True, text=True, check=False)
@@ -134,27 +134,6 @@ def test_limits_of_the_page(page, floats, tmp_path):
         assert one["state"] != "limited" or high - low < 1e-6, one
         for key, most in (("centre_low_deg", FINEST), ("centre_high_deg", 1e-6), ("half_mm_gap_deg", 1e-6)):
             assert number(one[key]) == pytest.approx(number(other[key]), abs=most), (one, key)
-
-
-def test_volume(joint, floats, tmp_path):
-    scene(floats, tmp_path, "--question", "volume", "--width", "0.3", "--gap", "0.2")
-    theirs, ours = written(tmp_path, "volume.json"), joint.volume(width=0.3, gap_mm=0.2)
-    for key in ("share_low", "share_high", "reachable_low", "reachable_high", "neutral_blocked", "unknown", "open", "cells_asked"):
-        assert ours[key] == theirs[key], key
-    assert [(m["motion"], m["low_deg"], m["high_deg"]) for m in ours["motions"]] == [
-        (m["motion"], m["low_deg"], m["high_deg"]) for m in theirs["motions"]]
-    rows, cells = table(tmp_path, "volume.csv"), ours["cells"]
-    assert len(rows) == len(cells) > 500
-    for key in ("level", "cell", "w", "x", "y", "z", "radius_deg", "share"):
-        assert (cells[key] == [float(row[key]) for row in rows]).all(), key
-    assert [("free", "blocked", "unknown", "open")[k] for k in cells["state"]] == [row["state"] for row in rows]
-    assert [{1: "yes", 0: "no", -1: ""}[k] for k in cells["reachable"]] == [row["reachable"] for row in rows]
-
-
-def test_volume_of_the_page(page, joint):
-    ours, mine = joint.volume(width=0.3), page["volume"]
-    assert near([mine[key] for key in ("low", "high", "reachable_low", "reachable_high")],
-                [ours[key] for key in ("share_low", "share_high", "reachable_low", "reachable_high")])
 
 
 def test_resection(joint, floats, tmp_path):

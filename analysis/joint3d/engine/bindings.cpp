@@ -15,6 +15,7 @@
 #include "joint/gaps.hpp"
 #include "joint/joint_files.hpp"
 #include "joint/measures.hpp"
+#include "joint/volume.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
 #include "volume.hpp"
@@ -82,19 +83,30 @@ val ask_sweep(const val& request) {
                      answer_limits(session(), limits));
 }
 
-// A request that files/fields.hpp describes, and the document of its answer.
+// A request that files/fields.hpp describes.
 template <class Request>
-val ask_question(const val& request) {
+Request described(const val& request) {
   require_joint();
   Request asked;
   if (is_given(request))
     read_request(Json::parse(val::global("JSON").call<std::string>("stringify", request)), asked);
-  return val_of(json_of(answer(session(), asked)));
+  return asked;
+}
+
+template <class Request>
+val ask_question(const val& request) {
+  return val_of(json_of(answer(session(), described<Request>(request))));
 }
 
 val ask_volume(const val& request) {
-  require_joint();
-  return volume_reply(*session().joint, width_request(request));
+  const auto asked = described<VolumeRequest>(request);
+  if (asked.width < 0.02)
+    throw std::invalid_argument(
+        "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
+  const VolumeAnswer found = answer(session(), asked, {.threads = 1});
+  val reply = val_of(json_of(found));
+  add_states(found.volume, session().joint->side, reply);
+  return reply;
 }
 
 val ask_resection(const val& request) {

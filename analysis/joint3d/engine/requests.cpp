@@ -181,13 +181,6 @@ OrientationRequest orientation_request(const val& request, std::optional<Side> s
   return asked;
 }
 
-double width_request(const val& request) {
-  const double width = number_of(request, "width", 0.05);
-  if (width >= 0.02 && width <= 1.0) return width;
-  throw std::invalid_argument(
-      "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
-}
-
 double step_request(const val& request) {
   const double step_deg = number_of(request, "step_deg", 1.0);
   if (!(step_deg >= 0.1)) refuse_sweep();

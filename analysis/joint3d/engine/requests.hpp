@@ -22,8 +22,6 @@ double step_request(const val& request);  // of a sweep, degrees
 ResectionRequest resection_request(const val& request, std::optional<Side> side);
 OrientationRequest orientation_request(const val& request, std::optional<Side> side);
 
-double width_request(const val& request);  // of a volume: the share of all rotations that may stay open
-
 // "uint16", "float" or "double".
 std::string_view storage_name(Storage storage);
 

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 
 #include "hip/motion.hpp"
-#include "joint/volume.hpp"
 
 namespace impinge {
 namespace {
@@ -46,15 +45,11 @@ std::vector<std::uint8_t> states_of(const MotionVolume& volume, std::optional<Si
 
 }  // namespace
 
-val volume_reply(const SessionJoint& joint, double width) {
-  const MotionVolume volume(cell_test(joint, joint.joint.socket.mesh), {.width = width, .threads = 1});
-  const VolumeShares& found = volume.shares();
-  return object(
-      std::pair("low", found.low()), std::pair("high", found.high()),
-      std::pair("reachable_low", found.reachable_low), std::pair("reachable_high", found.reachable_high),
-      std::pair("cells", static_cast<double>(found.cells)), std::pair("flexion", axis_value(kFlexion)),
-      std::pair("abduction", axis_value(kAbduction)), std::pair("internal_rotation", axis_value(kRotation)),
-      std::pair("states", typed_array(states_of(volume, joint.side))));
+void add_states(const MotionVolume& volume, std::optional<Side> side, val& reply) {
+  reply.set("flexion", axis_value(kFlexion));
+  reply.set("abduction", axis_value(kAbduction));
+  reply.set("internal_rotation", axis_value(kRotation));
+  reply.set("states", typed_array(states_of(volume, side)));
 }
 
 }  // namespace impinge

@@ -36,7 +36,7 @@ export class VolumePanel extends ApartPanel {
   }
 
   draw() {
-    const { flexion, abduction, low, high, reachable_low: least, reachable_high: most } = this.found;
+    const { flexion, abduction, share_low: low, share_high: high, reachable_low: least, reachable_high: most } = this.found;
     const [x, y] = [place(flexion, MAP.left, MAP.width - MAP.right), place(abduction, HEIGHT - MAP.bottom, MAP.top)];
     const [wide, tall] = [x(flexion.step) - x(0), y(0) - y(abduction.step)];
     const cells = Array.from({ length: flexion.count * abduction.count }, (_, k) => {

@@ -41,13 +41,15 @@ class Limit(TypedDict):
     position: tuple[float, float, float] | None  # the same, frame of the meshes
 
 class VolumeMotion(TypedDict):
-    """How far one of the named motions goes (`scene --motion all`), as far as the cells know; degrees from its start."""
+    """How far one of the named motions goes, as far as the cells know; degrees from its start."""
 
     motion: str
     low_deg: float  # every rotation up to here is free
     high_deg: float | None  # here one is blocked
-    clock: float | None  # hours, of the socket's face that may be touched first
-    ball_direction: tuple[float, float, float] | None  # unit vector to the ball's, at rest; right, anterior, superior
+    clock: str | None  # as 1:30, of the socket's face that may be touched first
+    ball_direction: list[float] | None  # unit vector to the ball's, at rest; right, anterior, superior
+    ball_part: str | None  # part of the ball that may be touched first
+    socket_part: str | None
 
 class Volume(TypedDict):
     """All rotations of the ball about its centre, with the names of volume.json. Shares are of all rotations."""
@@ -250,7 +252,7 @@ class Joint:
     ) -> list[Limit]:
         """How far flexion, extension, abduction, adduction, internal_rotation and external_rotation go from a start (the
         pose of the scan) until bones touch, about both centres, and until a gap falls to the cartilage's thickness."""
-    def volume(self, *, width: float = 0.05, gap_mm: float = 0.0, centre_within_mm: float = 0.0) -> Volume:
+    def volume(self, width: float = 0.05, gap_mm: float = 0.0, centre_within_mm: float = 0.0) -> Volume:
         """Of all rotations, which are free, and which can be reached from the pose of the scan: cells of rotations are
         halved until no more than `width` of all rotations is undecided. A gap of gap_mm counts as contact; with
         centre_within_mm for every centre within that. `cells` has the fields of volume.csv: level, cell (its number), w,

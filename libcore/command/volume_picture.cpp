@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/volume_picture.hpp"
+#include "command/volume_picture.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint/volume.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "command/answer_key.hpp"
+#include "command/question_command.hpp"
+#include "command/volume_picture.hpp"
+#include "files/file_bytes.hpp"
+#include "files/formatted.hpp"
+#include "files/rows.hpp"
+#include "files/temporary_file.hpp"
+
+namespace impinge {
+namespace {
+
+// Of the test of a cell and the order of cells: verdicts of another one are not taken.
+constexpr const char* kVerdicts = "volume 2";
+
+// Verdicts of an interrupted run, as bytes: four words each, and a fifth that only those of this place,
+// question and version have. What does not match is worked out again, with all that follows.
+class VerdictFile {
+ public:
+  VerdictFile(const std::filesystem::path& folder, const std::string& key)
+      : file_(folder / ("volume-" + key + ".part")), key_(fnv1a(key)) {
+    std::error_code unreadable;
+    if (std::filesystem::is_regular_file(file_, unreadable) &&
+        std::filesystem::file_size(file_, unreadable) > 0)
+      read(read_bytes(file_));
+    std::string bytes;
+    for (std::size_t k = 0; k < known_.size(); ++k) bytes += bytes_of(known_[k], k);
+    write_bytes(file_, bytes);  // a killed run may have cut a verdict
+    out_.open(file_, std::ios::binary | std::ios::app);
+    require_good();
+  }
+
+  const std::vector<CellVerdict>& known() const { return known_; }
+
+  // Those that are known already are not written again.
+  void add(std::span<const CellVerdict> verdicts) {
+    const std::size_t again = std::min(verdicts.size(), known_.size() - std::min(known_.size(), seen_));
+    std::string bytes;
+    for (std::size_t k = again; k < verdicts.size(); ++k) bytes += bytes_of(verdicts[k], seen_ + k);
+    seen_ += verdicts.size();
+    out_ << bytes << std::flush;
+    require_good();
+  }
+
+  ~VerdictFile() {
+    if (seen_ == 0 && known_.empty()) remove();
+  }
+  VerdictFile(const VerdictFile&) = delete;
+  VerdictFile& operator=(const VerdictFile&) = delete;
+
+  void remove() {
+    out_.close();
+    std::error_code ignored;
+    std::filesystem::remove(file_, ignored);
+  }
+
+ private:
+  using Words = std::array<std::uint32_t, 5>;
+
+  std::string bytes_of(const CellVerdict& verdict, std::size_t place) const {
+    const CellHint& hint = verdict.hint;
+    Words words{hint.ball_face, hint.socket_face, hint.vertex,
+                static_cast<std::uint32_t>(verdict.state) + (hint.of_ball ? 4U : 0U)};
+    std::string bytes(sizeof words, '\0');
+    std::memcpy(bytes.data(), words.data(), sizeof words);
+    words.back() = static_cast<std::uint32_t>(fnv1a(bytes, key_ + place) >> 32U);
+    std::memcpy(bytes.data(), words.data(), sizeof words);
+    return bytes;
+  }
+  void read(const std::string& bytes) {
+    Words words;
+    for (std::size_t at = 0; at + sizeof words <= bytes.size(); at += sizeof words) {
+      std::memcpy(words.data(), bytes.data() + at, sizeof words);
+      const CellVerdict verdict{static_cast<CellState>(words[3] % 4),
+                                {words[0], words[1], words[2], words[3] >= 4}};
+      if (words[3] >= 8 || bytes.compare(at, sizeof words, bytes_of(verdict, known_.size())) != 0) return;
+      known_.push_back(verdict);
+    }
+  }
+  void require_good() const {
+    if (!out_) fail_writing(file_, errno);
+  }
+
+  std::filesystem::path file_;
+  std::uint64_t key_;
+  std::vector<CellVerdict> known_;
+  std::size_t seen_ = 0;
+  std::ofstream out_;
+};
+
+std::string csv_line(const std::vector<Cell>& cells) {
+  std::string line;
+  for (const Cell& cell : cells) line += (line.empty() ? "" : ",") + cell.text();
+  return line + "\n";
+}
+
+void write_cells(const std::filesystem::path& path, const MotionVolume& volume) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 24;
+  TemporaryFile file(path);
+  std::string text;
+  for (const Column& column : columns_of<VolumeRow>()) text += (text.empty() ? "" : ",") + column.name;
+  text += "\n";
+  volume.for_each([&](const VolumeCell& at) {
+    text += csv_line(cells_of(volume_row(at)));
+    if (text.size() < kAtOnce) return;
+    file.write(text);
+    text.clear();
+  });
+  file.write(text);
+  file.rename();
+}
+
+std::string words_of_volume(const VolumeAnswer& found, double width) {
+  std::string text = formatted("free                %.2f to %.2f %% of all rotations",
+                               100.0 * found.share_low, 100.0 * found.share_high);
+  if (found.unknown > 0.0)
+    text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * found.unknown);
+  if (found.neutral_blocked) return text + "\nreachable           none: the pose of the scan is blocked\n";
+  text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
+                    100.0 * found.reachable_low, 100.0 * found.reachable_high);
+  if (found.open > width)
+    text += formatted("undecided           %.2f %%: more than was wanted, after %zu cells\n",
+                      100.0 * found.open, found.cells_asked);
+  return text;
+}
+
+// Until it is complete, volume-KEY.part holds what was worked out: a later run goes on from there and ends
+// with the same bytes.
+VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work& work) {
+  std::optional<VerdictFile> part;
+  if (work.out) part.emplace(*work.out, answer_key(*session.joint, json_of(request), kVerdicts));
+  VolumeSettings how{.most_cells = kMostVolumeCells, .threads = work.threads};
+  if (part) how.known = part->known();
+  if (!how.known.empty()) work.say(std::to_string(how.known.size()) + " cells were decided before");
+  Stopwatch watch;
+  double silent_ms = 0.0;
+  std::size_t cells = 0;
+  how.reached = [&](std::span<const CellVerdict> batch, double open) {
+    if (part) part->add(batch);
+    cells += batch.size();
+    constexpr double kSilence = 2000.0;  // ms
+    if ((silent_ms += watch.lap_ms()) < kSilence) return;
+    silent_ms = 0.0;
+    work.say(std::to_string(cells) +
+             formatted(" cells, %.3f of all rotations open, %.3f wanted", open, request.width));
+  };
+  VolumeAnswer found = answer(session, request, how);
+  if (work.out) write_cells(*work.out / "volume.csv", found.volume);
+  if (part) part->remove();
+  return found;
+}
+
+}  // namespace
+
+Told tell_volume(Session& session, const VolumeRequest& request, const Work& work) {
+  const VolumeAnswer found = refined(session, request, work);
+  Told told{.words = words_of_volume(found, request.width), .document = json_of(found)};
+  for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
+    told.rows_of_one.push_back("/" + std::string(share));
+  if (!work.out) return told;
+  told.wrote = {"volume.csv"};
+  if (session.joint->side)
+    told.files.push_back({"volume.svg", volume_picture(found.volume, *session.joint->side)});
+  told.files.push_back({"volume.json", text_of(told.document)});
+  return told;
+}
+
+QuestionCommand volume_question() {
+  return question_of<VolumeRequest, VolumeAnswer>(
+      "volume", "Which share of all rotations is free of contact, and can be reached: proven, to the edges.",
+      "femur.ply pelvis.ply --side left --width 0.01", &tell_volume);
+}
+
+}  // namespace impinge

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cells that `impinge volume` writes sum to all rotations, and an interrupted run ends with the same
+// bytes.
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "command/answer_key.hpp"
+#include "command/program.hpp"
+#include "files/file_bytes.hpp"
+#include "hip/named_motion.hpp"
+#include "mesh/generated_pair.hpp"
+#include "mesh/ply_writer.hpp"
+#include "rotations/rotation_cells.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace impinge {
+namespace {
+
+// The cam's pair, asked for all rotations into the folder of that name.
+class VolumeCommand : public testing::Test {
+ protected:
+  VolumeCommand() {
+    const BallSocketPair pair = make_ball_socket_pair(400, impinging_cam());
+    write_ply(folder_.path() / "ball.ply", pair.ball);
+    write_ply(folder_.path() / "socket.ply", pair.socket);
+  }
+  // Its exit code; what it says beside the answer goes to `log_`.
+  int run(const std::filesystem::path& out) {
+    const std::string ball = folder_.path() / "ball.ply";
+    const std::string socket = folder_.path() / "socket.ply";
+    const std::vector<const char*> words{"impinge",  "volume", ball.c_str(), socket.c_str(),
+                                         "--centre", "0,0,0",  "--side",     "right",
+                                         "--width",  "0.3",    "--out",      out.c_str()};
+    std::ostringstream out_of;
+    log_.str("");
+    return run_program(static_cast<int>(words.size()), words.data(), out_of, log_);
+  }
+
+  test::TemporaryFolder folder_;
+  std::ostringstream log_;
+};
+
+TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
+  const std::filesystem::path out = folder_.path() / "whole";
+  ASSERT_EQ(run(out), 0);
+  const Json found = Json::parse(read_bytes(out / "volume.json"));
+  EXPECT_EQ(Json::parse(read_bytes(out / "summary.json"))["answer"], found);
+  std::istringstream rows(read_bytes(out / "volume.csv"));
+  std::string row;
+  std::getline(rows, row);
+  EXPECT_EQ(row, "level,cell,w,x,y,z,radius_deg,share,state,reachable");
+  double free = 0.0;
+  double all = 0.0;
+  while (std::getline(rows, row)) {
+    std::vector<std::string> cells;
+    std::istringstream line(row + ",");
+    for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 10U) << row;
+    all += std::stod(cells[7]);
+    free += cells[8] == "free" ? std::stod(cells[7]) : 0.0;
+  }
+  EXPECT_NEAR(all, 1.0, kShareError);
+  EXPECT_NEAR(free, found["share_low"].get<double>(), 2.0 * kShareError);
+  EXPECT_LE(found["open"].get<double>(), 0.3);
+  EXPECT_EQ(found["motions"].size(), named_motions().size());
+  EXPECT_TRUE(read_bytes(out / "volume.svg").starts_with("<svg"));
+}
+
+TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
+  const std::filesystem::path whole = folder_.path() / "whole";
+  const std::filesystem::path again = folder_.path() / "again";
+  ASSERT_EQ(run(whole), 0);
+  std::filesystem::create_directories(again / "volume.csv");  // which cannot be written then
+  EXPECT_EQ(run(again), 1);
+  std::filesystem::path part;
+  for (const auto& file : std::filesystem::directory_iterator(again))
+    if (file.path().extension() == ".part") part = file.path();
+  ASSERT_FALSE(part.empty());
+  std::filesystem::remove(again / "volume.csv");
+  const std::string verdicts = read_bytes(part);
+  std::string changed = verdicts;
+  changed[12 + 20 * (verdicts.size() / 40)] ^= 1;  // the state of a cell half way
+  for (const std::string& left : {verdicts.substr(0, verdicts.size() / 2 + 7),  // killed in a verdict
+                                  std::string(), std::string(verdicts.size(), '\0'), changed}) {
+    write_bytes(part, left);
+    EXPECT_EQ(run(again), 0);
+    const bool some = left.starts_with(verdicts.substr(0, 20));
+    EXPECT_EQ(log_.str().find("cells were decided before") != std::string::npos, some);
+    for (const char* file : {"volume.csv", "volume.json", "volume.svg"})
+      EXPECT_EQ(read_bytes(again / file), read_bytes(whole / file)) << file;
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
+}
+
+TEST(AnswerKey, IsOfMeshesSideRequestAndVersion) {
+  const auto key = [](double moved, std::optional<Side> side, const Json& request, const char* version) {
+    const auto [ball, socket] = make_ball_socket_pair(400, impinging_cam());
+    JointInput input;
+    input.ball = {"ball", ball};
+    input.socket = {"socket", socket};
+    input.centre = Vec3::Zero();
+    input.socket.mesh.vertices.back().x() += moved;
+    return answer_key(SessionJoint(assemble_joint(std::move(input)), side, "RAS"), request, version);
+  };
+  const std::set<std::string> keys{key(0.0, Side::left, 1, "1"), key(1e-12, Side::left, 1, "1"),
+                                   key(0.0, std::nullopt, 1, "1"), key(0.0, Side::left, 2, "1"),
+                                   key(0.0, Side::left, 1, "2")};
+  EXPECT_EQ(keys.size(), 5U);
+  EXPECT_TRUE(keys.contains(key(0.0, Side::left, 1, "1")));
+}
+
+}  // namespace
+}  // namespace impinge
