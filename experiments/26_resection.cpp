@@ -14,7 +14,7 @@
 #include "harness/driver.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
-#include "joint/resection.hpp"
+#include "joint/resect.hpp"
 
 namespace {
 
@@ -45,12 +45,11 @@ void add_cam(double height, std::size_t faces, Table& table) {
   Session session = session_of(cam_of(height), faces);
   std::vector<Cell> row{height};
   try {
-    const ResectionAnswer answer = answer_resection(session, {{parse_motion(kRequired)}, kClearance, {}});
-    const Resection& cut = answer.cut;
-    const ReachedLeg& last = answer.legs.back();
-    row.insert(row.end(),
-               {cut.volume_mm3.low, cut.volume_mm3.high, cut.cut_mm3, cut.area_mm2.low, cut.area_mm2.high,
-                cut.depth_mm.low, cut.depth_mm.high, last.before.low_deg, last.after.low_deg, Cell()});
+    const ResectAnswer cut = answer(session, ResectRequest{{parse_motion(kRequired)}, kClearance});
+    const ResectLeg& last = cut.legs.back();
+    row.insert(row.end(), {cut.volume_mm3.value()[0], cut.volume_mm3.value()[1], cut.mesh_volume_mm3,
+                           cut.area_mm2[0], cut.area_mm2[1], cut.depth_mm[0], cut.depth_mm[1],
+                           last.before.low_deg, last.after.low_deg, Cell()});
   } catch (const std::runtime_error& refusal) {
     row.resize(10);
     row.emplace_back(refusal.what());

@@ -105,15 +105,15 @@ void run_limit(Session& session, const SceneOptions& options) {
 
 void run_resection(Session& session, const SceneOptions& options) {
   Stopwatch watch;
-  const ResectionAnswer found = answer_resection(session, resection_request(options));
+  const ResectAnswer found = answer(session, resection_request(options));
   const SessionJoint& joint = *session.joint;
-  write_resection(options, joint, found, resection_summary(options, joint, found, watch.lap_ms()));
+  write_resection(options, found, resection_summary(options, joint, found, watch.lap_ms()));
   std::cout << describe_resection(options, found);
 }
 
 void run_orientation(Session& session, const SceneOptions& options) {
   Stopwatch watch;
-  const OrientationAnswer found = answer_orientation(session, orientation_request(options));
+  const OrientAnswer found = answer(session, orientation_request(options));
   write_orientation(options, found, orientation_summary(options, *session.joint, found, watch.lap_ms()));
   std::cout << describe_orientation(options, found);
 }

@@ -113,5 +113,7 @@ QuestionCommand limits_question();
 QuestionCommand certify_question();
 QuestionCommand measure_question();
 QuestionCommand volume_question();
+QuestionCommand orient_question();
+QuestionCommand resect_question();
 
 }  // namespace impinge

@@ -114,6 +114,13 @@ void read_json(const Json& given, std::string_view name, const Range& /*range*/,
   }
 }
 
+void read_json(const Json& given, std::string_view name, const Range& range, std::vector<Motion>& values) {
+  const bool one = !given.is_array() || (!given.empty() && given.front().is_number());
+  values.clear();
+  for (const Json& item : one ? Json::array({given}) : given)
+    read_json(item, name, range, values.emplace_back());
+}
+
 std::string_view near_word(std::string_view word, std::span<const std::string_view> words) {
   constexpr std::size_t kMost = 2;
   std::string_view near;

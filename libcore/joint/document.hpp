@@ -126,6 +126,8 @@ void read_json(const Json& given, std::string_view name, const Range& range, Vec
 /// A text as "flexion=90,internal_rotation=10", three numbers (flexion, abduction, internal rotation), or an
 /// object of them; degrees.
 void read_json(const Json& given, std::string_view name, const Range& range, Motion& value);
+/// A list of such; three numbers are one motion.
+void read_json(const Json& given, std::string_view name, const Range& range, std::vector<Motion>& values);
 
 template <InWords E>
 void read_json(const Json& given, std::string_view name, const Range& range, E& value) {

@@ -19,7 +19,7 @@ void bind_making(JointClass& joint);        // read(), from_arrays(), from_hip()
 void bind_pose_answers(JointClass& joint);  // gaps(), touch(), smallest_gap(), matrices()
 void bind_limits(JointClass& joint);        // limits()
 void bind_volume(JointClass& joint);        // volume()
-void bind_change(JointClass& joint);        // resection(), orientation_map()
+void bind_change(JointClass& joint);        // resect(), orient()
 void bind_measures(JointClass& joint);      // measures(), certificate()
 
 }  // namespace impinge::python

@@ -46,14 +46,4 @@ SeriesAnswer PoseJoint::answer(const SeriesOutputs& outputs, const Pose& pose) {
   return series->answer(pose);
 }
 
-ResectionAnswer PoseJoint::resection(const ResectionRequest& request) {
-  const std::scoped_lock lock(busy_);
-  return answer_resection(session_, request);
-}
-
-OrientationAnswer PoseJoint::orientation(const OrientationRequest& request) {
-  const std::scoped_lock lock(busy_);
-  return answer_orientation(session_, request);
-}
-
 }  // namespace impinge::python

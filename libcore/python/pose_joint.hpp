@@ -16,10 +16,8 @@
 #include "gap/simd/joint_scan.hpp"
 #include "joint/limits.hpp"
 #include "joint/measures.hpp"
-#include "joint/orientation.hpp"
 #include "joint/pose_series.hpp"
 #include "joint/proof.hpp"
-#include "joint/resection.hpp"
 #include "joint/scan_contact.hpp"
 #include "joint/session.hpp"
 #include "joint/volume.hpp"
@@ -52,8 +50,6 @@ class PoseJoint {
     const std::scoped_lock lock(busy_);
     return impinge::answer(session_, request, how...);
   }
-  ResectionAnswer resection(const ResectionRequest& request);
-  OrientationAnswer orientation(const OrientationRequest& request);
 
  private:
   std::mutex busy_;  // held while something is made, or asked that keeps what it made

@@ -18,46 +18,35 @@ constexpr const char* kAdvice =
     "give angles in degrees of shape (n, 3), flexion, abduction and internal rotation, or matrices of shape "
     "(n, 4, 4) or (n, 3, 4)";
 
-constexpr const char* kRequired =
-    "give angles in degrees of shape (n, 3), or texts as flexion=90,internal_rotation=20";
-
-// What is given, as messages name it, and what may be.
-struct Given {
-  const char* name;
-  const char* advice;
-};
-constexpr Given kPoses{"poses: ", kAdvice};
-constexpr Given kMotions{"required: ", kRequired};
-
-[[noreturn]] void refuse(const Given& as, const std::string& what) {
-  throw std::invalid_argument(as.name + what + "; " + as.advice);
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("poses: " + what + "; " + kAdvice);
 }
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
 // Text that no number can be made of gives a message of NumPy's.
-Doubles numbers_of(const py::object& given, const Given& as) {
+Doubles numbers_of(const py::object& given) {
   auto array = Doubles::ensure(given);
   if (!array) {
     PyErr_Clear();
-    refuse(as, "no array of numbers");
+    refuse("no array of numbers");
   }
   return array;
 }
 
-Motion motion_at(const double* angles, const Given& as) {
+Motion motion_at(const double* angles) {
   for (int k = 0; k < 3; ++k) {
     if (!(std::abs(angles[k]) <= kLargestAngle))
-      throw std::invalid_argument(std::string(as.name) + "an angle is not within 180 degrees of 0");
+      throw std::invalid_argument("poses: an angle is not within 180 degrees of 0");
   }
   return {angles[0], angles[1], angles[2]};
 }
 
-Pose turned(const SessionJoint& joint, const Motion& motion, const Given& as) {
+Pose turned(const SessionJoint& joint, const Motion& motion) {
   try {
     return pose_of(joint, motion);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(as.name) + error.what() + " with side=");
+    throw std::invalid_argument(std::string("poses: ") + error.what() + " with side=");
   }
 }
 
@@ -74,51 +63,28 @@ Pose placed(const SessionJoint& joint, const double* rows, std::size_t place) {
 
 Motion motion_of(const py::object& given) {
   if (py::isinstance<py::str>(given)) return parse_motion(given.cast<std::string>());
-  const Doubles array = numbers_of(given, kPoses);
-  if (array.ndim() != 1 || array.size() != 3)
-    refuse(kPoses, "one pose is three angles, not " + shape_text(array));
-  return motion_at(array.data(), kPoses);
-}
-
-std::vector<Motion> required_motions(const SessionJoint& joint, const py::object& given) {
-  std::vector<Motion> motions;
-  const auto is_text = [](const py::object& one) { return py::isinstance<py::str>(one); };
-  if (is_text(given)) {
-    motions.push_back(motion_of(given));
-  } else if (py::isinstance<py::sequence>(given) && py::len(given) > 0 && is_text(given[py::int_(0)])) {
-    for (const py::handle one : given) motions.push_back(motion_of(py::reinterpret_borrow<py::object>(one)));
-  } else {
-    const Doubles array = numbers_of(given, kMotions);
-    if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 3)
-      refuse(kMotions, "an array of shape " + shape_text(array) + " holds no motions");
-    for (py::ssize_t k = 0; k < array.size(); k += 3)
-      motions.push_back(motion_at(array.data() + k, kMotions));
-  }
-  if (motions.empty()) refuse(kMotions, "there is none");
-  for (const Motion& motion : motions) {
-    if (turned(joint, motion, kMotions).rotation.isIdentity(0.0))
-      throw std::invalid_argument("required: a motion moves nothing; give an angle other than 0");
-  }
-  return motions;
+  const Doubles array = numbers_of(given);
+  if (array.ndim() != 1 || array.size() != 3) refuse("one pose is three angles, not " + shape_text(array));
+  return motion_at(array.data());
 }
 
 std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
-  if (py::isinstance<py::str>(given)) return {turned(joint, parse_motion(given.cast<std::string>()), kPoses)};
-  const Doubles array = numbers_of(given, kPoses);
+  if (py::isinstance<py::str>(given)) return {turned(joint, parse_motion(given.cast<std::string>()))};
+  const Doubles array = numbers_of(given);
   const auto size = [&array](py::ssize_t from_last) {
     return array.ndim() < from_last ? 0 : array.shape(array.ndim() - from_last);
   };
   const bool matrices =
       array.ndim() >= 2 && array.ndim() <= 3 && size(1) == 4 && (size(2) == 3 || size(2) == 4);
   const bool angles = array.ndim() >= 1 && array.ndim() <= 2 && size(1) == 3;
-  if (!matrices && !angles) refuse(kPoses, "an array of shape " + shape_text(array) + " holds none");
+  if (!matrices && !angles) refuse("an array of shape " + shape_text(array) + " holds none");
   const auto stride = static_cast<std::size_t>(matrices ? 4 * size(2) : 3);
   std::vector<Pose> poses(static_cast<std::size_t>(array.size()) / stride);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const double* row = array.data() + k * stride;
     if (stride == 16 && (row[12] != 0.0 || row[13] != 0.0 || row[14] != 0.0 || row[15] != 1.0))
       throw std::invalid_argument("poses: the last row of matrix " + std::to_string(k) + " is not 0,0,0,1");
-    poses[k] = matrices ? placed(joint, row, k) : turned(joint, motion_at(row, kPoses), kPoses);
+    poses[k] = matrices ? placed(joint, row, k) : turned(joint, motion_at(row));
   }
   if (!matrices) return poses;
   const std::string doubt =

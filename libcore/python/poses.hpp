@@ -18,10 +18,6 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& gi
 /// Angles in degrees of an array of shape (3,) or a text. std::invalid_argument for anything else.
 Motion motion_of(const pybind11::object& given);
 
-/// Required motions: angles (degrees) of shape (3,) or (n, 3), a text, or several texts.
-/// std::invalid_argument, one line, for anything else, and for a motion that moves nothing.
-std::vector<Motion> required_motions(const SessionJoint& joint, const pybind11::object& given);
-
 /// Matrices of poses, shape (n, 4, 4), x' = M x in the frame of the meshes, mm.
 pybind11::array matrices_of(const SessionJoint& joint, const std::vector<Pose>& poses);
 

@@ -118,11 +118,6 @@ const CellQuestion& checked(const BallSocketPair& joint, const CellQuestion& que
 
 }  // namespace
 
-std::string_view name(CellState state) {
-  constexpr std::array<std::string_view, 4> kNames{"free", "blocked", "unknown", "open"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
 RotationBall ball_about(const RotationCell& cell) {
   return {rotation_of(centre(cell)), angular_radius(cell)};
 }

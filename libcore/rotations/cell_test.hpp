@@ -44,6 +44,7 @@
 #include <string_view>
 
 #include "contact/cap_limits.hpp"
+#include "files/fields.hpp"
 #include "gap/surface.hpp"
 #include "limits/body_pairs.hpp"
 #include "mesh/ball_socket_pair.hpp"
@@ -56,8 +57,9 @@ namespace impinge {
 
 /// What is known of all rotations of a cell.
 enum class CellState : std::uint8_t { free, blocked, unknown, open };
-/// "free", "blocked", "unknown", "open".
-std::string_view name(CellState state);
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<CellState>{"free", "blocked", "unknown", "open"};
+constexpr std::string_view name(CellState state) { return word_of(state); }
 
 /// What counts as contact, and for which centres.
 struct CellQuestion {

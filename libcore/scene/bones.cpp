@@ -119,16 +119,16 @@ json answer_joint(Session& session, const SceneOptions& options, std::ostream& l
   if (!options.change) return question_summary(options, joint, answer_question(joint, options));
   Stopwatch watch;
   if (options.change->of_socket) {
-    const OrientationAnswer found = answer_orientation(session, orientation_request(options));
+    const OrientAnswer found = answer(session, orientation_request(options));
     json summary = orientation_summary(options, joint, found, watch.lap_ms());
     require_writable_folder(options.out);
     write_orientation(options, found, summary);
     return summary;
   }
-  const ResectionAnswer found = answer_resection(session, resection_request(options));
+  const ResectAnswer found = answer(session, resection_request(options));
   json summary = resection_summary(options, joint, found, watch.lap_ms());
   require_writable_folder(options.out);
-  write_resection(options, joint, found, summary);
+  write_resection(options, found, summary);
   return summary;
 }
 

@@ -20,10 +20,10 @@ struct ChangeOptions {
   std::vector<Motion> required;         // degrees; each along its own path (change/required_motion.hpp)
   std::string text;                     // that `required` was read from
   double clearance_mm = 0.5;            // of a resection
-  std::optional<double> least_neck_mm;  // of a resection: see ResectionRequest
+  std::optional<double> least_neck_mm;  // of a resection: see ResectRequest
   bool least = false;                   // of a resection: the least cut of all too (swept.csv)
   Surface cut = Surface::ball;          // of a resection
-  std::optional<double> most_rim_mm;    // of a resection of the socket: see ResectionRequest
+  std::optional<double> most_rim_mm;    // of a resection of the socket: see ResectRequest
   double tilt_deg = 0.0;                // of an orientation: of the pelvis backwards
 };
 

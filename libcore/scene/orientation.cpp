@@ -4,6 +4,7 @@
 #include "files/csv.hpp"
 #include "files/file_set.hpp"
 #include "files/formatted.hpp"
+#include "joint/document.hpp"
 #include "scene/asked.hpp"
 #include "scene/question.hpp"
 #include "scene/resection.hpp"
@@ -18,7 +19,7 @@ constexpr const char* kWhichAngles =
     "about "
     "the centre of rotation, and a tilt of the pelvis backwards turns it forward";
 
-std::string orientation_csv(const OrientationAnswer& found) {
+std::string orientation_csv(const OrientAnswer& found) {
   Table table;
   table.columns = {
       {"inclination_deg", "deg", "radiographic, of the middle of a square of the map"},
@@ -28,60 +29,48 @@ std::string orientation_csv(const OrientationAnswer& found) {
       {"motion", "", "the required motion, or one of them, that is so; none where all are free"}};
   for (const OrientationCell& cell : found.cells)
     table.add_row({cell.middle.inclination_deg, cell.middle.anteversion_deg, cell.half_deg, name(cell.state),
-                   cell.leg ? describe(found.question.legs[*cell.leg]) : std::string()});
+                   cell.leg ? found.legs[*cell.leg] : std::string()});
   return to_csv(table);
 }
 
 }  // namespace
 
-OrientationRequest orientation_request(const SceneOptions& options) {
-  return {.required = options.change->required, .tilt_deg = options.change->tilt_deg};
+OrientRequest orientation_request(const SceneOptions& options) {
+  return {.require = options.change->required, .tilt_deg = options.change->tilt_deg};
 }
 
-json orientation_summary(const SceneOptions& options, const SessionJoint& joint,
-                         const OrientationAnswer& found, double milliseconds) {
-  const OrientationQuestion& question = found.question;
+json orientation_summary(const SceneOptions& options, const SessionJoint& joint, const OrientAnswer& found,
+                         double milliseconds) {
   json report = asked_json(options, joint.joint);
-  report.update(
-      {{"notice", kNoGuide},
-       {"angles", kWhichAngles},
-       {"path", kWhichPath},
-       {"tilt_deg", question.tilt_deg},
-       {"as_scanned",
-        {{"inclination_deg", question.at_rest.inclination_deg},
-         {"anteversion_deg", question.at_rest.anteversion_deg},
-         {"state", name(found.as_scanned)}}},
-       {"map",
-        {{"least_inclination_deg", question.least.inclination_deg},
-         {"least_anteversion_deg", question.least.anteversion_deg},
-         {"width_deg", question.width_deg},
-         {"resolution_deg", question.resolution_deg},
-         {"squares", found.cells.size()}}},
-       {"area_deg2",
-        {{"free", found.free}, {"blocked", found.blocked}, {"unknown", found.unknown}, {"open", found.open}}},
-       {"times_ms", {{"answer", milliseconds}}}});
+  report.update({{"notice", kNoGuide},
+                 {"angles", kWhichAngles},
+                 {"path", kWhichPath},
+                 {"tilt_deg", options.change->tilt_deg},
+                 {"times_ms", {{"answer", milliseconds}}}});
+  report.update(json::parse(json_of(found).dump()));
+  report["map"]["resolution_deg"] = OrientRequest{}.resolution_deg;
   return report;
 }
 
-void write_orientation(const SceneOptions& options, const OrientationAnswer& found, const json& summary) {
+void write_orientation(const SceneOptions& options, const OrientAnswer& found, const json& summary) {
   FileSet files;
   files.add(options.out / "orientation.csv", orientation_csv(found));
   files.add(options.out / "orientation.json", json_text(summary));
   files.commit();
 }
 
-std::string describe_orientation(const SceneOptions& options, const OrientationAnswer& found) {
-  const OrientationQuestion& question = found.question;
-  return "required            " + options.change->text + formatted(", tilt %g degrees\n", question.tilt_deg) +
+std::string describe_orientation(const SceneOptions& options, const OrientAnswer& found) {
+  const auto& [now, map, area] = std::tie(found.as_scanned, found.map, found.area_deg2);
+  return "required            " + options.change->text +
+         formatted(", tilt %g degrees\n", options.change->tilt_deg) +
          formatted("socket as scanned   inclination %.1f, anteversion %.1f degrees (radiographic): %s\n",
-                   question.at_rest.inclination_deg, question.at_rest.anteversion_deg,
-                   std::string(name(found.as_scanned)).c_str()) +
+                   now.inclination_deg, now.anteversion_deg, std::string(name(now.state)).c_str()) +
          formatted("map                 of inclination %g to %g and anteversion %g to %g degrees\n",
-                   question.least.inclination_deg, question.least.inclination_deg + question.width_deg,
-                   question.least.anteversion_deg, question.least.anteversion_deg + question.width_deg) +
-         formatted("free                %.1f to %.1f of %.0f square degrees, %.1f unknown\n", found.free,
-                   found.free + found.open, question.width_deg * question.width_deg, found.unknown) +
-         kNoGuide + "\n";
+                   map.least_inclination_deg, map.least_inclination_deg + map.width_deg,
+                   map.least_anteversion_deg, map.least_anteversion_deg + map.width_deg) +
+         formatted("free                %.1f to %.1f of %.0f square degrees, %.1f unknown\n", area.free,
+                   area.free + area.open, map.width_deg * map.width_deg, area.unknown) +
+         std::string(kNoGuide) + "\n";
 }
 
 }  // namespace impinge

@@ -7,6 +7,7 @@
 #include "files/csv.hpp"
 #include "files/file_set.hpp"
 #include "files/formatted.hpp"
+#include "joint/document.hpp"
 #include "mesh/ply_writer.hpp"
 #include "scene/asked.hpp"
 #include "scene/json_values.hpp"
@@ -27,37 +28,12 @@ constexpr const char* kWhichRimCut =
     "ball "
     "reaches, with the clearance. Depth is along a ray from the surface to where the ball is clear of it, or "
     "a closed mesh ends. Where all of a wall goes, resected_socket.ply is open";
-constexpr const char* kNoVolume =
-    "the socket is no closed mesh of one orientation, so that it is not known how thick its bone is";
 constexpr const char* kWhichLeast =
     "least cut of all: what the bone of the socket sweeps through within the clearance; bone beyond stays, "
     "over an undercut. swept.csv has the cells of the ball's surface and radii that hold all of it";
 
-json ends_json(const Ends& ends) { return interval_json(ends.low, ends.high); }
-
-bool knows_volume(const CutSize& size) { return std::isfinite(size.volume_mm3.high); }
-
-json size_json(const CutSize& size) {
-  json found{{"volume_mm3", nullptr},
-             {"area_mm2", ends_json(size.area_mm2)},
-             {"depth_mm", ends_json(size.depth_mm)}};
-  if (knows_volume(size))
-    found["volume_mm3"] = ends_json(size.volume_mm3);
-  else
-    found["volume_why"] = kNoVolume;
-  return found;
-}
-
-json least_json(const std::optional<LeastCut>& least) {
-  if (!least) return nullptr;
-  json found = size_json(*least);
-  found["cut"] = kWhichLeast;
-  found["cells"] = least->cells.size();
-  return found;
-}
-
 // A row for each stretch of rays, so that a cell may have several.
-std::string swept_csv(const SessionJoint& joint, const LeastCut& least) {
+std::string swept_csv(const std::vector<LeastCut::Cell>& cells) {
   Table table;
   for (const char* corner : {"a", "b", "c"}) {
     for (const char* axis : {"_x", "_y", "_z"})
@@ -66,13 +42,10 @@ std::string swept_csv(const SessionJoint& joint, const LeastCut& least) {
   table.columns.push_back(
       {"from_mm", "mm", "from the centre, along every ray through it: nothing nearer goes"});
   table.columns.push_back({"to_mm", "mm", "nothing from there on to the next stretch goes"});
-  for (const LeastCut::Cell& cell : least.cells) {
+  for (const LeastCut::Cell& cell : cells) {
     for (const RadiusRange& goes : cell.goes.spans()) {
       std::vector<Cell> row;
-      for (const Vec3& corner : cell.corners) {
-        const Vec3 x = joint.axes.transpose() * corner + joint.joint.centre;
-        row.insert(row.end(), {x.x(), x.y(), x.z()});
-      }
+      for (const Vec3& x : cell.corners) row.insert(row.end(), {x.x(), x.y(), x.z()});
       row.insert(row.end(), {goes.low, goes.high});
       table.add_row(std::move(row));
     }
@@ -80,114 +53,78 @@ std::string swept_csv(const SessionJoint& joint, const LeastCut& least) {
   return to_csv(table);
 }
 
-json bracket_json(const TurnLimit& limit) {
-  return {{"state", name(limit.state)}, {"low_deg", limit.low_deg}, {"high_deg", limit.high_deg}};
+std::string ends_text(const TwoEnds& ends, int places, const char* unit) {
+  return rounded_down(ends[0], places) + " to " + rounded_up(ends[1], places) + " " + unit;
 }
 
-json legs_json(const ResectionAnswer& found) {
-  json legs = json::array();
-  for (const ReachedLeg& reached : found.legs) {
-    const Motion& start = reached.leg.start;
-    legs.push_back({{"motion", reached.leg.growing},
-                    {"start",
-                     {{"flexion", start.flexion},
-                      {"abduction", start.abduction},
-                      {"internal_rotation", start.internal_rotation}}},
-                    {"required_deg", reached.leg.largest_deg},
-                    {"before", bracket_json(reached.before)},
-                    {"after", bracket_json(reached.after)}});
-  }
-  return legs;
-}
-
-json neck_json(const std::optional<NeckBar>& neck) {
-  if (!neck) return nullptr;
-  return {{"least_mm", neck->least}, {"before_mm", neck->before}, {"after_mm", neck->after}};
-}
-
-std::string ends_text(const Ends& ends, int places, const char* unit) {
-  return rounded_down(ends.low, places) + " to " + rounded_up(ends.high, places) + " " + unit;
-}
-
-std::string size_text(const CutSize& size, Surface cut) {
-  const std::string volume = knows_volume(size) ? ends_text(size.volume_mm3, 1, "mm^3") + " over " : "";
+std::string extent_text(const CutExtent& size, Surface cut) {
+  const std::string volume = size.volume_mm3 ? ends_text(*size.volume_mm3, 1, "mm^3") + " over " : "";
   return volume + ends_text(size.area_mm2, 1, "mm^2") + " of the " + std::string(name(cut)) + "'s surface, " +
          ends_text(size.depth_mm, 2, "mm");
 }
 
-std::string cut_text(const ResectionAnswer& found) {
-  const Resection& cut = found.cut;
-  if (cut.empty()) return "to remove           nothing: all of it is reached with that clearance\n";
-  const Vec3& at = found.deepest;
-  std::string text = "least radial cut    " + size_text(cut, cut.of) + " deep at " +
+std::string cut_text(const ResectAnswer& found) {
+  if (!found.deepest) return "to remove           nothing: all of it is reached with that clearance\n";
+  const Vec3& at = *found.deepest;
+  std::string text = "least radial cut    " + extent_text(found, found.surface) + " deep at " +
                      formatted("(%.1f, %.1f, %.1f)\n", at.x(), at.y(), at.z());
-  if (!knows_volume(cut)) return text + "volume              " + kNoVolume + "\n";
-  if (std::isnan(cut.cut_mm3)) return text;
-  const std::string file = resected_file(cut.of);
+  if (found.volume_why) return text + "volume              " + std::string(*found.volume_why) + "\n";
+  if (std::isnan(found.mesh_volume_mm3)) return text;
+  const std::string file = resected_file(found.surface);
   return text + file + std::string(20 - std::min<std::size_t>(file.size(), 19), ' ') +
-         formatted("takes %.1f mm^3\n", cut.cut_mm3);
+         formatted("takes %.1f mm^3\n", found.mesh_volume_mm3);
 }
 
-std::string leg_text(const ReachedLeg& reached) {
-  const TurnLimit& before = reached.before;
-  const std::string was = before.state == LimitState::free
+std::string leg_text(const ResectLeg& leg) {
+  const std::string was = leg.before.state == LimitState::free
                               ? "reached before the cut too"
-                              : "ends at " + rounded_down(before.low_deg, 2) + " degrees before the cut";
-  const TurnLimit& after = reached.after;
-  const std::string now = after.state == LimitState::limited ? "at " + rounded_down(after.low_deg, 2)
-                                                             : "not before " + rounded_down(after.low_deg, 2);
-  return describe(reached.leg) + ": " + was + ", " + now + " after it\n";
+                              : "ends at " + rounded_down(leg.before.low_deg, 2) + " degrees before the cut";
+  const std::string now = leg.after.state == LimitState::limited ? "at " : "not before ";
+  return leg.words + ": " + was + ", " + now + rounded_down(leg.after.low_deg, 2) + " after it\n";
 }
 
 }  // namespace
 
-ResectionRequest resection_request(const SceneOptions& options) {
+ResectRequest resection_request(const SceneOptions& options) {
   const ChangeOptions& change = *options.change;
-  return {change.required, change.clearance_mm, change.least_neck_mm,
-          change.least,    change.cut,          change.most_rim_mm.value_or(kMostRim)};
+  return {change.required,    change.clearance_mm,  change.cut,
+          change.most_rim_mm, change.least_neck_mm, change.least};
 }
 
-json resection_summary(const SceneOptions& options, const SessionJoint& joint, const ResectionAnswer& found,
+json resection_summary(const SceneOptions& options, const SessionJoint& joint, const ResectAnswer& found,
                        double milliseconds) {
   json report = asked_json(options, joint.joint);
   report["units"]["volume"] = "mm^3";
   report.update({{"notice", kNoGuide},
-                 {"surface", name(found.cut.of)},
-                 {"cut", found.cut.of == Surface::ball ? kWhichCut : kWhichRimCut},
+                 {"cut", found.surface == Surface::ball ? kWhichCut : kWhichRimCut},
                  {"path", kWhichPath},
                  {"clearance_mm", options.change->clearance_mm},
-                 {"deepest", found.cut.empty() ? json(nullptr) : point_json(found.deepest)},
-                 {"mesh_volume_mm3", number_json(found.cut.cut_mm3)},
-                 {"least", least_json(found.least)},
-                 {"neck", neck_json(found.neck)},
-                 {"legs", legs_json(found)},
                  {"times_ms", {{"answer", milliseconds}}}});
-  report.update(size_json(found.cut));
+  report.update(json::parse(json_of(found).dump()));
+  if (found.deepest) report["deepest"] = point_json(*found.deepest);
+  if (found.least) report["least"]["cut"] = kWhichLeast;
   return report;
 }
 
-void write_resection(const SceneOptions& options, const SessionJoint& joint, const ResectionAnswer& found,
-                     const json& summary) {
-  TriangleMesh cut = found.cut.cut;
-  for (Vec3& x : cut.vertices) x = joint.axes.transpose() * x + joint.joint.centre;
+void write_resection(const SceneOptions& options, const ResectAnswer& found, const json& summary) {
   FileSet files;
-  files.add(options.out / resected_file(found.cut.of), ply_bytes(cut, "depth", found.cut.depth));
-  if (found.least) files.add(options.out / "swept.csv", swept_csv(joint, *found.least));
+  files.add(options.out / resected_file(found.surface), ply_bytes(found.mesh, "depth", found.depth));
+  if (found.least) files.add(options.out / "swept.csv", swept_csv(found.swept));
   files.add(options.out / "resection.json", json_text(summary));
   files.commit();
 }
 
-std::string describe_resection(const SceneOptions& options, const ResectionAnswer& found) {
+std::string describe_resection(const SceneOptions& options, const ResectAnswer& found) {
   std::string text = "required            " + options.change->text +
                      formatted(", clearance %g mm\n", options.change->clearance_mm);
   text += cut_text(found);
   if (found.least)
-    text += "least cut of all    " + size_text(*found.least, Surface::ball) + " along a ray (swept.csv)\n";
-  for (const ReachedLeg& leg : found.legs) text += "                    " + leg_text(leg);
+    text += "least cut of all    " + extent_text(*found.least, Surface::ball) + " along a ray (swept.csv)\n";
+  for (const ResectLeg& leg : found.legs) text += "                    " + leg_text(leg);
   if (found.neck)
     text += "neck                " + rounded_down(found.neck->after, 1) +
             " mm about its axis stays uncut, of " + rounded_down(found.neck->before, 1) + "\n";
-  return text + kNoGuide + "\n";
+  return text + std::string(kNoGuide) + "\n";
 }
 
 }  // namespace impinge

@@ -7,14 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "joint/resection.hpp"
+#include "joint/resect.hpp"
 #include "scene/options.hpp"
 
 namespace impinge {
-
-/// In every output of a cut.
-inline constexpr const char* kNoGuide =
-    "Research software, not a medical device: nothing in this may guide the treatment of a patient.";
 
 /// How the required motions are understood.
 inline constexpr const char* kWhichPath =
@@ -23,22 +19,21 @@ inline constexpr const char* kWhichPath =
     "rotation";
 
 /// The request for a resection that the options make.
-ResectionRequest resection_request(const SceneOptions& options);
+ResectRequest resection_request(const SceneOptions& options);
 
 /// The contents of resection.json: volume (mm^3), area (mm^2) and depth (mm) as proven intervals, and each
 /// leg of the required motions before and after; angles in degrees, times in ms. Of an open socket the volume
 /// is null, and `volume_why` says why.
 nlohmann::json resection_summary(const SceneOptions& options, const SessionJoint& joint,
-                                 const ResectionAnswer& found, double milliseconds);
+                                 const ResectAnswer& found, double milliseconds);
 
 /// Writes into options.out, all files or none: resection.json; resected_ball.ply or resected_socket.ply, the
 /// bone that is left, in the input frame, with the `depth` of removed bone at each vertex (mm along its ray);
 /// and, for a least cut, swept.csv, with parts of the ball's surface (input frame) and the radii there that
 /// may have to go.
-void write_resection(const SceneOptions& options, const SessionJoint& joint, const ResectionAnswer& found,
-                     const nlohmann::json& summary);
+void write_resection(const SceneOptions& options, const ResectAnswer& found, const nlohmann::json& summary);
 
 /// The summary as text for a terminal.
-std::string describe_resection(const SceneOptions& options, const ResectionAnswer& found);
+std::string describe_resection(const SceneOptions& options, const ResectAnswer& found);
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frames that files bring with them: SPACE= in the headers that 3D Slicer writes, and landmarks. A joint in another frame
-has the limits of the joint that it was made from. SCENE names the program, HIP the folder of a right hip.
+has the limits of the joint that it was made from. SCENE and IMPINGE name the programs, HIP the folder of a right hip.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 SCENE = os.environ["SCENE"]
+IMPINGE = os.environ["IMPINGE"]
 HIP = Path(os.environ["HIP"])
 LPS = np.diag([-1.0, -1.0, 1.0])
 
@@ -107,6 +108,13 @@ class Frames(unittest.TestCase):
         words = [SCENE, "--ball", ball, "--socket", socket, "--side", side, "--out", self.root / name / "out", *more]
         return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
 
+    def impinge(self, command, name, ball, socket, *more, side="right"):
+        """The answer, and what is said."""
+        words = [IMPINGE, command, ball, socket, "--side", side, "--out", self.root / name / "out", *more]
+        done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.root / name / "out/summary.json").read_text()), done.stdout
+
     def limit(self, name, ball, socket, *more):
         done = Frames.scene(self, name, ball, socket, "--centre", "0,0,0", "--question", "limit", "--motion", "internal_rotation",
                             "--pose", "flexion=60,abduction=-10", *more)
@@ -147,15 +155,12 @@ class Frames(unittest.TestCase):
             for name, (vertices, faces) in meshes.items():
                 files[name] = self.root / f"{cut}_{name}.ply"
                 files[name].write_bytes(ply_text(vertices @ LPS + (3, -70, 12), faces, "comment SPACE=LPS\n"))
-            done = self.scene(cut, *files.values(), "--question", "resection", "--require", "flexion=90,internal_rotation=20", "--cut",
-                              cut, *more)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            folder = self.root / cut / "out"
-            said = json.loads((folder / "resection.json").read_text())
-            self.assertEqual((said["question"], said["surface"], said["require"]), ("resection", cut, "flexion=90,internal_rotation=20"))
-            self.assertIn("nothing in this may guide the treatment", said["notice"])
-            self.assertIn(said["notice"], done.stdout)
-            centre = ",".join(str(said["centre"][axis]) for axis in "xyz")
+            summary, told = self.impinge("resect", cut, *files.values(), "--require", "flexion=90,internal_rotation=20", "--cut", cut, *more)
+            folder, said = self.root / cut / "out", summary["answer"]
+            self.assertEqual((said["surface"], said, summary["request"]["require"]),
+                             (cut, json.loads((folder / "resection.json").read_text()), [{"flexion": 90, "abduction": 0, "internal_rotation": 20}]))
+            self.assertIn("nothing in this may guide the treatment", told)
+            centre = ",".join(map(str, summary["joint"]["centre"]["position"]))
             for socket_or_ball, limited in ((files[cut], True), (folder / f"resected_{cut}.ply", False)):
                 asked = self.scene("again", *({**files, cut: socket_or_ball}).values(), "--axes", "LPS", "--centre", centre, "--question",
                                    "limit", "--motion", "internal_rotation", "--pose", "flexion=90")
@@ -167,7 +172,7 @@ class Frames(unittest.TestCase):
                 swept = (folder / "swept.csv").read_text().splitlines()
                 self.assertEqual(swept[0], "a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z,from_mm,to_mm")
                 self.assertGreaterEqual(len(swept) - 1, said["least"]["cells"])
-                self.assertIn("least cut of all    ", done.stdout)
+                self.assertIn("least cut of all    ", told)
                 self.assertGreater(said["neck"]["after_mm"], said["neck"]["least_mm"])
             else:
                 self.assertIn("no closed mesh", said["volume_why"])
@@ -175,11 +180,10 @@ class Frames(unittest.TestCase):
     def test_the_map_of_orientations_is_whole(self):
         """The cam's cup of 54 and 19 degrees, seen from above, has 15.7 of anteversion."""
         files = self.write("cup", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n"), "ply", LPS, LPS)
-        done = self.scene("cup", *files, "--question", "orientation", "--require", "flexion=90,internal_rotation=25", "--tilt", 5)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        summary, told = self.impinge("orient", "cup", *files, "--require", "flexion=90,internal_rotation=25", "--tilt", 5)
         said = json.loads((self.root / "cup/out/orientation.json").read_text())
-        self.assertIn("nothing in this may guide the treatment", said["notice"])
-        self.assertEqual(said["tilt_deg"], 5)
+        self.assertIn("nothing in this may guide the treatment", told)
+        self.assertEqual((summary["request"]["tilt_deg"], summary["answer"]), (5, said))
         self.assertAlmostEqual(said["as_scanned"]["anteversion_deg"], 15.7, delta=1)
         with (self.root / "cup/out/orientation.csv").open() as file:
             squares = list(csv.DictReader(file))

@@ -16,10 +16,10 @@
 #include "hip/named_motion.hpp"
 #include "joint/limits.hpp"
 #include "joint/measurement.hpp"
-#include "joint/orientation.hpp"
+#include "joint/orient.hpp"
 #include "joint/pose_series.hpp"
 #include "joint/proof.hpp"
-#include "joint/resection.hpp"
+#include "joint/resect.hpp"
 #include "joint/volume.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
@@ -117,9 +117,8 @@ TEST(Parts, AreInVolumeAndOrientation) {
     by_spine += stop.socket_part == "AIIS" ? 1U : 0U;
   }
   EXPECT_GE(by_spine, 1U);
-  OrientationRequest turned{.required = {{.flexion = 90.0, .internal_rotation = 25.0}},
-                            .resolution_deg = 2.0};
-  EXPECT_LT(answer_orientation(session, turned).free, answer_orientation(without, turned).free);
+  OrientRequest turned{.require = {{.flexion = 90.0, .internal_rotation = 25.0}}, .resolution_deg = 2.0};
+  EXPECT_LT(answer(session, turned).area_deg2.free, answer(without, turned).area_deg2.free);
 }
 
 // Gaps are those without parts, vertices of parts have none, and distances are to the nearest bone.
@@ -257,9 +256,9 @@ TEST(Parts, ThatGoOnFromASocketAreOneBoneWithIt) {
   EXPECT_EQ(limit.state, LimitState::free);
 }
 
-ResectionRequest requiring(const std::string& motion, bool least = false) {
-  ResectionRequest request;
-  request.required = {parse_motion(motion)};
+ResectRequest requiring(const std::string& motion, bool least = false) {
+  ResectRequest request;
+  request.require = {parse_motion(motion)};
   request.least = least;
   return request;
 }
@@ -270,7 +269,7 @@ TEST(Parts, AreNamedWhereTheyTouchBeforeACut) {
   for (Vec3& x : shifted.vertices) x.x() += 1.0;
   append_part(hip.socket, hip.socket_parts, "plate", shifted);
   Session session = session_of(std::move(hip));
-  EXPECT_EQ(test::thrown<std::runtime_error>([&] { answer_resection(session, requiring("flexion=10")); }),
+  EXPECT_EQ(test::thrown<std::runtime_error>([&] { answer(session, requiring("flexion=10")); }),
             "the ball meets plate in the pose of the scan, before any required motion; check the meshes and "
             "the centre");
 }
@@ -285,13 +284,11 @@ TEST(Parts, AreLookedAtAfterACut) {
   };
   const double before = low(session);
   ASSERT_LT(before, 34.0);
-  const ResectionAnswer answer = answer_resection(session, requiring("flexion=70,internal_rotation=35"));
-  EXPECT_GT(answer.cut.volume_mm3.low, 0.0);
+  const ResectAnswer cut = answer(session, requiring("flexion=70,internal_rotation=35"));
+  EXPECT_GT(cut.volume_mm3.value()[0], 0.0);
   Hip hip = make_hip(test::hip_with_parts(hip_preset("cam")), 2000);
   const std::vector<MeshPart> names = std::exchange(hip.ball_parts, {});
-  const std::vector<TriangleMesh> parts = part_surfaces(std::exchange(hip.ball, answer.cut.cut), names);
-  for (Vec3& x : hip.ball.vertices)  // from the joint frame
-    x = session.joint->axes.transpose() * x + session.joint->joint.centre;
+  const std::vector<TriangleMesh> parts = part_surfaces(std::exchange(hip.ball, cut.mesh), names);
   for (std::size_t k = 0; k < parts.size(); ++k)
     append_part(hip.ball, hip.ball_parts, names[k].name, parts[k]);
   Session after = session_of(std::move(hip), session.joint->joint.centre);
@@ -303,7 +300,7 @@ TEST(Parts, AreLookedAtAfterACut) {
     EXPECT_FALSE(answer_question(*after.joint, asked).answer.touches.at(0)) << rotation;
   }
   const std::string refusal = test::thrown<std::runtime_error>(
-      [&] { answer_resection(session, requiring("flexion=70,internal_rotation=55")); });
+      [&] { answer(session, requiring("flexion=70,internal_rotation=55")); });
   EXPECT_EQ(refusal.rfind("the ball meets AIIS ", 0), 0U) << refusal;
   EXPECT_NE(
       refusal.find(" degrees into internal_rotation from 0 to 55 degrees at flexion 70, and bone beside "
@@ -317,9 +314,9 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const std::string cure =
       ": bone beside the joint, such as greater trochanter, is not taken into account here; leave it out";
-  EXPECT_EQ(test::thrown<std::runtime_error>(
-                [&] { answer_resection(session, requiring("flexion=60", /*least=*/true)); }),
-            "the least cut of all" + cure);
+  EXPECT_EQ(
+      test::thrown<std::runtime_error>([&] { answer(session, requiring("flexion=60", /*least=*/true)); }),
+      "the least cut of all" + cure);
 }
 
 // The vertices of one surface, and parts all the same.

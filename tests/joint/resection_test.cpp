@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a cut of a user's ball, or socket, is refused; what it leaves: tests/motion,
 // tests/e2e/test_frames.py.
-#include "joint/resection.hpp"
-
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "joint/resect.hpp"
 #include "support/thrown.hpp"
 
 namespace impinge {
@@ -26,8 +25,8 @@ Session scanned_hip(const HipParameters& parameters, std::size_t faces = 1500) {
   return {assemble_joint(std::move(input)), Side::right, "RAS"};
 }
 
-ResectionRequest asked(std::string_view motion, double clearance = 0.5) {
-  return {{parse_motion(motion)}, clearance, {}, false};
+ResectRequest asked(std::string_view motion, double clearance = 0.5) {
+  return {{parse_motion(motion)}, clearance};
 }
 
 // A head that is longer than wide, in a socket with its centre in front of it: flexion takes the long end to
@@ -41,22 +40,22 @@ TEST(SessionResection, LeavesTheBearingSurfaceAlone) {
   const TurnLimits limits({hip.ball, hip.socket});
   const double gap = limits.smallest_gap(joint_turn({}, motion_name("flexion"), Side::right), 0.0)->gap_mm;
   const std::string said =
-      thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=60", gap - 0.05)); });
+      thrown<std::runtime_error>([&] { answer(session, asked("flexion=60", gap - 0.05)); });
   EXPECT_NE(said.find("the bearing surface of the ball at ("), std::string::npos) << said;
 }
 
-ResectionRequest asked_of_rim(std::string_view motion, double most_rim_mm = kMostRim) {
-  ResectionRequest request = asked(motion);
+ResectRequest asked_of_rim(std::string_view motion, double most_rim_mm = kMostRim) {
+  ResectRequest request = asked(motion);
   request.cut = Surface::socket;
-  request.most_rim_mm = most_rim_mm;
+  request.rim_mm = most_rim_mm;
   return request;
 }
 
 // More than may go of the rim, by little or by much.
 TEST(SessionRimResection, LeavesTheBearingSurfaceAlone) {
   Session session = scanned_hip(hip_preset("pincer"));
-  const auto refused = [&](const ResectionRequest& request) {
-    return thrown<std::runtime_error>([&] { answer_resection(session, request); });
+  const auto refused = [&](const ResectRequest& request) {
+    return thrown<std::runtime_error>([&] { answer(session, request); });
   };
   const std::string said = refused(asked_of_rim("flexion=90,internal_rotation=30", 1.0));
   EXPECT_EQ(said.find("the cut would reach the bearing surface of the socket at ("), 0U) << said;
@@ -70,22 +69,29 @@ TEST(SessionRimResection, LeavesTheBearingSurfaceAlone) {
 TEST(SessionRimResection, MayBeAllowedAsMuchAsOneLikes) {
   Session session = scanned_hip(hip_preset("pincer"));
   for (const double most_rim_mm : {174.5, 175.5, 1e9})
-    EXPECT_NO_THROW(answer_resection(session, asked_of_rim("flexion=90,internal_rotation=25", most_rim_mm)));
+    EXPECT_NO_THROW(answer(session, asked_of_rim("flexion=90,internal_rotation=25", most_rim_mm)));
 }
 
 TEST(SessionRimResection, IsNoLeastCut) {
   Session session = scanned_hip(hip_preset("pincer"), 500);
-  ResectionRequest least = asked_of_rim("flexion=20");
+  ResectRequest least = asked_of_rim("flexion=20");
   least.least = true;
-  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, least); }),
+  EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
             "the least cut of all is one of the ball; cut the ball, or leave it out");
+  least.neck_mm = 20.0;
+  EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
+            "neck_mm: is of a cut of the ball; cut the ball, or leave it out");
+  ResectRequest rim = asked("flexion=20");
+  rim.rim_mm = 3.0;
+  EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, rim); }),
+            "rim_mm: is of a cut of the socket; cut the socket, or leave it out");
 }
 
 TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
   Joint joint = scanned_hip(hip_preset("normal")).joint->joint;
   for (Vec3& x : joint.ball.mesh.vertices) x *= 1.25;
   Session session(std::move(joint), Side::right, "RAS");
-  EXPECT_EQ(thrown<std::runtime_error>([&] { answer_resection(session, asked("flexion=30")); }).substr(0, 49),
+  EXPECT_EQ(thrown<std::runtime_error>([&] { answer(session, asked("flexion=30")); }).substr(0, 49),
             "the ball meets the socket in the pose of the scan");
 }
 
@@ -95,7 +101,7 @@ TEST(SessionResection, SaysWhereTheBallsMeshEnds) {
   TriangleMesh& ball = joint.ball.mesh;
   std::erase_if(ball.faces, [&](const Face& f) { return corner(ball, f, 0).norm() > 26.0; });
   Session cap(std::move(joint), Side::right, "RAS");
-  const std::string said = thrown<std::runtime_error>([&] { answer_resection(cap, asked("flexion=140")); });
+  const std::string said = thrown<std::runtime_error>([&] { answer(cap, asked("flexion=140")); });
   EXPECT_NE(said.find("the ball's mesh ends under the socket from "), std::string::npos) << said;
 }
 

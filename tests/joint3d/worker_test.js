@@ -196,12 +196,12 @@ test('a limit is that of the shifted ball', async () => {
   assert.equal((await one('sweep', { motion: 'fadir', largest_deg: 60 })).angles.length, 61, 'a degree a step, where none is asked for');
 });
 
-const REQUIRED = { required: 'flexion=90, internal_rotation=30' };
+const REQUIRED = { require: ['flexion=90,internal_rotation=30'] };
 
 // The cut ball, put in the place of the whole one, reaches it.
 test('a cut reaches what is required', async () => {
   const before = await one('joint', { source: 'preset', name: 'cam', parameters: {} });
-  const cut = await one('resection', { ...REQUIRED, clearance_mm: 0.5 });
+  const cut = await one('resect', { ...REQUIRED, clearance_mm: 0.5 });
   assert.equal(cut.error, undefined);
   assert.ok(0 < cut.volume_mm3[0] && cut.volume_mm3[0] <= cut.volume_mm3[1] && cut.depth_mm[0] <= cut.depth_mm[1]);
   assert.equal(cut.depth.length, cut.positions.length / 3);
@@ -226,7 +226,7 @@ test('the map of orientations agrees with a limit', async () => {
   const { limits: [limit] } = await one('limits', { motions: ['flexion'], largest_deg: 170 });
   assert.equal(limit.state, 'limited');
   for (const [angle, state] of [[limit.low_deg - 3, 'free'], [limit.high_deg + 3, 'blocked']]) {
-    const { squares, legs, area_deg2: area, as_scanned: now, map, error } = await one('orientation', { required: `flexion=${angle}` });
+    const { squares, legs, area_deg2: area, as_scanned: now, map, error } = await one('orient', { require: [`flexion=${angle}`], resolution_deg: 0.75 });
     assert.equal(error, undefined);
     assert.equal(now.state, state);
     const found = [0, 0, 0, 0];
@@ -243,14 +243,14 @@ test('the map of orientations agrees with a limit', async () => {
 });
 
 test('what cannot be required is refused', async () => {
-  for (const kind of ['resection', 'orientation']) {
-    for (const required of ['', ' ; ', 'flexion=0']) assert.match((await one(kind, { required })).error, /^a required motion turns something; type it/);
-    assert.match((await one(kind, { required: 'bend=3' })).error, /^unknown motion 'bend'/);
-    assert.match((await one(kind, { required: 'flexion=90; flexion' })).error, /flexion/);
+  for (const kind of ['resect', 'orient']) {
+    for (const require of [[], ['flexion=0'], ['flexion=20', [0, 0, 0]]]) assert.match((await one(kind, { require })).error, /^require: a required motion turns something; give one/);
+    assert.match((await one(kind, { require: 'bend=3' })).error, /^require: unknown motion 'bend'/);
+    assert.match((await one(kind, { require: ['flexion=90', 'flexion'] })).error, /flexion/);
   }
-  assert.match((await one('resection', { ...REQUIRED, clearance_mm: 0 })).error, /^a clearance is above 0 mm/);
-  assert.match((await one('resection', { ...REQUIRED, clearance_mm: 9 })).error, /less than the clearance; give a smaller one$/);
-  assert.match((await one('orientation', { ...REQUIRED, tilt_deg: 91 })).error, /^a tilt is from -90 to 90/);
+  assert.match((await one('resect', { ...REQUIRED, clearance_mm: 0 })).error, /^clearance_mm: 0 is out of range; give a number above 0/);
+  assert.match((await one('resect', { ...REQUIRED, clearance_mm: 9 })).error, /less than the clearance; give a smaller one$/);
+  assert.match((await one('orient', { ...REQUIRED, tilt_deg: 91 })).error, /^tilt_deg: 91 is out of range; give a number from -90 to 90/);
 });
 
 test('headers of Slicer say the axes', async () => {

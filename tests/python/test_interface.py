@@ -46,20 +46,22 @@ REFUSED = [
     (ValueError, lambda j: j.volume(width=np.nan), "width: NaN is not finite; give a number"),
     (ValueError, lambda j: j.volume(gap_mm=-1), "gap_mm: -1 is out of range; give a number 0 or more"),
     (ValueError, lambda j: j.volume(centre_within_mm=np.inf), "centre_within_mm: Infinity is not finite"),
-    (ValueError, lambda j: j.resection("flexion=0"), "required: a motion moves nothing; give an angle other than 0"),
-    (ValueError, lambda j: j.resection([]), "required: an array of shape (0,) holds no motions; give angles in degrees"),
-    (ValueError, lambda j: j.resection([[1, 2]]), "required: an array of shape (1, 2) holds no motions"),
-    (ValueError, lambda j: j.resection(np.empty((0, 3))), "required: there is none; give"),
-    (ValueError, lambda j: j.resection([200, 0, 0]), "required: an angle is not within 180 degrees of 0"),
-    (ValueError, lambda j: j.resection(["flexion=20", "bend=2"]), "unknown motion 'bend'"),
-    (ValueError, lambda j: j.resection("flexion=20", clearance_mm=0), "clearance_mm: is no length; give a number of mm above 0"),
-    (ValueError, lambda j: j.resection("flexion=20", neck_mm=-2), "neck_mm: is no length; give a number of mm above 0"),
-    (RuntimeError, lambda j: j.resection("flexion=20", least=True), "the socket is no closed mesh of one orientation"),
-    (RuntimeError, lambda j: j.resection("flexion=20", clearance_mm=5), "less than the clearance; give a smaller one"),
-    (RuntimeError, lambda j: j.resection("flexion=90,internal_rotation=30", neck_mm=60), "or allow a thinner neck"),
-    (RuntimeError, lambda j: j.resection("flexion=150,internal_rotation=90"), "the axis of the neck at ("),
-    (ValueError, lambda j: j.orientation_map("flexion=20", tilt_deg=91), "tilt_deg: is no tilt; give degrees from -90 to 90"),
-    (ValueError, lambda j: j.orientation_map("flexion=20", resolution_deg=0), "resolution_deg: is none; give degrees"),
+    (ValueError, lambda j: j.resect("flexion=0"), "require: a required motion turns something; give one, as flexion=90,"),
+    (ValueError, lambda j: j.resect(), "require: a required motion turns something; give one"),
+    (ValueError, lambda j: j.resect([[1, 2]]), "require: is not three angles in degrees"),
+    (ValueError, lambda j: j.resect(np.empty((0, 3))), "require: a required motion turns something; give one"),
+    (ValueError, lambda j: j.resect([200, 0, 0]), "require: an angle is not within 180 degrees of 0"),
+    (ValueError, lambda j: j.resect({"bend": 3}), "there is no 'bend'; there are flexion, abduction, internal_rotation"),
+    (ValueError, lambda j: j.resect(["flexion=20", "bend=2"]), "require: unknown motion 'bend'"),
+    (ValueError, lambda j: j.resect("flexion=20", clearance_mm=0), "clearance_mm: 0 is out of range; give a number above 0"),
+    (ValueError, lambda j: j.resect("flexion=20", neck_mm=-2), "neck_mm: -2 is out of range; give a number above 0"),
+    (ValueError, lambda j: j.resect("flexion=20", cut="femur"), "cut: there is no 'femur'; there are ball, socket"),
+    (RuntimeError, lambda j: j.resect("flexion=20", least=True), "the socket is no closed mesh of one orientation"),
+    (RuntimeError, lambda j: j.resect("flexion=20", clearance_mm=5), "less than the clearance; give a smaller one"),
+    (RuntimeError, lambda j: j.resect("flexion=90,internal_rotation=30", neck_mm=60), "or allow a thinner neck"),
+    (RuntimeError, lambda j: j.resect("flexion=150,internal_rotation=90"), "the axis of the neck at ("),
+    (ValueError, lambda j: j.orient("flexion=20", tilt_deg=91), "tilt_deg: 91 is out of range; give a number from -90 to 90"),
+    (ValueError, lambda j: j.orient("flexion=20", resolution_deg=0), "resolution_deg: 0 is out of range; give a number from 0.01 to 90"),
     (ValueError, lambda j: j.certify(TURNS), "pose: "),
     (ValueError, lambda j: j.certify(motion="bend"), "unknown motion 'bend'"),
     (RuntimeError, lambda j: j.certify([130, 0, 40], motion="flexion"), "no certificate: the motion ends within 0.01 degrees"),
@@ -92,12 +94,12 @@ def members(tree):
 def kinds(of):
     """Keys of what a question answers, by the name of the stub's dict."""
     limit, volume = of.limits("flexion")["limits"][0], of.volume(width=0.5)
-    cut, turned = of.resection("flexion=90,internal_rotation=25"), of.orientation_map("flexion=10", resolution_deg=9)
+    cut, turned = of.resect("flexion=90,internal_rotation=25"), of.orient("flexion=10", resolution_deg=9)
     beside = sphere(5.0)
     walled = impinge.Joint.from_arrays(sphere(20.0), (beside[0] + [0, 0, 30], beside[1]), centre=(0, 0, 0))
-    return {"Limit": limit, "Volume": volume, "VolumeMotion": volume["motions"][0], "Resection": cut, "Leg": cut["legs"][0],
+    return {"Limit": limit, "Volume": volume, "VolumeMotion": volume["motions"][0], "ResectAnswer": cut, "Leg": cut["legs"][0], "Motion": cut["legs"][0]["start"],
             "Bracket": cut["legs"][0]["before"], "Neck": cut["neck"],
-            "CutSize": walled.resection("flexion=5", least=True)["least"], "OrientationMap": turned,
+            "Least": walled.resect("flexion=5", least=True)["least"], "OrientAnswer": turned, "Map": turned["map"],
             "Orientation": turned["as_scanned"], "Areas": turned["area_deg2"], "Measure": of.measure()["measures"][0], "MeasureAnswer": of.measure()}
 
 

@@ -73,8 +73,10 @@ def test_parameters_make_the_hip_that_they_say():
 def test_a_side_is_asked_for_and_a_wrong_one_warned_of(files):
     joint = impinge.Joint.read(*files)
     assert joint.side is None and joint.gaps("flexion=10")[0].shape[0] == 1
-    for ask in (joint.gaps, joint.resection, joint.orientation_map):
-        with pytest.raises(ValueError, match="give left or right with side="):
+    with pytest.raises(ValueError, match="give left or right with side="):
+        joint.gaps([0, 10, 0])
+    for ask in (joint.resect, joint.orient):
+        with pytest.raises(ValueError, match="to know the side; give left or right"):
             ask([0, 10, 0])
     with pytest.raises(ValueError, match="measures need to know the side; give left or right"):
         joint.measure()

@@ -62,13 +62,13 @@ def test_a_ball_in_a_wider_cup_turns_freely():
 
 
 def test_the_cut_reaches_what_is_required(hip):
-    ours = hip.resection(["flexion=90,internal_rotation=25", "flexion=100"], clearance_mm=0.4)
+    ours = hip.resect(["flexion=90,internal_rotation=25", "flexion=100"], clearance_mm=0.4)
     cut = impinge.Joint.from_arrays((ours["vertices"], ours["faces"]), (hip.socket.vertices, hip.socket.faces), side=hip.side, centre=hip.centre)
     way = [[90, 0, angle] for angle in range(26)] + [[angle, 0, 0] for angle in range(101)]
     assert hip.touch(way).any() and not cut.touch(way).any()
     assert np.nanmin(cut.smallest_gap(way)["gap_mm"]) > 0.39
     assert ours["depth"].max() == pytest.approx(ours["depth_mm"][1], rel=0.1)
-    assert hip.resection([[90, 0, 25], [100, 0, 0]], clearance_mm=0.4)["volume_mm3"] == ours["volume_mm3"]
+    assert hip.resect([[90, 0, 25], {"flexion": 100}], clearance_mm=0.4)["volume_mm3"] == ours["volume_mm3"]
 
 
 def test_measures_are_those_of_the_parameters():

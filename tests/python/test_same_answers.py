@@ -22,7 +22,6 @@ from shared import ROOT, marked, program, scene, standing, table, written
 SMALL = 1.4e-9  # mm, mm^2, degrees
 FINEST = np.degrees(1e-5)  # the last step towards an end that holds for every centre (limits/swept_parts.cpp)
 POSE = {"flexion": 80, "abduction": -10, "internal_rotation": 20}
-REQUIRED = ["flexion=90,internal_rotation=25", "flexion=100"]
 SCHEMES = ("rsid", "usid", "icosahedral_sine", "octahedral_equal_area", "fibonacci")  # rows, a curve, triangles, others
 CUBE = {"scheme": "cube_gnomonic", "precision_deg": 1, "storage": "uint16"}  # that Python has too, interpolated as the page does it
 
@@ -59,9 +58,7 @@ def ask_page(floats):
     pose = {**POSE, "cartilage_mm": 4}
     asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
              "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
-             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "measure": {},
-             "resection": {"required": "; ".join(REQUIRED), "clearance_mm": 0.4},
-             "orientation": {"required": "flexion=30", "tilt_deg": 5, "resolution_deg": 0.75}}
+             "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "measure": {}}
     done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(asked)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -136,48 +133,6 @@ def test_limits_of_the_page(page, floats, tmp_path):
             assert number(one[key]) == pytest.approx(number(other[key]), abs=most), (one, key)
 
 
-def test_resection(joint, floats, tmp_path):
-    scene(floats, tmp_path, "--question", "resection", *(word for motion in REQUIRED for word in ("--require", motion)), "--clearance", "0.4")
-    theirs, ours = written(tmp_path, "resection.json"), joint.resection(REQUIRED, clearance_mm=0.4)
-    for key in ("volume_mm3", "area_mm2", "depth_mm"):
-        assert list(ours[key]) == theirs[key], key
-    assert dict(zip("xyz", ours["deepest"])) == theirs["deepest"] and ours["mesh_volume_mm3"] == theirs["mesh_volume_mm3"]
-    assert ours["neck"] == theirs["neck"]
-    for leg, other in zip(ours["legs"], theirs["legs"]):
-        assert {**leg, "start": dict(zip(("flexion", "abduction", "internal_rotation"), leg["start"]))} == other
-
-
-def test_resection_of_the_page(page, joint):
-    """Ends of size, and the mesh, hang on which of two faces of one size is split first, which the last bit decides."""
-    ours, mine = joint.resection(REQUIRED, clearance_mm=0.4), page["resection"]
-    for key, relative in (("volume_mm3", 1e-4), ("area_mm2", 1e-4), ("depth_mm", 1e-9), ("deepest", 1e-9)):
-        assert near(mine[key], list(ours[key]), relative), key
-    assert near([mine["neck"][key] for key in ("before_mm", "after_mm")], [ours["neck"][key] for key in ("before_mm", "after_mm")], 1e-6)
-    assert max(mine["depth"]) == pytest.approx(ours["depth"].max(), abs=1e-5)
-    for leg, other in zip(mine["legs"], ours["legs"], strict=True):
-        for when in ("before", "after"):
-            assert leg[when]["state"] == other[when]["state"] and leg[when]["low_deg"] == pytest.approx(other[when]["low_deg"], abs=1e-6)
-
-
-def test_orientation(joint, floats, tmp_path):
-    scene(floats, tmp_path, "--question", "orientation", "--require", "flexion=30", "--tilt", "5")
-    theirs, ours = written(tmp_path, "orientation.json"), joint.orientation_map([30, 0, 0], tilt_deg=5)
-    assert ours["as_scanned"] == theirs["as_scanned"] and ours["area_deg2"] == theirs["area_deg2"]
-    rows, squares = table(tmp_path, "orientation.csv"), ours["squares"]
-    assert len(rows) == len(squares) > 20
-    for key in ("inclination_deg", "anteversion_deg", "half_width_deg"):
-        assert (squares[key] == [float(row[key]) for row in rows]).all(), key
-    assert [("free", "blocked", "unknown", "open")[k] for k in squares["state"]] == [row["state"] for row in rows]
-    assert [ours["legs"][k] if k >= 0 else "" for k in squares["leg"]] == [row["motion"] for row in rows]
-
-
-def test_orientation_of_the_page(page, joint):
-    ours, mine = joint.orientation_map([30, 0, 0], tilt_deg=5, resolution_deg=0.75), page["orientation"]
-    for key in ("as_scanned", "area_deg2"):
-        assert near(mine[key], ours[key]), key
-    fields = ("inclination_deg", "anteversion_deg", "half_width_deg", "state", "leg")
-    assert near(np.reshape(mine["squares"], (-1, len(fields))), np.array([list(row) for row in ours["squares"][list(fields)].tolist()]))
-    assert mine["legs"] == ours["legs"]
 
 
 def test_certificates(joint, floats, tmp_path):

@@ -93,9 +93,14 @@ Request described(const val& request) {
   return asked;
 }
 
+// The document of the answer, with arrays where it has some.
 template <class Request>
 val ask_question(const val& request) {
-  return val_of(json_of(answer(session(), described<Request>(request))));
+  const auto found = answer(session(), described<Request>(request));
+  val reply = val_of(json_of(found));
+  if constexpr (requires { add_arrays(*session().joint, found, reply); })
+    add_arrays(*session().joint, found, reply);
+  return reply;
 }
 
 val ask_volume(const val& request) {
@@ -107,18 +112,6 @@ val ask_volume(const val& request) {
   val reply = val_of(json_of(found));
   add_states(found.volume, session().joint->side, reply);
   return reply;
-}
-
-val ask_resection(const val& request) {
-  require_joint();
-  const SessionJoint& joint = *session().joint;
-  return resection_reply(joint, answer_resection(session(), resection_request(request, joint.side)));
-}
-
-val ask_orientation(const val& request) {
-  require_joint();
-  return orientation_reply(
-      answer_orientation(session(), orientation_request(request, session().joint->side)));
 }
 
 val ask_export(const val& request) {
@@ -153,8 +146,8 @@ val ask(const std::string& kind, const val& request) {
       {"touch", ask_question<TouchRequest>},
       {"gaps", ask_question<GapsRequest>},
       {"volume", ask_volume},
-      {"resection", ask_resection},
-      {"orientation", ask_orientation},
+      {"resect", ask_question<ResectRequest>},
+      {"orient", ask_question<OrientRequest>},
       {"export", ask_export}};
   try {
     const auto found = kKinds.find(kind);

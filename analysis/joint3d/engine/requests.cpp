@@ -64,23 +64,6 @@ Motion motion_request(const val& value) {
   return {angle_of(value, "flexion"), angle_of(value, "abduction"), angle_of(value, "internal_rotation")};
 }
 
-// Motions with ";" between them.
-std::vector<Motion> required_request(const val& request, std::optional<Side> side) {
-  auto words = request["required"].as<std::string>();
-  std::erase_if(words, [](char c) { return c == ' ' || c == '\n' || c == '\t'; });
-  std::vector<Motion> motions;
-  for (std::size_t from = 0; from < words.size();) {
-    const std::size_t end = std::min(words.find(';', from), words.size());
-    if (end > from) motions.push_back(parse_motion(std::string_view(words).substr(from, end - from)));
-    from = end + 1;
-  }
-  const auto moves = [side](const Motion& motion) { return !joint_rotation(motion, side).isIdentity(0.0); };
-  if (motions.empty() || !std::ranges::all_of(motions, moves))
-    throw std::invalid_argument(
-        "a required motion turns something; type it as flexion=90, internal_rotation=30");
-  return motions;
-}
-
 [[noreturn]] void refuse_sweep() {
   throw std::invalid_argument("a sweep has steps of 0.1 degrees or more, up to an angle above 0");
 }
@@ -160,25 +143,6 @@ LimitRequest limit_request(const val& request) {
   limit.cartilage_mm = cartilage_of(request);
   if (!(limit.largest_deg > 0.0)) refuse_sweep();
   return limit;
-}
-
-ResectionRequest resection_request(const val& request, std::optional<Side> side) {
-  const double clearance = number_of(request, "clearance_mm", ResectionRequest{}.clearance_mm);
-  if (!(clearance > 0.0 && std::isfinite(clearance)))
-    throw std::invalid_argument("a clearance is above 0 mm; type one, as 0.5");
-  return {required_request(request, side), clearance, {}};
-}
-
-OrientationRequest orientation_request(const val& request, std::optional<Side> side) {
-  if (!side) throw std::invalid_argument("an orientation needs the side of the body; choose left or right");
-  OrientationRequest asked{.required = required_request(request, side)};
-  asked.tilt_deg = number_of(request, "tilt_deg", 0.0);
-  if (!(std::abs(asked.tilt_deg) <= 90.0))
-    throw std::invalid_argument("a tilt is from -90 to 90 degrees, backwards positive");
-  asked.resolution_deg = number_of(request, "resolution_deg", 0.75);
-  if (!(asked.resolution_deg >= 0.5))
-    throw std::invalid_argument("a page draws squares of 0.5 degrees or more; choose a coarser resolution");
-  return asked;
 }
 
 double step_request(const val& request) {

@@ -3,8 +3,6 @@
 #pragma once
 
 #include "joint/limits.hpp"
-#include "joint/orientation.hpp"
-#include "joint/resection.hpp"
 #include "js_values.hpp"
 #include "mesh/declared_axes.hpp"
 
@@ -18,9 +16,6 @@ PoseRequest pose_request(const val& request);
 LimitRequest limit_request(const val& request);
 double step_request(const val& request);  // of a sweep, degrees
 
-// Of a cut or an orientation: `required` as "flexion=90, internal_rotation=30; extension=20".
-ResectionRequest resection_request(const val& request, std::optional<Side> side);
-OrientationRequest orientation_request(const val& request, std::optional<Side> side);
 
 // "uint16", "float" or "double".
 std::string_view storage_name(Storage storage);

@@ -19,6 +19,11 @@ export class ChangePanel extends ApartPanel {
     this.onRequired();
   }
 
+  /** As the library reads them. */
+  motions() {
+    return this.app.state.required.replace(/\s/g, "").split(";").filter(Boolean);
+  }
+
   /** Brings the fields up to the state. */
   show() {
     byId(`${this.id}-required`).value = this.app.state.required;

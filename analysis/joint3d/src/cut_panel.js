@@ -13,9 +13,9 @@ function reached({ state, low_deg: low }, required) {
 }
 
 export class CutPanel extends ChangePanel {
-  /** onCut(cut): the library's reply to `resection` when the femur is shown after it, else null. */
+  /** onCut(cut): the library's reply to `resect` when the femur is shown after it, else null. */
   constructor(app, open, onCut) {
-    super(app, open, { id: "cut", kind: "resection" });
+    super(app, open, { id: "cut", kind: "resect" });
     this.onCut = onCut;
     this.after = false;
     byId("cut-clearance").addEventListener("change", ({ target }) => { app.state.clearance = Number(target.value); this.again(); });
@@ -23,7 +23,7 @@ export class CutPanel extends ChangePanel {
   }
 
   question() {
-    return { required: this.app.state.required, clearance_mm: this.app.state.clearance };
+    return { require: this.motions(), clearance_mm: this.app.state.clearance };
   }
 
   show() {

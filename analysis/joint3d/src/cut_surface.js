@@ -27,7 +27,7 @@ export class CutSurface {
     this.mesh.visible = false;
   }
 
-  /** cut: the library's reply to `resection`. */
+  /** cut: the library's reply to `resect`. */
   set({ positions, faces, depth, depth_mm: [, deepest] }) {
     this.deepest = deepest;
     const geometry = new BufferGeometry();

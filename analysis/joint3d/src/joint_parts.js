@@ -114,7 +114,7 @@ export class JointParts {
     this.nearest.visible = Boolean(this.marked && this.met);
   }
 
-  /** The ball after a cut, the library's reply to `resection`; null: as it is. */
+  /** The ball after a cut, the library's reply to `resect`; null: as it is. */
   setCut(cut) {
     this.isCut = Boolean(cut);
     if (cut) this.cut.set(cut);

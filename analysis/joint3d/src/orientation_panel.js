@@ -5,6 +5,7 @@ import { byId, drawn, keyRow, legWords, roundedDown, roundedUp } from "./element
 import { MAP, mapLabels } from "./plots.js";
 
 const HEIGHT = 312;
+const RESOLUTION = 0.75; // degrees: finer squares are no wider than a line
 const SQUARE = 5; // numbers each: inclination, anteversion, half width, state, and which part of a motion is so
 const STATES = [["free", "#2a6f97"], ["blocked", "#f1e3a0"], ["unknown: the mesh ends", "#c9ccd1"], ["undecided", "#8d949c"]];
 const WORDS = ["All required motions are free", "Blocked", "Not known, since the ball's mesh ends under the socket", "Undecided"];
@@ -12,7 +13,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arr
 
 export class OrientationPanel extends ChangePanel {
   constructor(app, open) {
-    super(app, open, { id: "orientation", kind: "orientation" });
+    super(app, open, { id: "orientation", kind: "orient" });
     byId("orientation-tilt").addEventListener("change", ({ target }) => { app.state.tilt = Number(target.value); this.again(); });
     const plot = byId("orientation-plot");
     for (const kind of ["pointermove", "pointerdown"]) plot.addEventListener(kind, (event) => this.point(event));
@@ -21,7 +22,7 @@ export class OrientationPanel extends ChangePanel {
   }
 
   question() {
-    return { required: this.app.state.required, tilt_deg: this.app.state.tilt };
+    return { require: this.motions(), tilt_deg: this.app.state.tilt, resolution_deg: RESOLUTION };
   }
 
   show() {

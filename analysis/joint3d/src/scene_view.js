@@ -44,7 +44,7 @@ export class SceneView {
     this.draw();
   }
 
-  /** cut: the library's reply to `resection`, whose ball is then shown, or null. */
+  /** cut: the library's reply to `resect`, whose ball is then shown, or null. */
   setCut(cut) {
     this.parts.setCut(cut);
     this.draw();

@@ -70,11 +70,19 @@ class Bracket(TypedDict):
     low_deg: float  # free up to here
     high_deg: float  # where limited, not free here
 
+class Motion(TypedDict):
+    """Degrees from the pose of the scan."""
+
+    flexion: float
+    abduction: float
+    internal_rotation: float
+
 class Leg(TypedDict):
     """A part of a required path: one angle that grows from where the part before has ended."""
 
+    words: str
     motion: str
-    start: tuple[float, float, float]  # degrees: flexion, abduction, internal rotation
+    start: Motion
     required_deg: float  # of growth
     before: Bracket  # first contact before the cut, up to what is required
     after: Bracket  # and after it, up to 10 degrees more
@@ -82,29 +90,32 @@ class Leg(TypedDict):
 class Neck(TypedDict):
     """Width of the widest round bar about the neck's axis that no cut enters, mm."""
 
-    least_mm: float  # that was asked for
+    least_mm: float  # that was to be left
     before_mm: float
     after_mm: float
 
-class CutSize(TypedDict):
-    """As in Resection, of the least cut of all: what the bone of the socket sweeps through within the clearance."""
+class Least(TypedDict):
+    """As in ResectAnswer, of the least cut of all: what the bone of the socket sweeps through within the clearance."""
 
-    volume_mm3: tuple[float, float]
-    area_mm2: tuple[float, float]
-    depth_mm: tuple[float, float]  # the most bone that goes along one ray
+    volume_mm3: list[float] | None
+    area_mm2: list[float]
+    depth_mm: list[float]  # the most bone that goes along one ray
+    cells: int  # parts of the ball's surface in swept.csv
 
-class Resection(TypedDict):
-    """The least radial cut of the ball, with the names of resection.json. Pairs are ends: no less, no more."""
+class ResectAnswer(TypedDict):
+    """The least radial cut, with the names of resection.json. Two numbers are ends: no less, no more."""
 
-    volume_mm3: tuple[float, float]  # of bone that has to go
-    area_mm2: tuple[float, float]  # of the ball's surface that has to go
-    depth_mm: tuple[float, float]  # the largest, along rays from the centre
-    least: CutSize | None  # of the least cut of all, if it was asked for
-    deepest: tuple[float, float, float] | None  # where that is, frame of the meshes; None: nothing has to go
-    mesh_volume_mm3: float  # that the mesh below takes away
+    surface: str  # ball or socket
+    volume_mm3: list[float] | None  # of bone that has to go; None of an open socket
+    volume_why: str | None  # why there is no volume
+    area_mm2: list[float]  # of the bone's surface that has to go
+    depth_mm: list[float]  # the largest, along rays from the centre
+    deepest: list[float] | None  # where that is, frame of the meshes; None: nothing has to go
+    mesh_volume_mm3: float | None  # that the mesh below takes away; None where it is open
+    least: Least | None  # of the least cut of all, if it was asked for
     neck: Neck | None  # None without a neck, or without a cut beside it
     legs: list[Leg]
-    vertices: NDArray[np.float64]  # (n, 3), mm, frame of the meshes: the cut ball
+    vertices: NDArray[np.float64]  # (n, 3), mm, frame of the meshes: the bone that is left
     faces: NDArray[np.uint32]  # (m, 3)
     depth: NDArray[np.float64]  # (n,), mm along the ray of each vertex
 
@@ -115,6 +126,14 @@ class Orientation(TypedDict):
     anteversion_deg: float
     state: str  # free, blocked, unknown, open
 
+class Map(TypedDict):
+    """A square of angles, which the squares make up."""
+
+    least_inclination_deg: float
+    least_anteversion_deg: float
+    width_deg: float
+    squares: int
+
 class Areas(TypedDict):
     """Of the map, square degrees."""
 
@@ -123,13 +142,14 @@ class Areas(TypedDict):
     unknown: float
     open: float
 
-class OrientationMap(TypedDict):
+class OrientAnswer(TypedDict):
     """With the names of orientation.json."""
 
     as_scanned: Orientation
+    map: Map
     area_deg2: Areas
     legs: list[str]  # parts of the required paths, in words
-    squares: NDArray[Any]  # structured, a row a square; see Joint.orientation_map()
+    squares: NDArray[Any]  # structured, a row a square; see Joint.orient()
 
 class Measure(TypedDict):
     """With the names of measures.csv; libcore/hip/measure_list.hpp and published_measures.hpp say what they are."""
@@ -169,6 +189,7 @@ class Surface:
     def areas(self) -> NDArray[np.float64]: ...  # (n,), mm^2 of the surface that belong to each vertex
 
 Poses = ArrayLike | str
+Required = ArrayLike | str | Sequence[str]  # one motion, or several
 Mesh = tuple[ArrayLike, ArrayLike]  # vertices (n, 3) in mm, faces (m, 3)
 Point = Sequence[float] | NDArray[np.float64]
 Marked = str | PathLike[str] | dict[str, Point]  # landmarks
@@ -259,19 +280,18 @@ class Joint:
         x, y, z (quaternion in its middle, the largest coordinate 1: a rotation of the ball, axes right, anterior,
         superior), radius_deg, share, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable (1 certainly, 0
         certainly not, -1 not known)."""
-    def resection(
-        self, required: ArrayLike | str | Sequence[str], *, clearance_mm: float = 0.5, neck_mm: float | None = None,
-        least: bool = False
-    ) -> Resection:
-        """The least radial cut of the ball with which `required` is reached and a radial gap of clearance_mm stays
-        everywhere on the way: angles of shape (3,) or (n, 3), or texts as "flexion=90,internal_rotation=30", each along
-        its path from the pose of the scan, flexion first, then abduction, then rotation. neck_mm: least width of the bar
+    def resect(
+        self, require: Required, clearance_mm: float = 0.5, cut: str = "ball", rim_mm: float | None = None,
+        neck_mm: float | None = None, least: bool = False
+    ) -> ResectAnswer:
+        """The least radial cut of the ball, or of the socket's rim (cut="socket"), with which `require` is reached and a
+        radial gap of clearance_mm stays everywhere on the way: angles of shape (3,) or (n, 3), or texts as
+        "flexion=90,internal_rotation=30", each along its path from the pose of the scan, flexion first, then abduction, then
+        rotation. rim_mm: how far inside its rim a socket may be cut, 5 where it is None. neck_mm: least width of the bar
         about the neck's axis that stays whole, 70 % of the neck's where it is None. least: how large the least cut of all is
         too, for a socket that is a closed mesh. RuntimeError, with the place, where no such cut may be made. Nothing here may guide a treatment."""
-    def orientation_map(
-        self, required: ArrayLike | str | Sequence[str], *, tilt_deg: float = 0.0, resolution_deg: float = 0.1
-    ) -> OrientationMap:
-        """In which orientations of the socket about the centre `required` (as for resection()) is free, of inclination 0
+    def orient(self, require: Required, tilt_deg: float = 0.0, resolution_deg: float = 0.1) -> OrientAnswer:
+        """In which orientations of the socket about the centre `require` (as for resect()) is free, of inclination 0
         to 90 and anteversion -30 to 60 degrees, the pelvis tilted backwards by tilt_deg. `squares` has the fields
         inclination_deg and anteversion_deg (radiographic, of its middle), half_width_deg, leg (where it is not free, the
         place among `legs` of one that is so; else -1) and state (0 free, 1 blocked, 2 unknown, 3 undecided at that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "joint/resection.hpp"
+#include "joint/resect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,16 @@ constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .depth_mm = kInfinity, .
 // Of the rim, where the ends of the volume close more slowly than those of the ball.
 constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
 
+constexpr std::string_view kNoVolume =
+    "the socket is no closed mesh of one orientation, so that it is not known how thick its bone is";
+
+// From the joint frame to that of the meshes.
+Vec3 from_joint_frame(const SessionJoint& joint, const Vec3& x) {
+  return joint.axes.transpose() * x + joint.joint.centre;
+}
+
 std::string at_place(const SessionJoint& joint, const Vec3& place) {
-  const Vec3 x = joint.axes.transpose() * place + joint.joint.centre;
+  const Vec3 x = from_joint_frame(joint, place);
   return formatted("at (%.1f, %.1f, %.1f)", x.x(), x.y(), x.z());
 }
 
@@ -52,11 +60,11 @@ void require_free_start(const Joint& joint, const TurnLimits& limits, const Requ
                              " mm, less than the clearance; give a smaller one");
 }
 
-void require_whole_ball(const ReachedLeg& reached) {
-  const auto leaves = reached.after.leaves_mesh_deg;
-  if (!leaves || *leaves > reached.leg.largest_deg) return;
+void require_whole_ball(const RequiredLeg& leg, const TurnLimit& after) {
+  const auto leaves = after.leaves_mesh_deg;
+  if (!leaves || *leaves > leg.largest_deg) return;
   throw std::runtime_error("the ball's mesh ends under the socket from " + rounded_down(*leaves, 1) +
-                           " degrees on of " + describe(reached.leg) +
+                           " degrees on of " + describe(leg) +
                            ": what is missing may be in the way; require less, or give more of the bone");
 }
 
@@ -127,7 +135,7 @@ std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, c
   return std::nullopt;
 }
 
-void require_no_bearing_cut(const SessionJoint& joint, const ResectionRequest& request, const Resection& cut,
+void require_no_bearing_cut(const SessionJoint& joint, const ResectRequest& request, const Resection& cut,
                             const RadiiOverCap& other) {
   if (request.least) require_no_parts(joint.joint, "the least cut of all");
   const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
@@ -138,9 +146,10 @@ void require_no_bearing_cut(const SessionJoint& joint, const ResectionRequest& r
     return;
   }
   const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
-  if (const auto place = socket_cut(cut, ball, socket, request.most_rim_mm))
+  if (const auto place = socket_cut(cut, ball, socket, request.rim_mm.value_or(kMostRim)))
     throw std::runtime_error("the cut would reach the bearing surface of the socket " +
-                             at_place(joint, *place) + ", more than " + rounded_up(request.most_rim_mm, 1) +
+                             at_place(joint, *place) + ", more than " +
+                             rounded_up(request.rim_mm.value_or(kMostRim), 1) +
                              " mm inside its rim; require less, or allow more of the rim to go");
 }
 
@@ -164,7 +173,7 @@ std::optional<Bar> bar_of(const TriangleMesh& mesh, const std::vector<double>& d
   return bar;
 }
 
-std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectionRequest& request,
+std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectRequest& request,
                                  const Resection& cut, const TriangleMesh& ball) {
   FemurMeasures femur;
   try {
@@ -175,7 +184,7 @@ std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectionReque
   const auto before = bar_of(cut.before, cut.depth, femur.neck_axis);
   const auto after = bar_of(cut.cut, cut.depth, femur.neck_axis);
   if (!before || !after) return std::nullopt;
-  const double least = request.least_neck_mm.value_or(kNeckShare * 2.0 * femur.neck_radius);
+  const double least = request.neck_mm.value_or(kNeckShare * 2.0 * femur.neck_radius);
   if (after->width < least)
     throw std::runtime_error("the cut would leave a bar of " + rounded_down(after->width, 1) +
                              " mm about the axis of the neck " + at_place(joint, after->place) +
@@ -196,32 +205,27 @@ BoneParts beside_in_joint_frame(const SessionJoint& joint) {
 }
 
 // Parts are not cut.
-void require_no_part_in_the_way(const Joint& joint, const ReachedLeg& reached) {
-  if (!reached.after.contact) return;
-  const auto [ball, socket] = reached.after.contact->body;
+void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, const TurnLimit& after) {
+  if (!after.contact) return;
+  const auto [ball, socket] = after.contact->body;
   if (ball == 0 && socket == 0) return;
-  throw std::runtime_error(meet(joint, ball, socket) + " " + rounded_down(reached.after.low_deg, 1) +
-                           " degrees into " + describe(reached.leg) +
+  throw std::runtime_error(meet(joint, ball, socket) + " " + rounded_down(after.low_deg, 1) +
+                           " degrees into " + describe(leg) +
                            ", and bone beside the joint is not cut; require less");
 }
 
-void reach(const SessionJoint& joint, const TriangleMesh& other, const BoneParts& beside,
-           ResectionAnswer& answer) {
-  const bool of_ball = answer.cut.of == Surface::ball;
-  const TurnLimits after(
-      of_ball ? BallSocketPair{answer.cut.cut, other} : BallSocketPair{other, answer.cut.cut}, beside);
-  for (ReachedLeg& reached : answer.legs) {
-    const RequiredLeg& leg = reached.leg;
-    const double farthest =
-        std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
-    reached.after = after.first_contact(leg.turn, farthest);
-    if (!joint.joint.ball.taken) require_whole_ball(reached);  // else the rest of it is a part
-    if (reached.after.low_deg >= leg.largest_deg) continue;
-    require_no_part_in_the_way(joint.joint, reached);
-    throw std::runtime_error("the cut " + std::string(name(answer.cut.of)) + " is not proven to reach " +
-                             describe(leg) + ", but " + rounded_down(reached.after.low_deg, 3) +
-                             " degrees; give a larger clearance");
-  }
+LegLimit limit_of(const TurnLimit& limit) { return {limit.state, limit.low_deg, limit.high_deg}; }
+
+// How far a leg goes with the cut bone.
+LegLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, const RequiredLeg& leg) {
+  const double farthest =
+      std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
+  const TurnLimit after = cut.first_contact(leg.turn, farthest);
+  if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of it is a part
+  if (after.low_deg >= leg.largest_deg) return limit_of(after);
+  require_no_part_in_the_way(joint.joint, leg, after);
+  throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
+                           ", but " + rounded_down(after.low_deg, 3) + " degrees; give a larger clearance");
 }
 
 // What is within what: the ends of one hold for the other.
@@ -232,42 +236,80 @@ void nest(CutSize& inner, CutSize& outer) {
   }
 }
 
+TwoEnds ends_of(const Ends& ends) { return {ends.low, ends.high}; }
+
+void add_extent(const CutSize& size, CutExtent& found) {
+  if (std::isfinite(size.volume_mm3.high)) found.volume_mm3 = ends_of(size.volume_mm3);
+  found.area_mm2 = ends_of(size.area_mm2);
+  found.depth_mm = ends_of(size.depth_mm);
+}
+
+void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
+  add_extent(least, found.least.emplace());
+  found.least->cells = least.cells.size();
+  found.swept = std::move(least.cells);
+  for (LeastCut::Cell& cell : found.swept) {
+    for (Vec3& x : cell.corners) x = from_joint_frame(joint, x);
+  }
+}
+
+void add_cut(const SessionJoint& joint, Resection cut, ResectAnswer& found) {
+  add_extent(cut, found);
+  found.surface = cut.of;
+  if (!found.volume_mm3) found.volume_why = kNoVolume;
+  if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.before.vertices[cut.deepest]);
+  found.mesh_volume_mm3 = cut.cut_mm3;
+  found.mesh = std::move(cut.cut);
+  for (Vec3& x : found.mesh.vertices) x = from_joint_frame(joint, x);
+  found.depth = std::move(cut.depth);
+}
+
 }  // namespace
 
-ResectionAnswer answer_resection(Session& session, const ResectionRequest& request) {
+void ResectRequest::check() const {
+  check_required(require);
+  const bool of_ball = cut == Surface::ball;
+  if (of_ball && rim_mm)
+    throw std::invalid_argument("rim_mm: is of a cut of the socket; cut the socket, or leave it out");
+  if (!of_ball && neck_mm)
+    throw std::invalid_argument("neck_mm: is of a cut of the ball; cut the ball, or leave it out");
+  if (!of_ball && least)
+    throw std::invalid_argument("the least cut of all is one of the ball; cut the ball, or leave it out");
+}
+
+ResectAnswer answer(Session& session, const ResectRequest& request) {
+  request.check();
   const SessionJoint& joint = *session.joint;
   if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
     Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);
-    return answer_resection(whole, request);
+    return answer(whole, request);
   }
-  const std::vector<RequiredLeg> legs = required_legs(request.required, joint.side);
-  if (legs.empty()) throw std::runtime_error("no motion is required");
+  const std::vector<RequiredLeg> legs = required_legs(request.require, joint.side);
   const bool of_ball = request.cut == Surface::ball;
-  if (request.least && !of_ball)
-    throw std::runtime_error("the least cut of all is one of the ball; cut the ball, or leave it out");
   const TriangleMesh ball = in_joint_frame(joint, joint.main(Surface::ball));
   const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
   const BoneParts beside = beside_in_joint_frame(joint);
-  const BallSocketPair meshes{ball, socket};
-  const TurnLimits limits(meshes, beside);
-  require_free_start(joint.joint, limits, legs.front(), request.clearance_mm);
-  const TriangleMesh& other = of_ball ? socket : ball;
-  const SweptRadius swept(other, legs, request.cut);
+  const TurnLimits before({ball, socket}, beside);
+  require_free_start(joint.joint, before, legs.front(), request.clearance_mm);
+  const SweptRadius swept(of_ball ? socket : ball, legs, request.cut);
   CutQuestion question = of_ball ? CutQuestion{} : kRimQuestion;
   question.clearance_mm = request.clearance_mm;
-  ResectionAnswer answer{least_radial_cut(of_ball ? ball : socket, swept, question), {}, {}, {}, {}};
+  Resection cut = least_radial_cut(of_ball ? ball : socket, swept, question);
+  require_no_bearing_cut(joint, request, cut, swept.other());
+  ResectAnswer found;
+  if (of_ball) found.neck = neck_left(joint, request, cut, ball);
+  const TurnLimits after(of_ball ? BallSocketPair{cut.cut, socket} : BallSocketPair{ball, cut.cut}, beside);
   for (const RequiredLeg& leg : legs)
-    answer.legs.push_back({leg, limits.first_contact(leg.turn, leg.largest_deg), {}});
-  require_no_bearing_cut(joint, request, answer.cut, swept.other());
-  if (of_ball) answer.neck = neck_left(joint, request, answer.cut, ball);
-  reach(joint, other, beside, answer);
+    found.legs.push_back({describe(leg), leg.growing, leg.start, leg.largest_deg,
+                          limit_of(before.first_contact(leg.turn, leg.largest_deg)),
+                          reached(joint, after, cut.of, leg)});
   if (request.least) {
-    answer.least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
-    nest(*answer.least, answer.cut);
+    LeastCut least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
+    nest(least, cut);
+    add_least(joint, std::move(least), found);
   }
-  answer.deepest =
-      joint.axes.transpose() * answer.cut.before.vertices[answer.cut.deepest] + joint.joint.centre;
-  return answer;
+  add_cut(joint, std::move(cut), found);
+  return found;
 }
 
 }  // namespace impinge

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is required of a joint that is to be changed, by a cut (joint/resect.hpp) or by another orientation of
+// its socket (joint/orient.hpp).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "hip/motion.hpp"
+
+namespace impinge {
+
+/// On the screen, with every such answer.
+inline constexpr std::string_view kNoGuide =
+    "Research software, not a medical device: nothing in this may guide the treatment of a patient.";
+
+/// What `require` of a request is (change/required_motion.hpp).
+inline constexpr std::string_view kRequireText =
+    "motion that is to be reached, as flexion=90,internal_rotation=30: along the path from the pose of the "
+    "scan, one angle after the other, flexion, abduction, rotation; more than one may be given";
+
+/// std::invalid_argument, one line, where there is none, or one that moves nothing.
+void check_required(std::span<const Motion> require);
+
+}  // namespace impinge

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bone to cut from a session's ball, or its socket, so that required motions are reached
+// (change/resection.hpp), with checks of the joint, and exact tests of what is left.
+//
+// A cut is refused where
+//   * the pose of the scan touches, or has a gap below the clearance, already;
+//   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
+//   * it reaches the bearing surface of the ball: vertices within SphereFit::trim of the sphere that fits the
+//     head (hip/sphere_fit.hpp) and facing the socket in the pose of the scan;
+//   * it reaches the bearing surface of the socket: vertices within BallFitOptions::trim of the sphere of
+//     measure_acetabulum() (hip/hip_measures.hpp) that are farther inside the rim than may be trimmed. At
+//     that distance the sphere goes on all round them. A socket without a rim that can be measured is not
+//     checked for this;
+//   * it thins the neck too much: the widest round bar about the axis of the neck (hip/hip_measures.hpp) that
+//     the cut leaves whole is narrower than asked for. A ball without a neck is not checked for this, nor a
+//     cut of the socket;
+//   * bone beside the joint stops a required motion after the cut (limits/body_pairs.hpp). Such parts are not
+//     cut, and need no clearance.
+//
+// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
+// surface and neck hold for it as well. It is refused if the socket has no wall or there is bone
+// beside the joint, and there is none of the socket.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "change/resection.hpp"
+#include "files/fields.hpp"
+#include "joint/required_motions.hpp"
+#include "joint/session.hpp"
+#include "limits/turn_limit.hpp"
+
+namespace impinge {
+
+/// How far inside its rim a socket may be cut where nothing else is asked for, mm. Our choice: no published
+/// limit is known to us.
+inline constexpr double kMostRim = 5.0;
+
+/// Width of the bar that a cut leaves of the neck where nothing else is asked for, as a share of the neck's:
+/// up to 30 % of the anterolateral quadrant of the neck can be resected before it breaks at a lower load
+/// (Mardones et al. 2005, cadaver femora).
+inline constexpr double kNeckShare = 0.7;
+
+struct ResectRequest {
+  std::vector<Motion> require;  // degrees
+  double clearance_mm = 0.5;
+  Surface cut = Surface::ball;
+  std::optional<double> rim_mm;   // kMostRim if not given
+  std::optional<double> neck_mm;  // kNeckShare of the neck's width if not given
+  bool least = false;
+
+  /// std::invalid_argument for what cannot be required, or does not go together.
+  void check() const;
+
+  static constexpr auto fields() {
+    using Asked = ResectRequest;
+    return std::tuple{
+        Field{"require", "deg", kRequireText, &Asked::require},
+        Field{"clearance_mm", "mm", "radial gap to keep along the whole motion", &Asked::clearance_mm,
+              kPositive},
+        Field{"cut", "", "which bone is cut: the ball, or the socket at its rim", &Asked::cut},
+        Field{"rim_mm", "mm", "how far inside its rim a cut of the socket may come; 5 where it is not given",
+              &Asked::rim_mm, kPositive},
+        Field{"neck_mm", "mm",
+              "least uncut width about the axis of the neck, of a cut of the ball; 70 % of the neck's width "
+              "where it is not given",
+              &Asked::neck_mm, kPositive},
+        Field{
+            "least", "",
+            "also the smallest cut of the ball that may leave an undercut; the socket must be a closed mesh",
+            &Asked::least}};
+  }
+};
+
+/// Proven ends of a number: it is no less than the first and no more than the second.
+using TwoEnds = std::array<double, 2>;
+
+/// How much has to go.
+struct CutExtent {
+  std::optional<TwoEnds> volume_mm3;
+  TwoEnds area_mm2{};
+  TwoEnds depth_mm{};
+
+  static constexpr auto fields() {
+    using Cut = CutExtent;
+    return std::tuple{
+        Field{"volume_mm3", "mm^3", "of bone that has to go, at least and at most", &Cut::volume_mm3},
+        Field{"area_mm2", "mm^2", "of the bone's surface that has to go, at least and at most",
+              &Cut::area_mm2},
+        Field{"depth_mm", "mm",
+              "the largest along a ray from the centre, at least and at most: to where the other bone is "
+              "clear of it, or a closed mesh ends",
+              &Cut::depth_mm}};
+  }
+};
+
+struct LeastExtent : CutExtent {
+  std::size_t cells = 0;
+
+  static constexpr auto fields() {
+    return std::tuple_cat(
+        CutExtent::fields(),
+        std::tuple{Field{"cells", "1", "parts of the ball's surface in swept.csv", &LeastExtent::cells}});
+  }
+};
+
+/// Width of the round bar inside the neck, mm.
+struct NeckBar {
+  double least = 0.0;
+  double before = 0.0;
+  double after = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"least_mm", "mm", "that was to be left", &NeckBar::least},
+                      Field{"before_mm", "mm", "in the uncut ball, where it is cut", &NeckBar::before},
+                      Field{"after_mm", "mm", "in the cut ball", &NeckBar::after}};
+  }
+};
+
+/// Of first contact along a leg (limits/turn_limit.hpp).
+struct LegLimit {
+  LimitState state = LimitState::unknown;
+  double low_deg = 0.0;
+  double high_deg = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"state", "", "how the search for first contact ended", &LegLimit::state},
+        Field{"low_deg", "deg", "no contact from the start of the leg to here", &LegLimit::low_deg},
+        Field{"high_deg", "deg", "where limited, contact here", &LegLimit::high_deg}};
+  }
+};
+
+/// A leg of a required path, before the cut and after.
+struct ResectLeg {
+  std::string words;
+  std::string_view motion;
+  Motion start;
+  double required_deg = 0.0;
+  LegLimit before;
+  LegLimit after;
+
+  static constexpr auto fields() {
+    using Leg = ResectLeg;
+    return std::tuple{
+        Field{"words", "", "as internal_rotation from 0 to 30 degrees at flexion 90", &Leg::words},
+        Field{"motion", "", "the angle that grows", &Leg::motion},
+        Field{"start", "deg", "where the leg begins", &Leg::start},
+        Field{"required_deg", "deg", "of growth", &Leg::required_deg},
+        Field{"before", "", "first contact before the cut, up to what is required", &Leg::before},
+        Field{"after", "", "and after it, up to 10 degrees more", &Leg::after}};
+  }
+};
+
+inline constexpr double kBeyondLeg = 10.0;  // degrees that are looked at beyond what is required
+
+struct ResectAnswer : CutExtent {
+  Surface surface = Surface::ball;
+  std::optional<std::string_view> volume_why;
+  std::optional<Vec3> deepest;
+  double mesh_volume_mm3 = 0.0;  // NaN where the mesh is open
+  std::optional<LeastExtent> least;
+  std::optional<NeckBar> neck;
+  std::vector<ResectLeg> legs;
+  // Frame of the meshes, mm:
+  TriangleMesh mesh;                  // of the bone that is left
+  std::vector<double> depth;          // of each vertex, along its ray
+  std::vector<LeastCut::Cell> swept;  // what may have to go in the least cut of all
+
+  static constexpr auto fields() {
+    using Cut = ResectAnswer;
+    return std::tuple_cat(
+        std::tuple{Field{"surface", "",
+                         "which bone the least radial cut about the centre of rotation is of. It leaves no "
+                         "undercut, and narrows the bone behind the rim all the way out, where a cut that "
+                         "follows the rim could take less; of the socket it takes all bone nearer to the "
+                         "centre than the ball reaches, with the clearance",
+                         &Cut::surface}},
+        CutExtent::fields(),
+        std::tuple{
+            Field{"volume_why", "", "why there is no volume", &Cut::volume_why},
+            Field{"deepest", "mm",
+                  "where the cut is deepest, x, y, z in the frame of the meshes; null: "
+                  "nothing has to go",
+                  &Cut::deepest},
+            Field{
+                "mesh_volume_mm3", "mm^3",
+                "that the cut mesh takes away; null where it is open, as a socket is of which all of a wall "
+                "goes",
+                &Cut::mesh_volume_mm3},
+            Field{"least", "",
+                  "of the least cut of all, if it was asked for: what the bone of the socket sweeps through "
+                  "within the clearance; bone beyond stays, over an undercut",
+                  &Cut::least},
+            Field{"neck", "",
+                  "widest round bar about the axis of the neck that stays whole; null without a neck, or "
+                  "without a cut beside it",
+                  &Cut::neck},
+            Field{"legs", "", "of the required paths; none touches after the cut", &Cut::legs}});
+  }
+};
+
+/// std::runtime_error, one line with the place in the frame of the meshes, if the cut is refused;
+/// std::invalid_argument as check(), or where a motion needs a side.
+ResectAnswer answer(Session& session, const ResectRequest& request);
+
+}  // namespace impinge
