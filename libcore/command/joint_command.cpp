@@ -32,7 +32,8 @@ struct JointCommand {
 
 Json document_schema(const QuestionCommand& question) {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-              {"title", "impinge " + question.name}};
+              {"title", "impinge " + question.name},
+              {"description", question.text}};
   Json properties{{"program", {{"const", "impinge"}}},
                   {"version", {{"type", "string"}}},
                   {"commit", {{"type", "string"}}},
@@ -241,15 +242,10 @@ void run(const JointCommand& command, const Screen& screen) {
   } catch (const std::invalid_argument& error) {
     throw CommandError(error.what() + see);
   }
-  if (command.joints.empty()) {
-    if (command.joint.ball.empty() || command.joint.socket.empty())
-      throw CommandError("two meshes are needed, BALL and SOCKET" + see);
-    return run_one(command, screen);
-  }
-  if (!command.joint.ball.empty())
-    throw CommandError("BALL and SOCKET are one joint, and --joints many: leave one out" + see);
-  if (command.out.empty()) throw CommandError("--joints needs --out, a folder for their answers" + see);
-  run_all(command, screen);
+  if (!command.joints.empty()) return run_all(command, screen);
+  if (command.joint.ball.empty() || command.joint.socket.empty())
+    throw CommandError("two meshes are needed, BALL and SOCKET" + see);
+  run_one(command, screen);
 }
 
 void add_command(CLI::App& program, QuestionCommand question, const Screen& screen,
@@ -258,21 +254,27 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   command->question = std::move(question);
   CLI::App& app = *program.add_subcommand(command->question.name, command->question.text);
   app.footer("Example: impinge " + command->question.name + " " + command->question.example);
-  app.add_option("BALL", command->joint.ball, "mesh with the ball: PLY, STL, OBJ or OFF, in mm")
-      ->type_name("FILE");
+  CLI::Option* const ball =
+      app.add_option("BALL", command->joint.ball, "mesh with the ball: PLY, STL, OBJ or OFF, in mm")
+          ->type_name("FILE");
   app.add_option("SOCKET", command->joint.socket, "mesh with the socket, in the same frame")
       ->type_name("FILE");
   command->question.add_options(app);
   add_joint_options(app, command->joint);
   const std::string group = "The answer";
-  app.add_option("--out", command->out, "folder for files; without it the answer is on the screen alone")
-      ->type_name("DIR")
-      ->group(group);
+  CLI::Option* const out =
+      app.add_option("--out", command->out, "folder for files; without it the answer is on the screen alone")
+          ->type_name("DIR")
+          ->group(group);
   app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
       ->group(group);
-  app.add_option("--joints", command->joints, "in place of BALL and SOCKET: a folder with one folder a joint")
-      ->type_name("DIR")
-      ->group(group);
+  CLI::Option* const joints = app.add_option("--joints", command->joints,
+                                             "in place of BALL and SOCKET: a folder with one folder a joint")
+                                  ->type_name("DIR")
+                                  ->group(group);
+  joints->needs(out)->excludes(ball);
+  for (const char* of_one : {"--centre", "--landmarks", "--ball-part", "--socket-part", "--config"})
+    joints->excludes(app.get_option(of_one));
   app.add_option("--threads", command->threads, "[all cores]")
       ->type_name("N")
       ->check(in_range({1, 1024}))
@@ -295,9 +297,9 @@ void Work::warn(const std::string& line) const {
 }
 
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work) {
-  for (QuestionCommand& question :
-       std::vector<QuestionCommand>{gaps_question(), touch_question(), poses_question(), limits_question(),
-volume_question(), resect_question(), orient_question(), measure_question(), certify_question()})
+  for (QuestionCommand& question : std::vector<QuestionCommand>{
+           gaps_question(), touch_question(), poses_question(), limits_question(), volume_question(),
+           resect_question(), orient_question(), measure_question(), certify_question()})
     add_command(program, std::move(question), screen, work);
 }
 

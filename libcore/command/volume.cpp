@@ -167,7 +167,7 @@ Told tell_volume(Session& session, const VolumeRequest& request, const Work& wor
   const VolumeAnswer found = refined(session, request, work);
   Told told{.words = words_of_volume(found, request.width), .document = json_of(found)};
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
-    told.rows_of_one.push_back("/" + std::string(share));
+    told.row_of_one.push_back({share, std::string("/") + share});
   if (!work.out) return told;
   told.wrote = {"volume.csv"};
   if (session.joint->side)

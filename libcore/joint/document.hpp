@@ -91,7 +91,7 @@ Json schema_of() {
   } else if constexpr (std::integral<T>) {
     return {{"type", "integer"}};
   } else if constexpr (std::floating_point<T>) {
-    return {{"type", Json::array({"number", "null"})}};
+    return {{"type", "number"}};
   } else if constexpr (std::same_as<T, std::filesystem::path> || TextLike<T>) {
     return {{"type", "string"}};
   } else {

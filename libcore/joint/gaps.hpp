@@ -64,8 +64,8 @@ struct ZoneDocument {
 
   static constexpr auto fields() {
     using Zone = ZoneDocument;
-    return std::tuple{Field{"from", "", "on the clock", &Zone::from},
-                      Field{"to", "", "on the clock", &Zone::to},
+    return std::tuple{Field{"clock_from", "", "on the rim's clock", &Zone::from},
+                      Field{"clock_to", "", "on the rim's clock", &Zone::to},
                       Field{"area_mm2", "mm^2", "in this stretch", &Zone::area_mm2}};
   }
 };

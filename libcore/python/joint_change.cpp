@@ -10,7 +10,7 @@ namespace impinge::python {
 namespace {
 
 // Of resected_ball.ply or resected_socket.ply.
-void add_mesh(const PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
+void add_mesh(PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
   const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
   const auto& [vertices, faces] = std::tie(cut.mesh.vertices, cut.mesh.faces);
   found["vertices"] = py::array_t<double>({rows(vertices), py::ssize_t{3}}, vertices.front().data());
@@ -27,7 +27,7 @@ struct SquareRow {
   std::int64_t state;
 };
 
-void add_squares(const PoseJoint& /*joint*/, const OrientAnswer& answer, py::dict& found) {
+void add_squares(PoseJoint& /*joint*/, const OrientAnswer& answer, py::dict& found) {
   std::vector<SquareRow> rows;
   for (const OrientationCell& cell : answer.cells)
     rows.push_back({cell.middle.inclination_deg, cell.middle.anteversion_deg, cell.half_deg,

@@ -26,6 +26,12 @@ namespace impinge::python {
 
 using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at a precision
 
+/// By the question that the request is of (joint/).
+template <class Request, class... How>
+auto answered(Session& session, const Request& request, const How&... how) {
+  return answer(session, request, how...);
+}
+
 class PoseJoint {
  public:
   PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
@@ -48,7 +54,7 @@ class PoseJoint {
   template <class Request, class... How>
   auto ask(const Request& request, const How&... how) {
     const std::scoped_lock lock(busy_);
-    return impinge::answer(session_, request, how...);
+    return answered(session_, request, how...);
   }
 
  private:

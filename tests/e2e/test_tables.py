@@ -252,12 +252,11 @@ class Tables(unittest.TestCase):
 
     def test_a_folder_that_cannot_be_used_is_refused(self):
         for words, said in (
-            (("--bones", self.root / "nowhere", "--question", "touch"), "cannot be read"),
-            (("--bones", self.root, "--question", "touch"), "no folder in it holds a joint"),
-            (("--bones", self.bones), "its answer is a table; add a --question other than all-gaps"),
-            (("--bones", self.bones, "--question", "touch", "--centre", "0,0,0"), "--centre is of one joint; leave one of the two out"),
+            ((self.root / "nowhere",), "cannot be read"),
+            ((self.root,), "no folder in it holds a joint"),
+            ((self.bones, "--centre", "0,0,0"), "--centre excludes --joints"),
         ):
-            done = run(SCENE, *words, "--out", self.root / "refused")
+            done = run(IMPINGE, "touch", "--joints", *words, "--out", self.root / "refused")
             self.assertIn(said, done.stderr)
             self.assertIn(done.returncode, (1, 2))
             self.assertEqual(done.stderr.count("\n"), 1)
@@ -276,7 +275,7 @@ class Tables(unittest.TestCase):
                            and word.strip(",") in ("right", "left", "anterior", "posterior", "superior", "inferior"))
             found = []
             for socket in filter(Path.is_file, sockets):
-                done = run(SCENE, "--ball", femur, "--socket", socket, "--side", said["side"], "--axes", axes, "--question", "measures",
+                done = run(IMPINGE, "measure", femur, socket, "--side", said["side"], "--axes", axes,
                            "--out", self.root / "real")
                 self.assertEqual(done.returncode, 0, done.stderr)
                 found.append({row["measure"]: row for row in rows_of(self.root / "real/measures.csv")})

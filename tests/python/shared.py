@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the module share: programs, their files, and meshes. PYTHONPATH holds
-the module; SCENE names the program, HIP the folder of a right hip, SOURCE the clone."""
+the module; IMPINGE names the program, HIP the folder of a right hip, SOURCE the clone."""
 import csv
 import json
 import os
@@ -17,10 +17,11 @@ def program(name, *words):
     return subprocess.run([os.environ[name], *map(str, words)], capture_output=True, text=True, check=False)
 
 
-def scene(files, out, *words):
-    done = program("SCENE", "--ball", files[0], "--socket", files[1], "--side", "right", "--out", out, *words)
+def asked(files, out, question, *words):
+    """The answer of the program, about a right hip."""
+    done = program("IMPINGE", question, *files, "--side", "right", "--out", out, *words)
     assert done.returncode == 0, done.stderr
-    return done
+    return written(out, "summary.json")["answer"]
 
 
 def written(folder, name):

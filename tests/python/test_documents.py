@@ -15,11 +15,12 @@ import pytest
 from shared import ROOT, program, table, written
 
 SMALL = 1.4e-9  # mm, mm^2, degrees
+FINEST = 6e-4  # degrees, the last step towards an end that holds for every centre (limits/swept_parts.cpp)
 # The question, what is asked, and how much the numbers of the page may differ.
 QUESTIONS = [
     ("measure", {}, 1e-6),
-    ("limits", {}, 1e-6),
-    ("limits", {"motions": ["flexion", "abduction"], "pose": "internal_rotation=5", "cartilage_mm": 2}, 1e-6),
+    ("limits", {}, FINEST),
+    ("limits", {"motions": ["flexion", "abduction"], "pose": "internal_rotation=5", "cartilage_mm": 2}, FINEST),
     ("certify", {"pose": "flexion=80"}, 1e-6),
     ("certify", {"pose": "flexion=80", "motion": "internal_rotation"}, 1e-6),
     ("touch", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
@@ -117,5 +118,5 @@ def test_arrays_of_python_are_files_of_the_program(floats, tmp_path):
     assert [("free", "blocked", "unknown", "open")[k] for k in squares["state"]] == [row["state"] for row in rows]
     assert [turned["legs"][k] if k >= 0 else "" for k in squares["leg"]] == [row["motion"] for row in rows]
     cut, left = joint.resect(**asked["resect"]), impinge.Joint.read(tmp_path / "resected_ball.ply", floats[1], centre=joint.centre).ball
-    assert left.vertices + joint.centre == pytest.approx(cut["vertices"], abs=1e-12) and (left.faces == cut["faces"]).all()
+    assert left.vertices + joint.centre == pytest.approx(cut["vertices"], abs=2e-6) and (left.faces == cut["faces"]).all()
     assert written(tmp_path, "orientation.json") == written(tmp_path, "summary.json")["answer"]

@@ -13,7 +13,7 @@ def test_landmarks_say_how_the_pelvis_leans(files, tmp_path):
     assert joint.landmarks["pelvic_tilt_deg"] == pytest.approx(12)
     assert impinge.Joint.read(*files, side="right").landmarks is None
     with pytest.raises(ValueError, match="leave out landmarks="):
-        joint.certificate()
+        joint.certify()
     swapped = marked(tmp_path / "swapped.csv", {**places, "asis_right": places["asis_left"], "asis_left": places["asis_right"]})
     with pytest.raises(RuntimeError, match="swapped.csv: the right landmarks .*; check the labels and the axes"):
         impinge.Joint.read(*files, side="right", landmarks=swapped)
@@ -123,6 +123,6 @@ def test_pieces_centres_and_contact_are_warned_of(files):
     assert not joint.touch([0, 0, 0])[0] and not joint.warnings
     assert joint.smallest_gap([0, 0, 0])["gap_mm"][0] == pytest.approx(0.3, abs=0.1)
     with pytest.raises(ValueError, match="leave out overlap_mm="):
-        joint.certificate()
+        joint.certify()
     with pytest.raises(ValueError, match="overlap_mm: is no length"):
         impinge.Joint.from_arrays(ball, socket, overlap_mm=-1)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One joint asked three ways, question by question: what the program `scene` writes, the module of Python, and the page
-(tests/joint3d/answers.js). No other test holds these against each other.
+"""Tables, gaps and files that are no documents (test_documents.py), of the program `impinge`, the module of Python, and the page
+(tests/joint3d/answers.js).
 
 Python runs the code of the program on the same machine: its numbers are equal. The page's library is WebAssembly, and both
 compute in IEEE 754 without fused sums. They differ in their libm (sines and cosines of poses and directions, one unit in the
@@ -17,7 +17,7 @@ import sys
 import impinge
 import numpy as np
 import pytest
-from shared import ROOT, marked, program, scene, standing, table, written
+from shared import ROOT, asked, marked, program, standing, table, written
 
 SMALL = 1.4e-9  # mm, mm^2, degrees
 FINEST = np.degrees(1e-5)  # the last step towards an end that holds for every centre (limits/swept_parts.cpp)
@@ -56,10 +56,10 @@ def ask_page(floats):
     if "JOINT3D_ENGINE" not in os.environ:
         pytest.skip("no page is built")
     pose = {**POSE, "cartilage_mm": 4}
-    asked = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
+    wanted = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
              "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
              "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "measure": {}}
-    done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(asked)], capture_output=True, text=True, check=False)
+    done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(wanted)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 
@@ -73,37 +73,37 @@ def words(motion):
 
 
 def test_gaps(joint, floats, tmp_path):
-    scene(floats, tmp_path, "--pose", words(POSE))
-    rows, summary = table(tmp_path, "gaps.csv"), written(tmp_path, "summary.json")
+    rows = asked(floats, tmp_path, "gaps", "--pose", words(POSE)) and table(tmp_path, "gaps.csv")
     for name, gap in zip(("ball", "socket"), joint.gaps(words(POSE))):
         theirs = np.array([float(row["gap_mm"] or "nan") for row in rows if row["surface"] == name])
         assert theirs.shape == gap[0].shape
         both = ~np.isnan(theirs) & ~np.isnan(gap[0])
         assert both.sum() > 100 and (np.isnan(theirs) != np.isnan(gap[0])).sum() <= 2
         assert abs(theirs - gap[0])[both].max() < 2e-3
-    smallest, theirs = joint.smallest_gap(words(POSE))[0], summary["smallest_gap"]
+    smallest, theirs = joint.smallest_gap(words(POSE))[0], asked(floats, tmp_path, "gaps", "--pose", words(POSE))["smallest_gap"]
     assert (smallest["gap_mm"], smallest["vertex"], ("ball", "socket")[smallest["surface"]]) == tuple(
         theirs[key] for key in ("gap_mm", "vertex", "surface"))
     assert minutes(smallest["clock"]) == minutes(theirs["clock"])
     for pose in (POSE, {"flexion": 20}):
-        scene(floats, tmp_path, "--question", "touch", "--pose", words(pose))
-        assert written(tmp_path, "summary.json")["touch"] == joint.touch(words(pose))[0]
+        found = asked(floats, tmp_path, "touch", "--pose", words(pose))
+        assert (found["contact"]["state"] == "yes") == joint.touch(words(pose))[0]
 
 
 @pytest.mark.parametrize("k", range(len(SCHEMES)))
 def test_gaps_of_the_page(page, floats, tmp_path, k):
     """Of the same tables, so coarse that some vertices stay undecided."""
-    scene(floats, tmp_path, "--pose", words(POSE), "--scheme", SCHEMES[k], "--precision", "4")
+    summary = asked(floats, tmp_path, "gaps", "--pose", words(POSE), "--scheme", SCHEMES[k], "--precision", "4")
     found = page["tables"][k]
     theirs, mine = table(tmp_path, "gaps.csv"), rows_of(found["csv"])
     assert texts(mine, "surface", "vertex") == texts(theirs, "surface", "vertex") and len(mine) > 1000
     for key in ("x", "y", "z", "gap_mm"):
         assert near([number(row[key]) for row in mine], [number(row[key]) for row in theirs]), key
-    summary, smallest, verdicts = written(tmp_path, "summary.json"), found["pose"]["smallest"], found["verdicts"]
+    smallest, verdicts = found["pose"]["smallest"], found["verdicts"]
     assert [smallest[key] for key in ("surface", "vertex", "clock")] == [summary["smallest_gap"][key] for key in ("surface", "vertex", "clock")]
     assert near(smallest["gap_mm"], summary["smallest_gap"]["gap_mm"])
-    bound = summary["error_bound_mm"]
-    assert near([verdicts["low_mm"], verdicts["high_mm"], verdicts["largest_mm"]], [*bound["smallest_gap_between"], bound["largest"]])
+    bound = summary["error_bound"]
+    assert near([verdicts["low_mm"], verdicts["high_mm"], verdicts["largest_mm"], verdicts["median_mm"]],
+                [*bound["smallest_gap_between_mm"], bound["largest_mm"], bound["median_mm"]])
     assert verdicts["largest_mm"] <= found["bound"]["bound_mm"]
     counts = [summary["radial_overlap"][surface]["undecided_by_bound"] for surface in ("ball", "socket")]
     assert verdicts["undecided"] == sum(counts) > 0
@@ -119,7 +119,7 @@ def test_gaps_of_the_tables_of_the_page(page, joint):
 
 def test_limits_of_the_page(page, floats, tmp_path):
     """The CSV that the page saves, row by row."""
-    scene(floats, tmp_path, "--question", "limits")
+    asked(floats, tmp_path, "limits")
     theirs, mine = table(tmp_path, "limits.csv"), rows_of(page["limits"])
     same = ("joint", "motion", "threshold_mm", "centre", "state", "clock", "what")
     assert list(mine[0]) == list(theirs[0]) and texts(mine, *same) == texts(theirs, *same)
@@ -134,36 +134,20 @@ def test_limits_of_the_page(page, floats, tmp_path):
 
 
 
-
-def test_certificates(joint, floats, tmp_path):
-    for pose, motion, question, says in (
-            ("flexion=80", None, ["--question", "touch"], "clear: "),
-            ("flexion=120,internal_rotation=40", None, ["--question", "touch"], "contact: "),
-            ("flexion=80", "internal_rotation", ["--question", "limit", "--motion", "internal_rotation"], "clear: ")):
-        file = tmp_path / "theirs.txt"
-        scene(floats, tmp_path, "--pose", pose, "--certificate", file, *question)
-        text = joint.certificate(pose, motion=motion)
-        assert text == file.read_text(encoding="utf-8")
-        done = subprocess.run([sys.executable, ROOT / "experiments/check_certificate.py", file, *floats], capture_output=True, text=True, check=False)
-        assert done.returncode == 0 and done.stdout.startswith(says), done.stderr + done.stdout
-    assert joint.certificate(joint.matrices("flexion=80")) == joint.certificate("flexion=80")
-
-
 def test_landmarks(joint, floats, tmp_path):
     places = standing(joint.centre, 12) | {"epicondyle_medial": joint.centre + (-30, -100, -380), "epicondyle_lateral": joint.centre + (40, -100, -380)}
     points = marked(tmp_path / "points.csv", places)
     ours = impinge.Joint.read(*floats, side="right", landmarks=points)
-    scene(floats, tmp_path, "--landmarks", points, "--question", "limit", "--motion", "flexion")
-    theirs = written(tmp_path, "summary.json")
-    assert {"file": str(points), **ours.landmarks} == theirs["landmarks"]
-    assert ours.limits("flexion")[0]["low_deg"] == theirs["contact"][0]["low_deg"]
+    theirs = asked(floats, tmp_path, "limits", "--landmarks", points, "--motions", "flexion")
+    assert ours.landmarks == written(tmp_path, "summary.json")["joint"]["landmarks"]
+    assert ours.limits("flexion") == theirs
 
 
 def test_refused_files(floats, tmp_path):
     broken = tmp_path / "broken.ply"
     broken.write_bytes(floats[0].read_bytes()[:900])
     for ball in (tmp_path / "missing.ply", broken):
-        said = program("SCENE", "--ball", ball, "--socket", floats[1], "--out", tmp_path / "out").stderr
+        said = program("IMPINGE", "touch", ball, floats[1]).stderr
         with pytest.raises(impinge.FileError) as refused:
             impinge.Joint.read(ball, floats[1])
-        assert said == f"scene: error: {refused.value}\n"
+        assert said == f"impinge: error: {refused.value}\n"

@@ -13,7 +13,7 @@ ValueError for what is given, FileError or RuntimeError for meshes, with one lin
 a joint is a UserWarning, and in Joint.warnings; matrices that move the ball farther than its radius, and limits of a gap
 that is there from the start, are a UserWarning too."""
 from os import PathLike
-from typing import Any, Sequence, TypedDict
+from typing import Any, Literal, Sequence, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,154 +21,314 @@ from numpy.typing import ArrayLike, NDArray
 class FileError(RuntimeError):
     """A file, or a mesh, that cannot be used."""
 
-class Limit(TypedDict):
-    """How far one motion goes, with the names of summary.json; degrees from the start."""
+# From the schemas of documents: stubs.py.
+class Contact(TypedDict):
+    state: Literal["no", "yes", "unknown"]  # no, yes, or unknown where only an opening of a mesh could tell
+    by: Literal["surfaces", "inside", "radii"] | None  # by what it was told: surfaces meet, one bone is inside the other, or radii overlap
+    ball_part: str | None  # part of the ball's bone that touches; null: its main surface, or no contact
+    socket_part: str | None  # the same of the socket's
 
-    motion: str
-    threshold_mm: float  # 0: contact of the surfaces; else the gap of a vertex
-    centre: str  # about whose centre the ball turns: ball or socket
-    state: str  # limited, free, blocked, unknown
-    low_deg: float  # free up to here
-    high_deg: float  # where limited, not free here
-    centre_low_deg: float  # for every common centre within 0.5 mm
-    centre_high_deg: float | None
-    play_low_deg: float  # for every play of the ball of up to 0.5 mm
-    play_high_deg: float | None
-    half_mm_gap_deg: float | None  # where the gap of a vertex first falls to 0.5 mm
-    leaves_ball_mesh_deg: float | None  # from here on the ball's mesh ends under the socket
-    clock: float | None  # hours, where the surfaces touch
-    what: str  # what meets what, as "rim and neck", and marks, as in limits.csv
-    position: tuple[float, float, float] | None  # the same, frame of the meshes
+class SmallestGap(TypedDict):
+    gap_mm: float  # along the ray from the centre; below 0 the main surfaces overlap (mm)
+    error_bound_mm: float | None  # proven bound on its error; null where there is none (mm)
+    euclidean_distance_mm: list[float] | None  # proven ends of the vertex' distance from the other surface; null if not asked for (mm)
+    surface: Literal["ball", "socket"]  # whose vertex it is
+    vertex: int  # its place in the mesh
+    position: list[float]  # x, y, z in the pose, frame of the meshes (mm)
+    clock: str | None  # on the rim's clock; null where the socket has none
 
-class VolumeMotion(TypedDict):
-    """How far one of the named motions goes, as far as the cells know; degrees from its start."""
+class NearestPart(TypedDict):
+    distance_mm: float  # of their surfaces; 0 in contact (mm)
+    touch: bool  # do they?
+    ball_part: str | None  # part of the ball's bone; null: its main surface
+    socket_part: str | None  # part of the socket's bone; null: its main surface
 
-    motion: str
-    low_deg: float  # every rotation up to here is free
-    high_deg: float | None  # here one is blocked
-    clock: str | None  # as 1:30, of the socket's face that may be touched first
-    ball_direction: list[float] | None  # unit vector to the ball's, at rest; right, anterior, superior
-    ball_part: str | None  # part of the ball that may be touched first
-    socket_part: str | None
+class TouchAnswer(TypedDict):
+    contact: Contact  # of all bones, decided exactly
+    smallest_gap: SmallestGap | None  # of a vertex of the main surfaces; null where they do not face each other
+    nearest_part: NearestPart | None  # the bones nearest to each other of which one is a part; null without parts
 
-class Volume(TypedDict):
-    """All rotations of the ball about its centre, with the names of volume.json. Shares are of all rotations."""
+class Ball(TypedDict):
+    impinged: int  # vertices with a gap of 0 or less, exactly
+    clear_by_bound: int  # vertices that gap and bound prove clear
+    impinged_by_bound: int  # and impinged
+    undecided_by_bound: int  # and neither
+    without_gap: int  # vertices without one
+    bounds_refuted: int  # verdicts by bound that the exact test contradicts
 
-    share_low: float  # free, at least
-    share_high: float  # free, at most
-    reachable_low: float  # reached from the pose of the scan without contact, at least
-    reachable_high: float  # at most
-    neutral_blocked: bool  # is the pose of the scan?
-    unknown: float  # the ball's mesh ends under the socket there
-    open: float  # undecided
-    cells_asked: int
-    motions: list[VolumeMotion]  # none without a side
-    cells: NDArray[Any]  # structured, a row a cell; see Joint.volume()
+class Socket(TypedDict):
+    impinged: int  # vertices with a gap of 0 or less, exactly
+    clear_by_bound: int  # vertices that gap and bound prove clear
+    impinged_by_bound: int  # and impinged
+    undecided_by_bound: int  # and neither
+    without_gap: int  # vertices without one
+    bounds_refuted: int  # verdicts by bound that the exact test contradicts
 
-class Bracket(TypedDict):
-    state: str  # limited, free, blocked, unknown
-    low_deg: float  # free up to here
-    high_deg: float  # where limited, not free here
+class RadialOverlap(TypedDict):
+    overlap: bool  # does the ball reach the socket along some ray? Exact, between vertices too
+    deepest_mm: float | None  # along a ray; null without overlap (mm)
+    deepest_at: Literal["ball vertex", "socket vertex", "crossing of edges", "centre of the ball"] | None  # what is there
+    ball: Ball  # of its vertices
+    socket: Socket  # of its vertices
+
+class ClockZone(TypedDict):
+    clock_from: str  # on the rim's clock
+    clock_to: str  # on the rim's clock
+    area_mm2: float  # in this stretch (mm^2)
+
+class ImpingementBall(TypedDict):
+    vertices: int  # with such a gap
+    area_mm2: float  # of their share of the faces (mm^2)
+    clock_zones: list[ClockZone] | None  # stretches of the rim's clock, the largest first; null without a clock
+
+class ImpingementSocket(TypedDict):
+    vertices: int  # with such a gap
+    area_mm2: float  # of their share of the faces (mm^2)
+    clock_zones: list[ClockZone] | None  # stretches of the rim's clock, the largest first; null without a clock
+
+class Impingement(TypedDict):
+    gap_up_to_mm: float | None  # gaps up to this count; null where a map says how thick the cartilage is (mm)
+    meaning: str  # bone on bone, or cartilage on cartilage
+    ball: ImpingementBall  # of the ball's vertices
+    socket: ImpingementSocket  # of the socket's vertices
+
+class GapHistogramBall(TypedDict):
+    area_mm2: list[float]  # of each bin (mm^2)
+    below_mm2: float  # of smaller gaps (mm^2)
+    beyond_mm2: float  # of larger gaps (mm^2)
+    without_gap_mm2: float  # where the other surface is not met (mm^2)
+
+class GapHistogramSocket(TypedDict):
+    area_mm2: list[float]  # of each bin (mm^2)
+    below_mm2: float  # of smaller gaps (mm^2)
+    beyond_mm2: float  # of larger gaps (mm^2)
+    without_gap_mm2: float  # where the other surface is not met (mm^2)
+
+class GapHistogram(TypedDict):
+    first_mm: float  # where the first bin begins (mm)
+    bin_mm: float  # width of a bin (mm)
+    ball: GapHistogramBall | None  # null if it was not asked about
+    socket: GapHistogramSocket | None  # null if it was not asked about
+
+class ErrorBound(TypedDict):
+    largest_mm: float  # finite bound on the error of a gap (mm)
+    median_mm: float  # of the finite bounds (mm)
+    vertices_without_bound: int  # with a gap, of whose error nothing is proven
+    smallest_gap_between_mm: list[float]  # proven ends of the smallest gap (mm)
+    vertices_measured_on_the_faces: int  # to find that out
+
+class EuclideanDistance(TypedDict):
+    smallest_between_mm: list[float]  # proven ends of the smallest distance of a vertex (mm)
+    gaps_above_it_by_a_tenth: int  # vertices whose gap overstates their distance by a tenth and more
+    largest_gap_over_it: float  # largest ratio of gap and distance
+
+class Dial(TypedDict):
+    twelve: list[float]  # direction of twelve o'clock: right, anterior, superior
+    three: list[float]  # direction of three o'clock
+
+class ColoursBall(TypedDict):
+    up_to: float | None  # mm, or of a cartilage map the share of its thickness; null for the last
+    meaning: str  # as a legend says it
+    rgb: list[int]  # 0 to 255
+
+class ColoursSocket(TypedDict):
+    up_to: float | None  # mm, or of a cartilage map the share of its thickness; null for the last
+    meaning: str  # as a legend says it
+    rgb: list[int]  # 0 to 255
+
+class Colours(TypedDict):
+    ball: list[ColoursBall]  # of ball.ply
+    socket: list[ColoursSocket]  # of socket.ply
+    no_gap_rgb: list[int]  # where the other surface is not met
+
+class LeftOut(TypedDict):
+    what: str  # in one word
+    meaning: str  # what that leaves out
+    reason: str  # with the numbers that it rests on
+    bytes_saved: float | None  # of memory; null where none (bytes)
+
+class GapsAnswer(TypedDict):
+    contact: Contact | None  # of all bones, decided exactly; null if not asked for
+    smallest_gap: SmallestGap | None  # of a vertex of the main surfaces; null where they do not face each other
+    nearest_part: NearestPart | None  # the bones nearest to each other of which one is a part; null without parts
+    radial_overlap: RadialOverlap | None  # of the main surfaces along rays, which is no contact by itself; null if not asked for
+    impingement: list[Impingement]  # bone on bone, and cartilage on cartilage
+    gap_histogram: GapHistogram  # area by gap
+    error_bound: ErrorBound | None  # what is proven of the gaps' errors; null if not asked for
+    euclidean_distance: EuclideanDistance | None  # beside the gaps; null if not asked for
+    vertices_with_gap: list[int]  # of ball and socket
+    precision_deg: float | None  # of the tables; null where the faces were measured (deg)
+    entries_per_table: int  # 0 without tables
+    table_bytes: int  # of both tables (bytes)
+    dial: Dial | None  # where the rim's clock looks; null without one
+    colours: Colours  # of the meshes that are written
+    way: str  # how the gaps were found, and why so
+    left_out: list[LeftOut]  # what the question did not need
 
 class Motion(TypedDict):
-    """Degrees from the pose of the scan."""
+    flexion: float  # of the femur forward; extension is negative (deg)
+    abduction: float  # away from the midline; adduction is negative (deg)
+    internal_rotation: float  # of the front towards the midline; external is negative (deg)
 
-    flexion: float
-    abduction: float
-    internal_rotation: float
+class Limit(TypedDict):
+    motion: str  # what grows
+    threshold_mm: float  # 0: contact of the surfaces; else the gap of a vertex (mm)
+    centre: str  # about whose centre the ball turns: ball or socket
+    state: Literal["limited", "free", "blocked", "unknown"]  # limited; free up to the largest angle; blocked from the start; unknown beyond low_deg
+    low_deg: float  # free up to here (deg)
+    high_deg: float  # where limited, not free here (deg)
+    centre_low_deg: float  # free up to here for every common centre within 0.5 mm (deg)
+    centre_high_deg: float | None  # and not free here for any; null where that is not known (deg)
+    half_mm_gap_deg: float | None  # where the gap of a vertex first falls to 0.5 mm (deg)
+    clock: str | None  # where on the rim's clock they touch
+    what: str  # what meets what, and what a reader must know
+    start: Motion  # pose that the motion begins at
+    largest_deg: float  # growth that was looked at (deg)
+    centre_of_rotation: list[float]  # x, y, z in the frame of the meshes (mm)
+    play_low_deg: float  # free up to here for every play of the ball up to 0.5 mm (deg)
+    play_high_deg: float | None  # and not free here for any; null where that is not known (deg)
+    hangs_on_less_than_half_mm: bool  # does half a millimetre change it by more than 5 degrees?
+    leaves_ball_mesh_deg: float | None  # from here on the ball's mesh ends under the socket (deg)
+    ball_part: str | None  # what of the ball's bone touches; null without a contact
+    socket_part: str | None  # what of the socket's bone touches
+    meets: str | None  # what meets what, as rim and neck
+    position: list[float] | None  # x, y, z where they touch, frame of the meshes (mm)
+    contact: Literal["ball vertex", "socket vertex", "edges", "rims"] | None  # how they touch
 
-class Leg(TypedDict):
-    """A part of a required path: one angle that grows from where the part before has ended."""
+class LimitsAnswer(TypedDict):
+    centre_within_mm: float  # how far off centres and play may be in the ranges (mm)
+    limits: list[Limit]  # of each motion: contact about both centres, and the gap of the cartilage
 
-    words: str
-    motion: str
-    start: Motion
-    required_deg: float  # of growth
-    before: Bracket  # first contact before the cut, up to what is required
-    after: Bracket  # and after it, up to 10 degrees more
+class VolumeAnswerMotion(TypedDict):
+    motion: str  # its name (hip/named_motion.hpp)
+    low_deg: float  # every rotation from its start to here is free (deg)
+    high_deg: float | None  # here one is blocked; null where none is on the way (deg)
+    clock: str | None  # on the dial, of the socket's face that may be touched first
+    ball_direction: list[float] | None  # unit vector to the ball's face that may be touched first, at rest: right, anterior, superior
+    ball_part: str | None  # part of the ball that may be touched first; null: the ball itself
+    socket_part: str | None  # the same of the socket
 
-class Neck(TypedDict):
-    """Width of the widest round bar about the neck's axis that no cut enters, mm."""
+class VolumeAnswer(TypedDict):
+    share_low: float  # of all rotations that is free, at least
+    share_high: float  # at most
+    reachable_low: float  # share that is reached from the pose of the scan without contact, at least
+    reachable_high: float  # at most
+    neutral_blocked: bool  # is the pose of the scan?
+    unknown: float  # share of which nothing is known: the ball's mesh ends there
+    open: float  # share that is undecided
+    cells_asked: int  # cells of rotations that were decided
+    motions: list[VolumeAnswerMotion]  # each named motion; none without a side
 
-    least_mm: float  # that was to be left
-    before_mm: float
-    after_mm: float
+class Measure(TypedDict):
+    measure: str  # its name
+    value: float | None  # in `unit`; none where it is refused
+    uncertainty: float | None  # in `unit`: how far it moves when it is measured otherwise
+    unit: str  # mm, deg or 1
+    state: str  # measured, or refused and why
+    published_mean: float | None  # in `unit`, of a population; none without a source
+    published_sd: float | None  # in `unit`: standard deviation
+    published_median: float | None  # in `unit`, where the source has one in place of a mean
+    published_lower_quartile: float | None  # in `unit`
+    published_upper_quartile: float | None  # in `unit`
+    published_of: str | None  # the group, and how it was measured
+    published_source: str | None  # where
+
+class MeasureAnswer(TypedDict):
+    measures: list[Measure]  # each measure
 
 class Least(TypedDict):
-    """As in ResectAnswer, of the least cut of all: what the bone of the socket sweeps through within the clearance."""
-
-    volume_mm3: list[float] | None
-    area_mm2: list[float]
-    depth_mm: list[float]  # the most bone that goes along one ray
+    volume_mm3: list[float] | None  # of bone that has to go, at least and at most (mm^3)
+    area_mm2: list[float]  # of the bone's surface that has to go, at least and at most (mm^2)
+    depth_mm: list[float]  # the largest along a ray from the centre, at least and at most: to where the other bone is clear of it, or a closed mesh ends (mm)
     cells: int  # parts of the ball's surface in swept.csv
 
-class ResectAnswer(TypedDict):
-    """The least radial cut, with the names of resection.json. Two numbers are ends: no less, no more."""
+class Neck(TypedDict):
+    least_mm: float  # that was to be left (mm)
+    before_mm: float  # in the uncut ball, where it is cut (mm)
+    after_mm: float  # in the cut ball (mm)
 
-    surface: str  # ball or socket
-    volume_mm3: list[float] | None  # of bone that has to go; None of an open socket
+class Before(TypedDict):
+    state: Literal["limited", "free", "blocked", "unknown"]  # how the search for first contact ended
+    low_deg: float  # no contact from the start of the leg to here (deg)
+    high_deg: float  # where limited, contact here (deg)
+
+class After(TypedDict):
+    state: Literal["limited", "free", "blocked", "unknown"]  # how the search for first contact ended
+    low_deg: float  # no contact from the start of the leg to here (deg)
+    high_deg: float  # where limited, contact here (deg)
+
+class Leg(TypedDict):
+    words: str  # as internal_rotation from 0 to 30 degrees at flexion 90
+    motion: str  # the angle that grows
+    start: Motion  # where the leg begins (deg)
+    required_deg: float  # of growth (deg)
+    before: Before  # first contact before the cut, up to what is required
+    after: After  # and after it, up to 10 degrees more
+
+class ResectAnswer(TypedDict):
+    surface: Literal["ball", "socket"]  # which bone the least radial cut about the centre of rotation is of. It leaves no undercut, and narrows the bone behind the rim all the way out, where a cut that follows the rim could take less; of the socket it takes all bone nearer to the centre than the ball reaches, with the clearance
+    volume_mm3: list[float] | None  # of bone that has to go, at least and at most (mm^3)
+    area_mm2: list[float]  # of the bone's surface that has to go, at least and at most (mm^2)
+    depth_mm: list[float]  # the largest along a ray from the centre, at least and at most: to where the other bone is clear of it, or a closed mesh ends (mm)
     volume_why: str | None  # why there is no volume
-    area_mm2: list[float]  # of the bone's surface that has to go
-    depth_mm: list[float]  # the largest, along rays from the centre
-    deepest: list[float] | None  # where that is, frame of the meshes; None: nothing has to go
-    mesh_volume_mm3: float | None  # that the mesh below takes away; None where it is open
-    least: Least | None  # of the least cut of all, if it was asked for
-    neck: Neck | None  # None without a neck, or without a cut beside it
-    legs: list[Leg]
+    deepest: list[float] | None  # where the cut is deepest, x, y, z in the frame of the meshes; null: nothing has to go (mm)
+    mesh_volume_mm3: float  # that the cut mesh takes away; null where it is open, as a socket is of which all of a wall goes (mm^3)
+    least: Least | None  # of the least cut of all, if it was asked for: what the bone of the socket sweeps through within the clearance; bone beyond stays, over an undercut
+    neck: Neck | None  # widest round bar about the axis of the neck that stays whole; null without a neck, or without a cut beside it
+    legs: list[Leg]  # of the required paths; none touches after the cut
+
+class AsScanned(TypedDict):
+    inclination_deg: float  # radiographic (Murray 1993) (deg)
+    anteversion_deg: float  # radiographic (Murray 1993) (deg)
+    state: Literal["free", "blocked", "unknown", "open"]  # of the square of the map that holds it
+
+class Map(TypedDict):
+    least_inclination_deg: float  # where it begins (deg)
+    least_anteversion_deg: float  # where it begins (deg)
+    width_deg: float  # of both angles (deg)
+    squares: int  # that make it up
+
+class AreaDeg2(TypedDict):
+    free: float  # every required motion is (deg^2)
+    blocked: float  # one of them is (deg^2)
+    unknown: float  # the ball's mesh ends under the socket on the way (deg^2)
+    open: float  # undecided at the resolution (deg^2)
+
+class OrientAnswer(TypedDict):
+    as_scanned: AsScanned  # the socket as it is, its angles in the pelvis; it turns about the centre of rotation
+    map: Map  # which angles were looked at
+    area_deg2: AreaDeg2  # of the map in each state (deg^2)
+    legs: list[str]  # parts of the required paths, in words
+
+class CertifyAnswer(TypedDict):
+    says: str  # clear: the surfaces do not meet; crossing: they do; inside: one body is inside the other
+    to_deg: float | None  # how far along the motion that is proven; null for a pose (deg)
+    closed: bool  # have all bodies no opening? What is open has no inside
+    rounded_deg: float  # by how much the rotations differ from those asked for, at most (deg)
+
+# End of these.
+
+class Volume(VolumeAnswer):
+    """A row a cell: level, cell (its number), w, x, y, z (quaternion in its middle, the largest coordinate 1: a rotation of the
+    ball, axes right, anterior, superior), radius_deg, share, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable
+    (1 certainly, 0 certainly not, -1 not known)."""
+
+    cells: NDArray[Any]
+
+class Resection(ResectAnswer):
+    """Nothing here may guide a treatment."""
+
     vertices: NDArray[np.float64]  # (n, 3), mm, frame of the meshes: the bone that is left
     faces: NDArray[np.uint32]  # (m, 3)
     depth: NDArray[np.float64]  # (n,), mm along the ray of each vertex
 
-class Orientation(TypedDict):
-    """Radiographic angles (Murray 1993) of the socket as it is, degrees, and what the map says there."""
+class Orientation(OrientAnswer):
+    """Nothing here may guide a treatment."""
 
-    inclination_deg: float
-    anteversion_deg: float
-    state: str  # free, blocked, unknown, open
+    squares: NDArray[Any]  # structured: inclination_deg, anteversion_deg, half_width_deg, leg, state
 
-class Map(TypedDict):
-    """A square of angles, which the squares make up."""
-
-    least_inclination_deg: float
-    least_anteversion_deg: float
-    width_deg: float
-    squares: int
-
-class Areas(TypedDict):
-    """Of the map, square degrees."""
-
-    free: float
-    blocked: float
-    unknown: float
-    open: float
-
-class OrientAnswer(TypedDict):
-    """With the names of orientation.json."""
-
-    as_scanned: Orientation
-    map: Map
-    area_deg2: Areas
-    legs: list[str]  # parts of the required paths, in words
-    squares: NDArray[Any]  # structured, a row a square; see Joint.orient()
-
-class Measure(TypedDict):
-    """With the names of measures.csv; libcore/hip/measure_list.hpp and published_measures.hpp say what they are."""
-
-    measure: str
-    value: float | None  # None where it is refused
-    uncertainty: float | None  # how far it moves when it is measured a little otherwise
-    unit: str  # mm, deg or 1
-    state: str  # measured, measured to the end of the mesh, or refused: and why
-    published_mean: float | None  # of a population, in `unit`; all of these are None without a source
-    published_sd: float | None
-    published_median: float | None  # where the source has one in place of a mean
-    published_lower_quartile: float | None
-    published_upper_quartile: float | None
-    published_of: str | None  # the group, and how it was measured
-    published_source: str | None
-
-class MeasureAnswer(TypedDict):
-    measures: list[Measure]
+class Certificate(CertifyAnswer):
+    text: str  # of the certificate, which `impinge check` checks
 
 class Landmarks(TypedDict):
     """What landmarks say, degrees."""
@@ -189,7 +349,7 @@ class Surface:
     def areas(self) -> NDArray[np.float64]: ...  # (n,), mm^2 of the surface that belong to each vertex
 
 Poses = ArrayLike | str
-Required = ArrayLike | str | Sequence[str]  # one motion, or several
+Motions = ArrayLike | str  # as poses: one motion, or several
 Mesh = tuple[ArrayLike, ArrayLike]  # vertices (n, 3) in mm, faces (m, 3)
 Point = Sequence[float] | NDArray[np.float64]
 Marked = str | PathLike[str] | dict[str, Point]  # landmarks
@@ -268,43 +428,36 @@ class Joint:
     def smallest_gap(self, poses: Poses) -> NDArray[Any]:
         """A structured array of shape (poses,): gap_mm, bound_mm (proven, on the error of that gap), clock
         (hours), vertex and surface (0 ball, 1 socket); NaN and -1 where the surfaces do not face each other."""
+    # From the schemas of requests: stubs.py.
     def limits(
-        self, motions: str | Sequence[str] | None = None, *, start: Poses | None = None, cartilage_mm: float = 4.0
-    ) -> list[Limit]:
-        """How far flexion, extension, abduction, adduction, internal_rotation and external_rotation go from a start (the
-        pose of the scan) until bones touch, about both centres, and until a gap falls to the cartilage's thickness."""
-    def volume(self, width: float = 0.05, gap_mm: float = 0.0, centre_within_mm: float = 0.0) -> Volume:
-        """Of all rotations, which are free, and which can be reached from the pose of the scan: cells of rotations are
-        halved until no more than `width` of all rotations is undecided. A gap of gap_mm counts as contact; with
-        centre_within_mm for every centre within that. `cells` has the fields of volume.csv: level, cell (its number), w,
-        x, y, z (quaternion in its middle, the largest coordinate 1: a rotation of the ball, axes right, anterior,
-        superior), radius_deg, share, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable (1 certainly, 0
-        certainly not, -1 not known)."""
-    def resect(
-        self, require: Required, clearance_mm: float = 0.5, cut: str = "ball", rim_mm: float | None = None,
-        neck_mm: float | None = None, least: bool = False
-    ) -> ResectAnswer:
-        """The least radial cut of the ball, or of the socket's rim (cut="socket"), with which `require` is reached and a
-        radial gap of clearance_mm stays everywhere on the way: angles of shape (3,) or (n, 3), or texts as
-        "flexion=90,internal_rotation=30", each along its path from the pose of the scan, flexion first, then abduction, then
-        rotation. rim_mm: how far inside its rim a socket may be cut, 5 where it is None. neck_mm: least width of the bar
-        about the neck's axis that stays whole, 70 % of the neck's where it is None. least: how large the least cut of all is
-        too, for a socket that is a closed mesh. RuntimeError, with the place, where no such cut may be made. Nothing here may guide a treatment."""
-    def orient(self, require: Required, tilt_deg: float = 0.0, resolution_deg: float = 0.1) -> OrientAnswer:
-        """In which orientations of the socket about the centre `require` (as for resect()) is free, of inclination 0
-        to 90 and anteversion -30 to 60 degrees, the pelvis tilted backwards by tilt_deg. `squares` has the fields
-        inclination_deg and anteversion_deg (radiographic, of its middle), half_width_deg, leg (where it is not free, the
-        place among `legs` of one that is so; else -1) and state (0 free, 1 blocked, 2 unknown, 3 undecided at that
-        resolution). Nothing here may guide a treatment."""
+        self, motions: str | Sequence[str] = ..., pose: Poses | None = ..., largest_deg: float = ...,
+        translation: list[float] | None = ..., cartilage_mm: float = ...
+    ) -> LimitsAnswer:
+        """How far the joint turns before its bones meet, what meets what, and over which centres that holds. As
+        `impinge limits`; each argument and key: help()."""
+    def volume(self, width: float = ..., gap_mm: float = ..., centre_within_mm: float = ...) -> Volume:
+        """Which share of all rotations is free of contact, and can be reached: proven, to the edges. As `impinge
+        volume`; each argument and key: help()."""
     def measure(self) -> MeasureAnswer:
-        """Alpha by the clock, offset, neck-shaft angle, torsion, version, coverage and more of both meshes, each with its
-        uncertainty and, where the definition is the same, beside what is published of a population; one that a mesh does
-        not carry is refused. They need the side."""
-    def certificate(self, pose: Poses | None = None, *, motion: str | None = None) -> str:
-        """The text of a proof that one pose (that of the scan where it is None) is without contact, or that its bodies
-        touch; with `motion`, such as "flexion", that the way from there to 0.01 degrees before the limit is without
-        contact (0.1 or 1 where surfaces graze). experiments/check_certificate.py checks it with the mesh files alone. RuntimeError where nothing can
-        be proven."""
+        """Radii, offset, neck-shaft angle, torsion, alpha, version, coverage and other measures, beside published
+        ones. As `impinge measure`; each argument and key: help()."""
+    def resect(
+        self, require: Motions | Sequence[str] = ..., clearance_mm: float = ..., cut: Literal["ball", "socket"]
+        = ..., rim_mm: float | None = ..., neck_mm: float | None = ..., least: bool = ...
+    ) -> Resection:
+        """The bone that would have to go so that motions are reached: of the ball, or of the socket's rim. As
+        `impinge resect`; each argument and key: help()."""
+    def orient(
+        self, require: Motions | Sequence[str] = ..., tilt_deg: float = ..., resolution_deg: float = ...
+    ) -> Orientation:
+        """In which orientations of the socket motions are free, over inclination and anteversion. As `impinge
+        orient`; each argument and key: help()."""
+    def certify(self, pose: Poses | None = ..., motion: str | None = ...) -> Certificate:
+        """A proof that a pose or motion is free of contact, or that bones touch, which others can check without this
+        program. As `impinge certify`; each argument and key: help()."""
+    # End of these methods.
+    def ask(self, question: str, **request: Any) -> dict[str, Any]:
+        """The answer of `impinge QUESTION --json`: a question by its name, its request as keywords."""
     def matrices(self, poses: Poses) -> NDArray[np.float64]:
         """x' = M x of each pose, frame of the meshes, mm; shape (poses, 4, 4)."""
 
