@@ -35,7 +35,7 @@ WAYS = "right anterior superior left posterior inferior".split()
 PATIENTS = {"patient_a": "right", "patient_b": "left"}  # stand-ins for the thesis' two patients, and the side of their hips
 SYSTEMS = ("rsid", "usid")  # of the thesis
 # Programs that are not experiments/NAME, in the build folder.
-ELSEWHERE = {"joint3d_engine": "analysis/joint3d/wasm/analysis/joint3d/engine/joint3d_engine.js"}
+ELSEWHERE = {"impinge_program": "impinge", "joint3d_engine": "analysis/joint3d/wasm/analysis/joint3d/engine/joint3d_engine.js"}
 JOINT3D_TOOLS = ("em++", "esbuild", "node")
 
 
@@ -162,23 +162,23 @@ def experiment_job(setup: Setup, joints: list[Joint], source: Path) -> Job:
 
 
 def pair_job(setup: Setup, name: str, scene: str, question: str, *options: str) -> Job:
-    """Meshes that make_pair generates."""
+    """Meshes that `impinge hip` generates."""
     folder = f"scenes/{scene}/input"
     outputs = [f"{folder}/ball.ply", f"{folder}/socket.ply"]
-    command = [setup.program("make_pair"), *options, "--out", folder]
-    return Job(name, "data", question, "experiments/make_pair.cpp", outputs, ["programs/make_pair"], command, [1, 1])
+    command = [setup.program("impinge_program"), "hip", *options, "--out", folder]
+    return Job(name, "data", question, "libcore/command/hip.cpp", outputs, ["programs/impinge_program"], command, [1, 1])
 
 
 def scene_job(setup: Setup, name: str, meshes: tuple, *options: str) -> Job:
-    """The scene program on one joint, into scenes/NAME; meshes of a real joint, or in the results folder."""
+    """`impinge gaps` of one joint, into scenes/NAME; meshes of a real joint, or in the results folder."""
     folder, gaps_alone = f"scenes/{name}", "--outputs" in options
     files = ["ball.ply", "socket.ply", "gaps.csv", *["distances.csv"] * (not gaps_alone), "summary.json"]
     outputs = [f"{folder}/{file}" for file in files]
     ball, socket = (str(setup.results / mesh) for mesh in meshes)
-    command = [setup.program("scene"), "--ball", ball, "--socket", socket, *options, "--out", folder]
-    question, depends = f"Where is the joint {name} impinged?", ["programs/scene", *map(str, meshes)]
+    command = [setup.program("impinge_program"), "gaps", ball, socket, *options, "--out", folder]
+    question, depends = f"Where is the joint {name} impinged?", ["programs/impinge_program", *map(str, meshes)]
     budget = [1, 1] if gaps_alone else [2, 2]
-    return Job(f"scene-{name}", "data", question, "experiments/scene.cpp", outputs, depends, command, budget)
+    return Job(f"scene-{name}", "data", question, "libcore/command/gaps.cpp", outputs, depends, command, budget)
 
 
 def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, str]]) -> list[Job]:
@@ -190,7 +190,7 @@ def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, s
         return f"scenes/{scene}/input/ball.ply", f"scenes/{scene}/input/socket.ply"
 
     pair = "What does the generated ball-and-socket pair look like?"
-    jobs = [pair_job(setup, "generated-pair", "generated", pair, "--faces", "12000")]
+    jobs = [pair_job(setup, "generated-pair", "generated", pair, "pair", "--faces", "12000")]
     # In this pose the bump of the ball is under the socket. Elsewhere the gap is 4 mm, which must not be where colours change:
     # chords of the two meshes would put the ball below and the socket above.
     scenes = {"generated": (meshes("generated"), ["--side", "right", "--pose", "abduction=80", "--cartilage", "3"])}
@@ -201,7 +201,7 @@ def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, s
             jobs.append(scene_job(setup, f"{name}-{scheme}", files, *options, "--precision", "1", "--scheme", scheme))
     for patient, side in PATIENTS.items():
         hip = f"What does the stand-in for the thesis' {patient} look like?"
-        jobs.append(pair_job(setup, f"hip-{patient}", patient, hip, "--hip", patient))
+        jobs.append(pair_job(setup, f"hip-{patient}", patient, hip, patient))
         options = ["--outputs", "gaps", "--side", side, "--cartilage"]
         jobs.append(scene_job(setup, patient, meshes(patient), *options, "4"))
         for motion, degrees in motions[patient].items():  # red within 2 mm, blue beyond 6

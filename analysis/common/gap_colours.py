@@ -29,7 +29,7 @@ class Colours:
 def colours_of(summary: dict, part: str) -> Colours:
     """The levels that the scene used for the ball or the socket."""
     levels = summary["colours"][part]
-    upper = [np.inf if level["up_to_mm"] is None else level["up_to_mm"] for level in levels]
+    upper = [np.inf if level["up_to"] is None else level["up_to"] for level in levels]
     return Colours(
         np.array(upper),
         np.array([level["rgb"] for level in levels]) / 255,

@@ -3,14 +3,13 @@
 centre of rotation as origin), the anatomical views, and what a reader must be told of it.
 """
 
-import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 import common
-from common import ply, render
+from common import ply, render, summaries
 
 WAYS = "A anterior, P posterior, S superior, I inferior, R and L the patient's right and left"
 PIXELS = 560  # a side of one view
@@ -59,7 +58,7 @@ def to_joint(points: np.ndarray, summary: dict) -> np.ndarray:
 def load(results: Path, scene: str) -> Hip:
     """From scenes/SCENE. A scene that does not know its side is shown as a right joint."""
     folder = results / "scenes" / scene
-    summary = json.loads((folder / "summary.json").read_text())
+    summary = summaries.read(folder)
 
     def seen(part: str) -> ply.Mesh:
         mesh = ply.read(folder / f"{part}.ply")
@@ -90,7 +89,7 @@ def close_zones(summary: dict) -> str:
     found = level["socket"]["clock_zones"]
     if found is None:
         return "no clock positions"
-    places = ", ".join("any hour" if zone["from"] == zone["to"] else f"{zone['from']}-{zone['to']}" for zone in found)
+    places = ", ".join("any hour" if zone["clock_from"] == zone["clock_to"] else f"{zone['clock_from']}-{zone['clock_to']}" for zone in found)
     return (
         f"socket within {level['gap_up_to_mm']:g} mm at {places}"
         if places

@@ -13,7 +13,6 @@
 # @data      sample_points_bones
 """Figure 49, the points of a socket that the tables of the thesis sample at 1 degree, and close to the pole."""
 
-import json
 from dataclasses import replace
 
 import matplotlib.pyplot as plt
@@ -21,7 +20,7 @@ import numpy as np
 from matplotlib.patches import Circle
 
 import common
-from common import ply, render, sample_points
+from common import ply, render, sample_points, summaries
 
 BONE = (0.93, 0.89, 0.80)
 CLOSE = 5.0  # mm from the pole to the border of the lower row
@@ -33,7 +32,7 @@ def main(options) -> common.Figure:
     schemes = list(points.scheme.unique())
     folder = options.results / "scenes" / f"{options.joint}-{schemes[0]}"
     socket = ply.read(folder / "socket.ply")
-    summary = json.loads((folder / "summary.json").read_text())
+    summary = summaries.read(folder)
     view = sample_points.inside_view(socket, summary)
     pole = sample_points.pole(points)
     with render.screen():

@@ -12,13 +12,11 @@
 # @data      sample_points_bones
 """Figure 50, the gaps on the socket by the two tables of the thesis, with their sample points."""
 
-import json
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 import common
-from common import gap_colours, ply, render, sample_points
+from common import gap_colours, ply, render, sample_points, summaries
 
 DOT = (0.05, 0.3, 0.12)
 
@@ -30,7 +28,7 @@ def main(options) -> common.Figure:
         for letter, scheme in zip("ab", points.scheme.unique()):
             folder = options.results / "scenes" / f"{options.joint}-{scheme}"
             socket = ply.read(folder / "socket.ply")
-            summary = json.loads((folder / "summary.json").read_text())
+            summary = summaries.read(folder)
             view = sample_points.inside_view(socket, summary)
             surface = gap_colours.coloured(socket, gap_colours.colours_of(summary, "socket"))
             own = sample_points.dots(sample_points.of_scheme(points, scheme), view, 2.6, DOT)

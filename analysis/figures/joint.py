@@ -8,14 +8,13 @@
 # @seconds   3 3
 """A joint coloured by its gap, from four sides."""
 
-import json
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import common
-from common import gap_colours, ply, render
+from common import gap_colours, ply, render, summaries
 
 MARGIN = 1.03  # of a view
 
@@ -69,7 +68,7 @@ def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figu
 def main(options) -> None:
     """Writes figures/joint-NAME.png."""
     folder: Path = options.results / "scenes" / options.scene
-    summary = json.loads((folder / "summary.json").read_text())
+    summary = summaries.read(folder)
     ball, socket = ply.read(folder / "ball.ply"), ply.read(folder / "socket.ply")
     with render.screen():
         images = views(ball, socket, summary)

@@ -7,13 +7,13 @@
 50: USID "produces the same result").
 """
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
 import common
+from common import summaries
 
 SCHEMES = ("rsid", "usid")  # the two systems of the thesis
 
@@ -30,14 +30,14 @@ def main(options) -> common.Table:
 def differences(joint: str, one: Path, other: Path) -> list[dict]:
     """One row for each surface and threshold, which are the levels that the scene colours."""
     gaps = pd.merge(*(pd.read_csv(folder / "gaps.csv") for folder in (one, other)), on=["surface", "vertex"])
-    summary = json.loads((one / "summary.json").read_text())
+    summary = summaries.read(one)
     rows = []
     for surface, group in gaps.groupby("surface", sort=False):
         first, second = group.gap_mm_x.to_numpy(), group.gap_mm_y.to_numpy()
         met = np.isfinite(first) & np.isfinite(second)
         apart = np.abs(first - second)[met]
         for level in summary["colours"][surface][:-1]:
-            threshold = level["up_to_mm"]
+            threshold = level["up_to"]
             inside = [int((gap <= threshold).sum()) for gap in (first[met], second[met])]
             rows.append(
                 {

@@ -15,7 +15,7 @@ process.on("exit", () => fs.rmSync(FOLDER, { recursive: true, force: true }));
 /** Two files of a generated right hip of so few faces a surface that all answers about it are quick: { ball, socket }. */
 function madePair(hip) {
   const folder = path.join(FOLDER, hip);
-  if (!fs.existsSync(folder)) execFileSync(process.env.MAKE_PAIR, ["--hip", hip, "--set", "side=right", "--faces", "1500", "--out", folder], { stdio: "pipe" });
+  if (!fs.existsSync(folder)) execFileSync(process.env.IMPINGE, ["hip", hip, "--set", "side=right", "--faces", "1500", "--out", folder], { stdio: "pipe" });
   return { ball: path.join(folder, "ball.ply"), socket: path.join(folder, "socket.ply") };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // joint3d_kept.cjs PAGE: what a reader did in Joint3D is not lost, and what is wrong with own meshes is told and mended.
-// Environment: MAKE_PAIR, the program.
+// Environment: IMPINGE, the program.
 "use strict";
 const fs = require("node:fs");
 const path = require("node:path");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // joint3d_page.cjs PAGE [TEST...]: uses Joint3D in a real browser, every control of it. Exit code 1 if anything is wrong.
 // A page that is loaded asks its library for some seconds of work, the limits of all motions above all: so few are loaded, and
-// that panel is folded where nobody looks at it. Environment: MAKE_PAIR, the program.
+// that panel is folded where nobody looks at it. Environment: IMPINGE, the program.
 "use strict";
 const fs = require("node:fs");
 const { assert, choose, difference, madePair, message, open, picture, posed, run, smallest, text, type, value } = require("./joint3d_browser.cjs");

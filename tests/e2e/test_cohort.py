@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program `cohort`: the same bytes however a study is cut and wherever it is killed, shards that are missing or broken,
-and bad input, each with the whole line that must come. COHORT names the program.
+and bad input, each with the whole line that must come. IMPINGE names the program.
 """
 
 import csv
@@ -15,7 +15,7 @@ import time
 import unittest
 from pathlib import Path
 
-COHORT = os.environ["COHORT"]
+IMPINGE = os.environ["IMPINGE"]
 SPREAD = {"distribution": "normal", "mean": 19, "sd": 5, "source": "test"}
 STUDY = {
     "title": "test",
@@ -51,7 +51,7 @@ class Cohort(unittest.TestCase):
         return file
 
     def run_cohort(self, *words) -> subprocess.CompletedProcess:
-        return subprocess.run([COHORT, *map(str, words)], capture_output=True, text=True, check=False)
+        return subprocess.run([IMPINGE, "cohort", *map(str, words)], capture_output=True, text=True, check=False)
 
     def done(self, *words) -> str:
         found = self.run_cohort(*words)
@@ -61,7 +61,7 @@ class Cohort(unittest.TestCase):
     def refused(self, code: int, line: str, *words):
         found = self.run_cohort(*words)
         self.assertEqual(found.stdout, "")
-        self.assertEqual(found.stderr, f"cohort: error: {line}\n")
+        self.assertEqual(found.stderr, f"impinge: error: {line}\n")
         self.assertEqual(found.returncode, code)
 
     def whole(self, shards: int, study: Path, *more) -> Path:
@@ -115,7 +115,7 @@ class Cohort(unittest.TestCase):
         study = self.study(hips=120, questions=["morphology"], faces=2000, check_every=None, check_faces=None)
         killed = 0
         out = self.root / "out"
-        words = [COHORT, "--study", study, "--shard", "1/1", "--out", out]
+        words = [IMPINGE, "cohort", "--study", study, "--shard", "1/1", "--out", out]
         for wait in (0.05, 0.2, 0.7, 6.0, 7.0):
             with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
                 time.sleep(wait)
@@ -124,7 +124,7 @@ class Cohort(unittest.TestCase):
             self.assertEqual([file.suffix for file in out.glob("shards/*") if not file.name.startswith(".")],
                              [".rows"] * len(list(out.glob("shards/*.rows"))))
         self.assertGreater(killed, 0)
-        self.done(*words[1:])
+        self.done(*words[2:])
         self.done("--merge", out)
         self.assertEqual(self.bytes_of(out), self.bytes_of(self.whole(1, study)))
 
@@ -210,7 +210,7 @@ class Cohort(unittest.TestCase):
                 self.refused(1, f"study {study}: {line}", "--study", study, "--out", self.root / "out")
         study = self.study(parameters={**p, "cam_size": 3})
         found = self.run_cohort("--study", study, "--out", self.root / "out")
-        self.assertRegex(found.stderr, r"^cohort: error: study .*: parameters: a hip has no parameter 'cam_size'; there are "
+        self.assertRegex(found.stderr, r"^impinge: error: study .*: parameters: a hip has no parameter 'cam_size'; there are "
                                        r"side, head_radius, [a-z_, ]*\n$")
         study.write_text('{"title": ')
         self.refused(1, f"study {study}: it is no JSON object {{...}}", "--study", study, "--out", self.root / "out")
@@ -219,11 +219,11 @@ class Cohort(unittest.TestCase):
     def test_bad_options(self):
         study, out = self.study(), self.root / "out"
         for shard in ("0/0", "0/3", "4/3", "one", "1/"):
-            self.refused(2, f"option --shard: '{shard}' is no shard; give i/K with i from 1 to K, as 3/12",
+            self.refused(2, f"--shard: '{shard}' is no shard; give i/K with i from 1 to K, as 3/12",
                          "--study", study, "--shard", shard, "--out", out)
-        self.refused(2, "nothing to do: give --study and --out, or --merge; see cohort --help")
-        self.refused(2, "--study requires --out; see cohort --help", "--study", study)
-        self.refused(2, "--study excludes --merge; see cohort --help", "--merge", out, "--study", study, "--out", out)
+        self.refused(2, "nothing to do: give --study and --out, or --merge; see impinge cohort --help")
+        self.refused(2, "--study requires --out; see impinge cohort --help", "--study", study)
+        self.refused(2, "--study excludes --merge; see impinge cohort --help", "--merge", out, "--study", study, "--out", out)
         missing = self.root / "none.json"
         found = self.run_cohort("--study", missing, "--out", out)
         self.assertEqual((found.returncode, found.stderr.count("\n")), (1, 1))
@@ -232,7 +232,7 @@ class Cohort(unittest.TestCase):
     def test_a_folder_of_joints(self):
         """Hip j is the j-th joint by name; what a joint does not show is empty."""
         for name, hip in (("b", "cam"), ("a", "normal")):
-            subprocess.run([os.environ["MAKE_PAIR"], "--hip", hip, "--faces", "600", "--out", self.root / "joints" / name],
+            subprocess.run([IMPINGE, "hip", hip, "--faces", "600", "--out", self.root / "joints" / name],
                            check=True, capture_output=True)
         (self.root / "joints" / "a" / "subject.json").write_text(
             '{"side": "right", "axes": "RAS", "center_of_rotation_mm": [0, 0, 0]}')

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frames that files bring with them: SPACE= in the headers that 3D Slicer writes, and landmarks. A joint in another frame
-has the limits of the joint that it was made from. SCENE and IMPINGE name the programs, HIP the folder of a right hip.
+has the limits of the joint that it was made from. IMPINGE names the program, HIP the folder of a right hip.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ from pathlib import Path
 
 import numpy as np
 
-SCENE = os.environ["SCENE"]
 IMPINGE = os.environ["IMPINGE"]
 HIP = Path(os.environ["HIP"])
 LPS = np.diag([-1.0, -1.0, 1.0])
@@ -82,11 +81,11 @@ class Frames(unittest.TestCase):
         cls.meshes = {}
         for name in ("ball", "socket"):
             cls.meshes[name] = cls.read_ply(HIP / f"{name}.ply")
-        cls.truth = cls.limit(cls, "truth", *cls.write(cls, "truth", lambda v, f: ply_text(v, f)))
+        cls.truth = cls("test_what_is_said_otherwise_stays").limit("truth", *cls.write(cls, "truth", lambda v, f: ply_text(v, f)))
 
     @staticmethod
     def read_ply(path):
-        """make_pair's: binary, doubles, triangles."""
+        """As `impinge hip` writes it: binary, doubles, triangles."""
         data = path.read_bytes()
         head, body = data.split(b"end_header\n", 1)
         counts = [int(line.split()[-1]) for line in head.decode().splitlines() if line.startswith("element")]
@@ -104,24 +103,21 @@ class Frames(unittest.TestCase):
             files.append(path)
         return files
 
-    def scene(self, name, ball, socket, *more, side="right"):
-        words = [SCENE, "--ball", ball, "--socket", socket, "--side", side, "--out", self.root / name / "out", *more]
+    def asked(self, command, name, ball, socket, *more):
+        words = [IMPINGE, command, ball, socket, "--side", "right", "--out", self.root / name / "out", *more]
         return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
 
-    def impinge(self, command, name, ball, socket, *more, side="right"):
-        """The answer, and what is said."""
-        words = [IMPINGE, command, ball, socket, "--side", side, "--out", self.root / name / "out", *more]
-        done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads((self.root / name / "out/summary.json").read_text()), done.stdout
-
-    def limit(self, name, ball, socket, *more):
-        done = Frames.scene(self, name, ball, socket, "--centre", "0,0,0", "--question", "limit", "--motion", "internal_rotation",
-                            "--pose", "flexion=60,abduction=-10", *more)
+    def impinge(self, *words):
+        """The summary, and what is said."""
+        done = self.asked(*words)
         if done.returncode != 0:
             raise AssertionError(done.stderr)
-        found = json.loads((self.root / name / "out/summary.json").read_text())
-        return found["contact"][0]["low_deg"], found, done.stdout
+        return json.loads((self.root / words[1] / "out/summary.json").read_text()), done.stdout
+
+    def limit(self, name, ball, socket, *more):
+        found, said = self.impinge("limits", name, ball, socket, "--centre", "0,0,0", "--motions", "internal_rotation",
+                                   "--pose", "flexion=60,abduction=-10", *more)
+        return found["answer"]["limits"][0]["low_deg"], found["joint"], said
 
     def same_limit(self, name, files, *more):
         low, found, said = self.limit(name, *files, *more)
@@ -147,7 +143,7 @@ class Frames(unittest.TestCase):
     def test_a_cut_mesh_lies_in_the_frame_of_its_files_and_lets_the_joint_turn(self):
         """As far as was required, before it does not: of a hip that is not about the origin, in LPS."""
         made = self.root / "walled"
-        subprocess.run([os.environ["MAKE_PAIR"], "--hip", "cam", "--set", "wall_thickness=3", "--faces", "800", "--out", made],
+        subprocess.run([IMPINGE, "hip", "cam", "--set", "wall_thickness=3", "--faces", "800", "--out", made],
                        check=True, capture_output=True)
         walled = {name: self.read_ply(made / f"{name}.ply") for name in ("ball", "socket")}
         for cut, more, meshes in (("ball", ("--least",), walled), ("socket", (), self.meshes)):
@@ -162,10 +158,9 @@ class Frames(unittest.TestCase):
             self.assertIn("nothing in this may guide the treatment", told)
             centre = ",".join(map(str, summary["joint"]["centre"]["position"]))
             for socket_or_ball, limited in ((files[cut], True), (folder / f"resected_{cut}.ply", False)):
-                asked = self.scene("again", *({**files, cut: socket_or_ball}).values(), "--axes", "LPS", "--centre", centre, "--question",
-                                   "limit", "--motion", "internal_rotation", "--pose", "flexion=90")
-                self.assertEqual(asked.returncode, 0, asked.stderr)
-                low = json.loads((self.root / "again/out/summary.json").read_text())["contact"][0]["low_deg"]
+                again, _ = self.impinge("limits", "again", *({**files, cut: socket_or_ball}).values(), "--axes", "LPS", "--centre", centre,
+                                        "--motions", "internal_rotation", "--pose", "flexion=90")
+                low = again["answer"]["limits"][0]["low_deg"]
                 self.assertEqual(low < 20, limited, (cut, low))
             if cut == "ball":
                 self.assertLessEqual(said["least"]["volume_mm3"][1], said["volume_mm3"][1])
@@ -216,8 +211,8 @@ class Frames(unittest.TestCase):
                                    "frame"),
             (both, (), f"{both[0]}: its header says both SPACE=RAS and SPACE=LPS; leave the one that is true"),
         ):
-            done = self.scene("refused", *files, *more)
-            self.assertEqual((done.returncode, done.stderr), (1, f"scene: error: {said}\n"))
+            done = self.asked("touch", "refused", *files, *more)
+            self.assertEqual((done.returncode, done.stderr), (1, f"impinge: error: {said}\n"))
 
     def posed(self, name, landmarks, body, femur, file="points.csv", meshes="RAS"):
         """Files of the joint with the femur turned and the whole body turned, and its landmarks beside it."""
@@ -277,8 +272,8 @@ class Frames(unittest.TestCase):
         ):
             with self.subTest(name):
                 ball, socket, points = self.posed(name, landmarks, np.eye(3), np.eye(3))
-                done = self.scene(name, ball, socket, "--landmarks", points)
-                self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"scene: error: {points}: {said}"))
+                done = self.asked("touch", name, ball, socket, "--landmarks", points)
+                self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"impinge: error: {points}: {said}"))
 
     def test_files_that_are_no_landmarks_are_refused(self):
         files = self.write("files", lambda v, f: ply_text(v, f))
@@ -297,17 +292,17 @@ class Frames(unittest.TestCase):
             with self.subTest(name):
                 path = self.root / "files" / name
                 path.write_text(text)
-                done = self.scene("files", *files, "--landmarks", path)
+                done = self.asked("touch", "files", *files, "--landmarks", path)
                 self.assertEqual(done.returncode, 1)
-                self.assertTrue(done.stderr.splitlines()[-1].startswith(f"scene: error: {path}: {said.split(chr(39))[0]}"), done.stderr)
+                self.assertTrue(done.stderr.splitlines()[-1].startswith(f"impinge: error: {path}: {said.split(chr(39))[0]}"), done.stderr)
                 self.assertIn(cure, done.stderr)
 
     def test_matrices_begin_at_the_scan_and_are_refused_beside_a_femur(self):
         ball, socket, points = self.posed("matrices", STANDING, np.eye(3), np.eye(3))
         poses = self.root / "matrices/poses.csv"
         poses.write_text("1,0,0,0,0,1,0,0,0,0,1,0\n")
-        done = self.scene("matrices", ball, socket, "--landmarks", points, "--poses", poses)
-        self.assertIn("give angles, or leave --landmarks out", done.stderr)
+        done = self.asked("poses", "matrices", ball, socket, "--landmarks", points, "--poses", poses)
+        self.assertIn("give angles, or leave the landmarks out", done.stderr)
         self.assertEqual(done.returncode, 1)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A cohort on a real Slurm: munge, slurmctld and two slurmd of Debian's slurm-wlm on loopback, without systemd, started
 here and ended by their process ids. An array of 12 shards; a node that is killed under its task; a shard that fails and
-is run again; a merge with the bytes of one machine. COHORT names the program, SOURCE the clone.
+is run again; a merge with the bytes of one machine. IMPINGE names the program, SOURCE the clone.
 """
 
 import getpass
@@ -17,7 +17,7 @@ import time
 import unittest
 from pathlib import Path
 
-COHORT = os.environ["COHORT"]
+IMPINGE = os.environ["IMPINGE"]
 BATCH = Path(os.environ["SOURCE"]) / "experiments" / "cohort.sbatch"
 NODES = ("one", "two")
 SHARDS = 12
@@ -89,7 +89,7 @@ class Cluster:
         (root / "slurm.conf").write_text(
             CONF.format(root=root, host=host, user=getpass.getuser(), ctld=ctld, one=one, two=two)
         )
-        self.environment = {**os.environ, "SLURM_CONF": str(root / "slurm.conf"), "COHORT": COHORT}
+        self.environment = {**os.environ, "SLURM_CONF": str(root / "slurm.conf"), "IMPINGE": IMPINGE}
         key = root / "munge.key"
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)
@@ -223,7 +223,7 @@ class Slurm(unittest.TestCase):
 
     def test_an_array_a_lost_node_a_shard_that_fails_and_the_bytes_of_one_machine(self):
         alone = self.root / "alone"  # in the meantime
-        one_machine = subprocess.Popen([COHORT, "--study", self.study, "--out", alone], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        one_machine = subprocess.Popen([IMPINGE, "cohort", "--study", self.study, "--out", alone], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(one_machine.wait)
         (self.out / "shards").mkdir(parents=True)
         (self.out / "shards" / f"5-of-{SHARDS}.rows").write_text("no shard\n")  # so that its task fails
@@ -251,17 +251,17 @@ class Slurm(unittest.TestCase):
         states = {i: words["JobState"] for i, words in self.end_of(job).items()}
         self.assertEqual(states, {i: "FAILED" if i == 5 else "COMPLETED" for i in range(1, SHARDS + 1)},
                          self.cluster.logs())
-        merged = subprocess.run([COHORT, "--merge", self.out], capture_output=True, text=True, check=False)
+        merged = subprocess.run([IMPINGE, "cohort", "--merge", self.out], capture_output=True, text=True, check=False)
         self.assertIn(f"shard 5 of {SHARDS} cannot be merged, the first because", merged.stderr)
         (self.out / "shards" / f"5-of-{SHARDS}.rows").unlink()
         again = self.submit("5", self.study, self.out, SHARDS)
         self.assertEqual({words["JobState"] for words in self.end_of(again).values()}, {"COMPLETED"}, self.cluster.logs())
         merge = self.cluster.said("sbatch", "--parsable", f"--dependency=afterok:{again}", "--chdir", self.root,
-                                  "--wrap", f"{COHORT} --merge {self.out}")
+                                  "--wrap", f"{IMPINGE} cohort --merge {self.out}")
         self.cluster.wait("the merge", (self.out / "cohort.json").exists)
         self.assertTrue(merge.isdigit())
         self.assertEqual(one_machine.wait(), 0)
-        subprocess.run([COHORT, "--merge", alone], check=True, capture_output=True)
+        subprocess.run([IMPINGE, "cohort", "--merge", alone], check=True, capture_output=True)
         for name in ("cohort.csv", "cohort.json"):
             self.assertEqual(*(hashlib.sha256((folder / name).read_bytes()).hexdigest() for folder in (self.out, alone)))
 
