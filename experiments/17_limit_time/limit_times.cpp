@@ -14,9 +14,9 @@
 
 #include "files/stopwatch.hpp"
 #include "hip/named_motion.hpp"
+#include "limits/told_limit.hpp"
 #include "methods/cgal.hpp"
 #include "methods/contact.hpp"
-#include "limits/told_limit.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -25,7 +25,7 @@ TriangleMesh turned_to(const Eigen::Matrix3d& axes, TriangleMesh mesh) {
   return mesh;
 }
 
-// As the program `scene` takes whole bones.
+// As the program takes whole bones.
 TurnedJoint whole_joint(const RealJoint& described, const std::filesystem::path& folder) {
   JointInput input;
   input.ball = {kFemur, read_mesh(folder / kFemur)};

@@ -10,8 +10,8 @@
 
 #include "harness/progress.hpp"
 #include "hip/anatomy.hpp"
-#include "mesh/mesh_parts.hpp"
 #include "limits/turn_limit.hpp"
+#include "mesh/mesh_parts.hpp"
 
 namespace impinge::lab {
 

@@ -35,7 +35,7 @@ struct LimitCase {
   const NamedMotion* motion = nullptr;           // one of named_motions()
   CentreStrategy centre = CentreStrategy::head;  // that the joint turns about
   double shift_mm = 0.0;                         // of the head from the pose of the scan
-  ToldLimit told;                                // as the program `scene` tells it
+  ToldLimit told;                                // as the program tells it
   std::string clock;                             // of the contact on the socket; empty where there is none
   std::optional<double> smallest_gap;            // of a vertex, mm, at the lower end of the bracket
 };

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "joint/joint_folder.hpp"
 #include "hip/sphere_fit.hpp"
+#include "joint/joint_folder.hpp"
 #include "mesh/io.hpp"
 
 namespace impinge::lab {

@@ -151,11 +151,11 @@ void read_request(const Json& given, Request& request) {
     throw std::invalid_argument("a request is a JSON object with a key for each value that is given");
   std::vector<std::string_view> names;
   for_each_field<Request>([&](const auto& field) { names.push_back(field.name); });
-  for (const auto& [key, value] : given.items()) {
-    const std::size_t place = place_among(key, names, "request");
+  for (const auto& item : given.items()) {
+    const std::size_t place = place_among(item.key(), names, "request");
     std::size_t k = 0;
     for_each_field<Request>([&](const auto& field) {
-      if (k++ == place) read_json(value, field.name, field.range, request.*field.member);
+      if (k++ == place) read_json(item.value(), field.name, field.range, request.*field.member);
     });
   }
 }

@@ -207,7 +207,8 @@ PoseList read_opensim(const std::filesystem::path& file, std::string_view bytes,
   lines.next();
   const std::vector<std::string_view> labels = lines.words();
   const auto take = [&](std::string_view name, const MotionName* motion) {
-    const auto at = std::ranges::find(labels, name, coordinate);
+    const auto at = std::find_if(labels.begin(), labels.end(),
+                                 [&](std::string_view label) { return coordinate(label) == name; });
     if (at == labels.end()) lines.refuse("there is no column " + std::string(name));
     from.push_back(static_cast<std::size_t>(at - labels.begin()));
     list.columns.push_back({std::string(name), motion});

@@ -50,8 +50,8 @@ struct ResectRequest {
   std::vector<Motion> require;  // degrees
   double clearance_mm = 0.5;
   Surface cut = Surface::ball;
-  std::optional<double> rim_mm;   // kMostRim if not given
-  std::optional<double> neck_mm;  // kNeckShare of the neck's width if not given
+  std::optional<double> rim_mm{};   // kMostRim if not given
+  std::optional<double> neck_mm{};  // kNeckShare of the neck's width if not given
   bool least = false;
 
   /// std::invalid_argument for what cannot be required, or does not go together.

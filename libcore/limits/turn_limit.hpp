@@ -110,8 +110,8 @@ class TurnLimits {
   struct Answers {
     Answers(BallSocketPair joint, const BoneParts& beside);
     const CulledJoint& vertices();  // made when first asked for
-    BodyPairs bodies;       // made before the meshes are taken
-    BallSocketPair meshes;  // the main surfaces, without their edge-on faces
+    BodyPairs bodies;               // made before the meshes are taken
+    BallSocketPair meshes;          // the main surfaces, without their edge-on faces
     std::vector<Edge> ends;         // of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // of the socket: those of its faces
     TurnBody ball;                  // of the main surfaces

@@ -61,13 +61,6 @@ Pose placed(const SessionJoint& joint, const double* rows, std::size_t place) {
 
 }  // namespace
 
-Motion motion_of(const py::object& given) {
-  if (py::isinstance<py::str>(given)) return parse_motion(given.cast<std::string>());
-  const Doubles array = numbers_of(given);
-  if (array.ndim() != 1 || array.size() != 3) refuse("one pose is three angles, not " + shape_text(array));
-  return motion_at(array.data());
-}
-
 std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
   if (py::isinstance<py::str>(given)) return {turned(joint, parse_motion(given.cast<std::string>()))};
   const Doubles array = numbers_of(given);

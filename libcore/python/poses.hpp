@@ -15,9 +15,6 @@ namespace impinge::python {
 /// frame. std::invalid_argument, one line, for anything else.
 std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& given);
 
-/// Angles in degrees of an array of shape (3,) or a text. std::invalid_argument for anything else.
-Motion motion_of(const pybind11::object& given);
-
 /// Matrices of poses, shape (n, 4, 4), x' = M x in the frame of the meshes, mm.
 pybind11::array matrices_of(const SessionJoint& joint, const std::vector<Pose>& poses);
 

@@ -127,7 +127,7 @@ test('limits are those of a sweep, and measures those that a hip was made with',
   assert.equal((await one('limits', { motions: ['flexion'] })).limits[0].largest_deg, 180);
   const made = (await one('joint', { source: 'preset', name: 'normal', parameters: {} })).parameters;
   const { measures } = await one('measure');
-  assert.ok(measures.every(({ value, state }) => value !== null && state === 'measured'));
+  assert.ok(measures.every(({ value, state }) => value !== null && !state.startsWith('refused')));
   const found = Object.fromEntries(measures.map(({ measure, value }) => [measure, value]));
   for (const key of ['neck_shaft_angle', 'femoral_torsion', 'inclination', 'version', 'half_opening', 'lateral_centre_edge'])
     assert.ok(Math.abs(found[key] - made[key]) < 0.5, `${key} ${found[key]} ${made[key]}`);
@@ -217,7 +217,7 @@ test('a cut reaches what is required', async () => {
   assert.ok((await one('pose', pose)).smallest.gap_mm < 0);
   const mesh = (name, { positions, faces }) => ({ name, positions: Float64Array.from(positions), faces });
   await one('joint', { source: 'files', side: 'right', centre: [0, 0, 0], ball: mesh('ball', cut), socket: mesh('socket', before.socket) });
-  const { limits: [limit] } = await one('limits', { motion: 'internal_rotation', pose: { flexion: 90 } });
+  const { limits: [limit] } = await one('limits', { motions: ['internal_rotation'], pose: { flexion: 90 } });
   assert.ok(limit.low_deg > 30 && Math.abs(limit.low_deg - cut.legs[1].after.low_deg) < 0.01, JSON.stringify(limit));
 });
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is refused, in which words; the stubs; the example."""
+"""What is refused, in which words; the stubs and the page of the program; the example."""
 import ast
 import os
 import subprocess
@@ -92,7 +92,7 @@ def members(tree):
     return {name for name in names if "__" not in name}
 
 
-def test_the_stubs_have_what_the_module_has():
+def test_stubs_and_page_have_what_module_and_program_have():
     tree = ast.parse((ROOT / "libcore/python/impinge/__init__.pyi").read_text(encoding="utf-8"))
     dicts = {"TypedDict"}
     for node in tree.body:
@@ -104,8 +104,9 @@ def test_the_stubs_have_what_the_module_has():
         if isinstance(thing, type) and thing.__module__ == "impinge._impinge":
             module |= {f"{name}.{part}" for part in vars(thing) if not part.startswith("_")}
     assert members(tree) - dicts == module
-    done = subprocess.run([sys.executable, ROOT / "libcore/python/stubs.py", os.environ["IMPINGE"]], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    for script in ("python/stubs.py", "command/reference.py"):
+        done = subprocess.run([sys.executable, ROOT / "libcore" / script, os.environ["IMPINGE"]], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
 
 
 def test_help_says_what_each_member_is():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every file of libcore is reached: by a program of a user (scene, make_pair, Joint3D, the module of Python), or as an oracle
+"""Every file of libcore is reached: by a program of a user (impinge, Joint3D, the module of Python), or as an oracle
 by the tests of another folder. What only an experiment asks for belongs to experiments/. That a page names a file does not
 make it used."""
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ROOT / "libcore"
 ORACLES = ("reference/", "table/pairwise.hpp")
-PROGRAMS = ("experiments/scene.cpp", "experiments/make_pair.cpp", "analysis/joint3d/engine/*.?pp", "libcore/python/*.?pp")
+PROGRAMS = ("experiments/impinge.cpp", "libcore/command/*.cpp", "analysis/joint3d/engine/*.?pp", "libcore/python/*.?pp")
 
 
 def included(path):

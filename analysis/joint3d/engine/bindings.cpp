@@ -15,6 +15,7 @@
 #include "joint/gaps.hpp"
 #include "joint/joint_files.hpp"
 #include "joint/measures.hpp"
+#include "joint/proof.hpp"
 #include "joint/volume.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
@@ -145,6 +146,7 @@ val ask(const std::string& kind, const val& request) {
       {"measure", ask_question<MeasureRequest>},
       {"touch", ask_question<TouchRequest>},
       {"gaps", ask_question<GapsRequest>},
+      {"certify", ask_question<CertifyRequest>},
       {"volume", ask_volume},
       {"resect", ask_question<ResectRequest>},
       {"orient", ask_question<OrientRequest>},

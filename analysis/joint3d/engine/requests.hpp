@@ -16,7 +16,6 @@ PoseRequest pose_request(const val& request);
 LimitRequest limit_request(const val& request);
 double step_request(const val& request);  // of a sweep, degrees
 
-
 // "uint16", "float" or "double".
 std::string_view storage_name(Storage storage);
 

@@ -38,7 +38,7 @@ const READERS = {
 export async function readMesh(file) {
   const reader = READERS[file.name.split(".").pop().toLowerCase()];
   if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ");
-  if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program scene");
+  if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program impinge");
   try {
     const bytes = await file.arrayBuffer();
     const mesh = { ...reader(file, bytes), head: new Uint8Array(bytes.slice(0, HEAD)) };

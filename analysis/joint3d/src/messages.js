@@ -5,7 +5,7 @@ import { byId, make } from "./elements.js";
 /** A fault in words that are for the reader. */
 export class Told extends Error {}
 
-export const NO_MEMORY = "there is not enough memory; choose smaller meshes or a coarser precision, or use the program scene";
+export const NO_MEMORY = "there is not enough memory; choose smaller meshes or a coarser precision, or use the program impinge";
 export const isMemory = (error) => /memory|alloc/i.test(error.message);
 
 /** kind: "fault", "warning" or "note"; no text takes the message away. actions: { text, act } for buttons. */

@@ -373,7 +373,7 @@ class Joint:
         """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
         centre of rotation: (x, y, z) in the frame of the meshes, that of the sphere that fits the ball where it is None.
-        landmarks: markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z, mm, with the labels of `scene --landmarks`; or a
+        landmarks: markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z, mm, with the labels of `impinge --landmarks`; or a
         dict of places by these labels, in the frame of the meshes. They give the frame of the pelvis, and Joint.landmarks
         its tilt; with epicondyles that of the femur too, and the ball is turned to neutral, from which angles are then
         counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
