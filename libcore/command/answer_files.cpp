@@ -41,16 +41,18 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   return names;
 }
 
-void require_no_input(const fs::path& file, const std::vector<fs::path>& inputs) {
+}  // namespace
+
+fs::path Work::output(const std::string& name) const {
+  const fs::path file = out.value() / name;
   std::error_code not_there;
   for (const fs::path& input : inputs) {
     if (fs::equivalent(input, file, not_there))
       throw std::runtime_error(input.string() +
                                ": would be replaced by the output; choose another folder with --out");
   }
+  return file;
 }
-
-}  // namespace
 
 AnswerFolder::AnswerFolder(fs::path folder) : folder_(std::move(folder)), there_(existing(folder_)) {
   require_writable_folder(folder_);
@@ -62,12 +64,11 @@ AnswerFolder::~AnswerFolder() {
   while (folder != there_ && fs::remove(folder, kept)) folder = folder.parent_path();
 }
 
-std::vector<std::string> AnswerFolder::write(const Told& told, Json document,
-                                             const std::vector<fs::path>& inputs) {
+std::vector<std::string> AnswerFolder::write(const Told& told, Json document, const Work& work) {
   std::vector<std::string> names = told.wrote;
   for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back(kSummary);
-  for (const std::string& name : names) require_no_input(folder_ / name, inputs);
+  for (const std::string& name : names) work.output(name);
   std::vector<std::string> older;
   std::error_code unreadable;
   for (const std::string& name : files_of_earlier(folder_)) {

@@ -130,9 +130,9 @@ void add_table(Told& told) {
   told.files.push_back({told.table_name, to_csv(table)});
 }
 
-void write(AnswerFolder& folder, const Answered& answered, const std::vector<fs::path>& inputs,
-           const JointCommand& command, const Screen& screen) {
-  const std::vector<std::string> older = folder.write(answered.told, answered.document, inputs);
+void write(AnswerFolder& folder, const Answered& answered, const Work& work, const JointCommand& command,
+           const Screen& screen) {
+  const std::vector<std::string> older = folder.write(answered.told, answered.document, work);
   std::vector<std::string> names = answered.told.wrote;
   for (const AnswerFile& file : answered.told.files) names.push_back(file.name);
   names.emplace_back("summary.json");
@@ -143,6 +143,12 @@ void write(AnswerFolder& folder, const Answered& answered, const std::vector<fs:
                << one_line(folder.path().string() + "/" + listed(older) +
                            " is left from an earlier command: it says nothing about this one")
                << std::endl;
+}
+
+std::vector<fs::path> inputs_of(const JointCommand& command, const JointOptions& options) {
+  std::vector<fs::path> files = files_of(options);
+  for (fs::path& file : command.question.files()) files.push_back(std::move(file));
+  return files;
 }
 
 Work work_of(const JointCommand& command, const Screen& screen) {
@@ -160,13 +166,14 @@ void run_one(const JointCommand& command, const Screen& screen) {
     folder = std::make_unique<AnswerFolder>(command.out);
     work.out = command.out;
   }
+  work.inputs = inputs_of(command, command.joint);
   Answered answered = ask(command, command.joint, work, screen);
   add_table(answered.told);
   if (command.json)
     screen.out << text_of(answered.document);
   else
     screen.out << answered.told.words;
-  if (folder) write(*folder, answered, files_of(command.joint), command, screen);
+  if (folder) write(*folder, answered, work, command, screen);
 }
 
 // What is given for all goes before its own description.
@@ -195,12 +202,13 @@ void run_all(const JointCommand& command, const Screen& screen) {
       AnswerFolder folder(command.out / at.subject);
       work.out = folder.path();
       const JointOptions options = options_of(command.joint, at);
+      work.inputs = inputs_of(command, options);
       Answered answered = ask(command, options, work, screen);
       if (!answered.told.table_name.empty()) table_name = answered.told.table_name;
       add_rows(at.subject, answered.told.table_name.empty() ? row_of_one(answered.told) : answered.told.table,
                table);
       add_table(answered.told);
-      folder.write(answered.told, answered.document, files_of(options));
+      folder.write(answered.told, answered.document, work);
       documents.push_back(std::move(answered.document));
     } catch (const std::exception& error) {
       const std::string what = one_line(error.what());
@@ -214,6 +222,7 @@ void run_all(const JointCommand& command, const Screen& screen) {
     throw std::runtime_error(command.joints.string() +
                              ": none of its joints could be used; see the lines above");
   AnswerFolder folder(command.out);
+  work.out = command.out;
   Told all{.files = {{table_name, to_csv(table)}}};
   Json document{{"program", "impinge"},
                 {"version", kVersion},
@@ -222,7 +231,7 @@ void run_all(const JointCommand& command, const Screen& screen) {
                 {"joints", command.joints.string()},
                 {"left_out", left_out},
                 {"documents", documents}};
-  folder.write(all, document, {});
+  folder.write(all, document, work);
   if (command.json)
     screen.out << text_of(document);
   else
@@ -231,21 +240,26 @@ void run_all(const JointCommand& command, const Screen& screen) {
                << std::endl;
 }
 
-void run(const JointCommand& command, const Screen& screen) {
-  if (command.schema) {
-    screen.out << text_of(document_schema(command.question));
-    return;
-  }
+// What is given goes together.
+void require_consistent(const JointCommand& command) {
+  if (command.schema) return;
   const std::string see = "; see impinge " + command.question.name + " --help";
   try {
     command.question.check();
   } catch (const std::invalid_argument& error) {
     throw CommandError(error.what() + see);
   }
-  if (!command.joints.empty()) return run_all(command, screen);
-  if (command.joint.ball.empty() || command.joint.socket.empty())
+  if (command.joints.empty() && (command.joint.ball.empty() || command.joint.socket.empty()))
     throw CommandError("two meshes are needed, BALL and SOCKET" + see);
-  run_one(command, screen);
+}
+
+void run(const JointCommand& command, const Screen& screen) {
+  if (command.schema)
+    screen.out << text_of(document_schema(command.question));
+  else if (command.joints.empty())
+    run_one(command, screen);
+  else
+    run_all(command, screen);
 }
 
 void add_command(CLI::App& program, QuestionCommand question, const Screen& screen,
@@ -260,7 +274,7 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   app.add_option("SOCKET", command->joint.socket, "mesh with the socket, in the same frame")
       ->type_name("FILE");
   command->question.add_options(app);
-  add_joint_options(app, command->joint);
+  const std::function<void()> use_config = add_joint_options(app, command->joint);
   const std::string group = "The answer";
   CLI::Option* const out =
       app.add_option("--out", command->out, "folder for files; without it the answer is on the screen alone")
@@ -282,8 +296,11 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   app.add_flag("--quiet", command->quiet, "no progress")->group(group);
   app.add_flag("--schema", command->schema, "print the JSON Schema of the document, and do nothing else")
       ->group(group);
-  app.parse_complete_callback(
-      [command, &screen, &work] { work = [command, &screen] { run(*command, screen); }; });
+  app.callback([command, use_config, &screen, &work] {  // once nothing is left over
+    use_config();
+    require_consistent(*command);
+    work = [command, &screen] { run(*command, screen); };
+  });
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ std::vector<std::string> texts_of(const std::vector<fs::path>& files) {
 
 }  // namespace
 
-void add_joint_options(CLI::App& command, JointOptions& options) {
+std::function<void()> add_joint_options(CLI::App& command, JointOptions& options) {
   const std::string group = "The joint";
   const auto grouped = [&](CLI::Option* option) { option->group(group); };
   grouped(command
@@ -149,20 +149,19 @@ void add_joint_options(CLI::App& command, JointOptions& options) {
                           "depth along a ray to which the surfaces may overlap without contact [0]")
               ->check(in_range(kNotNegative))
               ->type_name("MM"));
-  const auto config = std::make_shared<fs::path>();
   grouped(command
-              .add_option("--config", *config,
+              .add_option("--config", options.config,
                           "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint")
               ->type_name("FILE")
               ->check(CLI::ExistingFile));
-  command.callback([&command, &options, config] {
-    if (!config->empty()) use_description(command, *config, options);
-  });
+  return [&command, &options] {
+    if (options.config) use_description(command, *options.config, options);
+  };
 }
 
 std::vector<fs::path> files_of(const JointOptions& options) {
   std::vector<fs::path> files{options.ball, options.socket};
-  for (const auto& more : {options.landmarks, options.cartilage_map}) {
+  for (const auto& more : {options.landmarks, options.cartilage_map, options.config}) {
     if (more) files.push_back(*more);
   }
   files.insert(files.end(), options.ball_parts.begin(), options.ball_parts.end());

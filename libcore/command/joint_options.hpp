@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,23 +17,26 @@ namespace impinge {
 
 /// Lengths in mm, places in the frame of the meshes.
 struct JointOptions {
-  std::filesystem::path ball;    // mesh file
-  std::filesystem::path socket;  // mesh file
+  std::filesystem::path ball{};    // mesh file
+  std::filesystem::path socket{};  // mesh file
   /// Meshes of bone beside the ball, in the same frame (mesh/mesh_parts.hpp).
-  std::vector<std::filesystem::path> ball_parts;
-  std::vector<std::filesystem::path> socket_parts;  // beside the socket
-  bool keep_largest = false;                        // of each file only the largest piece
-  double overlap_mm = 0.0;                          // along a ray, that is no contact (hip/joint.hpp)
-  std::optional<Vec3> centre;                       // fitted to the ball if not given
-  std::optional<Side> side;                         // of the body; abduction and rotation need it
-  std::optional<std::string> axes;  // of the meshes (hip/anatomy.hpp), else as their headers say
-  std::optional<std::filesystem::path> landmarks;      // file that gives the frames (joint/landmark_file.hpp)
-  std::optional<std::filesystem::path> cartilage_map;  // instead of one thickness (joint/cartilage_file.hpp)
-  double cartilage_mm = 4.0;                           // both layers together; the thesis' value
+  std::vector<std::filesystem::path> ball_parts{};
+  std::vector<std::filesystem::path> socket_parts{};  // beside the socket
+  bool keep_largest = false;                          // of each file only the largest piece
+  double overlap_mm = 0.0;                            // along a ray, that is no contact (hip/joint.hpp)
+  std::optional<Vec3> centre{};                       // fitted to the ball if not given
+  std::optional<Side> side{};                         // of the body; abduction and rotation need it
+  std::optional<std::string> axes{};  // of the meshes (hip/anatomy.hpp), else as their headers say
+  std::optional<std::filesystem::path> landmarks{};  // file that gives the frames (joint/landmark_file.hpp)
+  std::optional<std::filesystem::path>
+      cartilage_map{};                            // instead of one thickness (joint/cartilage_file.hpp)
+  std::optional<std::filesystem::path> config{};  // that says more of these
+  double cartilage_mm = 4.0;                      // both layers together; the thesis' value
 };
 
 /// Adds them to a command, --config among them: what a file says counts where the command line says nothing.
-void add_joint_options(CLI::App& command, JointOptions& options);
+/// What is returned reads that file, once all options are.
+[[nodiscard]] std::function<void()> add_joint_options(CLI::App& command, JointOptions& options);
 
 /// All files that are read, so that no output takes their place.
 std::vector<std::filesystem::path> files_of(const JointOptions& options);

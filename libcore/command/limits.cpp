@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "command/limit_words.hpp"
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "files/rows.hpp"
@@ -113,18 +114,20 @@ std::string details_of(const LimitsAnswer& found) {
 
 Told told(Session& session, const LimitsRequest& request, const Work& /*work*/) {
   const LimitsAnswer found = answer(session, request);
-  const bool one = std::all_of(found.limits.begin(), found.limits.end(), [&](const LimitDocument& limit) {
-    return limit.motion == found.limits.front().motion;
-  });
-  Told told{.words = one ? details_of(found) : table_of(found),
-            .document = json_of(found),
-            .table_name = "limits.csv"};
+  Told told{.words = describe(found), .document = json_of(found), .table_name = "limits.csv"};
   told.table.columns = columns_of<LimitRow>();
   for (const LimitDocument& limit : found.limits) told.table.add_row(cells_of<LimitRow>(limit));
   return told;
 }
 
 }  // namespace
+
+std::string describe(const LimitsAnswer& found) {
+  const bool one = std::all_of(found.limits.begin(), found.limits.end(), [&](const LimitDocument& limit) {
+    return limit.motion == found.limits.front().motion;
+  });
+  return one ? details_of(found) : table_of(found);
+}
 
 QuestionCommand limits_question() {
   return question_of<LimitsRequest, LimitsAnswer>(

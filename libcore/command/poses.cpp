@@ -85,7 +85,7 @@ class Rows {
   // Keeps the whole rows below this head that the file has.
   Rows(const Work& work, const std::string& key, const std::string& head) {
     if (!work.out) return;
-    whole_ = *work.out / "poses.csv";
+    whole_ = work.output("poses.csv");
     file_ = *work.out / ("poses-" + key + ".part");
     std::error_code unreadable;
     std::string bytes =

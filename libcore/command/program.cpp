@@ -52,15 +52,44 @@ std::string advice(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 // An empty text is what a script gives whose variable is not set.
-void require_values(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& value : option->results())
-      if (value.empty())
-        throw CLI::ValidationError(option->get_name(), "is empty; give it a value or leave it out");
-  }
+void refuse_empty_values(CLI::App& program) {
+  const CLI::Validator given(
+      [](const std::string& text) {
+        return std::string(text.empty() ? "is empty; give it a value or leave it out" : "");
+      },
+      "");
+  for (CLI::App* command : program.get_subcommands({}))
+    for (CLI::Option* option : command->get_options()) option->transform(given);  // before all other checks
 }
 
 }  // namespace
+
+std::function<void()> parse_program(int argc, const char* const* argv, const Screen& screen,
+                                    std::span<const AddCommand> more) {
+  CLI::App program{kAbout, "impinge"};
+  program.footer(kFooter);
+  program.require_subcommand(0, 1);
+  program.set_version_flag("--version", std::string("impinge ") + kVersion + " (commit " + commit() + ")");
+  std::function<void()> work;  // of the command that was given
+  add_joint_commands(program, screen, work);
+  add_check_command(program, screen, work);
+  add_hip_command(program, screen, work);
+  for (const AddCommand add : more) add(program, screen, work);
+  refuse_empty_values(program);
+  try {
+    require_command(command_word(argc, argv), program);
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    program.exit(asked, screen.out, screen.log);
+    return [] {};
+  } catch (const CLI::ParseError& error) {
+    throw CommandError(one_line(advice(program, error)));
+  } catch (const std::exception& error) {
+    throw CommandError(one_line(error.what()));
+  }
+  if (!work) screen.out << program.help();
+  return work;
+}
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log,
                 std::span<const AddCommand> more) {
@@ -68,32 +97,10 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
     log << "impinge: error: " << one_line(what) << std::endl;
     return code;
   };
-  CLI::App program{kAbout, "impinge"};
-  program.footer(kFooter);
-  program.require_subcommand(0, 1);
-  program.set_version_flag("--version", std::string("impinge ") + kVersion + " (commit " + commit() + ")");
-  std::function<void()> work;  // of the command that was given
   const Screen screen{out, log};
-  add_joint_commands(program, screen, work);
-  add_check_command(program, screen, work);
-  add_hip_command(program, screen, work);
-  for (const AddCommand add : more) add(program, screen, work);
   try {
-    require_command(command_word(argc, argv), program);
-    program.parse(argc, argv);
-    for (const CLI::App* command : program.get_subcommands()) require_values(*command);
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return program.exit(asked, out, log);
-  } catch (const CLI::ParseError& error) {
-    return fail(advice(program, error), 2);
-  } catch (const std::exception& error) {
-    return fail(error.what(), 2);
-  }
-  if (!work) {
-    out << program.help();
-    return 2;
-  }
-  try {
+    const std::function<void()> work = parse_program(argc, argv, screen, more);
+    if (!work) return 2;
     work();
   } catch (const Refused& refused) {
     return refused.code;

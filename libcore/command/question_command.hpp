@@ -28,13 +28,16 @@ namespace impinge {
 struct Work {
   std::optional<std::filesystem::path> out;  // a folder that there is; none: nothing is written
   std::size_t threads = 1;
-  std::ostream* log = nullptr;  // for warnings and progress
-  bool quiet = false;           // no progress
+  std::ostream* log = nullptr;                  // for warnings and progress
+  bool quiet = false;                           // no progress
+  std::vector<std::filesystem::path> inputs{};  // no output takes their place
 
   /// A line of progress.
   void say(const std::string& line) const;
   /// A line that says what looks wrong.
   void warn(const std::string& line) const;
+  /// A file in `out`; std::runtime_error if it is an input.
+  std::filesystem::path output(const std::string& name) const;
 };
 
 /// A file of an answer.
@@ -70,6 +73,7 @@ struct QuestionCommand {
   std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
   std::function<void()> check{};    // std::invalid_argument where what is asked does not go together
   std::function<Json()> request{};  // as JSON
+  std::function<std::vector<std::filesystem::path>()> files{};  // that it names
   std::function<Told(Session&, const Work&)> ask{};  // std::exception, one line, where there is no answer
   Json request_schema{};
   Json answer_schema{};
@@ -81,6 +85,17 @@ ScanContactOptions scan_contact_of(const Request& request) {
   if constexpr (requires { request.threshold_mm(); })
     return {"--overlap", request.threshold_mm(), Request::kThresholdOption};
   return {.overlap = "--overlap"};
+}
+
+/// The files that a request names.
+template <Described Request>
+std::vector<std::filesystem::path> files_of(const Request& request) {
+  std::vector<std::filesystem::path> files;
+  for_each_field<Request>([&]<class Owner, class Value>(const Field<Owner, Value>& field) {
+    if constexpr (std::same_as<Value, std::optional<std::filesystem::path>>)
+      if (request.*field.member) files.push_back(*(request.*field.member));
+  });
+  return files;
 }
 
 /// The question of which `Request` holds what is asked and `told(session, request, work)` gives all forms of
@@ -99,6 +114,7 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
     if constexpr (requires { request->check(); }) request->check();
   };
   made.request = [request] { return json_of(*request); };
+  made.files = [request] { return files_of(*request); };
   made.ask = [request, told](Session& session, const Work& work) { return told(session, *request, work); };
   made.request_schema = schema_of<Request>();
   made.answer_schema = schema_of<Answer>();

@@ -74,6 +74,7 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
     option = command.add_option_function<std::vector<std::string>>(
         name,
         [&value, name](const std::vector<std::string>& given) {
+          value.clear();
           for (const std::string& one : given) value.push_back(motion_option(name, one));
         },
         text);
@@ -83,6 +84,7 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
     option = command.add_option_function<std::vector<std::string>>(
         name,
         [&value](const std::vector<std::string>& given) {
+          value.clear();  // of what is there without it
           for (const std::string& word : given)
             value.push_back(static_cast<Word>(place_among(word, words_of<Word>, "")));
         },

@@ -156,7 +156,7 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
              formatted(" cells, %.3f of all rotations open, %.3f wanted", open, request.width));
   };
   VolumeAnswer found = answer(session, request, how);
-  if (work.out) write_cells(*work.out / "volume.csv", found.volume);
+  if (work.out) write_cells(work.output("volume.csv"), found.volume);
   if (part) part->remove();
   return found;
 }

@@ -12,26 +12,20 @@
 #include "files/memory.hpp"
 #include "files/stopwatch.hpp"
 #include "files/thread_team.hpp"
-#include "gap/exact_side.hpp"
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
-#include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
 
-// How the gaps of whole tables were found. Without times, which are in a summary's times_ms: the rest of it
-// is the same in every run.
-constexpr const char* kWholeTables =
-    "whole tables, filled and scanned in double: fill_tables and scan in times_ms of summary.json are the "
-    "most that faster kernels could save";
+// How the gaps were found.
+constexpr const char* kWholeTables = "whole tables, filled and scanned in double";
 constexpr const char* kPartialTables =
     "tables of what the vertices read, filled from the faces near each entry";
 constexpr const char* kFaces =
     "each vertex is measured on the faces near it: for one pose this saves the tables";
-constexpr const char* kExactSigns = "the surfaces of all bones are compared, edges and all, by exact signs";
 
 // std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
 // memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
@@ -57,7 +51,7 @@ BallSocketPair meshes_of(const SessionJoint& joint) {
 }
 
 SceneNeeds needs_of(const PoseQuestion& asked, const Pose& pose) {
-  return {asked.question, asked.scan_ball, asked.scan_socket, {pose}};
+  return {Question::all_gaps, asked.scan_ball, asked.scan_socket, {pose}};
 }
 
 Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
@@ -125,8 +119,7 @@ double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const Certi
 // What gaps of ball and socket are off by at most, mm, by vertex; NaN where there is none.
 using VertexBounds = std::array<std::vector<double>, 2>;
 
-// Measures on the faces the gaps that the question needs, and their bounds; whether one is 0 or less is
-// decided exactly. std::runtime_error where a bound is above what was promised.
+// Measures gaps on the faces, and their bounds. std::runtime_error where a bound is above what was promised.
 SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
                             VertexBounds& bounds) {
   const SceneNeeds needs = needs_of(asked, pose);
@@ -138,7 +131,6 @@ SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, cons
   }
   return answer_on_faces(meshes_of(joint), needs, faces, [&](Surface of, std::size_t vertex, const Vec3& x) {
     const std::size_t k = of == Surface::ball ? 0 : 1;
-    if (asked.question == Question::touch) return exactly_impinged(of, *faces[k], x) ? 0.0 : kInfinity;
     const CertifiedGap ends = measured_gap(of, *faces[k], x);
     if (ends.cover == Cover::none) return kNoSurface;
     const double gap = likely_gap(of, *faces[k], x, ends);
@@ -227,34 +219,6 @@ Measurement measure(Session& session, const PoseQuestion& asked) {
   if (asked.outputs.distances) measure_distances(*session.joint, result);
   for (LeftOut& output : left_out_of(asked.outputs)) result.left_out.push_back(std::move(output));
   return result;
-}
-
-QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked) {
-  if (joint.joint.has_parts() && asked.question != Question::touch)
-    return answer_question(*without_parts(joint).joint, asked);
-  const bool of_vertices = asked.by_tables() || !asked.scan_ball || !asked.scan_socket;
-  QuestionAnswer found;
-  if (joint.joint.has_parts() && of_vertices) {
-    found = answer_question(*without_parts(joint).joint, asked);
-    found.answer.touches.front() = found.answer.touches.front() || joint.bodies().meet(found.pose);
-    return found;
-  }
-  found.pose = pose_of(joint, asked.motion);
-  Stopwatch watch;
-  if (asked.by_tables()) {
-    found.way = kPartialTables;
-    found.answer = answer_by_table(meshes_of(joint), needs_of(asked, found.pose), partly_kept(asked));
-  } else if (asked.question == Question::touch && !of_vertices) {
-    found.way = kExactSigns;
-    found.contact = joint.bodies().verdict(found.pose);
-    found.answer.touches = {found.contact->contact == Contact::yes};
-  } else {
-    VertexBounds unused;
-    found.way = kFaces;
-    found.answer = answer_of_faces(joint, asked, found.pose, unused);
-  }
-  found.milliseconds = watch.lap_ms();
-  return found;
 }
 
 }  // namespace impinge

@@ -39,16 +39,4 @@ struct Measurement : PoseAnswer {
 /// max_error_mm is below what rounding leaves.
 Measurement measure(Session& session, const PoseQuestion& asked);
 
-/// The answer to a question other than all_gaps.
-struct QuestionAnswer {
-  Pose pose;                                  // of the ball, in the centre frame
-  SceneAnswer answer;                         // to the question
-  std::optional<BodyPairs::Verdict> contact;  // of the bones, for `touch` of all of them
-  std::string way;                            // as that of a Measurement
-  double milliseconds = 0.0;                  // of answering
-};
-/// Answers the question in the pose of asked.motion. With parts of bone the smallest gap is that between the
-/// main surfaces. std::runtime_error, one line, as measure(), and for `touch` of vertices alone with parts.
-QuestionAnswer answer_question(SessionJoint& joint, const PoseQuestion& asked);
-
 }  // namespace impinge

@@ -78,23 +78,29 @@ std::string joined(const std::string& words) {
 }
 
 void add_options(Seeds& seeds) {
-  const std::string files = "--ball b.ply --socket s.stl --out o";
-  seeds.add(joined(files));
-  seeds.add(joined(
-      files + " --centre 1,-2.5,3e2 --precision 0.25 --pose flexion=90,internal_rotation=10 --side left"));
-  seeds.add(joined(files + " --max-error 0.05 --axes LPS --cartilage 2.5"));
-  seeds.add(joined(files + " --precision=1 --pose=adduction=-20 --side=right --centre=fit"));
-  seeds.add(joined(files + " --question touch --surfaces ball --explain"));
-  seeds.add(joined(files + " --question=first-contact --surfaces=socket --max-error 0.05"));
-  seeds.add(joined(files + " --question limit --motion abduction --pose flexion=-20 --side left"));
-  seeds.add(joined(
-      files + " --question resection --require flexion=90 --require extension=20 --clearance 1 --neck 9"));
-  seeds.add(
-      joined(files + " --question orientation --side left --require flexion=90,abduction=5 --tilt -10"));
-  seeds.add(joined(files + " --surfaces ball --outputs gaps"));
-  seeds.add(joined(files + " --outputs bounds,distances,verdicts --everything --question touch"));
-  for_each_scheme(
-      [&]<class S>() { seeds.add(joined(files + " --scheme " + std::string(S::name) + " --precision 2")); });
+  const std::string files = " b.ply s.stl --out o";
+  for (const char* question : {"gaps", "touch", "limits", "measure", "volume", "certify", "check f"})
+    seeds.add(joined(question + files));
+  seeds.add(joined("gaps" + files +
+                   " --centre 1,-2.5,3e2 --precision 0.25 --side left --pose "
+                   "flexion=90,internal_rotation=10"));
+  seeds.add(joined("gaps" + files + " --max-error 0.05 --axes LPS --cartilage 2.5 --keep largest"));
+  seeds.add(joined("gaps" + files + " --precision=1 --pose=adduction=-20 --side=right --centre=fit"));
+  seeds.add(joined("gaps" + files + " --surfaces ball --outputs gaps --overlap 1"));
+  seeds.add(joined("touch --joints d --out o --json --quiet --threads 2"));
+  seeds.add(joined("poses" + files + " --path flexion=0..90/10,abduction=-5..5/5 --outputs touch,areas"));
+  seeds.add(joined("poses" + files + " --poses walk.mot --ball-part c.ply --socket-part d.ply"));
+  seeds.add(joined("limits" + files + " --motions abduction,fadir --largest 90 --translation 0,1,-2"));
+  seeds.add(joined("limits" + files + " --pose flexion=-20 --side left --landmarks l.csv"));
+  seeds.add(joined("resect" + files + " --require flexion=90 --require extension=20 --clearance 1 --neck 9"));
+  seeds.add(joined("resect" + files + " --require flexion=90 --cut socket --rim 2 --least"));
+  seeds.add(joined("orient" + files + " --side left --require flexion=90,abduction=5 --tilt -10"));
+  seeds.add(joined("volume" + files + " --width 0.1 --gap 2 --centre-within 1"));
+  seeds.add(joined("hip cam --set cam_height=3 --faces 500 --out o"));
+  seeds.add(joined("gaps --schema"));
+  for_each_scheme([&]<class S>() {
+    seeds.add(joined("gaps" + files + " --scheme " + std::string(S::name) + " --precision 2"));
+  });
   seeds.add("--help");
 }
 

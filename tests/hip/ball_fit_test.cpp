@@ -2,7 +2,7 @@
 // Contract of fit_ball(): the sphere of a ball is found though the mesh holds more than it. Where most of the
 // head is a true sphere (generated hips), centre and radius come out to a thousandth of a millimetre,
 // whatever cam, neck, shaft, rim or fossa there is; with noise of standard deviation s on every coordinate to
-// a share of s. Real joints: tests/scene/real_bones_test.cpp.
+// a share of s. Real joints: tests/command/real_bones_test.cpp.
 #include <cmath>
 #include <random>
 #include <utility>

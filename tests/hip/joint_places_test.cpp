@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: places of a generated hip have the names that its smooth surfaces give them. Limits and their
-// names: tests/joint/parts_test.cpp, real bones: tests/scene/real_bones_test.cpp.
+// names: tests/joint/parts_test.cpp, real bones: tests/command/real_bones_test.cpp.
 #include "hip/joint_places.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Contract: of a bone that reaches far beyond the joint the faces of the joint become the main surface, each
 // face of the bone is in the joint once and where it was, the two parts close again, and what is cut already
 // stays as it is. The bones here are made of bodies whose faces are known. Real bones:
-// tests/scene/real_bones_test.cpp.
+// tests/command/real_bones_test.cpp.
 #include "hip/whole_bone.hpp"
 
 #include <algorithm>

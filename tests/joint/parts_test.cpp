@@ -20,6 +20,7 @@
 #include "joint/pose_series.hpp"
 #include "joint/proof.hpp"
 #include "joint/resect.hpp"
+#include "joint/touch.hpp"
 #include "joint/volume.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
@@ -37,6 +38,10 @@ Session session_of(Hip hip, const std::optional<Vec3>& centre = {}) {
   input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
   input.side = Side::right;
   return {assemble_joint(std::move(input)), Side::right, "RAS"};
+}
+
+bool touches(Session& session, const Motion& motion) {
+  return answer(session, TouchRequest{.pose = motion}).contact.state == Contact::yes;
 }
 
 // Which part stops a motion is said, and the main surfaces give centre, dial and warnings as without parts.
@@ -70,10 +75,7 @@ TEST(Parts, StopNothingThatPassesThemAtADistance) {
     least = std::min(least, low);
     most = std::max(most, low);
     for (const double flexion : {120.0, low - 0.1}) {
-      PoseQuestion asked;
-      asked.question = Question::touch;
-      asked.motion = {.flexion = flexion};
-      EXPECT_FALSE(answer_question(*session.joint, asked).answer.touches.at(0)) << length << " " << flexion;
+      EXPECT_FALSE(touches(session, {.flexion = flexion})) << length << " " << flexion;
     }
   }
   EXPECT_LT(most - least, 0.5);
@@ -86,12 +88,9 @@ TEST(Parts, TouchInPosesBehindTheLimit) {
   const TurnLimit limit = answer_limits(session, request).contact.told.limit;
   PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
   for (const double beyond : {-0.01, 0.01}) {
-    PoseQuestion asked;
-    asked.question = Question::touch;
-    asked.motion = {.flexion = 70.0, .internal_rotation = limit.high_deg + beyond};
-    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.at(0), beyond > 0.0);
-    EXPECT_EQ(series.answer(pose_of(*session.joint, asked.motion)).touch->contact == Contact::yes,
-              beyond > 0.0);
+    const Motion motion{.flexion = 70.0, .internal_rotation = limit.high_deg + beyond};
+    EXPECT_EQ(touches(session, motion), beyond > 0.0);
+    EXPECT_EQ(series.answer(pose_of(*session.joint, motion)).touch->contact == Contact::yes, beyond > 0.0);
   }
 }
 
@@ -164,10 +163,9 @@ TEST(Parts, LeaveGapsAsTheyAre) {
     EXPECT_FALSE(found.part.value().touch);
     EXPECT_GT(found.part->distance_mm, 0.0);
     EXPECT_LE(found.part->distance_mm, least + 1e-9);
-    asked.precision_deg.reset();
-    asked.question = Question::first_contact;
-    EXPECT_EQ(answer_question(*session.joint, asked).answer.smallest.value().gap_mm,
-              answer_question(*alone.joint, asked).answer.smallest.value().gap_mm);
+    const TouchRequest touch{.pose = asked.motion};
+    EXPECT_EQ(answer(session, touch).smallest_gap.value().gap_mm,
+              answer(alone, touch).smallest_gap.value().gap_mm);
     const Pose pose = pose_of(*session.joint, asked.motion);
     const SeriesAnswer of_series = series.answer(pose);
     EXPECT_EQ(of_series.smallest.value().least.gap_mm,
@@ -293,11 +291,7 @@ TEST(Parts, AreLookedAtAfterACut) {
     append_part(hip.ball, hip.ball_parts, names[k].name, parts[k]);
   Session after = session_of(std::move(hip), session.joint->joint.centre);
   for (const double rotation : {0.0, before, 0.5 * (before + 35.0), 34.9}) {
-    PoseQuestion asked;
-    asked.question = Question::touch;
-    asked.motion = {.flexion = 70.0};
-    asked.motion.internal_rotation = rotation;
-    EXPECT_FALSE(answer_question(*after.joint, asked).answer.touches.at(0)) << rotation;
+    EXPECT_FALSE(touches(after, {.flexion = 70.0, .internal_rotation = rotation})) << rotation;
   }
   const std::string refusal = test::thrown<std::runtime_error>(
       [&] { answer(session, requiring("flexion=70,internal_rotation=55")); });
@@ -317,20 +311,6 @@ TEST(Parts, AreRefusedWhereTheyAreNotLookedAt) {
   EXPECT_EQ(
       test::thrown<std::runtime_error>([&] { answer(session, requiring("flexion=60", /*least=*/true)); }),
       "the least cut of all" + cure);
-}
-
-// The vertices of one surface, and parts all the same.
-TEST(Parts, StopATouchOfVertices) {
-  const Session session = session_of(make_hip(test::hip_with_parts(), 2000));
-  for (const double turn : {0.0, 55.0}) {
-    PoseQuestion asked;
-    asked.question = Question::touch;
-    asked.motion = {.flexion = 70.0, .internal_rotation = turn};
-    const bool all = answer_question(*session.joint, asked).answer.touches.front();
-    asked.scan_socket = false;
-    EXPECT_EQ(answer_question(*session.joint, asked).answer.touches.front(), all);
-    EXPECT_EQ(all, turn > 0.0);
-  }
 }
 
 }  // namespace

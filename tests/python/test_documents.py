@@ -30,6 +30,7 @@ QUESTIONS = [
     ("resect", {"require": ["flexion=90,internal_rotation=25", "flexion=100"], "clearance_mm": 0.4}, 1e-5),
     ("orient", {"require": ["flexion=30"], "tilt_deg": 5, "resolution_deg": 0.75}, 1e-8),
 ]
+BYTES = {"table_bytes", "left_out"}  # of memory: a pointer of the page is half as long
 # They hang on which of two faces of one size is split first, which the last bit decides: relative.
 SPLIT = {"volume_mm3", "area_mm2", "mesh_volume_mm3"}
 
@@ -94,7 +95,8 @@ def test_the_page(floats):
     page = {}
     for (question, request, allowed), mine in zip(QUESTIONS, json.loads(done.stdout)["questions"], strict=True):
         ours = answered(floats, question, request)["answer"]
-        assert different({key: mine[key] for key in ours}, ours, allowed) is None
+        same = [key for key in ours if key not in BYTES]
+        assert different({key: mine[key] for key in same}, {key: ours[key] for key in same}, allowed) is None
         page[question] = mine
     joint = impinge.Joint.read(*floats, side="right")
     cut, turned = (joint.ask(question, **request) for question, request, _ in QUESTIONS if question in ("resect", "orient"))

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contract: the library keeps no state between calls. Scenes measured at the same time, each in a thread of
-// its own, and scans of one table by several threads give the numbers that one thread gives. Under the thread
-// sanitizer this also shows that none of them writes what another reads.
+// Contract: the library keeps no state between calls. Joints read and measured at the same time, each in a
+// thread of its own, and scans of one table by several threads give the numbers that one thread gives. Under
+// the thread sanitizer this also shows that none of them writes what another reads.
 #include <array>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "command/joint_options.hpp"
 #include "gap/gap_scan.hpp"
+#include "joint/document.hpp"
+#include "joint/gaps.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
-#include "scene/report.hpp"
 #include "sphere/schemes/icosahedral_gnomonic.hpp"
 #include "support/temporary_folder.hpp"
 #include "table/exact_raster.hpp"
@@ -28,22 +30,21 @@ void at_once(const Work& work) {
   for (std::size_t k = 0; k < kThreads; ++k) threads.emplace_back([&work, k] { work(k); });
 }
 
-TEST(Threads, ScenesAtTheSameTimeWriteTheSameFiles) {
+TEST(Threads, JointsAtTheSameTimeHaveTheSameAnswer) {
   const test::TemporaryFolder folder;
   const BallSocketPair pair = make_ball_socket_pair(200);
-  SceneOptions options;
+  JointOptions options;
   options.ball = folder.path() / "ball.ply";
   options.socket = folder.path() / "socket.stl";
-  options.scheme = "icosahedral_gnomonic";
-  options.precision_deg = 5.0;
+  GapsRequest request;
+  request.scheme = "icosahedral_gnomonic";
+  request.precision_deg = 5.0;
   write_mesh(options.ball, pair.ball);
   write_mesh(options.socket, pair.socket);
-  std::array<nlohmann::json, kThreads + 1> found;
+  std::array<Json, kThreads + 1> found;
   const auto run = [&](std::size_t k) {
-    Session session = load_joint(options);
-    const Measurement measured = measure(session, options);
-    found[k] = summary(options, *session.joint, measured);
-    found[k].erase("times_ms");
+    Session session = load_joint(options, {});
+    found[k] = {json_of(answer(session, request)), json_of(describe(*session.joint, names_of(options)))};
   };
   run(kThreads);
   at_once(run);

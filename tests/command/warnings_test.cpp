@@ -8,10 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "joint/scan_contact.hpp"
+#include "command/joint_options.hpp"
+#include "command/question_command.hpp"
+#include "joint/gaps.hpp"
+#include "joint/limits.hpp"
+#include "joint/volume.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
-#include "scene/joint.hpp"
 #include "support/joined.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
@@ -21,15 +24,14 @@ namespace {
 
 const Vec3 kFramed(-86.0, 20.5, -580.25);  // the centre, frame of the files
 
-class SceneWarnings : public ::testing::Test {
+class JointWarnings : public ::testing::Test {
  protected:
   // Opens to the right of a right hip; the gap is 25 mm less the radius of the ball.
-  SceneWarnings() {
+  JointWarnings() {
     TriangleMesh socket = cup(25.0, 80.0, 3000);
     for (Vec3& v : socket.vertices) v = Vec3(-v.z(), v.y(), v.x());
     options_.ball = written("ball.ply", sphere(22.0, 3000));
     options_.socket = written("socket.ply", socket);
-    options_.out = folder_.path() / "out";
     options_.side = Side::right;
   }
   std::filesystem::path written(const std::string& name, TriangleMesh mesh) {
@@ -38,8 +40,8 @@ class SceneWarnings : public ::testing::Test {
     return folder_.path() / name;
   }
   // The warnings, from the names of the files on.
-  std::vector<std::string> said() {
-    std::vector<std::string> lines = load_joint(options_).joint->joint.warnings;
+  std::vector<std::string> said(const ScanContactOptions& told = scan_contact_of(GapsRequest())) {
+    std::vector<std::string> lines = load_joint(options_, told).joint->joint.warnings;
     const std::string folder = folder_.path().string() + "/";
     for (std::string& line : lines) {
       if (line.starts_with(folder)) line.erase(0, folder.size());
@@ -48,16 +50,16 @@ class SceneWarnings : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  SceneOptions options_;
+  JointOptions options_;
 };
 
 using Lines = std::vector<std::string>;
 
 const TriangleMesh kSpeck = sphere(0.5, 20, {0.0, 0.0, 23.5});
 
-TEST_F(SceneWarnings, AGoodJointHasNone) { EXPECT_EQ(said(), Lines()); }
+TEST_F(JointWarnings, AGoodJointHasNone) { EXPECT_EQ(said(), Lines()); }
 
-TEST_F(SceneWarnings, APieceBesideTheBallIsNamedAndCanBeLeftOut) {
+TEST_F(JointWarnings, APieceBesideTheBallIsNamedAndCanBeLeftOut) {
   const TriangleMesh screw = sphere(3.0, 100, {2.0, 0.0, 0.0});
   options_.ball = written("ball.ply", test::joined(test::joined(kSpeck, sphere(22.0, 3000)), screw));
   ASSERT_FALSE(said().empty());
@@ -68,10 +70,10 @@ TEST_F(SceneWarnings, APieceBesideTheBallIsNamedAndCanBeLeftOut) {
       "piece alone with --keep largest");
   options_.keep_largest = true;
   EXPECT_EQ(said(), Lines{"ball.ply: 2 of its 3 pieces left out, 6.0 and 1.0 mm across"});
-  EXPECT_EQ(load_joint(options_).joint->joint.ball.mesh.faces.size(), 3000U);
+  EXPECT_EQ(load_joint(options_, {}).joint->joint.ball.mesh.faces.size(), 3000U);
 }
 
-TEST_F(SceneWarnings, PartsAndWhatIsInThemAreTakenAndTheirFlawsAreTheirs) {
+TEST_F(JointWarnings, PartsAndWhatIsInThemAreTakenAndTheirFlawsAreTheirs) {
   const TriangleMesh screw = sphere(1.0, 100, {60.0, 0.0, 0.0});
   TriangleMesh flipped = sphere(5.0, 100, {60.0, 0.0, 0.0});
   std::swap(flipped.faces[3][0], flipped.faces[3][1]);
@@ -81,11 +83,11 @@ TEST_F(SceneWarnings, PartsAndWhatIsInThemAreTakenAndTheirFlawsAreTheirs) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].rfind("two.stl: has 2 pieces", 0), 0U) << lines[0];
   EXPECT_EQ(lines[1], "bone.ply: 100 faces, 52 vertices, 1 part, closed flaws: 1 flipped faces");
-  EXPECT_EQ(load_joint(options_).joint->joint.ball.validation.flipped_faces, 1U);
+  EXPECT_EQ(load_joint(options_, {}).joint->joint.ball.validation.flipped_faces, 1U);
 }
 
 // A quarter of the radius is 5.5 mm, and 5 mm are less.
-TEST_F(SceneWarnings, ACentreBesideTheSphereThatFitsIsSaidWithBoth) {
+TEST_F(JointWarnings, ACentreBesideTheSphereThatFitsIsSaidWithBoth) {
   options_.centre = kFramed + Vec3(0.0, 4.9, 0.0);
   EXPECT_EQ(said(), Lines());
   options_.centre = kFramed + Vec3(0.0, -5.2, 0.0);
@@ -98,54 +100,49 @@ TEST_F(SceneWarnings, ACentreBesideTheSphereThatFitsIsSaidWithBoth) {
   EXPECT_NE(lines[0].find("sphere of radius 22.0 mm"), std::string::npos) << lines[0];
 }
 
-TEST_F(SceneWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
+TEST_F(JointWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
   options_.ball = written("ball.ply", sphere(25.25, 3000));
-  const MotionName* const limits[] = {nullptr, &motion_name("flexion")};
-  for (const MotionName* limit : limits) {
-    options_.limit = limit;
-    const Lines lines = said();
+  for (const auto& told :
+       {scan_contact_of(GapsRequest()), scan_contact_of(LimitsRequest()), scan_contact_of(VolumeRequest())}) {
+    const Lines lines = said(told);
     ASSERT_EQ(lines.size(), 1U);
     const std::string& line = lines[0];
     EXPECT_EQ(line.rfind("ball and socket touch as scanned, 0.2", 0), 0U) << line;
     EXPECT_NE(line.find(" o'clock: what begins there is blocked; check the centre"), line.npos) << line;
     EXPECT_NE(line.find("; --overlap with a little more than that depth asks for"), line.npos) << line;
   }
-  options_.limit = nullptr;
-  options_.volume = VolumeOptions{};
-  EXPECT_EQ(said().size(), 1U);
 }
 
 // As a smaller ball has it: where the whole overlap is allowed there is a gap.
-TEST_F(SceneWarnings, AnOverlapThatIsAllowedIsNoContact) {
+TEST_F(JointWarnings, AnOverlapThatIsAllowedIsNoContact) {
   options_.ball = written("ball.ply", sphere(25.25, 3000));
   for (const double overlap : {0.2, 0.35, 1.25}) {
     options_.overlap_mm = overlap;
     EXPECT_EQ(said().size(), overlap > 0.3 ? 0U : 1U) << overlap;
-    const Session session = load_joint(options_);
+    const Session session = load_joint(options_, {});
     const ScanContact found = contact_in(*session.joint, Pose());
     EXPECT_NEAR(*found.gap_mm, overlap - 0.25, 0.05);
     EXPECT_EQ(found.touch, overlap < 0.3);
   }
   options_.overlap_mm = 30.0;
-  const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_); });
+  const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_, {}); });
   EXPECT_NE(refused.find("ball.ply: has a point 25"), std::string::npos) << refused;
 }
 
-TEST_F(SceneWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
+TEST_F(JointWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
   EXPECT_EQ(said(), Lines());
-  options_.limit = &motion_name("flexion");
-  const Lines lines = said();
+  LimitsRequest limits;
+  const Lines lines = said(scan_contact_of(limits));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].rfind("the smallest gap as scanned is 2.9", 0), 0U) << lines[0];
   EXPECT_NE(lines[0].find("not above the 4 mm of --cartilage: what asks for a gap of that size is blocked"),
             std::string::npos)
       << lines[0];
-  options_.cartilage_mm = 2.0;
-  EXPECT_EQ(said(), Lines());
-  options_.limit = nullptr;
-  options_.volume = VolumeOptions{.gap_mm = 3.5};
-  ASSERT_EQ(said().size(), 1U);
-  EXPECT_NE(said()[0].find("not above the 3.5 mm of --gap"), std::string::npos);
+  limits.cartilage_mm = 2.0;
+  EXPECT_EQ(said(scan_contact_of(limits)), Lines());
+  const Lines of_volume = said(scan_contact_of(VolumeRequest{.gap_mm = 3.5}));
+  ASSERT_EQ(of_volume.size(), 1U);
+  EXPECT_NE(of_volume[0].find("not above the 3.5 mm of --gap"), std::string::npos);
 }
 
 TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cartilage by place: what a file may hold, and what a scene makes of it. Contract: a map that is as thick
+// Cartilage by place: what a file may hold, and what an answer makes of it. Contract: a map that is as thick
 // everywhere gives the areas, zones and colours of that one thickness.
 #include <fstream>
 #include <string>
@@ -12,8 +12,7 @@
 #include "hip/hip_presets.hpp"
 #include "joint/cartilage_file.hpp"
 #include "mesh/io.hpp"
-#include "scene/report.hpp"
-#include "support/scene_run.hpp"
+#include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
 #include "support/turned.hpp"
@@ -29,23 +28,20 @@ class Cartilage : public testing::Test {
     return path;
   }
 
-  // Head and neck alone, and gaps alone.
-  SceneOptions hip(HipParameters parameters) {
+  // Asks for gaps alone, of head and neck alone.
+  std::string hip(HipParameters parameters) {
     parameters.shaft_length = 0.0;
     const Hip made = make_hip(parameters, 2000);
-    SceneOptions options;
-    options.ball = folder_.path() / "ball.ply";
-    options.socket = folder_.path() / "socket.ply";
-    options.out = folder_.path() / "out";
-    options.side = parameters.side;
-    options.precision_deg = 1.0;
-    options.outputs = {true, false, false, false};
-    write_mesh(options.ball, made.ball);
-    write_mesh(options.socket, made.socket);
-    return options;
+    write_mesh(ball_, made.ball);
+    write_mesh(socket_, made.socket);
+    return "gaps " + ball_.string() + " " + socket_.string() + " --side " +
+           std::string(word_of(parameters.side)) + " --precision 1 --outputs gaps --out " + out_.string();
   }
 
   test::TemporaryFolder folder_;
+  const std::filesystem::path ball_ = folder_.path() / "ball.ply";
+  const std::filesystem::path socket_ = folder_.path() / "socket.ply";
+  const std::filesystem::path out_ = folder_.path() / "out";
 };
 
 TEST_F(Cartilage, PointsAreDirectionsFromTheCentre) {
@@ -80,47 +76,46 @@ TEST_F(Cartilage, WhatIsNoMapIsRefusedWithItsLine) {
 }
 
 TEST_F(Cartilage, AnEvenMapIsOneThickness) {
-  SceneOptions options = hip(hip_preset("patient_a"));
-  options.motion = parse_motion("abduction=48.7");
-  options.cartilage_mm = 3.0;
-  const auto uniform = test::run_scene(options);
-  const std::string ball = read_bytes(options.out / "ball.ply");
-  const std::string gaps = read_bytes(options.out / "gaps.csv");
-  options.cartilage_map = file("x,y,z,thickness_mm\n9,0,0,3\n-9,0,0,3\n0,9,0,3\n");
-  const auto map = test::run_scene(options);
-  EXPECT_TRUE(map["cartilage_mm"].is_null());
-  EXPECT_EQ(map["cartilage_map"]["points"], 3);
+  const std::string line = hip(hip_preset("patient_a")) + " --pose abduction=48.7 --cartilage ";
+  const Json uniform = test::document_of(line + "3")["answer"];
+  const std::string ball = read_bytes(out_ / "ball.ply");
+  const std::string gaps = read_bytes(out_ / "gaps.csv");
+  const std::filesystem::path even = file("x,y,z,thickness_mm\n9,0,0,3\n-9,0,0,3\n0,9,0,3\n");
+  const Json document = test::document_of(line + even.string());
+  const Json& map = document["answer"];
+  EXPECT_EQ(document["joint"]["cartilage_map"]["points"], 3);
+  EXPECT_TRUE(map["impingement"][1]["gap_up_to_mm"].is_null());
   for (const char* surface : {"ball", "socket"}) {
     EXPECT_GT(uniform["impingement"][1][surface]["area_mm2"], 0.0);
     EXPECT_EQ(map["impingement"][1][surface], uniform["impingement"][1][surface]);
     EXPECT_EQ(map["impingement"][0][surface], uniform["impingement"][0][surface]);
   }
-  EXPECT_EQ(read_bytes(options.out / "ball.ply"), ball);
-  EXPECT_EQ(read_bytes(options.out / "gaps.csv"), gaps);
+  EXPECT_EQ(read_bytes(out_ / "ball.ply"), ball);
+  EXPECT_EQ(read_bytes(out_ / "gaps.csv"), gaps);
 }
 
 // A map of two points, 8 mm in front and none behind, is 4 (1 + u.y) mm thick along u: a gap of 3 mm is
 // within the cartilage where u.y >= -1/4.
 TEST_F(Cartilage, AMapTouchesWhereItIsThickerThanTheGap) {
-  SceneOptions options = hip({.joint_space = 3.0, .fossa_depth = 0.0});
-  options.cartilage_map = file("x,y,z,thickness_mm\n0,9,0,8\n0,-9,0,0\n");
-  const auto report = test::run_scene(options);
-  const TriangleMesh socket = read_mesh(options.socket);
+  const std::string line = hip({.joint_space = 3.0, .fossa_depth = 0.0});
+  const std::filesystem::path map = file("x,y,z,thickness_mm\n0,9,0,8\n0,-9,0,0\n");
+  const Json found = test::document_of(line + " --cartilage " + map.string())["answer"];
+  const TriangleMesh socket = read_mesh(socket_);
   const std::vector<double> area = vertex_areas(socket);
   double expected = 0.0;
   for (std::size_t i = 0; i < area.size(); ++i)
     expected += socket.vertices[i].normalized().y() >= -0.25 ? area[i] : 0.0;
-  EXPECT_NEAR(report["impingement"][1]["socket"]["area_mm2"], expected, 0.05 * expected);
-  EXPECT_EQ(report["impingement"][0]["socket"]["area_mm2"], 0.0);
+  EXPECT_NEAR(found["impingement"][1]["socket"]["area_mm2"], expected, 0.05 * expected);
+  EXPECT_EQ(found["impingement"][0]["socket"]["area_mm2"], 0.0);
 }
 
 // The histogram holds the area of the surface; a joint space of 3 mm fills the bin from 3 mm, or that before
 // it where the table falls short of the mesh.
 TEST_F(Cartilage, GapsOfAHipAreInTheHistogram) {
-  const auto report = test::run_scene(hip({.joint_space = 3.05, .fossa_depth = 0.0}));
-  const auto& histogram = report["gap_histogram"];
+  const Json found = test::document_of(hip({.joint_space = 3.05, .fossa_depth = 0.0}));
+  const Json& histogram = found["answer"]["gap_histogram"];
   EXPECT_EQ(histogram["first_mm"], -5.0);
-  const auto& socket = histogram["socket"];
+  const Json& socket = histogram["socket"];
   double total = 0.0;
   for (const double x : socket["area_mm2"]) total += x;
   EXPECT_GT(socket["area_mm2"][16], 0.95 * total);
@@ -129,20 +124,19 @@ TEST_F(Cartilage, GapsOfAHipAreInTheHistogram) {
 
 // A ball that is too large for its socket is not taken for it.
 TEST_F(Cartilage, ABallThatPenetratesAllOverIsAnAnswer) {
-  SceneOptions options = hip({.joint_space = 1.0});
-  TriangleMesh ball = read_mesh(options.ball);
+  const std::string line = hip({.joint_space = 1.0});
+  TriangleMesh ball = read_mesh(ball_);
   for (Vec3& v : ball.vertices) v *= 1.1;
-  write_mesh(options.ball, ball);
-  EXPECT_LT(test::run_scene(options)["smallest_gap"]["gap_mm"], -1.0);
+  write_mesh(ball_, ball);
+  EXPECT_LT(test::document_of(line)["answer"]["smallest_gap"]["gap_mm"], -1.0);
 }
 
 TEST_F(Cartilage, BonesThatOverlapAsScannedAreWarnedOf) {
-  const SceneOptions sound = hip({.joint_space = 2.0});
-  EXPECT_EQ(test::run_scene(sound)["warnings"].dump().find("touch as scanned"), std::string::npos);
-  SceneOptions options = sound;
-  options.centre = Vec3::Zero();
-  write_mesh(options.ball, test::moved(read_mesh(options.ball), {-3.0, 0.0, 0.0}));
-  EXPECT_NE(test::run_scene(options)["warnings"].dump().find("touch as scanned"), std::string::npos);
+  const std::string line = hip({.joint_space = 2.0});
+  EXPECT_EQ(test::document_of(line)["joint"]["warnings"].dump().find("touch as scanned"), std::string::npos);
+  write_mesh(ball_, test::moved(read_mesh(ball_), {-3.0, 0.0, 0.0}));
+  const Json found = test::document_of(line + " --centre 0,0,0");
+  EXPECT_NE(found["joint"]["warnings"].dump().find("touch as scanned"), std::string::npos);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many poses, held against every face and every vertex: exact overlay and ray casting. And a run that ended
 // in any of its bytes goes on to the same file.
-#include "scene/poses.hpp"
+#include "support/poses.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include "command/joint_options.hpp"
 #include "files/file_bytes.hpp"
 #include "gap/overlay.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
-#include "scene/joint.hpp"
-#include "support/poses.hpp"
+#include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
 #include "table/pairwise.hpp"
 
@@ -30,26 +30,27 @@ class Poses : public testing::Test {
   Poses() {
     PairShape shape;
     shape.cam_height = 4.4;
-    pair_ = make_ball_socket_pair(1200, shape);
-    options_.ball = folder_.path() / "ball.ply";
-    options_.socket = folder_.path() / "socket.ply";
-    options_.out = folder_.path() / "out";
-    std::filesystem::create_directory(options_.out);
-    options_.centre = kCentre;
-    options_.side = Side::left;
-    BallSocketPair seen = pair_;
+    BallSocketPair seen = make_ball_socket_pair(1200, shape);
     for (TriangleMesh* mesh : {&seen.ball, &seen.socket}) {
       for (Vec3& x : mesh->vertices) x += kCentre;
     }
-    write_mesh(options_.ball, seen.ball);
-    write_mesh(options_.socket, seen.socket);
+    write_mesh(files_.ball, seen.ball);
+    write_mesh(files_.socket, seen.socket);
+    const Session session = load_joint(files_, {});
+    joint_ = {session.joint->joint.ball.mesh, session.joint->joint.socket.mesh};
   }
 
+  test::Ran run(const std::string& options) const {
+    return test::run("poses " + files_.ball.string() + " " + files_.socket.string() +
+                     " --centre=-86,20.5,-580.25 --side left --out " + out_.string() + " " + options);
+  }
   // poses.csv, row by row; the head is the first.
-  std::vector<std::vector<std::string>> answered() {
-    const Session session = load_joint(options_);
-    summary_ = answer_poses(options_, *session.joint, log_);
-    joint_ = {session.joint->joint.ball.mesh, session.joint->joint.socket.mesh};
+  std::vector<std::vector<std::string>> answered(const std::string& options) {
+    const test::Ran ran = run(options);
+    EXPECT_EQ(ran.code, 0) << ran.log;
+    log_ = ran.log;
+    words_ = ran.out;
+    found_ = Json::parse(read_bytes(out_ / "summary.json"))["answer"];
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(bytes());
     for (std::string line; std::getline(lines, line);) {
@@ -59,14 +60,20 @@ class Poses : public testing::Test {
     }
     return rows;
   }
-  std::string bytes() const { return read_bytes(options_.out / "poses.csv"); }
+  // Poses from a file with these bytes.
+  std::string of(const std::string& bytes) const {
+    return "--poses " + folder_.write("poses.csv", bytes).string();
+  }
+  std::string bytes() const { return read_bytes(out_ / "poses.csv"); }
 
   test::TemporaryFolder folder_;
-  BallSocketPair pair_;
+  const std::filesystem::path out_ = folder_.path() / "out";
+  JointOptions files_{
+      .ball = folder_.path() / "ball.ply", .socket = folder_.path() / "socket.ply", .centre = kCentre};
   BallSocketPair joint_;  // as it was read, centre frame
-  SceneOptions options_;
-  nlohmann::json summary_;
-  std::ostringstream log_;
+  Json found_;            // the answer
+  std::string words_;
+  std::string log_;
 };
 
 // The least of all gaps, by rays through all faces.
@@ -98,8 +105,7 @@ TEST_F(Poses, AgreeWithEveryFaceAndEveryVertex) {
     }
     matrices += line.str();
   }
-  options_.poses = folder_.write("poses.txt", matrices);
-  const auto rows = answered();
+  const auto rows = answered(of(matrices));
   ASSERT_EQ(rows.size(), poses.size() + 1);
   const SurfaceOverlay overlay(joint_.ball, joint_.socket);
   std::size_t touching = 0;
@@ -113,19 +119,18 @@ TEST_F(Poses, AgreeWithEveryFaceAndEveryVertex) {
   }
   EXPECT_GT(touching, 20U);
   EXPECT_LT(touching, 280U);
-  EXPECT_EQ(summary_["touching"], touching);
+  EXPECT_EQ(found_["touching"], touching);
 }
 
 TEST_F(Poses, ARowThatIsNotTrackedKeepsItsNumberAndSaysSo) {
-  options_.poses = folder_.write("poses.csv", ",,,,,,,,,,,\n1,0,0,0,0,1,0,0,0,0,1,0\n");
-  const auto rows = answered();
+  const auto rows = answered(of(",,,,,,,,,,,\n1,0,0,0,0,1,0,0,0,0,1,0\n"));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[1], (std::vector<std::string>{"1", "untracked", "", "", "", "", "", ""}));
   EXPECT_EQ(rows[2][0] + rows[2][1], "2no");
-  EXPECT_EQ(summary_["number_of_poses"], 2);
-  EXPECT_EQ(summary_["untracked"], 1);
-  EXPECT_EQ(summary_["smallest_gap"]["pose"], 2);
-  EXPECT_NE(describe_poses(summary_).find("1 without numbers: untracked"), std::string::npos);
+  EXPECT_EQ(found_["number_of_poses"], 2);
+  EXPECT_EQ(found_["untracked"], 1);
+  EXPECT_EQ(found_["smallest_gap"]["pose"], 2);
+  EXPECT_NE(words_.find("1 without numbers: untracked"), std::string::npos);
 }
 
 // A quarter of a turn of flexion about the centre c is x' = R x + c - R c. Its translation is given in
@@ -149,11 +154,9 @@ TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
       for (Eigen::Index k = 0; k < 3; ++k) row << turn(i, k) << ',';
       row << given[i] << (i < 2 ? "," : "\n");
     }
-    options_.poses = folder_.write("poses.csv", "1,0,0,0,0,1,0,0,0,0,1,0\n" + row.str());
-    log_.str("");
-    answered();
-    const std::string said = log_.str();
-    EXPECT_EQ(summary_["warnings"].size(), advice.empty() ? 0U : 1U) << advice;
+    answered(of("1,0,0,0,0,1,0,0,0,0,1,0\n" + row.str()));
+    const std::string& said = log_;
+    EXPECT_EQ(found_["doubt"].is_null(), advice.empty()) << advice;
     EXPECT_EQ(said.find("1 of 2 poses, first pose 2, move the centre of the ball as far as ") != said.npos,
               !advice.empty())
         << said;
@@ -162,8 +165,7 @@ TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
 }
 
 TEST_F(Poses, AnglesTurnAsInOnePose) {
-  options_.path = "flexion=0..60/30,abduction=-20..20/20";
-  const auto rows = answered();
+  const auto rows = answered("--path flexion=0..60/30,abduction=-20..20/20");
   ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0].back(), "abduction");
   EXPECT_EQ(rows[9][8] + rows[9][9], "6020");
@@ -176,9 +178,7 @@ TEST_F(Poses, AnglesTurnAsInOnePose) {
 
 // More than are answered between two writes.
 TEST_F(Poses, ManyAreInTheirOrder) {
-  options_.path = "flexion=0..60/0.02";
-  options_.question = Question::touch;
-  const auto rows = answered();
+  const auto rows = answered("--path flexion=0..60/0.02 --outputs touch");
   ASSERT_EQ(rows.size(), 3002U);
   for (std::size_t k = 1; k < rows.size(); ++k) {
     ASSERT_EQ(rows[k].front(), std::to_string(k));
@@ -202,10 +202,8 @@ double area_within(const BallSocketPair& joint, const Pose& pose, Surface of, do
 }
 
 TEST_F(Poses, AreasAreThoseOfAllGaps) {
-  options_.path = "flexion=10..90/40,internal_rotation=-30..30/15";
-  options_.areas = true;
-  options_.cartilage_mm = 3.1;
-  const auto rows = answered();
+  const auto rows = answered(
+      "--path flexion=10..90/40,internal_rotation=-30..30/15 --outputs touch,gap,areas --cartilage 3.1");
   EXPECT_EQ(rows[0][8] + rows[0][11], "bone_ball_mm2cartilage_socket_mm2");
   double bone = 0.0;
   for (std::size_t k = 1; k < rows.size(); ++k) {
@@ -221,27 +219,24 @@ TEST_F(Poses, AreasAreThoseOfAllGaps) {
 }
 
 TEST_F(Poses, WhatIsNotAskedForIsLeftOut) {
-  options_.path = "flexion=0..10/5";
-  options_.question = Question::touch;
-  EXPECT_EQ(answered()[1][3], "");
-  EXPECT_TRUE(summary_["smallest_gap"].is_null());
-  options_.question = Question::first_contact;
-  EXPECT_EQ(answered()[1][1], "");
-  EXPECT_TRUE(summary_["touching"].is_null());
+  EXPECT_EQ(answered("--path flexion=0..10/5 --outputs touch")[1][3], "");
+  EXPECT_TRUE(found_["smallest_gap"].is_null());
+  EXPECT_EQ(answered("--path flexion=0..10/5 --outputs gap")[1][1], "");
+  EXPECT_TRUE(found_["touching"].is_null());
 }
 
 TEST_F(Poses, ARunThatEndedAnywhereGoesOnToTheSameBytes) {
-  options_.path = "flexion=0..150/30,internal_rotation=-20..20/20";
-  answered();
+  const std::string path = "--path flexion=0..150/30,internal_rotation=-20..20/20";
+  answered(path);
   const std::string whole = bytes();
-  const nlohmann::json told = summary_["smallest_gap"];
+  const Json told = found_["smallest_gap"];
   std::filesystem::path part;
   {  // its name, from a run that cannot end
-    std::filesystem::remove(options_.out / "poses.csv");
-    std::filesystem::create_directory(options_.out / "poses.csv");
-    EXPECT_ANY_THROW(answered());
-    std::filesystem::remove(options_.out / "poses.csv");
-    for (const auto& file : std::filesystem::directory_iterator(options_.out)) {
+    std::filesystem::remove(out_ / "poses.csv");
+    std::filesystem::create_directory(out_ / "poses.csv");
+    EXPECT_EQ(run(path).code, 1);
+    std::filesystem::remove(out_ / "poses.csv");
+    for (const auto& file : std::filesystem::directory_iterator(out_)) {
       if (file.path().extension() == ".part") part = file.path();
     }
   }
@@ -249,17 +244,15 @@ TEST_F(Poses, ARunThatEndedAnywhereGoesOnToTheSameBytes) {
   EXPECT_EQ(read_bytes(part), whole);  // nothing was lost
   for (std::size_t end = 0; end <= whole.size(); end += 37) {
     folder_.write("out" / part.filename(), whole.substr(0, end));
-    log_.str("");
-    answered();
+    answered(path);
     EXPECT_EQ(bytes(), whole) << end;
-    EXPECT_EQ(summary_["smallest_gap"], told);
+    EXPECT_EQ(found_["smallest_gap"], told);
     EXPECT_FALSE(std::filesystem::exists(part));
   }
-  EXPECT_NE(log_.str().find("answered before"), std::string::npos);
+  EXPECT_NE(log_.find("answered before"), std::string::npos);
   // Another question has a part of its own.
   folder_.write("out" / part.filename(), whole.substr(0, 200));
-  options_.path = "flexion=0..150/30,internal_rotation=-20..20/10";
-  EXPECT_EQ(answered().size(), 31U);
+  EXPECT_EQ(answered("--path flexion=0..150/30,internal_rotation=-20..20/10").size(), 31U);
   EXPECT_TRUE(std::filesystem::exists(part));
 }
 

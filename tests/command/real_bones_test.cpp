@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes of real joints, against what their descriptions (subject.json) measured by other means. The joints
+// Real joints, against what their descriptions (subject.json) measured by other means. The joints
 // lie beside the project: the environment variable IMPINGE_BONES names their folder. Without it there is
 // nothing to compare.
 #include <algorithm>
@@ -13,13 +13,15 @@
 
 #include <gtest/gtest.h>
 
+#include "command/joint_options.hpp"
 #include "files/file_bytes.hpp"
 #include "hip/measure_list.hpp"
 #include "hip/sphere_fit.hpp"
+#include "joint/document.hpp"
+#include "joint/gaps.hpp"
 #include "joint/limits.hpp"
 #include "mesh/io.hpp"
 #include "mesh/validation.hpp"
-#include "scene/report.hpp"
 
 namespace impinge {
 namespace {
@@ -45,7 +47,7 @@ std::vector<fs::path> hips() {
 // Of every mesh that the description knows.
 TEST(RealBones, CountsAreThoseStated) {
   for (const fs::path& subject : subjects()) {
-    const auto files = nlohmann::json::parse(read_bytes(subject / "subject.json"))["files"];
+    const auto files = Json::parse(read_bytes(subject / "subject.json"))["files"];
     EXPECT_FALSE(files.empty()) << subject;
     for (const auto& [name, stated] : files.items()) {
       if (!name.ends_with(".ply")) continue;
@@ -66,8 +68,8 @@ TEST(RealBones, CountsAreThoseStated) {
   }
 }
 
-SceneOptions options_of(const fs::path& hip) {
-  SceneOptions options;
+JointOptions options_of(const fs::path& hip) {
+  JointOptions options;
   options.ball = hip / "femoral_head.ply";
   options.socket = hip / "acetabulum_facing.ply";
   return options;
@@ -78,18 +80,18 @@ SceneOptions options_of(const fs::path& hip) {
 // regions, and near it.
 TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
   for (const fs::path& hip : hips()) {
-    const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
-    const SceneOptions options = options_of(hip);
-    Session session = load_joint(options);
+    const auto subject = Json::parse(read_bytes(hip / "subject.json"));
+    const JointOptions options = options_of(hip);
+    Session session = load_joint(options, {});
     const Joint& joint = session.joint->joint;
     const auto& centre = subject["center_of_rotation_mm"];
     EXPECT_LT((joint.centre - Vec3(centre[0], centre[1], centre[2])).norm(), 0.35) << hip;
     EXPECT_NEAR(joint.fit->radius, subject["radius_mm"].get<double>(), 0.12) << hip;
-    const auto report = summary(options, *session.joint, measure(session, options));
+    const GapsAnswer found = answer(session, GapsRequest());
     const double distance = subject["pose"]["min_gap_regions_mm"];
-    EXPECT_NEAR(report["smallest_gap"]["gap_mm"], distance, 0.15) << hip;
-    EXPECT_EQ(report["impingement"][0]["ball"]["vertices"], 0) << hip << ": no bone touches another";
-    EXPECT_GT(report["impingement"][1]["socket"]["area_mm2"], 100.0) << hip << ": 4 mm of cartilage do touch";
+    EXPECT_NEAR(found.smallest_gap.value().gap_mm, distance, 0.15) << hip;
+    EXPECT_EQ(found.impingement.at(0).ball.vertices, 0U) << hip << ": no bone touches another";
+    EXPECT_GT(found.impingement.at(1).socket.area_mm2, 100.0) << hip << ": 4 mm of cartilage do touch";
   }
 }
 
@@ -97,7 +99,7 @@ TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
 TEST(RealBones, CentreIsFoundInTheWholeFemur) {
   for (const fs::path& hip : hips()) {
     if (!fs::exists(hip / "femur.ply")) continue;
-    const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
+    const auto subject = Json::parse(read_bytes(hip / "subject.json"));
     const SphereFit fit = fit_ball(read_mesh(hip / "femur.ply"));
     const auto& centre = subject["center_of_rotation_mm"];
     EXPECT_LT((fit.centre - Vec3(centre[0], centre[1], centre[2])).norm(), 0.35) << hip;
@@ -110,10 +112,10 @@ TEST(RealBones, CentreIsFoundInTheWholeFemur) {
 TEST(RealBones, TheJointIsFoundInWholeBones) {
   for (const fs::path& hip : hips()) {
     if (!fs::exists(hip / "femur.ply") || !fs::exists(hip / "pelvis.ply")) continue;
-    SceneOptions options = options_of(hip);
+    JointOptions options = options_of(hip);
     options.ball = hip / "femur.ply";
     options.socket = hip / "pelvis.ply";
-    const Session whole = load_joint(options);
+    const Session whole = load_joint(options, {});
     const Joint& joint = whole.joint->joint;
     const auto facing = static_cast<double>(read_mesh(hip / "acetabulum_facing.ply").faces.size());
     EXPECT_NEAR(static_cast<double>(joint.socket.taken.value().faces), facing, 0.02 * facing) << hip;
@@ -126,11 +128,11 @@ TEST(RealBones, TheJointIsFoundInWholeBones) {
 // Shares of directions that the description counted with its own rays.
 TEST(RealBones, CoverageIsThatOfTheDescription) {
   for (const fs::path& hip : hips()) {
-    const auto subject = nlohmann::json::parse(read_bytes(hip / "subject.json"));
-    SceneOptions options = options_of(hip);
+    const auto subject = Json::parse(read_bytes(hip / "subject.json"));
+    JointOptions options = options_of(hip);
     const auto& centre = subject["center_of_rotation_mm"];
     options.centre = Vec3(centre[0], centre[1], centre[2]);
-    Session session = load_joint(options);
+    Session session = load_joint(options, {});
     const Joint& joint = session.joint->joint;
     const auto& star = subject["star_shape"];
     EXPECT_NEAR(joint.socket.star_shape.covered, star["socket_facing"]["fraction_hit"].get<double>(), 0.005)
@@ -174,16 +176,15 @@ TEST(RealBones, TurnUntilSurfacesMeet) {
   for (const fs::path& hip : hips()) {
     const auto of = std::ranges::find(known, hip.filename().string(), &FirstMeeting::subject);
     if (of == known.end()) continue;
-    const auto about = nlohmann::json::parse(read_bytes(hip / "subject.json"))["center_of_rotation_mm"];
+    const auto about = Json::parse(read_bytes(hip / "subject.json"))["center_of_rotation_mm"];
     for (const bool whole : {true, false}) {
-      SceneOptions options;
+      JointOptions options;
       options.ball = hip / (whole ? "femur.ply" : "femoral_head.ply");
       options.socket = hip / (whole ? "pelvis.ply" : "acetabulum.ply");
       options.side = hip.string().ends_with("left") ? Side::left : Side::right;
       options.axes = of->axes;
-      options.axes_given = true;
       options.centre = Vec3(about[0], about[1], about[2]);
-      Session session = load_joint(options);
+      Session session = load_joint(options, {});
       for (std::size_t k = 0; k < motions.size(); ++k) {
         const double expected = (whole ? of->whole : of->cropped)[k];
         if (expected == 0.0) continue;
@@ -218,13 +219,12 @@ TEST(RealBones, MeasuresStayOrAreRefusedUnderNoiseAndCropping) {
   std::size_t compared = 0;
   std::size_t folders = 0;
   for (const fs::path& hip : hips()) {
-    SceneOptions options = options_of(hip);
+    JointOptions options = options_of(hip);
     if (fs::exists(hip / "femur.ply")) options.ball = hip / "femur.ply";
     options.side = hip.string().ends_with("left") ? Side::left : Side::right;
-    const auto text = nlohmann::json::parse(read_bytes(hip / "subject.json"))["axes"].get<std::string>();
+    const auto text = Json::parse(read_bytes(hip / "subject.json"))["axes"].get<std::string>();
     options.axes = text.find("LPS") != text.npos ? "LPS" : "RAS";
-    options.axes_given = true;
-    const Session session = load_joint(options);
+    const Session session = load_joint(options, {});
     const SessionJoint& joint = *session.joint;
     const auto bone = [&](const fs::path& file) {
       return in_joint_frame(joint, relative_to(read_mesh(file), joint.joint.centre));
